@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one door for arrays between NumPy and the core.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/base/grid.hpp"
+
+namespace samcontact::bindings {
+
+namespace py = pybind11;
+
+/// C-contiguous float64 only; the Python layer converts and checks the shape.
+using Array = py::array_t<double, py::array::c_style>;
+
+inline Field to_field(const Array& array) {
+  return Field(array.data(), array.data() + array.size());
+}
+
+/// None becomes an empty field.
+inline Field to_field_or_empty(const py::object& object) {
+  return object.is_none() ? Field{} : to_field(object.cast<Array>());
+}
+
+/// Hands a field's memory to NumPy.
+inline py::array own(Field field, py::array::ShapeContainer shape,
+                     py::array::StridesContainer strides) {
+  auto* kept = new Field(std::move(field));
+  py::capsule owner(kept, [](void* p) { delete static_cast<Field*>(p); });
+  return py::array(py::dtype::of<double>(), std::move(shape), std::move(strides), kept->data(),
+                   owner);
+}
+
+constexpr py::ssize_t item = sizeof(double);
+
+inline py::array surface_array(Field field, const Grid& grid) {
+  return own(std::move(field), {grid.nx, grid.ny}, {item * grid.ny, item});
+}
+
+/// Depth-major [k][i][j] seen as (nx, ny, layers).
+inline py::array volume_array(Field field, const Grid& grid, py::ssize_t layers) {
+  const py::ssize_t plane = static_cast<py::ssize_t>(grid.surface_size());
+  return own(std::move(field), {py::ssize_t(grid.nx), py::ssize_t(grid.ny), layers},
+             {item * grid.ny, item, item * plane});
+}
+
+/// Depth-major [component][k][i][j] seen as (6, nx, ny, layers).
+inline py::array tensor_array(Field field, const Grid& grid, py::ssize_t layers) {
+  const py::ssize_t plane = static_cast<py::ssize_t>(grid.surface_size());
+  return own(std::move(field), {py::ssize_t(6), py::ssize_t(grid.nx), py::ssize_t(grid.ny), layers},
+             {item * plane * layers, item * grid.ny, item, item * plane});
+}
+
+}  // namespace samcontact::bindings

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/gil_safe_call_once.h>
+#include <pybind11/stl.h>
+
+#include "rooms.hpp"
+#include "samcontact/base/errors.hpp"
+#include "samcontact/base/grid.hpp"
+#include "samcontact/base/interrupt.hpp"
+
+namespace samcontact::bindings {
+
+namespace py = pybind11;
+
+namespace {
+
+/// Runs Python's signal handlers (Ctrl-C) and passes on what they raise.
+void check_signals() {
+  py::gil_scoped_acquire gil;
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+void bind_errors(py::module_& m) {
+  PYBIND11_CONSTINIT static py::gil_safe_call_once_and_store<py::object> convergence_error;
+  convergence_error.call_once_and_store_result([&] {
+    return py::object(py::exception<ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError));
+  });
+  py::register_exception_translator([](std::exception_ptr p) {
+    try {
+      if (p) std::rethrow_exception(p);
+    } catch (const ConvergenceError& error) {
+      const py::object& type = convergence_error.get_stored();
+      py::object value = type(error.what());
+      value.attr("iterations") = error.iterations();
+      value.attr("residual") = error.residual();
+      PyErr_SetObject(type.ptr(), value.ptr());
+    }
+  });
+  py::register_exception<GridTooSmallError>(m, "GridTooSmallError", PyExc_ValueError);
+}
+
+}  // namespace
+
+void bind_base(py::module_& m) {
+  set_interrupt_check(check_signals);
+  bind_errors(m);
+  py::class_<Grid>(m, "Grid")
+      .def(py::init<int, int, double, double, int, double>(), py::arg("nx"), py::arg("ny"),
+           py::arg("dx"), py::arg("dy"), py::arg("nz"), py::arg("dz"))
+      .def_readonly("nx", &Grid::nx)
+      .def_readonly("ny", &Grid::ny)
+      .def_readonly("nz", &Grid::nz)
+      .def_readonly("dx", &Grid::dx)
+      .def_readonly("dy", &Grid::dy)
+      .def_readonly("dz", &Grid::dz)
+      .def("x", &Grid::x)
+      .def("y", &Grid::y)
+      .def("z", &Grid::z);
+}
+
+}  // namespace samcontact::bindings

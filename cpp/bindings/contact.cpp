@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrays.hpp"
+#include "rooms.hpp"
+#include "samcontact/contact/contact_solver.hpp"
+
+namespace samcontact::bindings {
+
+namespace {
+
+using contact::ContactSolver;
+using contact::Driver;
+
+py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, double value,
+               const py::object& initial_pressure, double tol, int max_iterations,
+               bool error_on_border) {
+  const Field h = to_field(gap), start = to_field_or_empty(initial_pressure);
+  const contact::ContactSettings settings{
+      tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
+  contact::Solution solution;
+  {
+    py::gil_scoped_release release;
+    solution = solver.solve(h, load_driven ? Driver::load(value) : Driver::approach(value), start,
+                            settings);
+  }
+  py::dict result;
+  result["pressure"] = surface_array(std::move(solution.pressure), solver.grid());
+  result["gap"] = surface_array(std::move(solution.gap), solver.grid());
+  result["approach"] = solution.approach;
+  result["load"] = solution.load;
+  result["error"] = solution.error;
+  result["iterations"] = solution.iterations;
+  result["converged"] = solution.converged;
+  result["touches_border"] = solution.touches_border;
+  return result;
+}
+
+}  // namespace
+
+void bind_contact(py::module_& m) {
+  py::class_<ContactSolver>(m, "ContactSolver")
+      .def(py::init<const Grid&, const Elastic&, const Elastic&, double>(), py::arg("grid"),
+           py::arg("body1"), py::arg("body2"), py::arg("friction"))
+      .def("solve", &solve, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
+           py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
+           py::arg("error_on_border"));
+}
+
+}  // namespace samcontact::bindings

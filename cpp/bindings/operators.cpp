@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "rooms.hpp"
+#include "samcontact/operators/surface_displacement.hpp"
+#include "samcontact/operators/volume_operators.hpp"
+
+namespace samcontact::bindings {
+
+namespace {
+
+const double* pointer(const Field& field) { return field.empty() ? nullptr : field.data(); }
+
+py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& elastic) {
+  Field field = to_field(strain);
+  {
+    py::gil_scoped_release release;
+    const operators::VolumeOperators volume(grid, elastic);
+    operators::VolumeSpectrum spectrum(volume.transform(), grid.nz);
+    operators::forward(volume.transform(), field.data(), spectrum);
+    volume.residual_stress().apply(spectrum);
+    operators::inverse(volume.transform(), spectrum, field.data());
+  }
+  return tensor_array(std::move(field), grid, grid.nz);
+}
+
+py::array residual_displacement(const Grid& grid, const Array& strain, double nu) {
+  const Field field = to_field(strain);
+  Field out(grid.surface_size());
+  {
+    py::gil_scoped_release release;
+    const fft::PaddedTransform transform(grid.nx, grid.ny);
+    const operators::ResidualDisplacement displacement(grid, transform, nu);
+    operators::VolumeSpectrum spectrum(transform, grid.nz);
+    operators::forward(transform, field.data(), spectrum);
+    displacement.apply(spectrum, out.data());
+  }
+  return surface_array(std::move(out), grid);
+}
+
+py::array surface_displacement(const Grid& grid, const Elastic& elastic, const Array& pressure,
+                               const py::object& shear_x, const py::object& shear_y) {
+  const Field p = to_field(pressure), sx = to_field_or_empty(shear_x),
+              sy = to_field_or_empty(shear_y);
+  Field out;
+  {
+    py::gil_scoped_release release;
+    out = operators::surface_displacement(grid, elastic.normal_compliance(),
+                                          elastic.coupling_compliance(), p.data(), pointer(sx),
+                                          pointer(sy));
+  }
+  return surface_array(std::move(out), grid);
+}
+
+py::array surface_stress(const Grid& grid, double nu, const std::vector<double>& z,
+                         const Array& pressure, const py::object& shear_x,
+                         const py::object& shear_y) {
+  const Field p = to_field(pressure), sx = to_field_or_empty(shear_x),
+              sy = to_field_or_empty(shear_y);
+  Field out;
+  {
+    py::gil_scoped_release release;
+    out = operators::traction_stress(grid, nu, z, p.data(), pointer(sx), pointer(sy));
+  }
+  return tensor_array(std::move(out), grid, static_cast<py::ssize_t>(z.size()));
+}
+
+}  // namespace
+
+void bind_operators(py::module_& parent) {
+  auto m = parent.def_submodule("operators");
+  m.def("residual_stress", &residual_stress, py::arg("grid"), py::arg("strain"),
+        py::arg("elastic"));
+  m.def("residual_displacement", &residual_displacement, py::arg("grid"), py::arg("strain"),
+        py::arg("nu"));
+  m.def("surface_displacement", &surface_displacement, py::arg("grid"), py::arg("elastic"),
+        py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"));
+  m.def("surface_stress", &surface_stress, py::arg("grid"), py::arg("nu"), py::arg("z"),
+        py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"));
+}
+
+}  // namespace samcontact::bindings

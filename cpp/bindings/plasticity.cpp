@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "arrays.hpp"
+#include "rooms.hpp"
+#include "samcontact/plasticity/material.hpp"
+#include "samcontact/plasticity/return_mapping.hpp"
+
+namespace samcontact::bindings {
+
+void bind_plasticity(py::module_& m) {
+  using plasticity::Material;
+  py::class_<Elastic>(m, "Elastic")
+      .def_static("isotropic", &Elastic::isotropic, py::arg("E"), py::arg("nu"))
+      .def_static("rigid", &Elastic::rigid)
+      .def_readonly("E", &Elastic::E)
+      .def_readonly("nu", &Elastic::nu);
+  py::class_<Material>(m, "Material")
+      .def_static("elastic", &Material::make_elastic, py::arg("E"), py::arg("nu"))
+      .def_static("rigid", &Material::make_rigid)
+      .def_static("perfect_plastic", &Material::make_perfect_plastic, py::arg("E"), py::arg("nu"),
+                  py::arg("yield_stress"))
+      .def_static("linear_hardening", &Material::make_linear_hardening, py::arg("E"), py::arg("nu"),
+                  py::arg("yield_stress"), py::arg("tangent_modulus"))
+      .def_static("swift", &Material::make_swift, py::arg("E"), py::arg("nu"), py::arg("B"),
+                  py::arg("C"), py::arg("n"))
+      .def_property_readonly("elastic_constants", [](const Material& s) { return s.elastic; })
+      .def_property_readonly("is_plastic", &Material::is_plastic)
+      .def(
+          "yield_stress",
+          [](const Material& s, const Array& g) {
+            py::array_t<double> out(g.size());
+            double* to = out.mutable_data();
+            for (py::ssize_t i = 0; i < g.size(); ++i) {
+              to[i] = s.hardening.yield_stress(g.data()[i]);
+            }
+            return out;
+          },
+          py::arg("g"))
+      .def(
+          "equivalent_increment",
+          [](const Material& s, double trial, double g) {
+            return plasticity::equivalent_increment(trial, g, s.elastic.shear_modulus(),
+                                                    s.hardening);
+          },
+          py::arg("trial"), py::arg("g"));
+}
+
+}  // namespace samcontact::bindings

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One binding function per room of the core.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace samcontact::bindings {
+
+void bind_base(pybind11::module_& m);
+void bind_kernels(pybind11::module_& m);
+void bind_operators(pybind11::module_& m);
+void bind_plasticity(pybind11::module_& m);
+void bind_contact(pybind11::module_& m);
+void bind_simulation(pybind11::module_& m);
+
+}  // namespace samcontact::bindings

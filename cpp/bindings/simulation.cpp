@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "rooms.hpp"
+#include "samcontact/simulation/simulation.hpp"
+
+namespace samcontact::bindings {
+
+namespace {
+
+using simulation::Counters;
+using simulation::Simulation;
+using simulation::State;
+using simulation::Target;
+
+/// A read-only view of a surface field that keeps its state alive; None when empty.
+py::object surface_view(const py::object& self, const Field& field) {
+  if (field.empty()) return py::none();
+  const Grid& grid = self.cast<const State&>().scene().grid;
+  py::array view({grid.nx, grid.ny}, {item * grid.ny, item}, field.data(), self);
+  py::detail::array_proxy(view.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return view;
+}
+
+enum class Rank { surface, scalar, tensor };
+
+template <Rank rank>
+auto field_method(Field (State::*method)(int) const) {
+  return [method](const State& state, int body) -> py::array {
+    Field field;
+    {
+      py::gil_scoped_release release;
+      field = (state.*method)(body);
+    }
+    const Grid& grid = state.scene().grid;
+    if constexpr (rank == Rank::surface) return surface_array(std::move(field), grid);
+    if constexpr (rank == Rank::scalar) return volume_array(std::move(field), grid, grid.nz);
+    if constexpr (rank == Rank::tensor) return tensor_array(std::move(field), grid, grid.nz);
+  };
+}
+
+void bind_state(py::module_& m) {
+  py::class_<State>(m, "State")
+      .def_property_readonly("pressure",
+                             [](const py::object& self) {
+                               return surface_view(self,
+                                                   self.cast<const State&>().tractions.pressure);
+                             })
+      .def_property_readonly("shear_x",
+                             [](const py::object& self) {
+                               return surface_view(self,
+                                                   self.cast<const State&>().tractions.shear_x);
+                             })
+      .def_property_readonly("shear_y",
+                             [](const py::object& self) {
+                               return surface_view(self,
+                                                   self.cast<const State&>().tractions.shear_y);
+                             })
+      .def_property_readonly(
+          "gap",
+          [](const py::object& self) { return surface_view(self, self.cast<const State&>().gap); })
+      .def_readonly("load", &State::load)
+      .def_readonly("approach", &State::approach)
+      .def_readonly("converged", &State::converged)
+      .def_readonly("iterations", &State::plastic_iterations)
+      .def_readonly("contact_iterations", &State::contact_iterations)
+      .def_readonly("substeps", &State::substeps)
+      .def_readonly("plastic_residual", &State::plastic_residual)
+      .def_readonly("yield_excess", &State::yield_excess)
+      .def_readonly("warnings", &State::warnings)
+      .def(
+          "has_plastic_strain", [](const State& s, int body) { return s.plastic[body] != nullptr; },
+          py::arg("body"))
+      .def("stress", field_method<Rank::tensor>(&State::stress), py::arg("body"))
+      .def("residual_stress", field_method<Rank::tensor>(&State::residual_stress), py::arg("body"))
+      .def("plastic_strain", field_method<Rank::tensor>(&State::plastic_strain), py::arg("body"))
+      .def("von_mises", field_method<Rank::scalar>(&State::von_mises), py::arg("body"))
+      .def("hydrostatic", field_method<Rank::scalar>(&State::hydrostatic), py::arg("body"))
+      .def("equivalent_plastic_strain",
+           field_method<Rank::scalar>(&State::equivalent_plastic_strain), py::arg("body"))
+      .def("residual_displacement", field_method<Rank::surface>(&State::residual_displacement),
+           py::arg("body"))
+      .def("surface_displacement", field_method<Rank::surface>(&State::surface_displacement),
+           py::arg("body"));
+}
+
+Target make_target(const std::string& kind, double value, const py::object& pressure,
+                   const py::object& shear_x, const py::object& shear_y) {
+  if (kind == "load") return {Target::Kind::load, value, {}};
+  if (kind == "approach") return {Target::Kind::approach, value, {}};
+  return {Target::Kind::tractions,
+          0.0,
+          {to_field_or_empty(pressure), to_field_or_empty(shear_x), to_field_or_empty(shear_y)}};
+}
+
+State step(Simulation& simulation, const std::string& kind, double value,
+           const py::object& pressure, const py::object& shear_x, const py::object& shear_y) {
+  const Target target = make_target(kind, value, pressure, shear_x, shear_y);
+  py::gil_scoped_release release;
+  return simulation.step(target);
+}
+
+py::dict counters(const Simulation& simulation) {
+  const Counters& c = simulation.counters();
+  py::dict d;
+  d["contact_solves"] = c.contact_solves;
+  d["contact_iterations"] = c.contact_iterations;
+  d["yield_checks"] = c.yield_checks;
+  d["plastic_solves"] = c.plastic_solves;
+  d["plastic_iterations"] = c.plastic_iterations;
+  d["halvings"] = c.halvings;
+  d["volume_bytes"] = simulation.volume_bytes();
+  return d;
+}
+
+/// Sets the state from the entries of a checkpoint: surface fields, scalars, and per body the
+/// depth-major plastic arrays or None.
+void restore(Simulation& simulation, const py::dict& saved) {
+  State state(simulation.shared_scene());
+  const auto field = [&](const char* name) { return to_field_or_empty(saved[name]); };
+  state.tractions = {field("pressure"), field("shear_x"), field("shear_y")};
+  state.gap = field("gap");
+  state.load = saved["load"].cast<double>();
+  state.approach = saved["approach"].cast<double>();
+  state.plastic_iterations = saved["iterations"].cast<int>();
+  state.contact_iterations = saved["contact_iterations"].cast<int>();
+  state.substeps = saved["substeps"].cast<int>();
+  state.plastic_residual = saved["plastic_residual"].cast<double>();
+  state.yield_excess = saved["yield_excess"].cast<double>();
+  Counters c;
+  const py::dict d = saved["counters"];
+  c.contact_solves = d["contact_solves"].cast<long>();
+  c.contact_iterations = d["contact_iterations"].cast<long>();
+  c.yield_checks = d["yield_checks"].cast<long>();
+  c.plastic_solves = d["plastic_solves"].cast<long>();
+  c.plastic_iterations = d["plastic_iterations"].cast<long>();
+  c.halvings = d["halvings"].cast<long>();
+  simulation.restore(state, c);
+  for (int body = 0; body < 2; ++body) {
+    const std::string suffix = std::to_string(body + 1);
+    Field strain = field(("plastic_strain" + suffix).c_str());
+    if (strain.empty()) continue;
+    simulation.set_plastic_state(body, std::move(strain), field(("equivalent" + suffix).c_str()));
+  }
+}
+
+}  // namespace
+
+void bind_simulation(py::module_& m) {
+  bind_state(m);
+  py::class_<Simulation>(m, "Simulation")
+      .def(py::init([](const Grid& grid, const plasticity::Material& body1,
+                       const plasticity::Material& body2, const Array& gap, double friction,
+                       double tol, int max_iterations, bool error_on_border) {
+             simulation::Settings settings;
+             settings.tol = tol;
+             settings.max_iterations = max_iterations;
+             settings.on_border =
+                 error_on_border ? contact::OnBorder::error : contact::OnBorder::warn;
+             return std::make_unique<Simulation>(grid, body1, body2, to_field(gap), friction,
+                                                 settings);
+           }),
+           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"), py::arg("friction"),
+           py::arg("tol"), py::arg("max_iterations"), py::arg("error_on_border"))
+      .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
+           py::arg("shear_x"), py::arg("shear_y"))
+      .def(
+          "set_plastic_state",
+          [](Simulation& s, int body, const Array& strain, const py::object& equivalent) {
+            s.set_plastic_state(body, to_field(strain), to_field_or_empty(equivalent));
+          },
+          py::arg("body"), py::arg("strain"), py::arg("equivalent"))
+      .def_property_readonly("state", [](const Simulation& s) { return s.state(); })
+      .def_property_readonly("counters", &counters)
+      .def("restore", &restore, py::arg("saved"));
+}
+
+}  // namespace samcontact::bindings

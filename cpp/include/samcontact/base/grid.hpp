@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The regular grid on which every field lives.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace samcontact {
+
+/// Cell-centred grid. x_i = (i - (nx-1)/2) dx [m], y likewise; layer k spans [k dz, (k+1) dz] with
+/// z into the body. nz = 0 means surface only; dz is then 0.
+///
+/// Index orders in the core: a surface field is [i][j] (y fastest); a volume field is depth-major,
+/// [k][i][j]; a tensor field is [component][k][i][j] with components xx, yy, zz, yz, xz, xy.
+struct Grid {
+  int nx, ny, nz;
+  double dx, dy, dz;
+
+  /// Throws std::invalid_argument when a count is not positive (nz: negative) or a size is not a
+  /// positive finite number.
+  Grid(int nx, int ny, double dx, double dy, int nz = 0, double dz = 0.0);
+
+  std::size_t surface_size() const { return static_cast<std::size_t>(nx) * ny; }
+  std::size_t volume_size() const { return surface_size() * nz; }
+  double cell_area() const { return dx * dy; }
+
+  std::vector<double> x() const;
+  std::vector<double> y() const;
+  /// Mid-depths of the layers [m].
+  std::vector<double> z() const;
+};
+
+}  // namespace samcontact

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lets a host (an interpreter, a GUI) stop long work: the core calls back between iterations.
+#pragma once
+
+namespace samcontact {
+
+/// A function that throws when the work should stop. Called from the thread that runs the solve.
+using InterruptCheck = void (*)();
+
+/// Installs the check; nullptr removes it.
+void set_interrupt_check(InterruptCheck check);
+
+/// Calls the installed check, at most about 20 times a second.
+void check_interrupt();
+
+}  // namespace samcontact

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contact of two elastic half-spaces with Coulomb friction s = mu p (gross sliding along x).
+#pragma once
+
+#include <string>
+
+#include "samcontact/base/elastic.hpp"
+#include "samcontact/base/errors.hpp"
+#include "samcontact/base/grid.hpp"
+#include "samcontact/contact/complementarity.hpp"
+
+namespace samcontact::contact {
+
+/// What to do when the contact reaches the border of the grid.
+enum class OnBorder { error, warn };
+
+/// Names the border that the contact touches and the remedy; empty when it touches none. what: the
+/// driver in words.
+std::string border_complaint(const Grid& grid, const Field& pressure, const std::string& what);
+/// The error of a complaint, which also names the way to a warning.
+GridTooSmallError too_small(const std::string& complaint);
+
+struct ContactSettings {
+  double tol = 1e-8;
+  int max_iterations = 5000;
+  OnBorder on_border = OnBorder::error;
+};
+
+class ContactSolver {
+ public:
+  /// friction: coefficient mu >= 0; the shear mu p acts on body 2 in +x, on body 1 in -x. Throws
+  /// std::invalid_argument when both bodies are rigid or friction is negative or not finite.
+  ContactSolver(const Grid& grid, const Elastic& body1, const Elastic& body2, double friction);
+
+  /// Without coupling one conjugate-gradient solve. With it (dissimilar bodies and friction) the
+  /// operator is not symmetric: the shear's displacement is lagged in an outer fixed point, a
+  /// contraction with factor <= mu (1 - 2 nu)/(2 (1 - nu)) in the energy norm because its kernel is
+  /// antisymmetric. initial_pressure may be empty.
+  /// Throws std::invalid_argument (load < 0, wrong shape, not finite), GridTooSmallError, and
+  /// ConvergenceError.
+  Solution solve(const Field& gap, Driver driver, const Field& initial_pressure,
+                 const ContactSettings& settings) const;
+
+  const Grid& grid() const { return grid_; }
+  double friction() const { return friction_; }
+
+ private:
+  Solution solve_coupled(const Field& gap, Driver driver, Field pressure,
+                         const ContactSettings& settings) const;
+  void check(const Field& gap, const Driver& driver, const Field& initial_pressure,
+             const ContactSettings& settings) const;
+
+  Grid grid_;
+  double friction_;
+  operators::SurfaceDisplacement displacement_;
+};
+
+}  // namespace samcontact::contact

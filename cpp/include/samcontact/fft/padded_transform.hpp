@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two-dimensional real transform of a plane padded with zeros, which skips the padding: only the nx
+// filled rows are transformed along y, and only nx rows are brought back.
+#pragma once
+
+#include <cstddef>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/fft/plan.hpp"
+
+namespace samcontact::fft {
+
+/// Planes of nx x ny [i][j] padded to mx x my. Spectra are [ky][kx], ky = 0..my/2, kx = 0..mx-1;
+/// successive ky lie `stride` complex numbers apart, so that many planes can share one block.
+/// Unnormalised: inverse(forward(f)) = mx my f. Plans are estimated, not measured: the same machine
+/// then repeats the same digits in every process. Thread-safe after construction.
+class PaddedTransform {
+ public:
+  /// Pads to the next good sizes >= 2n - 1, enough for a linear convolution.
+  PaddedTransform(int nx, int ny);
+
+  int nx() const { return nx_; }
+  int ny() const { return ny_; }
+  int mx() const { return mx_; }
+  int my() const { return my_; }
+  int mh() const { return my_ / 2 + 1; }
+  std::size_t spectrum_size() const { return static_cast<std::size_t>(mh()) * mx_; }
+
+  /// Whether a call may use several threads itself; off when the caller's loop already does.
+  enum class Threads { one, many };
+
+  void forward(const double* plane, Complex* spectrum, std::size_t stride, Threads threads) const;
+  /// Destroys the spectrum.
+  void inverse(Complex* spectrum, double* plane, std::size_t stride, Threads threads) const;
+
+ private:
+  static constexpr int block = 8;  // rows at a time: one 128-byte run per ky when transposing
+
+  int nx_, ny_, mx_, my_;
+  Plan rows_forward_, rows_inverse_, column_forward_, column_inverse_;
+};
+
+}  // namespace samcontact::fft

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Spectra of influence coefficients: a kernel that is even or odd in x and in y has a spectrum that
+// is (-i)^(number of odd directions) times a real quarter plane.
+#pragma once
+
+#include <array>
+
+#include "samcontact/fft/padded_transform.hpp"
+
+namespace samcontact::fft {
+
+/// Real quarter spectra of kernels sampled at offsets i >= 0, j >= 0.
+class ParitySpectrum {
+ public:
+  explicit ParitySpectrum(const PaddedTransform& transform);
+
+  /// Extents of the quarter plane [j][i] of samples and, in the same places, [ky][kx] of spectra.
+  int hx() const { return mx_ / 2 + 1; }
+  int hy() const { return my_ / 2 + 1; }
+  std::size_t size() const { return static_cast<std::size_t>(hx()) * hy(); }
+
+  /// quarter[j hx + i] = kernel(i, j) on entry (beyond the last needed offset: 0), the real quarter
+  /// of the spectrum divided by mx my on return: kernel^ = (-i)^(odd_x + odd_y) quarter for kx >= 0
+  /// and kernel^(-kx) = +-kernel^(kx) for even/odd. Thread-safe.
+  void transform(double* quarter, bool odd_x, bool odd_y) const;
+
+ private:
+  int mx_, my_;
+  std::array<Plan, 4> plans_;  // [odd_x + 2 odd_y]
+};
+
+}  // namespace samcontact::fft

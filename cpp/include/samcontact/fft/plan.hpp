@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The only door to FFTW: plans as owned objects, made under one mutex because FFTW's planner is not
+// thread-safe (executing a plan is).
+#pragma once
+
+#include <fftw3.h>
+
+#include <memory>
+#include <mutex>
+#include <type_traits>
+
+#include "samcontact/base/aligned.hpp"
+
+namespace samcontact::fft {
+
+/// Held while a plan is made or destroyed.
+std::mutex& planner_mutex();
+
+struct PlanDeleter {
+  void operator()(fftw_plan plan) const {
+    const std::lock_guard lock(planner_mutex());
+    fftw_destroy_plan(plan);
+  }
+};
+using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDeleter>;
+
+inline fftw_complex* raw(Complex* z) { return reinterpret_cast<fftw_complex*>(z); }
+
+/// Smallest even length >= n with prime factors 2, 3, 5 and 7 only: lengths FFTW does fast, and
+/// even so that a symmetric sequence has a self-mirrored middle.
+int good_even_size(int n);
+
+}  // namespace samcontact::fft

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Influence of uniform tractions on a rectangle of the half-space surface: u_z at the surface
+// (Love, Cerruti) and stress at any depth. Corner functions; sums in corners.hpp.
+//
+// x, y: field point minus corner of the source, z >= 0 depth, all in one unit of length. Only the
+// corner sum of a function has a meaning; terms that the sum annihilates are left out.
+#pragma once
+
+#include <array>
+
+namespace samcontact::kernels {
+
+/// Six stress components xx, yy, zz, yz, xz, xy.
+using Stress = std::array<double, 6>;
+
+/// Corner function of u_z due to pressure: u_z = p (1 - nu^2)/(pi E) S2. Even in x, even in y.
+/// Love (1929) as in Boucly (2008), eq. (2.34).
+double pressure_displacement(double x, double y);
+
+/// Corner function of u_z due to shear s_x (acting on the body along +x):
+/// u_z = s_x (1 + nu)(1 - 2 nu)/(2 pi E) S2. Odd in x, even in y. Cerruti (1882); the prefactor
+/// printed in Boucly (2008), eq. (2.37), lacks (1 - 2 nu)/4.
+double shear_displacement(double x, double y);
+
+/// Corner functions of the stress due to pressure: sigma = p/(2 pi) S2. Parities in (x, y):
+/// xx, yy, zz even-even, yz even-odd, xz odd-even, xy odd-odd. Boucly (2008), eqs (2.81)-(2.86).
+Stress pressure_stress(double x, double y, double z, double nu);
+
+/// Corner functions of the stress due to shear s_x: sigma = s_x/(2 pi) S2. Parities: those of
+/// pressure_stress with x flipped. Boucly (2008), eqs (2.88)-(2.93) with L_22 corrected.
+/// For s_y exchange x and y, xx and yy, yz and xz.
+Stress shear_stress(double x, double y, double z, double nu);
+
+}  // namespace samcontact::kernels

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Materials: isotropic elasticity with an isotropic hardening law for J2 plasticity.
+#pragma once
+
+#include "samcontact/base/elastic.hpp"
+
+namespace samcontact::plasticity {
+
+/// Yield stress [Pa] as a function of the equivalent plastic strain g [-].
+class Hardening {
+ public:
+  enum class Law { elastic, linear, swift };
+
+  /// Never yields.
+  static Hardening none() { return {}; }
+  /// yield_stress + modulus g; modulus 0 is perfect plasticity.
+  static Hardening linear(double yield_stress, double modulus);
+  /// B (C + 1e6 g)^n, B in Pa: Swift's law, whose C counts microstrain.
+  static Hardening swift(double B, double C, double n);
+
+  Law law() const { return law_; }
+  double yield_stress(double g) const;
+  /// d yield_stress / dg [Pa].
+  double slope(double g) const;
+
+ private:
+  Law law_ = Law::elastic;
+  double initial_ = 0.0, modulus_ = 0.0;
+  double B_ = 0.0, C_ = 0.0, n_ = 0.0;
+};
+
+struct Material {
+  Elastic elastic;
+  Hardening hardening = Hardening::none();
+
+  /// Factories throw std::invalid_argument naming the parameter, its value and what is allowed.
+  static Material make_elastic(double E, double nu);
+  static Material make_rigid();
+  static Material make_perfect_plastic(double E, double nu, double yield_stress);
+  /// tangent_modulus Et of the uniaxial curve, 0 <= Et < E; the hardening modulus is E Et/(E - Et).
+  static Material make_linear_hardening(double E, double nu, double yield_stress,
+                                        double tangent_modulus);
+  static Material make_swift(double E, double nu, double B, double C, double n);
+
+  bool is_plastic() const { return hardening.law() != Hardening::Law::elastic; }
+};
+
+}  // namespace samcontact::plasticity

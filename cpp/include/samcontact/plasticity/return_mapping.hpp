@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Radial return for J2 plasticity with isotropic hardening, backward Euler (Simo & Hughes 1998,
+// Computational Inelasticity, box 3.2). Pointwise: knows no grid.
+#pragma once
+
+#include <array>
+
+#include "samcontact/plasticity/material.hpp"
+
+namespace samcontact::plasticity {
+
+/// Components xx, yy, zz, yz, xz, xy of a symmetric tensor.
+using Tensor = std::array<double, 6>;
+
+/// sqrt(3/2 s:s), s the deviator [Pa].
+double von_mises(const Tensor& stress);
+
+/// Equivalent plastic strain increment d >= 0 that solves trial - 3 G d = yield_stress(g + d), to
+/// rounding. trial: von Mises stress of the trial state [Pa]; g: equivalent plastic strain before.
+double equivalent_increment(double trial, double g, double shear_modulus,
+                            const Hardening& hardening);
+
+struct Return {
+  Tensor increment;   // plastic strain increment (tensor components)
+  double equivalent;  // equivalent plastic strain increment
+  double excess;      // (von Mises - yield stress) / yield stress of the given stress, >= 0
+  double overshoot;   // the same of the trial state, before hardening: what drives the flow
+};
+
+/// Returns to the yield surface. stress: the stress with `guess`, the present estimate of the
+/// plastic strain increment, in place; the trial state takes that guess back: dev(stress) + 2 G
+/// guess.
+Return radial_return(const Tensor& stress, const Tensor& guess, double g, double shear_modulus,
+                     const Hardening& hardening);
+
+}  // namespace samcontact::plasticity

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Incremental elastic-plastic contact: loading, unloading, reloading.
+#pragma once
+
+#include <memory>
+
+#include "samcontact/simulation/state.hpp"
+
+namespace samcontact::simulation {
+
+/// Where an increment goes: a load, an approach, or given tractions (in the frame of body 2).
+struct Target {
+  enum class Kind { load, approach, tractions } kind;
+  double value = 0.0;
+  operators::Tractions tractions;
+};
+
+struct Settings {
+  double tol = 1e-6;  // relative change of the plastic strain increment, and yield excess
+  int max_iterations = 60;
+  int max_halvings = 8;
+  contact::OnBorder on_border = contact::OnBorder::error;
+};
+
+/// Work done so far.
+struct Counters {
+  long contact_solves = 0, contact_iterations = 0;
+  long yield_checks = 0;        // increments whose elastic state was compared with the yield stress
+  long plastic_solves = 0;      // (sub)increments in which a body yielded
+  long plastic_iterations = 0;  // evaluations of the plastic fixed point
+  long halvings = 0;
+};
+
+/// Per increment the plastic strain increment D is the fixed point of: residual displacement of
+/// eps + D -> contact -> stress -> radial return of dev(stress) + 2 G D. At the fixed point this is
+/// backward Euler with the consistent total strain increment.
+class Simulation {
+ public:
+  /// Throws std::invalid_argument: wrong gap, an inelastic body on a grid without volume, tol.
+  Simulation(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
+             Field initial_gap, double friction, const Settings& settings);
+
+  /// One increment; halves it where the fixed point does not converge. The present state changes
+  /// only on success. Throws std::invalid_argument, GridTooSmallError, ConvergenceError.
+  const State& step(const Target& target);
+
+  /// Plastic state of body 0 or 1 to go on from: any symmetric strain, e.g. a given eigenstrain.
+  void set_plastic_state(int body, Field strain, Field equivalent);
+
+  /// Continues from a saved state of the same scene.
+  void restore(const State& state, const Counters& counters);
+
+  const State& state() const { return state_; }
+  const Scene& scene() const { return *scene_; }
+  const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
+  const Counters& counters() const { return counters_; }
+  /// Memory of the plastic state and the volume's kernels.
+  std::size_t volume_bytes() const;
+
+ private:
+  void check(const Target& target) const;
+  Target between(const State& from, const Target& target, double fraction) const;
+
+  std::shared_ptr<const Scene> scene_;
+  Settings settings_;
+  State state_;
+  Counters counters_;
+};
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/base/errors.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace samcontact {
+
+std::string to_text(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return std::string(text.data(), end);
+}
+
+void require(bool condition, const std::string& name, const std::string& allowed, double value) {
+  if (!condition) {
+    throw std::invalid_argument(name + " must be " + allowed + ", got " + to_text(value));
+  }
+}
+
+}  // namespace samcontact

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/base/grid.hpp"
+
+#include <cmath>
+
+#include "samcontact/base/errors.hpp"
+
+namespace samcontact {
+namespace {
+
+void require_size(const char* name, double value) {
+  require(std::isfinite(value) && value > 0, name, "a finite number > 0 [m]", value);
+}
+
+std::vector<double> centres(int n, double d) {
+  std::vector<double> c(n);
+  for (int i = 0; i < n; ++i) c[i] = (i - 0.5 * (n - 1)) * d;
+  return c;
+}
+
+}  // namespace
+
+Grid::Grid(int nx_, int ny_, double dx_, double dy_, int nz_, double dz_)
+    : nx(nx_), ny(ny_), nz(nz_), dx(dx_), dy(dy_), dz(nz_ > 0 ? dz_ : 0.0) {
+  require(nx > 0, "nx", "an integer > 0", nx);
+  require(ny > 0, "ny", "an integer > 0", ny);
+  require(nz >= 0, "nz", "an integer >= 0", nz);
+  require_size("dx", dx);
+  require_size("dy", dy);
+  if (nz > 0) require_size("dz", dz);
+}
+
+std::vector<double> Grid::x() const { return centres(nx, dx); }
+std::vector<double> Grid::y() const { return centres(ny, dy); }
+
+std::vector<double> Grid::z() const {
+  std::vector<double> c(nz);
+  for (int k = 0; k < nz; ++k) c[k] = (k + 0.5) * dz;
+  return c;
+}
+
+}  // namespace samcontact

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/contact_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace samcontact::contact {
+namespace {
+
+constexpr int max_coupling_iterations = 200;
+
+bool all_finite(const Field& field) {
+  return std::all_of(field.begin(), field.end(), [](double v) { return std::isfinite(v); });
+}
+
+bool touches_border(const Grid& grid, const Field& pressure) {
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      const bool border = i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1;
+      if (border && pressure[static_cast<std::size_t>(i) * grid.ny + j] > 0) return true;
+    }
+  }
+  return false;
+}
+
+std::string describe(const Driver& driver) {
+  return driver.kind == Driver::Kind::load ? "load " + to_text(driver.value) + " N"
+                                           : "approach " + to_text(driver.value) + " m";
+}
+
+/// Largest change between two fields on the cells in contact; under load control a uniform change
+/// is only a change of approach.
+double change_in_contact(const Field& a, const Field& b, const Field& pressure, bool load_driven) {
+  double lowest = INFINITY, highest = -INFINITY;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (pressure[i] <= 0) continue;
+    lowest = std::min(lowest, a[i] - b[i]);
+    highest = std::max(highest, a[i] - b[i]);
+  }
+  if (!(lowest <= highest)) return 0.0;
+  return load_driven ? highest - lowest : std::max(std::fabs(lowest), std::fabs(highest));
+}
+
+}  // namespace
+
+std::string border_complaint(const Grid& grid, const Field& pressure, const std::string& what) {
+  if (!touches_border(grid, pressure)) return {};
+  return "at " + what + " the contact touches the border of the grid (" +
+         to_text(grid.nx * grid.dx) + " m x " + to_text(grid.ny * grid.dy) +
+         " m): enlarge nx dx and ny dy";
+}
+
+GridTooSmallError too_small(const std::string& complaint) {
+  return GridTooSmallError(complaint + ", or ask for a warning with on_border=\"warn\"");
+}
+
+ContactSolver::ContactSolver(const Grid& grid, const Elastic& body1, const Elastic& body2,
+                             double friction)
+    : grid_(grid),
+      friction_(friction),
+      displacement_(
+          grid, body1.normal_compliance() + body2.normal_compliance(),
+          friction == 0 ? 0.0 : body2.coupling_compliance() - body1.coupling_compliance()) {
+  require(std::isfinite(friction) && friction >= 0, "friction", "a finite number >= 0", friction);
+  if (body1.is_rigid() && body2.is_rigid()) {
+    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
+  }
+}
+
+void ContactSolver::check(const Field& gap, const Driver& driver, const Field& initial_pressure,
+                          const ContactSettings& settings) const {
+  std::string shape = " must have shape (";
+  shape.append(std::to_string(grid_.nx)).append(", ").append(std::to_string(grid_.ny)).append(")");
+  if (gap.size() != grid_.surface_size()) throw std::invalid_argument("gap" + shape);
+  if (!all_finite(gap)) throw std::invalid_argument("gap must be finite everywhere");
+  if (!initial_pressure.empty()) {
+    if (initial_pressure.size() != gap.size()) {
+      throw std::invalid_argument("initial_pressure" + shape);
+    }
+    if (!all_finite(initial_pressure)) {
+      throw std::invalid_argument("initial_pressure must be finite everywhere");
+    }
+  }
+  if (driver.kind == Driver::Kind::load) {
+    require(std::isfinite(driver.value) && driver.value >= 0, "load", "a finite number >= 0 [N]",
+            driver.value);
+  } else {
+    require(std::isfinite(driver.value), "approach", "a finite number [m]", driver.value);
+  }
+  require(settings.tol >= 1e-13 && settings.tol < 1, "tol", "in [1e-13, 1)", settings.tol);
+  require(settings.max_iterations > 0, "max_iterations", "an integer > 0", settings.max_iterations);
+}
+
+Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& initial_pressure,
+                              const ContactSettings& settings) const {
+  check(gap, driver, initial_pressure, settings);
+  Field pressure = initial_pressure;
+  pressure.resize(gap.size(), 0.0);
+  for (double& p : pressure) p = std::max(p, 0.0);
+
+  Solution solution =
+      displacement_.has_coupling()
+          ? solve_coupled(gap, driver, std::move(pressure), settings)
+          : solve_complementarity(displacement_, gap, grid_.cell_area(), driver,
+                                  std::move(pressure), settings.tol, settings.max_iterations);
+  if (!solution.converged) {
+    throw ConvergenceError("contact did not converge at " + describe(driver) + ": error " +
+                               to_text(solution.error) + " after " +
+                               std::to_string(solution.iterations) + " iterations, tol " +
+                               to_text(settings.tol),
+                           solution.iterations, solution.error);
+  }
+  solution.touches_border = touches_border(grid_, solution.pressure);
+  if (solution.touches_border && settings.on_border == OnBorder::error) {
+    throw too_small(border_complaint(grid_, solution.pressure, describe(driver)));
+  }
+  return solution;
+}
+
+Solution ContactSolver::solve_coupled(const Field& gap, Driver driver, Field pressure,
+                                      const ContactSettings& settings) const {
+  const bool load_driven = driver.kind == Driver::Kind::load;
+  Field shear(gap.size()), coupling(gap.size()), previous(gap.size()), lagged(gap.size());
+  const auto update_coupling = [&](const Field& p) {
+    for (std::size_t i = 0; i < p.size(); ++i) shear[i] = friction_ * p[i];
+    displacement_.shear(shear.data(), coupling.data());
+  };
+  update_coupling(pressure);
+
+  Solution solution;
+  int iterations = 0;
+  double outer_error = 1.0;
+  for (int n = 0; n < max_coupling_iterations; ++n) {
+    for (std::size_t i = 0; i < gap.size(); ++i) lagged[i] = gap[i] + coupling[i];
+    const double inner_tol = std::clamp(0.1 * outer_error, 0.3 * settings.tol, 1e-2);
+    solution =
+        solve_complementarity(displacement_, lagged, grid_.cell_area(), driver, std::move(pressure),
+                              std::max(inner_tol, 1e-13), settings.max_iterations);
+    iterations += solution.iterations;
+    if (!solution.converged) break;
+    std::swap(previous, coupling);
+    update_coupling(solution.pressure);
+    // The gap with the updated coupling; its scale is the elastic displacement in the contact.
+    double scale = 0.0;
+    for (std::size_t i = 0; i < gap.size(); ++i) {
+      scale = std::max(scale, solution.gap[i] + solution.approach - lagged[i]);
+    }
+    const double change = change_in_contact(coupling, previous, solution.pressure, load_driven);
+    outer_error = scale > 0 ? change / scale : 0.0;
+    solution.error += outer_error;
+    for (std::size_t i = 0; i < gap.size(); ++i) solution.gap[i] += coupling[i] - previous[i];
+    solution.converged = solution.error <= settings.tol;
+    if (solution.converged) break;
+    pressure = solution.pressure;
+  }
+  solution.iterations = iterations;
+  return solution;
+}
+
+}  // namespace samcontact::contact

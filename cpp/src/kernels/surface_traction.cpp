@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/kernels/surface_traction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "samcontact/kernels/corners.hpp"
+
+namespace samcontact::kernels {
+namespace {
+
+// Keeps the quotients defined on the lines above the source's edges, where their numerators vanish.
+constexpr double tiny = 1e-280;
+
+/// Elementary functions shared by the stress kernels.
+struct Elementary {
+  double R, s, t, T_z, A_x, A_y, p_zz;
+
+  Elementary(double x, double y, double z) {
+    s = std::max(x * x + z * z, tiny);
+    t = std::max(y * y + z * z, tiny);
+    R = std::max(std::sqrt(x * x + y * y + z * z), 1e-140);
+    T_z = std::atan2(x * y, z * R);
+    A_x = std::atan2(x * y, s + z * R);
+    A_y = std::atan2(x * y, t + z * R);
+    p_zz = x * y / R * (1 / s + 1 / t);
+  }
+};
+
+}  // namespace
+
+double pressure_displacement(double x, double y) {
+  return x * log_ratio(y, x, 0.0) + y * log_ratio(x, y, 0.0);
+}
+
+double shear_displacement(double x, double y) {
+  const double rho2 = std::max(x * x + y * y, tiny);
+  return 0.5 * y * std::log(rho2) + x * std::atan2(std::copysign(1.0, x) * y, std::fabs(x));
+}
+
+Stress pressure_stress(double x, double y, double z, double nu) {
+  const Elementary e(x, y, z);
+  const double k = 1 - 2 * nu;
+  return {z * x * y / (e.R * e.s) - k * e.A_x - 2 * nu * e.T_z,
+          z * x * y / (e.R * e.t) - k * e.A_y - 2 * nu * e.T_z,
+          -e.T_z - z * e.p_zz,
+          z * z * x / (e.R * e.t),
+          z * z * y / (e.R * e.s),
+          -z / e.R - k * std::log(e.R + z)};
+}
+
+Stress shear_stress(double x, double y, double z, double nu) {
+  const Elementary e(x, y, z);
+  const double k = 1 - 2 * nu;
+  const double T = e.R + z;
+  const double L_x = log_ratio(x, y, z);
+  const double L_y = log_ratio(y, x, z);
+  return {2 * L_y + x * x * y / (e.s * e.R) - k * y / T,
+          -y / e.R + k * y / T + 2 * nu * L_y,
+          z * z * y / (e.R * e.s),
+          -z / e.R,
+          -e.T_z + z * x * y / (e.R * e.s),
+          L_x - x / e.R + k * x / T};
+}
+
+}  // namespace samcontact::kernels

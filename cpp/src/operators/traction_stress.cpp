@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/traction_stress.hpp"
+
+#include <numbers>
+#include <utility>
+
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/fft/parity_spectrum.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
+#include "samcontact/kernels/surface_traction.hpp"
+#include "samcontact/operators/influence_lattice.hpp"
+#include "samcontact/operators/parity_product.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+kernels::Parity parity(Traction kind, int component) {
+  auto p = kernels::component_parity(component);
+  if (kind == Traction::shear_x) p.odd_x = !p.odd_x;
+  if (kind == Traction::shear_y) p.odd_y = !p.odd_y;
+  return p;
+}
+
+kernels::Stress corner_stress(Traction kind, double x, double y, double z, double nu) {
+  if (kind == Traction::pressure) return kernels::pressure_stress(x, y, z, nu);
+  if (kind == Traction::shear_x) return kernels::shear_stress(x, y, z, nu);
+  const auto s = kernels::shear_stress(y, x, z, nu);
+  return {s[1], s[0], s[2], s[4], s[3], s[5]};
+}
+
+}  // namespace
+
+TractionStress::TractionStress(const Grid& grid, const fft::PaddedTransform& transform, double nu,
+                               std::vector<double> depths)
+    : grid_(grid), transform_(&transform), nu_(nu), depths_(std::move(depths)) {}
+
+void TractionStress::prepare(Traction kind) {
+  Field& spectra = spectra_[static_cast<int>(kind)];
+  if (!spectra.empty()) return;
+  const fft::ParitySpectrum parity_spectrum(*transform_);
+  const CornerLattice lattice{grid_.nx, grid_.ny, grid_.dy / grid_.dx};
+  const int nz = layers(), hx = parity_spectrum.hx(), hy = parity_spectrum.hy();
+  Field built(parity_spectrum.size() * 6 * nz);
+  check_interrupt();
+#pragma omp parallel
+  {
+    Field corners(6 * lattice.size()), quarter(parity_spectrum.size());
+#pragma omp for schedule(dynamic)
+    for (int k = 0; k < nz; ++k) {
+      const double z = depths_[k] / grid_.dx;
+      lattice.evaluate<6>([&](double x, double y) { return corner_stress(kind, x, y, z, nu_); },
+                          corners.data());
+      for (int c = 0; c < 6; ++c) {
+        lattice.corner_sums(corners.data() + c * lattice.size(), quarter.data(), hx, hy);
+        const auto p = parity(kind, c);
+        parity_spectrum.transform(quarter.data(), p.odd_x, p.odd_y);
+        for (int ky = 0; ky < hy; ++ky) {
+          for (int kx = 0; kx < hx; ++kx) {
+            built[((static_cast<std::size_t>(ky) * 6 + c) * nz + k) * hx + kx] =
+                quarter[static_cast<std::size_t>(ky) * hx + kx] / (2 * std::numbers::pi);
+          }
+        }
+      }
+    }
+  }
+  spectra = std::move(built);
+}
+
+void TractionStress::add(Traction kind, const ComplexField& traction, double scale,
+                         VolumeSpectrum& out) const {
+  const Field& spectra = spectra_[static_cast<int>(kind)];
+  const int mx = out.mx, nz = layers(), hx = mx / 2 + 1;
+#pragma omp parallel for schedule(static)
+  for (int ky = 0; ky < out.mh; ++ky) {
+    const Complex* in = traction.data() + static_cast<std::size_t>(ky) * mx;
+    const double* quarter = spectra.data() + static_cast<std::size_t>(ky) * 6 * nz * hx;
+    for (int c = 0; c < 6; ++c) {
+      for (int k = 0; k < nz; ++k, quarter += hx) {
+        add_parity_product(quarter, parity(kind, c), scale, in, out.column(ky, c, k), mx);
+      }
+    }
+  }
+  out.used.assign(nz, 1);
+}
+
+std::size_t TractionStress::bytes() const {
+  return (spectra_[0].size() + spectra_[1].size() + spectra_[2].size()) * sizeof(double);
+}
+
+Field traction_stress(const Grid& grid, double nu, std::span<const double> depths,
+                      const double* pressure, const double* shear_x, const double* shear_y) {
+  const fft::PaddedTransform transform(grid.nx, grid.ny);
+  const std::array<const double*, 3> tractions{pressure, shear_x, shear_y};
+  Field stress(6 * depths.size() * grid.surface_size());
+  const std::size_t plane = grid.surface_size();
+  // One depth at a time: the kernels of a depth are used once, so only one set is kept.
+  for (std::size_t d = 0; d < depths.size(); ++d) {
+    TractionStress single(grid, transform, nu, {depths[d]});
+    VolumeSpectrum spectrum(transform, 1);
+    for (int kind = 0; kind < 3; ++kind) {
+      if (tractions[kind] == nullptr) continue;
+      ComplexField in(transform.spectrum_size());
+      transform.forward(tractions[kind], in.data(), transform.mx(),
+                        fft::PaddedTransform::Threads::many);
+      single.prepare(static_cast<Traction>(kind));
+      single.add(static_cast<Traction>(kind), in, 1.0, spectrum);
+    }
+    Field layer(6 * plane);
+    inverse(transform, spectrum, layer.data());
+    for (int c = 0; c < 6; ++c) {
+      std::copy(layer.begin() + c * plane, layer.begin() + (c + 1) * plane,
+                stress.begin() + (c * depths.size() + d) * plane);
+    }
+  }
+  return stress;
+}
+
+}  // namespace samcontact::operators

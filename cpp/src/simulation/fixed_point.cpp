@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/fixed_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "samcontact/base/errors.hpp"
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/simulation/anderson.hpp"
+#include "samcontact/simulation/plastic_increment.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+constexpr int anderson_depth = 8;
+/// The contact is solved this much more tightly than the plastic fixed point.
+constexpr double contact_share = 1e-2;
+/// Coarsest and finest tolerance of a contact solve inside the fixed point.
+constexpr double loosest = 1e-6, tightest = 1e-12;
+/// Plastic strain increments below this part of the strain at yield are not resolved further: the
+/// relative change is taken of the larger of the two.
+constexpr double negligible = 1e-3;
+/// A residual this much larger than the best one means that the acceleration went astray.
+constexpr double astray = 10.0;
+
+bool any(const Field& field) {
+  return std::any_of(field.begin(), field.end(), [](double v) { return v != 0; });
+}
+
+class FixedPoint {
+ public:
+  FixedPoint(const State& from, const Target& target, const Settings& settings, Counters& counters)
+      : grid_(from.scene().grid),
+        target_(target),
+        settings_(settings),
+        counters_(counters),
+        problem_(from, target, counters),
+        x_(problem_.size(), 0.0),
+        f_(problem_.size(), 0.0),
+        contact_tol_(problem_.has_plastic_body() ? loosest : contact_share * settings.tol) {}
+
+  State solve() {
+    evaluate();
+    // Plastic flow only widens the contact: what is too large now will not fit later.
+    if (settings_.on_border == contact::OnBorder::error &&
+        target_.kind != Target::Kind::tractions) {
+      const auto complaint =
+          contact::border_complaint(grid_, result_.contact.pressure, describe(target_));
+      if (!complaint.empty()) throw contact::too_small(complaint);
+    }
+    if (problem_.has_plastic_body()) ++counters_.yield_checks;
+    if (!any(mapped_) && contact_tol_ > contact_share * settings_.tol) {
+      contact_tol_ = std::max(contact_share * settings_.tol, tightest);
+      evaluate();
+    }
+    if (!any(mapped_)) return finish(0);
+
+    ++counters_.plastic_solves;
+    for (int n = 1; n <= settings_.max_iterations; ++n) {
+      check_interrupt();
+      advance();
+      const double finest = contact_tolerance(settings_.tol);
+      if (residual_ <= settings_.tol && result_.excess <= settings_.tol) {
+        if (contact_tol_ <= finest) return finish(n);
+        contact_tol_ = finest;
+      } else {
+        contact_tol_ = std::max(contact_tolerance(residual_), finest);
+      }
+    }
+    throw ConvergenceError("the plastic increment to " + describe(target_) +
+                               " did not converge in " + std::to_string(settings_.max_iterations) +
+                               " iterations: relative change " + to_text(residual_) +
+                               ", yield excess " + to_text(result_.excess) + ", tol " +
+                               to_text(settings_.tol),
+                           settings_.max_iterations, residual_);
+  }
+
+ private:
+  /// An error of the contact pressure is felt relative to what drives the flow, the trial stress's
+  /// overshoot of the yield stress: the smaller that is, the tighter the contact must be.
+  double contact_tolerance(double residual) const {
+    const double share = std::clamp(result_.overshoot, negligible, 1.0);
+    return std::clamp(contact_share * share * residual, tightest, loosest);
+  }
+
+  /// mapped = G(x), f = G(x) - x.
+  void evaluate() {
+    result_ = problem_.evaluate(x_, contact_tol_, mapped_);
+    for (std::size_t i = 0; i < f_.size(); ++i) f_[i] = mapped_[i] - x_[i];
+    const double change = norm(f_);
+    const double scale = std::max(norm(mapped_), negligible * result_.yield_strain_norm);
+    residual_ = scale > 0 ? change / scale : (change > 0 ? 1.0 : 0.0);
+  }
+
+  void advance() {
+    const double size = norm(f_);
+    if (size < best_) {
+      best_ = size;
+      best_x_ = x_;
+      best_f_ = f_;
+    } else if (size > astray * best_) {
+      // Start anew from the best point with a damped plain step.
+      anderson_.reset();
+      x_ = best_x_;
+      f_ = best_f_;
+      for (double& v : f_) v *= 0.5;
+    }
+    anderson_.next(x_, f_);
+    evaluate();
+    ++counters_.plastic_iterations;
+  }
+
+  State finish(int iterations) const {
+    State state = problem_.finish(mapped_, result_);
+    state.plastic_iterations = iterations;
+    state.plastic_residual = iterations > 0 ? residual_ : 0.0;
+    state.yield_excess = result_.excess;
+    return state;
+  }
+
+  const Grid& grid_;
+  const Target& target_;
+  const Settings& settings_;
+  Counters& counters_;
+  PlasticIncrement problem_;
+  Anderson anderson_{anderson_depth};
+  Field x_, f_, mapped_, best_x_, best_f_;
+  PlasticIncrement::Result result_;
+  double contact_tol_, residual_ = 1.0, best_ = INFINITY;
+};
+
+}  // namespace
+
+std::string describe(const Target& target) {
+  switch (target.kind) {
+    case Target::Kind::load:
+      return "load " + to_text(target.value) + " N";
+    case Target::Kind::approach:
+      return "approach " + to_text(target.value) + " m";
+    default:
+      return "the prescribed tractions";
+  }
+}
+
+State solve_increment(const State& from, const Target& target, const Settings& settings,
+                      Counters& counters) {
+  return FixedPoint(from, target, settings, counters).solve();
+}
+
+}  // namespace samcontact::simulation

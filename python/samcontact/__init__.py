@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Semi-analytical elastic-plastic contact of two bodies. SI units everywhere."""
+
+from . import critical, hertz, kernels, operators, paths, surfaces
+from ._core import ConvergenceError, GridTooSmallError
+from ._core import version as __version__
+from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
+from .grid import Grid
+from .material import Material
+from .simulation import CheckpointError, Simulation
+from .state import State
+
+__all__ = [
+    "CheckpointError",
+    "ContactSolution",
+    "ContactSolver",
+    "ConvergenceError",
+    "Grid",
+    "GridTooSmallError",
+    "GridTooSmallWarning",
+    "Material",
+    "Simulation",
+    "State",
+    "__version__",
+    "critical",
+    "hertz",
+    "kernels",
+    "operators",
+    "paths",
+    "surfaces",
+]

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Errors of a case file in the user's words: the field, what is wrong, what is allowed."""
+
+from __future__ import annotations
+
+from types import UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+from pydantic import BaseModel
+
+
+def explain(root: type[BaseModel], item: Any) -> str:
+    """One validation error as "field: what is wrong, what is allowed"."""
+    fields, names = _resolve(root, item["loc"])
+    kind, context = item["type"], item.get("ctx", {})
+    where = _dotted(names)
+    if kind == "extra_forbidden":
+        return f"{where}: unknown field; allowed here: {', '.join(fields)}"
+    if kind == "missing":
+        return f"{where}: required field is missing"
+    if kind == "union_tag_not_found":
+        key = context["discriminator"].strip("'")
+        return f"{where}.{key}: required field is missing"
+    if kind == "union_tag_invalid":
+        key = context["discriminator"].strip("'")
+        return f"{where}.{key}: must be one of {context['expected_tags']}, got '{context['tag']}'"
+    if kind == "value_error":
+        message = str(context["error"])
+        return f"{where}: {message}" if where else message
+    message = item["msg"][0].lower() + item["msg"][1:]
+    return f"{where}: {message}, got {item['input']!r}"
+
+
+def _dotted(names: list[str | int]) -> str:
+    text = ""
+    for name in names:
+        text += f"[{name}]" if isinstance(name, int) else f".{name}" if text else name
+    return text
+
+
+def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> tuple[list[str], list[str | int]]:
+    """Fields allowed where `loc` points, and `loc` as the user wrote it, without union tags."""
+    models: list[type[BaseModel]] = [root]
+    allowed: list[str] = []
+    names: list[str | int] = []
+    for element in loc:
+        if len(models) > 1:  # a tagged union: pydantic puts the tag into the location
+            models = [model for model in models if element in _tags(model)] or models
+            continue
+        if isinstance(element, str) and models:
+            allowed = list(models[0].model_fields)
+            field = models[0].model_fields.get(element)
+            models = _models(field.annotation) if field is not None else []
+        names.append(element)
+    return allowed, names
+
+
+def _tags(model: type[BaseModel]) -> tuple[Any, ...]:
+    return tuple(
+        tag
+        for field in model.model_fields.values()
+        if get_origin(field.annotation) is Literal
+        for tag in get_args(field.annotation)
+    )
+
+
+def _models(annotation: Any) -> list[type[BaseModel]]:
+    """The section models inside an annotation."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [annotation]
+    if get_origin(annotation) in (Annotated, Union, UnionType, list):
+        return [model for part in get_args(annotation) for model in _models(part)]
+    return []

@@ -1,0 +1,277 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sections of a case file as validated models; each knows how to build its object."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+
+from . import surfaces
+from ._checks import FloatArray
+
+if TYPE_CHECKING:
+    from .grid import Grid
+    from .material import Material
+
+Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
+Radius = Annotated[float, Field(gt=0.0)]  # inf is straight
+NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
+Poisson = Annotated[float, Field(ge=0.0, lt=0.5)]
+Count = Annotated[int, Field(ge=1)]
+
+
+class Section(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+
+class GridSection(Section):
+    """[grid]: cells of the surface and, for stresses and plasticity, layers of the volume."""
+
+    nx: Count
+    ny: Count
+    dx: Positive
+    dy: Positive
+    nz: Annotated[int, Field(ge=0)] = 0
+    dz: Positive | None = None
+
+    @model_validator(mode="after")
+    def _volume_is_complete(self) -> GridSection:
+        if (self.nz > 0) != (self.dz is not None):
+            raise ValueError("nz and dz go together: give both (nz >= 1) or neither")
+        return self
+
+    def build(self) -> Grid:
+        from .grid import Grid
+
+        return Grid(self.nx, self.ny, self.dx, self.dy, self.nz, self.dz)
+
+
+class _Body(Section):
+    def build(self) -> Material:
+        from .material import Material
+
+        parameters = self.model_dump()
+        material: Material = getattr(Material, parameters.pop("law"))(**parameters)
+        return material
+
+
+class RigidBody(_Body):
+    """A body that does not deform."""
+
+    law: Literal["rigid"]
+
+
+class ElasticBody(_Body):
+    """Linear elasticity."""
+
+    law: Literal["elastic"]
+    E: Positive
+    nu: Poisson
+
+
+class PerfectPlasticBody(_Body):
+    """Elastic, perfectly plastic."""
+
+    law: Literal["perfect_plastic"]
+    E: Positive
+    nu: Poisson
+    yield_stress: Positive
+
+
+class LinearHardeningBody(_Body):
+    """Linear isotropic hardening; tangent modulus of the uniaxial curve."""
+
+    law: Literal["linear_hardening"]
+    E: Positive
+    nu: Poisson
+    yield_stress: Positive
+    tangent_modulus: NonNegative
+
+    @model_validator(mode="after")
+    def _tangent_below_E(self) -> LinearHardeningBody:
+        if self.tangent_modulus >= self.E:
+            raise ValueError(
+                f"tangent_modulus must be < E = {self.E!r}, got {self.tangent_modulus!r}"
+            )
+        return self
+
+
+class SwiftBody(_Body):
+    """Swift hardening B (C + 1e6 g)^n."""
+
+    law: Literal["swift"]
+    E: Positive
+    nu: Poisson
+    B: Positive
+    C: Positive
+    n: Annotated[float, Field(ge=0.0, le=1.0)]
+
+
+BodySection = Annotated[
+    RigidBody | ElasticBody | PerfectPlasticBody | LinearHardeningBody | SwiftBody,
+    Field(discriminator="law"),
+]
+
+
+class SinusoidalRoughness(Section):
+    """A sin(2 pi x/lx) sin(2 pi y/ly)."""
+
+    kind: Literal["sinusoidal"]
+    amplitude: NonNegative
+    wavelength_x: Positive
+    wavelength_y: Positive
+
+    def build(self, grid: Grid) -> FloatArray:
+        return surfaces.sinusoidal(grid, self.amplitude, self.wavelength_x, self.wavelength_y)
+
+
+class SelfAffineRoughness(Section):
+    """Random roughness, see `surfaces.rough_self_affine`."""
+
+    kind: Literal["self_affine"]
+    rms_height: NonNegative
+    hurst: Annotated[float, Field(ge=0.0, le=1.0)]
+    wavelength_min: Positive | None = None
+    wavelength_max: Positive | None = None
+    roll_off: Positive | None = None
+    seed: Annotated[int, Field(ge=0)]
+
+    def build(self, grid: Grid) -> FloatArray:
+        return surfaces.rough_self_affine(grid, **self.model_dump(exclude={"kind"}))
+
+
+class _Surface(Section):
+    roughness: (
+        Annotated[SinusoidalRoughness | SelfAffineRoughness, Field(discriminator="kind")] | None
+    ) = None
+
+    def radii(self) -> tuple[float, float] | None:
+        """Radii of the Hertz contact this surface approximates; None without one."""
+        return None
+
+    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+        raise NotImplementedError
+
+    def build(self, grid: Grid, folder: Path) -> FloatArray:
+        gap = self.shape_gap(grid, folder)
+        return gap if self.roughness is None else gap + self.roughness.build(grid)
+
+
+class ParaboloidSurface(_Surface):
+    """x^2/(2 Rx) + y^2/(2 Ry)."""
+
+    shape: Literal["paraboloid"]
+    Rx: Radius
+    Ry: Radius | None = None
+
+    def radii(self) -> tuple[float, float] | None:
+        return self.Rx, self.Rx if self.Ry is None else self.Ry
+
+    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+        return surfaces.paraboloid(grid, self.Rx, self.Ry)
+
+
+class SphereSurface(_Surface):
+    """Exact sphere."""
+
+    shape: Literal["sphere"]
+    R: Positive
+
+    def radii(self) -> tuple[float, float] | None:
+        return self.R, self.R
+
+    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+        return surfaces.sphere(grid, self.R)
+
+
+class CylinderSurface(_Surface):
+    """Exact circular cylinder."""
+
+    shape: Literal["cylinder"]
+    R: Positive
+    axis: Literal["x", "y"] = "y"
+
+    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+        return surfaces.cylinder(grid, self.R, self.axis)
+
+
+class FileSurface(_Surface):
+    """Measured heights of body 2 (.npy or text, nx rows of ny values), under a paraboloid."""
+
+    shape: Literal["file"]
+    path: str
+    Rx: Radius | None = None
+    Ry: Radius | None = None
+
+    @field_validator("path")
+    @classmethod
+    def _known_format(cls, value: str) -> str:
+        if Path(value).suffix.lower() not in (".npy", ".txt", ".csv", ".dat"):
+            raise ValueError(f"must end in .npy, .txt, .dat or .csv, got {value!r}")
+        return value
+
+    @model_validator(mode="after")
+    def _Ry_needs_Rx(self) -> FileSurface:
+        if self.Ry is not None and self.Rx is None:
+            raise ValueError("Ry needs Rx (use Rx = inf for a surface straight along x)")
+        return self
+
+    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+        path = folder / self.path
+        try:
+            if path.suffix.lower() == ".npy":
+                heights = np.load(path, allow_pickle=False)
+            else:
+                delimiter = "," if path.suffix.lower() == ".csv" else None
+                heights = np.loadtxt(path, delimiter=delimiter, ndmin=2)
+        except (OSError, ValueError) as error:
+            raise ValueError(f"path: cannot read heights from {path}: {error}") from error
+        upper = None if self.Rx is None else surfaces.paraboloid(grid, self.Rx, self.Ry)
+        return surfaces.from_heights(grid, heights, upper)
+
+
+SurfaceSection = Annotated[
+    ParaboloidSurface | SphereSurface | CylinderSurface | FileSurface,
+    Field(discriminator="shape"),
+]
+
+
+class ContactSection(Section):
+    """[contact]: friction and solver settings."""
+
+    friction: NonNegative = 0.0
+    tol: Annotated[float, Field(ge=1e-11, lt=1.0)] = 1e-6
+    on_border: Literal["error", "warn"] = "error"
+
+
+class Segment(Section):
+    """[[path]]: a ramp from the value reached so far to this one."""
+
+    load: NonNegative | None = None
+    approach: Annotated[float, Field(allow_inf_nan=False)] | None = None
+    increments: Count = 10
+    start: Annotated[float, Field(allow_inf_nan=False)] | None = None
+    spacing: Literal["linear", "power"] = "linear"
+    exponent: Positive = 2.0
+
+    @model_validator(mode="after")
+    def _one_target(self) -> Segment:
+        if (self.load is None) == (self.approach is None):
+            raise ValueError("give exactly one of load, approach")
+        return self
+
+    @property
+    def quantity(self) -> str:
+        return "load" if self.load is not None else "approach"
+
+
+class OutputSection(Section):
+    """[output]: where the results go and what is stored."""
+
+    directory: Annotated[str, Field(min_length=1)] | None = None
+    figures: bool = True
+    body: Literal[1, 2] = 2
+    volume: Literal["none", "last", "peak_and_last", "all"] = "peak_and_last"

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Case files: a TOML description of one simulation, validated field by field."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import numpy as np
+from pydantic import Field, PrivateAttr, ValidationError, model_validator
+
+from . import hertz as _hertz
+from . import paths
+from ._case_errors import explain
+from ._case_sections import (
+    BodySection,
+    ContactSection,
+    GridSection,
+    OutputSection,
+    Section,
+    Segment,
+    SurfaceSection,
+)
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+if TYPE_CHECKING:
+    from .simulation import Simulation
+
+__all__ = ["Case", "CaseError", "load_case"]
+
+
+class CaseError(ValueError):
+    """A case file that cannot be used; the message names the file, the field and the remedy."""
+
+
+class Case(Section):
+    """A validated case.
+
+    Read one with `load_case`, or validate a dictionary of the same layout with
+    ``Case.model_validate``. All quantities in SI units.
+    """
+
+    title: Annotated[str, Field(min_length=1)]
+    description: str = ""
+    grid: GridSection
+    body1: BodySection
+    body2: BodySection
+    surface: SurfaceSection
+    contact: ContactSection = ContactSection()
+    path: Annotated[list[Segment], Field(min_length=1)]
+    output: OutputSection = OutputSection()
+
+    _source: Path = PrivateAttr(default=Path("case.toml"))
+    _text: str = PrivateAttr(default="")
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Case:
+        bodies = (self.body1, self.body2)
+        if all(body.law == "rigid" for body in bodies):
+            raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
+        for name, body in zip(("body1", "body2"), bodies, strict=True):
+            if body.law not in ("rigid", "elastic") and self.grid.nz == 0:
+                raise ValueError(f"{name} is inelastic ({body.law}): [grid] needs nz and dz")
+        selected = self.output.body
+        stored = self.grid.nz > 0
+        if stored and bodies[selected - 1].law == "rigid":
+            raise ValueError(
+                f"output.body = {selected} is rigid and has no stresses: set it to {3 - selected}"
+            )
+        self.steps()
+        return self
+
+    @property
+    def source(self) -> Path:
+        """The file this case was read from."""
+        return self._source
+
+    @property
+    def text(self) -> str:
+        """The text of the case file, as stored with the results."""
+        return self._text
+
+    @property
+    def output_directory(self) -> Path:
+        """[output] directory, or results/<name of the case file>; relative to the working one."""
+        return Path(self.output.directory or Path("results") / self._source.stem)
+
+    def steps(self) -> paths.Path:
+        """The loading path as keyword dictionaries for `Simulation.run`."""
+        steps: paths.Path = []
+        previous = ("", 0.0)
+        for index, segment in enumerate(self.path):
+            name = segment.quantity
+            start = segment.start
+            if start is None:
+                if index > 0 and previous[0] != name:
+                    raise ValueError(
+                        f"path[{index}] changes from {previous[0]} to {name}: give start, "
+                        f"the {name} it starts from"
+                    )
+                start = previous[1]
+            target = getattr(segment, name)
+            try:
+                steps += paths.ramp(
+                    increments=segment.increments,
+                    start=start,
+                    spacing=segment.spacing,
+                    exponent=segment.exponent,
+                    **{name: target},
+                )
+            except ValueError as error:
+                raise ValueError(f"path[{index}]: {error}") from error
+            previous = (name, target)
+        return steps
+
+    def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
+        """Hertz contact of this case at a load [N] > 0; None when there is none.
+
+        There is one for smooth paraboloids and spheres with finite radii.
+        """
+        radii = self.surface.radii()
+        if radii is None or self.surface.roughness is not None or not np.all(np.isfinite(radii)):
+            return None
+        E_star = _hertz.effective_modulus(self.body1.build(), self.body2.build())
+        if radii[0] == radii[1]:
+            return _hertz.point(radii[0], E_star, load=load)
+        return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
+
+    def build(self) -> tuple[Simulation, paths.Path]:
+        """Make the simulation and its loading path.
+
+        Returns
+        -------
+        simulation : Simulation
+        path : list of dict
+            For ``simulation.run(path)``.
+
+        Raises
+        ------
+        CaseError
+            A section that cannot be realised, e.g. a surface file of the wrong shape.
+        """
+        from .simulation import Simulation
+
+        section = "grid"
+        try:
+            grid = self.grid.build()
+            section = "body1"
+            body1 = self.body1.build()
+            section = "body2"
+            body2 = self.body2.build()
+            section = "surface"
+            gap = self.surface.build(grid, self._source.parent)
+            section = "contact"
+            simulation = Simulation(grid, body1, body2, gap, **self.contact.model_dump())
+        except ValueError as error:
+            raise CaseError(f"{self._source}: [{section}] {error}") from error
+        return simulation, self.steps()
+
+
+def load_case(path: str | Path) -> Case:
+    """Read and validate a case file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file; the documentation and `cases/` show the layout.
+
+    Returns
+    -------
+    Case
+
+    Raises
+    ------
+    CaseError
+        The file cannot be read, is not TOML, or a field is missing, unknown or out of range.
+    """
+    source = Path(path)
+    try:
+        text = source.read_text(encoding="utf-8")
+        content = tomllib.loads(text)
+    except (OSError, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise CaseError(f"{source}: cannot read the case file: {reason}") from error
+    except tomllib.TOMLDecodeError as error:
+        raise CaseError(f"{source}: not valid TOML: {error}") from error
+    try:
+        case = Case.model_validate(content)
+    except ValidationError as error:
+        lines = [explain(Case, item) for item in error.errors()]
+        raise CaseError("\n".join(f"{source}: {line}" for line in lines)) from error
+    case._source, case._text = source, text
+    return case

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checkpoints of a simulation: one HDF5 file with scene, state and counters."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import h5py
+import numpy as np
+
+from . import _core
+from .grid import Grid
+from .material import Material
+
+if TYPE_CHECKING:
+    from .simulation import Simulation
+
+_FORMAT = "samcontact checkpoint"
+_FORMAT_VERSION = 1
+_SURFACE = ("pressure", "shear_x", "shear_y", "gap")
+_SCALARS = (
+    "load",
+    "approach",
+    "iterations",
+    "contact_iterations",
+    "substeps",
+    "plastic_residual",
+    "yield_excess",
+)
+
+
+class CheckpointError(ValueError):
+    """The file is no checkpoint of this package, or it is damaged."""
+
+
+def write_checkpoint(path: str | os.PathLike[str], simulation: Simulation) -> None:
+    """Write to a temporary file beside `path`, then replace: a failure leaves the old file."""
+    target = Path(path)
+    handle, name = tempfile.mkstemp(prefix=target.name, suffix=".part", dir=target.parent)
+    os.close(handle)
+    try:
+        with h5py.File(name, "w") as file:
+            _write(file, simulation)
+        with open(name, "rb") as written:
+            os.fsync(written.fileno())
+        os.replace(name, target)
+    except BaseException:
+        os.unlink(name)
+        raise
+
+
+def _write(file: h5py.File, simulation: Simulation) -> None:
+    file.attrs.update(
+        format=_FORMAT, format_version=_FORMAT_VERSION, samcontact_version=_core.version
+    )
+    grid = simulation.grid
+    file.create_group("grid").attrs.update(
+        {k: v for k, v in grid.__getstate__().items() if v is not None}
+    )
+    for name in ("body1", "body2"):
+        body = getattr(simulation, name)
+        file.create_group(name).attrs.update(law=body.law, **body.parameters)
+    file.create_group("settings").attrs.update(
+        friction=simulation.friction,
+        tol=simulation.tol,
+        on_border=simulation.on_border,
+        max_iterations=simulation.max_iterations,
+    )
+    file["initial_gap"] = simulation.initial_gap
+    core = simulation._core.state
+    state = file.create_group("state")
+    state.attrs.update({name: getattr(core, name) for name in _SCALARS})
+    for name in _SURFACE:
+        if getattr(core, name) is not None:
+            _dataset(state, name, getattr(core, name))
+    for body in (0, 1):
+        if core.has_plastic_strain(body):
+            _dataset(state, f"plastic_strain{body + 1}", core.plastic_strain(body))
+            _dataset(state, f"equivalent{body + 1}", core.equivalent_plastic_strain(body))
+    file.create_group("counters").attrs.update(simulation.counters)
+
+
+def _dataset(group: h5py.Group, name: str, values: Any) -> None:
+    # fletcher32: a damaged block is refused when it is read instead of being computed with.
+    group.create_dataset(name, data=values, fletcher32=True, chunks=True)
+
+
+def read_checkpoint(path: str | os.PathLike[str]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return the arguments of Simulation(...) and the entries for the core's restore()."""
+    if not Path(path).exists():
+        raise FileNotFoundError(f"no checkpoint at {os.fspath(path)!r}")
+    try:
+        with h5py.File(path, "r") as file:
+            if file.attrs.get("format") != _FORMAT:
+                raise CheckpointError(f"{os.fspath(path)!r} is not a samcontact checkpoint")
+            version = int(file.attrs["format_version"])
+            if version != _FORMAT_VERSION:
+                raise CheckpointError(
+                    f"{os.fspath(path)!r} has checkpoint format {version}; "
+                    f"this version reads format {_FORMAT_VERSION}"
+                )
+            return _read_scene(file), _read_state(file)
+    except CheckpointError:
+        raise
+    except (OSError, KeyError, ValueError, TypeError) as error:
+        raise CheckpointError(f"{os.fspath(path)!r} is damaged: {error}") from error
+
+
+def _plain(value: Any) -> Any:
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _read_scene(file: h5py.File) -> dict[str, Any]:
+    arguments: dict[str, Any] = {k: _plain(v) for k, v in file["settings"].attrs.items()}
+    arguments["grid"] = Grid(**{k: _plain(v) for k, v in file["grid"].attrs.items()})
+    for name in ("body1", "body2"):
+        parameters = {k: _plain(v) for k, v in file[name].attrs.items()}
+        arguments[name] = Material(parameters.pop("law"), parameters)
+    arguments["gap"] = file["initial_gap"][...]
+    return arguments
+
+
+def _read_state(file: h5py.File) -> dict[str, Any]:
+    group = file["state"]
+    shape = file["initial_gap"].shape
+    saved: dict[str, Any] = {name: _plain(group.attrs[name]) for name in _SCALARS}
+    for name in _SURFACE:
+        saved[name] = np.ascontiguousarray(group[name][...]) if name in group else None
+        if saved[name] is not None and saved[name].shape != shape:
+            raise ValueError(f"{name} has shape {saved[name].shape}, not {shape}")
+    for body in (1, 2):
+        for name, moved in ((f"plastic_strain{body}", 1), (f"equivalent{body}", 0)):
+            saved[name] = None
+            if name in group:
+                saved[name] = np.ascontiguousarray(np.moveaxis(group[name][...], -1, moved))
+    saved["counters"] = {k: _plain(v) for k, v in file["counters"].attrs.items()}
+    return saved

@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Elastic contact of two half-spaces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number
+from .grid import Grid
+from .material import Material
+from .operators import shear_components, surface_stress
+
+
+class GridTooSmallWarning(UserWarning):
+    """The contact or the plastic zone reaches the border of the grid."""
+
+
+def require_type(name: str, value: Any, kind: type) -> None:
+    """Raise TypeError naming the argument unless `value` is a `kind`."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{name} must be a samcontact.{kind.__name__}, got {value!r}")
+
+
+@dataclass(frozen=True)
+class ContactSolution:
+    """Solution of one elastic contact.
+
+    Attributes
+    ----------
+    pressure : ndarray, shape (nx, ny)
+        Contact pressure [Pa], >= 0.
+    gap : ndarray, shape (nx, ny)
+        Separation under load [m], zero (to `error`) where the pressure is positive.
+    approach : float
+        Rigid-body approach of the bodies [m].
+    load : float
+        Total load [N].
+    iterations : int
+        Conjugate-gradient iterations.
+    error : float
+        Largest violation of p >= 0, g >= 0, p g = 0: max |min(p/max p, g/max u)| [-].
+    converged : bool
+        Whether error <= tol (a solve that is not raises ConvergenceError).
+    """
+
+    pressure: FloatArray
+    gap: FloatArray
+    approach: float
+    load: float
+    iterations: int
+    error: float
+    converged: bool
+
+
+class ContactSolver:
+    """Contact of two elastic half-spaces with Coulomb friction, gross sliding along x.
+
+    Exact Love and Cerruti coefficients, discrete convolution by FFT, constrained conjugate
+    gradient (Polonsky & Keer 1999, doi:10.1016/S0043-1648(99)00113-1). The shear mu p acts on body
+    2 in +x and on body 1 in -x; where the elastic constants couple it to the normal displacement,
+    the coupling is iterated to convergence.
+
+    Parameters
+    ----------
+    grid : Grid
+    body1, body2 : Material
+        Upper and lower body; at most one is rigid. Plastic materials act elastically here.
+    friction : float, optional
+        Coefficient of friction mu >= 0 [-].
+    tol : float, optional
+        Stop when the complementarity error (see ContactSolution.error) is below, in [1e-13, 1).
+    on_border : {"error", "warn"}, optional
+        What a contact does that touches the border of the grid.
+    max_iterations : int, optional
+
+    Raises
+    ------
+    ValueError, TypeError
+        For an argument out of range or of the wrong kind; its name, value and range are in the text.
+    """
+
+    def __init__(
+        self,
+        grid: Grid,
+        body1: Material,
+        body2: Material,
+        friction: float = 0.0,
+        *,
+        tol: float = 1e-8,
+        on_border: str = "error",
+        max_iterations: int = 5000,
+    ) -> None:
+        require_type("grid", grid, Grid)
+        require_type("body1", body1, Material)
+        require_type("body2", body2, Material)
+        self.grid = grid
+        self.body1 = body1
+        self.body2 = body2
+        self.friction = number("friction", friction)
+        self.tol = number("tol", tol)
+        if not 1e-13 <= self.tol < 1:
+            raise ValueError(f"tol must be in [1e-13, 1), got {self.tol!r}")
+        self.on_border = choice("on_border", on_border, ("error", "warn"))
+        self.max_iterations = integer("max_iterations", max_iterations, 1)
+        constants = [body._core.elastic_constants for body in (body1, body2)]
+        self._core = _core.ContactSolver(grid._core, *constants, self.friction)
+
+    def solve(
+        self,
+        gap: ArrayLike,
+        *,
+        load: float | None = None,
+        approach: float | None = None,
+        initial_pressure: ArrayLike | None = None,
+    ) -> ContactSolution:
+        """Solve for a load or an approach.
+
+        Parameters
+        ----------
+        gap : array_like, shape (nx, ny)
+            Initial separation of the undeformed bodies [m].
+        load : float
+            Total load [N], >= 0; or
+        approach : float
+            Rigid-body approach [m]; exactly one of the two.
+        initial_pressure : array_like, shape (nx, ny), optional
+            Start of the iteration [Pa].
+
+        Raises
+        ------
+        ValueError
+            Bad arguments; GridTooSmallError when the contact touches the border of the grid.
+        ConvergenceError
+            With .iterations and .residual.
+        """
+        driver = exactly_one(load=load, approach=approach)
+        value = number(driver, load if approach is None else approach)
+        shape = self.grid.surface_shape
+        start = None
+        if initial_pressure is not None:
+            checked = finite_array("initial_pressure", initial_pressure, shape)
+            start = np.ascontiguousarray(checked)
+        found = self._core.solve(
+            np.ascontiguousarray(finite_array("gap", gap, shape)),
+            driver == "load",
+            value,
+            start,
+            self.tol,
+            self.max_iterations,
+            self.on_border == "error",
+        )
+        if found.pop("touches_border"):
+            import warnings
+
+            warnings.warn(
+                f"the contact touches the border of the grid at {driver} = {value!r}",
+                GridTooSmallWarning,
+                stacklevel=2,
+            )
+        return ContactSolution(**found)
+
+    def stress(
+        self,
+        pressure: ArrayLike,
+        z: ArrayLike,
+        body: int = 2,
+        *,
+        shear: ArrayLike | None = None,
+    ) -> FloatArray:
+        """Elastic stress in a body at any depths.
+
+        Parameters
+        ----------
+        pressure : array_like, shape (nx, ny)
+            [Pa].
+        z : array_like, shape (m,)
+            Depths [m], >= 0.
+        body : {1, 2}, optional
+        shear : array_like, shape (nx, ny) or (2, nx, ny), optional
+            Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction*pressure.
+
+        Returns
+        -------
+        ndarray, shape (6, nx, ny, m)
+            xx, yy, zz, yz, xz, xy [Pa], tension positive, in the body's own frame.
+        """
+        material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
+        if material.is_rigid:
+            raise ValueError(f"body {body} is rigid: it has no stress")
+        p = finite_array("pressure", pressure, self.grid.surface_shape)
+        if shear is None and self.friction > 0:
+            shear = self.friction * p
+        parts = [s for s in shear_components(self.grid, shear) if s is not None]
+        sign = 1.0 if body == 2 else -1.0
+        reversed_or_not = np.stack([sign * s for s in parts]) if parts else None
+        if reversed_or_not is not None and len(parts) == 1:
+            reversed_or_not = reversed_or_not[0]
+        return surface_stress(self.grid, p, z, material.nu, shear=reversed_or_not)

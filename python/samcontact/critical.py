@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Critical values of a contact: where the first point of an elastic-plastic body yields.
+
+I. Green, *Poisson ratio effects and critical values in spherical and cylindrical Hertzian
+contacts*, Int. J. Appl. Mech. Eng. 10 (2005) 451-462. C is the Hertz pressure at the onset of
+yield over the yield stress.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from ._checks import poisson_ratio, positive
+from ._hertz_axis import line_max_von_mises, point_max_von_mises
+
+__all__ = [
+    "CriticalCylinder",
+    "CriticalSphere",
+    "green",
+    "green_cylinder",
+    "kogut_etsion",
+    "onset",
+    "onset_cylinder",
+]
+
+
+@dataclass(frozen=True)
+class CriticalSphere:
+    """Onset of yield in a point contact.
+
+    Attributes
+    ----------
+    interference : float
+        Rigid-body approach [m].
+    load : float
+        Normal load [N].
+    energy : float
+        Elastic energy stored up to there, the integral of load over interference [J].
+    C : float
+        Maximum pressure over yield stress [-].
+    p0 : float
+        Maximum pressure [Pa].
+    a : float
+        Contact radius [m].
+    """
+
+    interference: float
+    load: float
+    energy: float
+    C: float
+    p0: float
+    a: float
+
+
+@dataclass(frozen=True)
+class CriticalCylinder:
+    """Onset of yield in a line contact.
+
+    Attributes
+    ----------
+    load_per_length : float
+        Normal load per unit length [N/m].
+    C : float
+        Maximum pressure over yield stress [-].
+    p0 : float
+        Maximum pressure [Pa].
+    b : float
+        Half-width of the contact [m].
+    """
+
+    load_per_length: float
+    C: float
+    p0: float
+    b: float
+
+
+def _sphere(R: float, E_star: float, C: float, yield_stress: float) -> CriticalSphere:
+    R, E_star = positive("R", R), positive("E_star", E_star)
+    p0 = C * positive("yield_stress", yield_stress)
+    strength = math.pi * p0
+    return CriticalSphere(
+        interference=(strength / (2.0 * E_star)) ** 2 * R,
+        load=strength**3 * R**2 / (6.0 * E_star**2),
+        energy=strength**5 * R**3 / (60.0 * E_star**4),
+        C=C,
+        p0=p0,
+        a=strength * R / (2.0 * E_star),
+    )
+
+
+def _cylinder(R: float, E_star: float, C: float, yield_stress: float) -> CriticalCylinder:
+    R, E_star = positive("R", R), positive("E_star", E_star)
+    p0 = C * positive("yield_stress", yield_stress)
+    return CriticalCylinder(
+        load_per_length=math.pi * R * p0**2 / E_star, C=C, p0=p0, b=2.0 * p0 * R / E_star
+    )
+
+
+def green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSphere:
+    """Green's critical values of a sphere, C = 1.30075 + 0.87825 nu + 0.54373 nu^2.
+
+    Parameters
+    ----------
+    R : float
+        Equivalent radius [m].
+    E_star : float
+        Contact modulus of the pair [Pa].
+    nu : float
+        Poisson's ratio of the body that yields, in [0, 0.5] [-].
+    yield_stress : float
+        Its uniaxial yield stress [Pa].
+
+    Returns
+    -------
+    CriticalSphere
+        Green (2005); the polynomial is within 0.4 % of `onset`.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+    """
+    nu = poisson_ratio("nu", nu)
+    return _sphere(R, E_star, 1.30075 + 0.87825 * nu + 0.54373 * nu**2, yield_stress)
+
+
+def onset(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSphere:
+    """Critical values of a sphere with the exact C, from the largest von Mises stress on the axis.
+
+    Parameters and errors as for `green`.
+
+    Returns
+    -------
+    CriticalSphere
+        With 1/C = max over z of |sigma_zz - sigma_rr| / p0, Johnson (1985), (3.45).
+    """
+    return _sphere(R, E_star, 1.0 / point_max_von_mises(nu)[0], yield_stress)
+
+
+def kogut_etsion(
+    R: float,
+    E_star: float,
+    nu: float,
+    yield_stress: float,
+    hardness: float | None = None,
+) -> CriticalSphere:
+    """Critical values of Kogut and Etsion, interference (pi K H / 2 E*)^2 R.
+
+    Parameters
+    ----------
+    R, E_star, nu, yield_stress : float
+        As for `green`.
+    hardness : float, optional
+        H of the softer body [Pa]; 2.8 times the yield stress by default.
+
+    Returns
+    -------
+    CriticalSphere
+        K = 0.454 + 0.41 nu; load and energy are those of Hertz at this interference. Kogut and
+        Etsion (2002), doi:10.1115/1.1490373.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+    """
+    yield_stress = positive("yield_stress", yield_stress)
+    H = 2.8 * yield_stress if hardness is None else positive("hardness", hardness)
+    C = (0.454 + 0.41 * poisson_ratio("nu", nu)) * H / yield_stress
+    return _sphere(R, E_star, C, yield_stress)
+
+
+def green_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalCylinder:
+    """Green's critical values of a cylinder in plane strain.
+
+    Parameters and errors as for `green`.
+
+    Returns
+    -------
+    CriticalCylinder
+        C = 1/sqrt(1 + 4 (nu - 1) nu) where the surface yields first (nu <= 0.1938), else
+        1.164 + 2.975 nu - 2.906 nu^2, within 0.12 % of `onset_cylinder`. Green (2005).
+    """
+    nu = poisson_ratio("nu", nu)
+    if nu <= 0.1938:
+        C = 1.0 / math.sqrt(1.0 + 4.0 * (nu - 1.0) * nu)
+    else:
+        C = 1.164 + 2.975 * nu - 2.906 * nu**2
+    return _cylinder(R, E_star, C, yield_stress)
+
+
+def onset_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalCylinder:
+    """Critical values of a cylinder with the exact C (Johnson 1985, (4.46)); see `green`."""
+    return _cylinder(R, E_star, 1.0 / line_max_von_mises(nu)[0], yield_stress)

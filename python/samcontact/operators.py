@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Linear operators of one half-space on a grid: what maps a field to a field.
+
+Each call builds its kernels for one use; `ContactSolver` and `Simulation` keep theirs.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._checks import FloatArray, finite_array
+from .grid import Grid
+
+
+def shear_components(
+    grid: Grid, shear: ArrayLike | None
+) -> tuple[FloatArray | None, FloatArray | None]:
+    """Split shear of shape (nx, ny) or (2, nx, ny) into contiguous s_x, s_y [Pa]."""
+    if shear is None:
+        return None, None
+    shape = grid.surface_shape
+    if np.ndim(shear) == 3:
+        both = finite_array("shear", shear, (2, *shape))
+        return np.ascontiguousarray(both[0]), np.ascontiguousarray(both[1])
+    return np.ascontiguousarray(finite_array("shear", shear, shape)), None
+
+
+def depth_major(grid: Grid, name: str, tensor: ArrayLike) -> FloatArray:
+    """Check a (6, nx, ny, nz) tensor field and return it as the core stores it, (6, nz, nx, ny)."""
+    checked = finite_array(name, tensor, (6, *grid.volume_shape))
+    return np.ascontiguousarray(np.moveaxis(checked, 3, 1))
+
+
+def _require_volume(grid: Grid) -> None:
+    if grid.nz == 0:
+        raise ValueError("grid.nz must be > 0 for fields below the surface, got 0")
+
+
+def surface_displacement(
+    grid: Grid, pressure: ArrayLike, E: float, nu: float, shear: ArrayLike | None = None
+) -> FloatArray:
+    """Normal displacement u_z [m] of the surface, shape (nx, ny), positive into the body.
+
+    Parameters
+    ----------
+    pressure : array_like, shape (nx, ny)
+        [Pa], positive in compression.
+    E, nu : float
+        Young's modulus [Pa], Poisson's ratio.
+    shear : array_like, shape (nx, ny) or (2, nx, ny), optional
+        Shear s_x, or (s_x, s_y), acting on the body [Pa].
+
+    Notes
+    -----
+    Love (1929) and Cerruti (1882); Boucly (2008), eqs (2.34), (2.37) with the prefactor corrected.
+    """
+    p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
+    elastic = _core.Elastic.isotropic(E, nu)
+    field: FloatArray = _core.operators.surface_displacement(
+        grid._core, elastic, p, *shear_components(grid, shear)
+    )
+    return field
+
+
+def surface_stress(
+    grid: Grid, pressure: ArrayLike, z: ArrayLike, nu: float, shear: ArrayLike | None = None
+) -> FloatArray:
+    """Stress [Pa] due to surface tractions at depths z, shape (6, nx, ny, len(z)).
+
+    Parameters
+    ----------
+    pressure : array_like, shape (nx, ny)
+        [Pa].
+    z : array_like, shape (m,) or scalar
+        Depths [m], >= 0.
+    nu : float
+        Poisson's ratio in [0, 0.5).
+    shear : array_like, shape (nx, ny) or (2, nx, ny), optional
+        Shear s_x, or (s_x, s_y), acting on the body [Pa].
+
+    Notes
+    -----
+    Boucly (2008), eqs (2.81)-(2.93), L_22 corrected.
+    """
+    depths = np.atleast_1d(np.asarray(z, dtype=np.float64))
+    if depths.ndim != 1 or not (np.isfinite(depths) & (depths >= 0)).all():
+        raise ValueError(f"z must be a one-dimensional array of depths >= 0 [m], got {z!r}")
+    p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
+    nu = _core.Elastic.isotropic(1.0, nu).nu
+    field: FloatArray = _core.operators.surface_stress(
+        grid._core, nu, depths.tolist(), p, *shear_components(grid, shear)
+    )
+    return field
+
+
+def residual_stress(grid: Grid, strain: ArrayLike, E: float, nu: float) -> FloatArray:
+    """Stress [Pa] of an eigenstrain (plastic strain) field, shape (6, nx, ny, nz).
+
+    Parameters
+    ----------
+    strain : array_like, shape (6, nx, ny, nz)
+        Any symmetric strain, tensor components xx, yy, zz, yz, xz, xy, uniform in each cell.
+    E, nu : float
+
+    Notes
+    -----
+    Exact influence coefficients of cuboids in a half-space (Mindlin's solution integrated in closed
+    form): docs/theory.md.
+    """
+    _require_volume(grid)
+    elastic = _core.Elastic.isotropic(E, nu)
+    field: FloatArray = _core.operators.residual_stress(
+        grid._core, depth_major(grid, "strain", strain), elastic
+    )
+    return field
+
+
+def residual_displacement(grid: Grid, strain: ArrayLike, nu: float) -> FloatArray:
+    """Normal surface displacement u_z [m] of an eigenstrain field, shape (nx, ny).
+
+    Parameters
+    ----------
+    strain : array_like, shape (6, nx, ny, nz)
+        As in `residual_stress`.
+    nu : float
+
+    Notes
+    -----
+    Boucly (2008), eqs (2.62)-(2.71), corrected and completed by the term of the trace.
+    """
+    _require_volume(grid)
+    nu = _core.Elastic.isotropic(1.0, nu).nu
+    field: FloatArray = _core.operators.residual_displacement(
+        grid._core, depth_major(grid, "strain", strain), nu
+    )
+    return field

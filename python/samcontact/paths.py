@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Loading paths: lists of keyword dictionaries for `Simulation.step`."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ._checks import FloatArray, choice, exactly_one, finite, integer, non_negative, positive
+
+__all__ = ["Path", "load_unload", "ramp"]
+
+Path = list[dict[str, float]]
+
+
+def _fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
+    """Increasing fractions of the ramp, the last exactly 1."""
+    choice("spacing", spacing, ("linear", "power"))
+    count = integer("increments", increments, 1)
+    fractions = np.arange(1, count + 1, dtype=np.float64) / count
+    if spacing == "power":
+        fractions = fractions ** positive("exponent", exponent)
+    return fractions
+
+
+def _target(load: float | None, approach: float | None) -> tuple[str, float]:
+    name = exactly_one(load=load, approach=approach)
+    # an approach below zero separates the bodies; a negative load would be adhesion
+    return name, non_negative("load", load) if name == "load" else finite("approach", approach)
+
+
+def _steps(name: str, start: float, end: float, fractions: FloatArray) -> Path:
+    values = start * (1.0 - fractions) + end * fractions
+    return [{name: float(value)} for value in values]
+
+
+def ramp(
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    increments: int = 10,
+    start: float = 0.0,
+    spacing: str = "linear",
+    exponent: float = 2.0,
+) -> Path:
+    """Steps from `start` (excluded) to the target (included, exactly).
+
+    Parameters
+    ----------
+    load, approach : float
+        Target load [N], >= 0, or approach [m]; give one.
+    increments : int
+        Number of steps, >= 1.
+    start : float
+        Value before the first step [N] or [m].
+    spacing : {"linear", "power"}
+        "power" takes fractions (i/increments)^exponent: small steps first for exponent > 1.
+    exponent : float
+        Of the power spacing, > 0 [-].
+
+    Returns
+    -------
+    list of dict
+        For `Simulation.run`, e.g. ``[{"load": 100.0}, {"load": 200.0}]``.
+
+    Raises
+    ------
+    ValueError
+        Both or neither of load and approach, or a value outside its range.
+
+    Examples
+    --------
+    >>> ramp(load=300.0, increments=3)
+    [{'load': 100.0}, {'load': 200.0}, {'load': 300.0}]
+    """
+    name, end = _target(load, approach)
+    begin = non_negative("start", start) if name == "load" else finite("start", start)
+    if begin == end:
+        raise ValueError(f"start must differ from {name}, got {begin!r} for both")
+    return _steps(name, begin, end, _fractions(increments, spacing, exponent))
+
+
+def load_unload(
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    increments: int = 10,
+    unload_increments: int | None = None,
+    end: float = 0.0,
+    spacing: str = "linear",
+    exponent: float = 2.0,
+) -> Path:
+    """Load from zero to the peak, then back to `end`.
+
+    Parameters
+    ----------
+    load, approach : float
+        Peak load [N] or approach [m]; give one.
+    increments, unload_increments : int
+        Number of steps up and down (as many down as up by default).
+    end : float
+        Value of the last step [N] or [m], below the peak.
+    spacing, exponent
+        As in `ramp`; unloading mirrors loading, so that small steps are near zero load.
+
+    Returns
+    -------
+    list of dict
+        For `Simulation.run`.
+
+    Raises
+    ------
+    ValueError
+        Both or neither of load and approach, or a value outside its range.
+    """
+    name, peak = _target(load, approach)
+    last = non_negative("end", end) if name == "load" else finite("end", end)
+    if not peak > max(last, 0.0):
+        raise ValueError(f"{name} must be > {max(last, 0.0)!r}, got {peak!r}")
+    up = _fractions(increments, spacing, exponent)
+    count = increments if unload_increments is None else unload_increments
+    integer("unload_increments", count, 1)
+    mirrored = np.append(_fractions(count, spacing, exponent)[::-1][1:], 0.0)
+    return _steps(name, 0.0, peak, up) + _steps(name, last, peak, mirrored)

@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Incremental elastic-plastic contact: loading, unloading, reloading."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+from tqdm.auto import tqdm
+
+from . import _core
+from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number
+from .checkpoint import CheckpointError, read_checkpoint, write_checkpoint
+from .contact import GridTooSmallWarning, require_type
+from .grid import Grid
+from .material import Material
+from .operators import depth_major, shear_components
+from .state import State
+
+__all__ = ["CheckpointError", "Simulation"]
+
+
+class Simulation:
+    """Elastic-plastic contact of two bodies, increment after increment.
+
+    Each increment solves, implicitly, contact and plastic flow together: the plastic strain
+    increment is the fixed point of residual displacement -> contact -> stress -> radial return
+    (backward Euler), accelerated by Anderson mixing and halved where it does not converge.
+
+    Parameters
+    ----------
+    grid : Grid
+        Needs layers (nz, dz) when a body is inelastic.
+    body1, body2 : Material
+        Upper and lower body; any of them inelastic, at most one rigid.
+    gap : array_like, shape (nx, ny)
+        Initial separation of the undeformed bodies [m].
+    friction : float, optional
+        Coefficient of friction mu >= 0 (gross sliding along +x on body 2).
+    tol : float, optional
+        An increment is accepted when the relative change of the plastic strain increment and the
+        relative yield excess are below; in [1e-11, 1).
+    on_border : {"error", "warn"}, optional
+        What to do when the contact or the plastic zone reaches the border of the grid.
+    max_iterations : int, optional
+        Of the plastic fixed point, before the increment is halved.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For an argument out of range or of the wrong kind; its name, value and range are in the text.
+    """
+
+    def __init__(
+        self,
+        grid: Grid,
+        body1: Material,
+        body2: Material,
+        gap: ArrayLike,
+        friction: float = 0.0,
+        *,
+        tol: float = 1e-6,
+        on_border: str = "error",
+        max_iterations: int = 60,
+    ) -> None:
+        require_type("grid", grid, Grid)
+        require_type("body1", body1, Material)
+        require_type("body2", body2, Material)
+        self.grid = grid
+        self.body1 = body1
+        self.body2 = body2
+        self.initial_gap = np.array(finite_array("gap", gap, grid.surface_shape), order="C")
+        self.friction = number("friction", friction)
+        self.tol = number("tol", tol)
+        self.on_border = choice("on_border", on_border, ("error", "warn"))
+        self.max_iterations = integer("max_iterations", max_iterations, 1)
+        self._core = _core.Simulation(
+            grid._core,
+            body1._core,
+            body2._core,
+            self.initial_gap,
+            self.friction,
+            self.tol,
+            self.max_iterations,
+            self.on_border == "error",
+        )
+
+    def step(
+        self,
+        *,
+        load: float | None = None,
+        approach: float | None = None,
+        pressure: ArrayLike | None = None,
+        shear: ArrayLike | None = None,
+    ) -> State:
+        """Go one increment further, to exactly one of load, approach, or given tractions.
+
+        Parameters
+        ----------
+        load : float
+            Total load [N], >= 0 (0: unloaded).
+        approach : float
+            Rigid-body approach [m].
+        pressure : array_like, shape (nx, ny)
+            Prescribed pressure [Pa], no contact is solved; with
+        shear : array_like, shape (nx, ny) or (2, nx, ny), optional
+            prescribed shear s_x, or (s_x, s_y), on body 2 [Pa]; default friction * pressure.
+
+        Returns
+        -------
+        State
+            The new present state.
+
+        Raises
+        ------
+        ValueError
+            Bad arguments, or GridTooSmallError.
+        ConvergenceError
+            With .iterations and .residual. In every case the state before the call stays.
+        """
+        kind = exactly_one(load=load, approach=approach, pressure=pressure)
+        value, p, shear_x, shear_y = 0.0, None, None, None
+        if kind == "pressure":
+            shape = self.grid.surface_shape
+            p = np.ascontiguousarray(finite_array("pressure", pressure, shape))  # type: ignore[arg-type]
+            if shear is None and self.friction > 0:
+                shear = self.friction * p
+            shear_x, shear_y = shear_components(self.grid, shear)
+        elif shear is not None:
+            raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")
+        else:
+            value = number(kind, load if kind == "load" else approach)
+        core = self._core.step(kind, value, p, shear_x, shear_y)
+        for warning in core.warnings:
+            warnings.warn(warning, GridTooSmallWarning, stacklevel=2)
+        return State(core, self.grid)
+
+    def run(self, path: Iterable[Mapping[str, Any]], *, progress: bool = True) -> list[State]:
+        """Run a list of step() arguments, e.g. ``[{"load": 300.0}, {"load": 0.0}]``.
+
+        Parameters
+        ----------
+        path : iterable of dict
+            See `samcontact.paths` for helpers.
+        progress : bool, optional
+            Show a progress bar.
+
+        Returns
+        -------
+        list of State
+            One per increment. When an increment fails, its error is raised with those before it in
+            the attribute `states`, and the simulation stands at the last good one.
+        """
+        states = []
+        with tqdm(list(path), disable=not progress, unit="increment") as bar:
+            for arguments in bar:
+                try:
+                    states.append(self.step(**arguments))
+                except Exception as error:
+                    error.states = states  # type: ignore[attr-defined]
+                    raise
+                bar.set_postfix(iterations=states[-1].iterations)
+        return states
+
+    @property
+    def state(self) -> State:
+        """The present state."""
+        return State(self._core.state, self.grid)
+
+    @property
+    def counters(self) -> dict[str, int]:
+        """Work done so far: contact_solves, contact_iterations, yield_checks, plastic_solves,
+        plastic_iterations, halvings, and volume_bytes (memory of plastic state and kernels)."""
+        return dict(self._core.counters)
+
+    def set_plastic_strain(
+        self, body: int, strain: ArrayLike, equivalent: ArrayLike | None = None
+    ) -> None:
+        """Set the plastic strain (or any eigenstrain) of an inelastic body to go on from.
+
+        Parameters
+        ----------
+        body : {1, 2}
+        strain : array_like, shape (6, nx, ny, nz)
+            Any symmetric strain, tensor components xx, yy, zz, yz, xz, xy [-].
+        equivalent : array_like, shape (nx, ny, nz), optional
+            Accumulated equivalent plastic strain [-], >= 0; default 0.
+        """
+        index = choice("body", body, (1, 2)) - 1
+        history: FloatArray | None = None
+        if equivalent is not None:
+            checked = finite_array("equivalent", equivalent, self.grid.volume_shape)
+            history = np.ascontiguousarray(np.moveaxis(checked, 2, 0))
+        self._core.set_plastic_state(index, depth_major(self.grid, "strain", strain), history)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a checkpoint (HDF5), replacing an old one only when the new one is complete."""
+        write_checkpoint(path, self)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Simulation:
+        """Read a checkpoint; going on from it gives bit-identical results on the same machine.
+
+        Raises CheckpointError (a ValueError) for a file that is no checkpoint or is damaged.
+        """
+        arguments, saved = read_checkpoint(path)
+        simulation = cls(**arguments)
+        simulation._core.restore(saved)
+        return simulation

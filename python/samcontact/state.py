@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One moment of a simulation."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ._checks import FloatArray, choice
+from .grid import Grid
+
+
+class State:
+    """Fields of one moment, in SI units; volume fields are computed when they are asked for.
+
+    Tensor components are xx, yy, zz, yz, xz, xy in the frame of the body (z into it); tension is
+    positive. Methods take body = 1 or 2 and raise ValueError for a grid without layers or a rigid
+    body.
+    """
+
+    def __init__(self, core: Any, grid: Grid) -> None:
+        self._core = core
+        self.grid = grid
+
+    @property
+    def pressure(self) -> FloatArray:
+        """Contact pressure [Pa], shape (nx, ny)."""
+        field: FloatArray = self._core.pressure
+        return field
+
+    @property
+    def shear(self) -> FloatArray:
+        """Shear s_x, s_y on body 2 [Pa], shape (2, nx, ny)."""
+        parts = (self._core.shear_x, self._core.shear_y)
+        shape = self.grid.surface_shape
+        return np.stack([np.zeros(shape) if part is None else part for part in parts])
+
+    @property
+    def gap(self) -> FloatArray:
+        """Separation [m], shape (nx, ny); under prescribed tractions that for zero approach."""
+        field: FloatArray = self._core.gap
+        return field
+
+    @property
+    def load(self) -> float:
+        """Total load [N]."""
+        return float(self._core.load)
+
+    @property
+    def approach(self) -> float:
+        """Rigid-body approach [m]; NaN under prescribed tractions."""
+        return float(self._core.approach)
+
+    @property
+    def converged(self) -> bool:
+        """Whether contact and plastic flow are converged to the tolerance."""
+        return bool(self._core.converged)
+
+    @property
+    def iterations(self) -> int:
+        """Evaluations of the plastic fixed point in this increment; 0 if nothing yielded."""
+        return int(self._core.iterations)
+
+    @property
+    def contact_iterations(self) -> int:
+        """Conjugate-gradient iterations in this increment."""
+        return int(self._core.contact_iterations)
+
+    @property
+    def substeps(self) -> int:
+        """Parts into which the increment was divided to converge (1: none)."""
+        return int(self._core.substeps)
+
+    @property
+    def plastic_residual(self) -> float:
+        """Relative change of the plastic strain increment when it was accepted [-]."""
+        return float(self._core.plastic_residual)
+
+    @property
+    def yield_excess(self) -> float:
+        """Largest (von Mises - yield stress)/yield stress when the increment was accepted [-]."""
+        return float(self._core.yield_excess)
+
+    def stress(self, body: int = 2) -> FloatArray:
+        """Total stress [Pa], shape (6, nx, ny, nz)."""
+        return self._field("stress", body)
+
+    def residual_stress(self, body: int = 2) -> FloatArray:
+        """Stress of the plastic strain alone [Pa], shape (6, nx, ny, nz)."""
+        return self._field("residual_stress", body)
+
+    def von_mises(self, body: int = 2) -> FloatArray:
+        """Von Mises stress [Pa], shape (nx, ny, nz)."""
+        return self._field("von_mises", body)
+
+    def hydrostatic(self, body: int = 2) -> FloatArray:
+        """Mean normal stress [Pa], shape (nx, ny, nz)."""
+        return self._field("hydrostatic", body)
+
+    def plastic_strain(self, body: int = 2) -> FloatArray:
+        """Plastic strain [-], tensor components, shape (6, nx, ny, nz)."""
+        return self._field("plastic_strain", body)
+
+    def equivalent_plastic_strain(self, body: int = 2) -> FloatArray:
+        """Accumulated equivalent plastic strain [-], shape (nx, ny, nz)."""
+        return self._field("equivalent_plastic_strain", body)
+
+    def residual_displacement(self, body: int = 2) -> FloatArray:
+        """Permanent print: u_z of the plastic strain [m], shape (nx, ny), positive into the body."""
+        return self._field("residual_displacement", body)
+
+    def surface_displacement(self, body: int = 2) -> FloatArray:
+        """u_z of the surface under load [m], shape (nx, ny), positive into the body."""
+        return self._field("surface_displacement", body)
+
+    def _field(self, name: str, body: int) -> FloatArray:
+        field: FloatArray = getattr(self._core, name)(choice("body", body, (1, 2)) - 1)
+        return field
+
+    def __repr__(self) -> str:
+        return (
+            f"State(load={self.load:.6g} N, approach={self.approach:.6g} m, "
+            f"max_pressure={self.pressure.max():.6g} Pa, iterations={self.iterations})"
+        )

@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Initial gaps between the two undeformed surfaces, shape (nx, ny), in metres.
+
+Every function takes a grid (anything with nx, ny, dx, dy, x, y). Contributions add up: a rough
+ball is ``paraboloid(grid, R) + sinusoidal(grid, ...)``.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+import scipy.fft
+from numpy.typing import ArrayLike
+
+from ._checks import FloatArray, choice, finite_array, integer, non_negative, number, positive
+
+__all__ = [
+    "cylinder",
+    "from_heights",
+    "paraboloid",
+    "rough_self_affine",
+    "sinusoidal",
+    "sphere",
+]
+
+
+class SurfaceGrid(Protocol):
+    """The surface part of `samcontact.Grid`."""
+
+    @property
+    def nx(self) -> int: ...
+    @property
+    def ny(self) -> int: ...
+    @property
+    def dx(self) -> float: ...
+    @property
+    def dy(self) -> float: ...
+    @property
+    def x(self) -> FloatArray: ...
+    @property
+    def y(self) -> FloatArray: ...
+
+
+def _coordinates(grid: SurfaceGrid) -> tuple[FloatArray, FloatArray]:
+    return np.asarray(grid.x)[:, None], np.asarray(grid.y)[None, :]
+
+
+def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatArray:
+    """Paraboloid x^2/(2 Rx) + y^2/(2 Ry), the surface of Hertz theory.
+
+    Parameters
+    ----------
+    grid : Grid
+        Where the gap is wanted.
+    Rx, Ry : float
+        Radii of curvature in the planes y = 0 and x = 0 [m]; inf is straight. Ry defaults to Rx.
+
+    Returns
+    -------
+    ndarray, shape (nx, ny)
+        Gap [m].
+
+    Raises
+    ------
+    ValueError
+        A radius is not positive.
+    """
+    Rx = positive("Rx", Rx, allow_inf=True)
+    Ry = Rx if Ry is None else positive("Ry", Ry, allow_inf=True)
+    x, y = _coordinates(grid)
+    return np.asarray(0.5 * x**2 / Rx + 0.5 * y**2 / Ry, dtype=np.float64)
+
+
+def _circular(r2: FloatArray, R: float) -> FloatArray:
+    """R - sqrt(R^2 - r^2) without cancellation."""
+    if np.max(r2) > R**2:
+        raise ValueError(
+            f"R must be at least {np.sqrt(np.max(r2)):.6g}, the reach of the grid, got {R!r}"
+        )
+    return np.asarray(r2 / (R + np.sqrt(R**2 - r2)), dtype=np.float64)
+
+
+def sphere(grid: SurfaceGrid, R: float) -> FloatArray:
+    """Exact sphere of radius R above the plane.
+
+    Parameters
+    ----------
+    grid : Grid
+        Where the gap is wanted.
+    R : float
+        Radius [m].
+
+    Returns
+    -------
+    ndarray, shape (nx, ny)
+        Gap R - sqrt(R^2 - x^2 - y^2) [m].
+
+    Raises
+    ------
+    ValueError
+        R is not finite and positive, or the grid reaches beyond the sphere.
+    """
+    x, y = _coordinates(grid)
+    return _circular(x**2 + y**2, positive("R", R))
+
+
+def cylinder(grid: SurfaceGrid, R: float, axis: str = "y") -> FloatArray:
+    """Exact circular cylinder of radius R lying on the plane.
+
+    Parameters
+    ----------
+    grid : Grid
+        Where the gap is wanted.
+    R : float
+        Radius [m].
+    axis : {"y", "x"}
+        Direction of its axis. (The parabolic form is ``paraboloid(grid, R, math.inf)``.)
+
+    Returns
+    -------
+    ndarray, shape (nx, ny)
+        Gap [m].
+
+    Raises
+    ------
+    ValueError
+        R is not finite and positive, the grid reaches beyond it, or the axis is unknown.
+    """
+    choice("axis", axis, ("y", "x"))
+    x, y = _coordinates(grid)
+    profile = _circular(x**2 if axis == "y" else y**2, positive("R", R))
+    return np.array(np.broadcast_to(profile, (grid.nx, grid.ny)))
+
+
+def sinusoidal(
+    grid: SurfaceGrid, amplitude: float, wavelength_x: float, wavelength_y: float
+) -> FloatArray:
+    """Roughness A sin(2 pi x/lx) sin(2 pi y/ly), to be added to a gap.
+
+    Parameters
+    ----------
+    grid : Grid
+        Where the gap is wanted.
+    amplitude : float
+        A [m], >= 0.
+    wavelength_x, wavelength_y : float
+        lx and ly [m], at least two cells long.
+
+    Returns
+    -------
+    ndarray, shape (nx, ny)
+        Contribution to the gap [m], both signs.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+    """
+    amplitude = non_negative("amplitude", amplitude)
+    lengths = []
+    for name, value, step in (
+        ("wavelength_x", wavelength_x, grid.dx),
+        ("wavelength_y", wavelength_y, grid.dy),
+    ):
+        lengths.append(positive(name, value))
+        if value < 2.0 * step:
+            raise ValueError(f"{name} must be >= {2.0 * step!r} (two cells), got {value!r}")
+    x, y = _coordinates(grid)
+    wave_x = np.sin(2.0 * np.pi * x / lengths[0])
+    wave_y = np.sin(2.0 * np.pi * y / lengths[1])
+    return np.asarray(amplitude * wave_x * wave_y, dtype=np.float64)
+
+
+def from_heights(
+    grid: SurfaceGrid, heights_lower: ArrayLike, heights_upper: ArrayLike | None = None
+) -> FloatArray:
+    """Gap between two measured surfaces, shifted so that they just touch.
+
+    Parameters
+    ----------
+    grid : Grid
+        Where the gap is wanted.
+    heights_lower : array_like, shape (nx, ny)
+        Heights of the lower surface (body 2) [m], upwards, out of body 2.
+    heights_upper : array_like, shape (nx, ny), optional
+        Heights of the upper surface (body 1) [m], upwards, into body 1; flat by default.
+
+    Returns
+    -------
+    ndarray, shape (nx, ny)
+        upper - lower, its minimum shifted to 0 [m].
+
+    Raises
+    ------
+    ValueError
+        Wrong shape or a value that is not finite.
+    """
+    shape = (grid.nx, grid.ny)
+    gap = -finite_array("heights_lower", heights_lower, shape)
+    if heights_upper is not None:
+        gap = gap + finite_array("heights_upper", heights_upper, shape)
+    return np.asarray(gap - gap.min(), dtype=np.float64)
+
+
+def rough_self_affine(
+    grid: SurfaceGrid,
+    rms_height: float,
+    hurst: float,
+    *,
+    wavelength_min: float | None = None,
+    wavelength_max: float | None = None,
+    roll_off: float | None = None,
+    seed: int,
+) -> FloatArray:
+    """Isotropic self-affine random roughness, periodic over the grid, to be added to a gap.
+
+    White Gaussian noise is filtered so that the power spectral density falls as
+    q^(-2 (1 + hurst)) between the roll-off and the short cut-off, is constant from the long
+    cut-off to the roll-off, and zero elsewhere (Persson et al. 2005,
+    doi:10.1088/0953-8984/17/1/R01).
+
+    Parameters
+    ----------
+    grid : Grid
+        Where the gap is wanted.
+    rms_height : float
+        Root mean square height of this realisation [m].
+    hurst : float
+        Hurst exponent, in [0, 1] [-].
+    wavelength_min, wavelength_max : float, optional
+        Cut-offs [m]; by default two cells and the longer side of the grid.
+    roll_off : float, optional
+        Wavelength of the roll-off [m], between the cut-offs; `wavelength_max` by default.
+    seed : int
+        Seed of `numpy.random.default_rng`: equal seeds give equal surfaces.
+
+    Returns
+    -------
+    ndarray, shape (nx, ny)
+        Heights [m] with zero mean.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range, or no wave of the grid lies between the cut-offs.
+    """
+    rms_height = non_negative("rms_height", rms_height)
+    if not 0.0 <= number("hurst", hurst) <= 1.0:
+        raise ValueError(f"hurst must be in [0, 1], got {hurst!r}")
+    shortest = 2.0 * max(grid.dx, grid.dy)
+    longest = max(grid.nx * grid.dx, grid.ny * grid.dy)
+    low = shortest if wavelength_min is None else positive("wavelength_min", wavelength_min)
+    high = longest if wavelength_max is None else positive("wavelength_max", wavelength_max)
+    middle = high if roll_off is None else positive("roll_off", roll_off)
+    # relative slack: a wavelength computed by the caller as nx * dx may be an ulp off
+    if low < shortest * (1.0 - 1e-9):
+        raise ValueError(f"wavelength_min must be >= {shortest!r} (two cells), got {low!r}")
+    if not low <= middle <= high:
+        raise ValueError(
+            "roll_off must be between wavelength_min and wavelength_max, "
+            f"got {low!r}, {middle!r}, {high!r} (min, roll-off, max)"
+        )
+
+    qx = scipy.fft.fftfreq(grid.nx, grid.dx)[:, None]
+    qy = scipy.fft.rfftfreq(grid.ny, grid.dy)[None, :]
+    q = np.hypot(qx, qy)
+    inside = (q >= (1.0 - 1e-9) / high) & (q <= (1.0 + 1e-9) / low) & (q > 0.0)
+    if not inside.any():
+        raise ValueError(
+            f"no wave of the grid lies between wavelength_min = {low!r} and "
+            f"wavelength_max = {high!r}"
+        )
+    filter_ = np.zeros_like(q)
+    filter_[inside] = np.maximum(q[inside] * middle, 1.0) ** -(1.0 + float(hurst))
+    rng = np.random.default_rng(integer("seed", seed, 0))
+    noise = scipy.fft.rfft2(rng.standard_normal((grid.nx, grid.ny)))
+    heights = scipy.fft.irfft2(noise * filter_, s=(grid.nx, grid.ny))
+    heights *= rms_height / np.sqrt(np.mean(heights**2))
+    return np.asarray(heights, dtype=np.float64)

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Properties for any geometry and load: reciprocity, translation, exchange of axes, sums."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import samcontact as sc
+from oracles.quadrature import gauss
+from samcontact import kernels, operators
+
+E = 210e9
+SWAP = [1, 0, 2, 4, 3, 5]
+# eps : sigma counts each shear component twice.
+CONTRACTION = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])
+
+few = settings(derandomize=True, max_examples=12, deadline=None, database=None)
+poisson = st.floats(0.0, 0.49)
+aspect = st.floats(0.125, 8.0)
+count = st.integers(1, 9)
+seeds = st.integers(0, 2**32 - 1)
+
+
+def random(seed, *shape):
+    return np.random.default_rng(seed).standard_normal(shape)
+
+
+def assert_close(actual, expected, tolerance):
+    assert np.abs(actual - expected).max() <= tolerance * np.abs(expected).max()
+
+
+@few
+@given(nx=count, ny=count, ratio=aspect, nu=poisson, seed=seeds)
+def test_pressures_are_reciprocal(nx, ny, ratio, nu, seed):
+    """Betti: the work of p1 through u(p2) is that of p2 through u(p1)."""
+    grid = sc.Grid(nx, ny, 1e-5, ratio * 1e-5)
+    p1, p2 = random(seed, 2, nx, ny)
+    u1, u2 = (operators.surface_displacement(grid, p, E, nu) for p in (p1, p2))
+    # The works can cancel; their terms cannot.
+    assert abs((p1 * u2).sum() - (p2 * u1).sum()) < 1e-12 * np.abs(p1 * u2).sum()
+
+
+@few
+@given(
+    cuboid=st.tuples(*[st.floats(0.5, 2.0)] * 3),
+    cover=st.floats(1.0, 4.0),
+    rect=st.tuples(*[st.floats(0.5, 2.0)] * 2),
+    X=st.floats(-5.0, 5.0),
+    Y=st.floats(-5.0, 5.0),
+    nu=poisson,
+)
+def test_pressure_and_plastic_strain_are_reciprocal(cuboid, cover, rect, X, Y, nu):
+    """Work of p on a rectangle through u_r(eps) = integral of eps : sigma(p) over the cuboid.
+
+    The equality is exact. Singularities stay one unit off 24-point Gauss rules on sides of at
+    most four: Bernstein ellipse 0.5 + sqrt(1.25), error about 1.618**-48 = 1e-10.
+    """
+    a, b, c = cuboid
+    zc = c + cover
+    x, wx = gauss(-rect[0], rect[0], 24)
+    y, wy = gauss(-rect[1], rect[1], 24)
+    u = kernels.eigenstrain_displacement(X + x[:, None], Y + y, zc, a, b, c, nu)
+    of_pressure = np.einsum("eij,i,j->e", u, wx, wy)
+
+    x, wx = gauss(-a, a, 24)
+    y, wy = gauss(-b, b, 24)
+    z, wz = gauss(zc - c, zc + c, 24)
+    stress = kernels.pressure_stress(x[:, None, None] - X, y[:, None] - Y, z, *rect, nu)
+    of_strain = CONTRACTION * np.einsum("eijk,i,j,k->e", stress, wx, wy, wz)
+    assert_close(of_pressure, of_strain, 1e-8)
+
+
+def test_grid_operators_are_reciprocal_to_second_order():
+    """Sampled at cell centres instead of averaged, the two works differ by O(h**2)."""
+    nu, width = 0.3, 1.0
+    errors = []
+    for n in (8, 16, 32):
+        grid = sc.Grid(2 * n, 2 * n, width / n, width / n, n, width / n)
+        x, y, z = grid.x[:, None, None], grid.y[:, None], grid.z
+        pressure = np.exp(-8.0 * ((x - 0.1) ** 2 + (y + 0.2) ** 2))[..., 0]
+        bump = np.exp(-16.0 * ((x + 0.1) ** 2 + y**2 + (z - 0.5) ** 2))
+        strain = np.multiply.outer([0.6, 0.3, -0.9, 0.5, -0.4, 0.2], bump)
+        u = operators.residual_displacement(grid, strain, nu)
+        stress = operators.surface_stress(grid, pressure, grid.z, nu)
+        work = (pressure * u).sum() * grid.dx * grid.dy
+        volume = grid.dx * grid.dy * grid.dz
+        other = np.einsum("e,eijk,eijk->", CONTRACTION, strain, stress) * volume
+        errors.append(abs(work / other - 1.0))
+    assert errors[-1] < 5e-3
+    assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.3)
+    assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.3)
+
+
+@few
+@given(
+    shape=st.tuples(count, count, st.integers(1, 4)),
+    shift=st.tuples(st.integers(0, 3), st.integers(0, 3)),
+    nu=poisson,
+    seed=seeds,
+)
+def test_translation_in_the_plane(shape, shift, nu, seed):
+    """Sources moved by whole cells move every field with them."""
+    nx, ny, nz = shape
+    i, j = shift
+    large = sc.Grid(nx + 3, ny + 3, 1e-5, 2e-5, nz, 1.5e-5)
+    small_p, small_strain = random(seed, nx, ny), random(seed + 1, 6, nx, ny, nz)
+    fields = []
+    for di, dj in ((0, 0), (i, j)):
+        p = np.zeros((nx + 3, ny + 3))
+        strain = np.zeros((6, nx + 3, ny + 3, nz))
+        p[di : di + nx, dj : dj + ny] = small_p
+        strain[:, di : di + nx, dj : dj + ny] = small_strain
+        fields.append(
+            (
+                operators.surface_displacement(large, p, E, nu, shear=0.2 * p)[None, ..., None],
+                operators.surface_stress(large, p, large.z, nu, shear=0.2 * p),
+                operators.residual_stress(large, strain, E, nu),
+                operators.residual_displacement(large, strain, nu)[None, ..., None],
+            )
+        )
+    for still, moved in zip(*fields, strict=True):
+        assert_close(moved[:, i:, j:], still[:, : nx + 3 - i, : ny + 3 - j], 1e-12)
+
+
+@few
+@given(shape=st.tuples(count, count, st.integers(1, 4)), ratio=aspect, nu=poisson, seed=seeds)
+def test_exchange_of_x_and_y(shape, ratio, nu, seed):
+    nx, ny, nz = shape
+    grid = sc.Grid(nx, ny, 1e-5, ratio * 1e-5, nz, 1.5e-5)
+    turned = sc.Grid(ny, nx, ratio * 1e-5, 1e-5, nz, 1.5e-5)
+    p, sx, sy = random(seed, 3, nx, ny)
+    strain = random(seed + 1, 6, nx, ny, nz)
+    shear, turned_shear = np.array([sx, sy]), np.array([sy.T, sx.T])
+    turned_strain = strain[SWAP].transpose(0, 2, 1, 3)
+
+    u = operators.surface_displacement(grid, p, E, nu, shear=shear)
+    v = operators.surface_displacement(turned, p.T, E, nu, shear=turned_shear)
+    assert_close(v.T, u, 1e-12)
+    depths = [0.0, 1e-5, 5e-5]
+    s = operators.surface_stress(grid, p, depths, nu, shear=shear)
+    t = operators.surface_stress(turned, p.T, depths, nu, shear=turned_shear)
+    assert_close(t[SWAP].transpose(0, 2, 1, 3), s, 1e-12)
+    s = operators.residual_stress(grid, strain, E, nu)
+    t = operators.residual_stress(turned, turned_strain, E, nu)
+    assert_close(t[SWAP].transpose(0, 2, 1, 3), s, 1e-11)
+    u = operators.residual_displacement(grid, strain, nu)
+    v = operators.residual_displacement(turned, turned_strain, nu)
+    assert_close(v.T, u, 1e-11)
+
+
+@few
+@given(shape=st.tuples(count, count, st.integers(1, 4)), factor=st.floats(-1e6, 1e6), seed=seeds)
+def test_superposition(shape, factor, seed):
+    grid = sc.Grid(*shape[:2], 1e-5, 2e-5, shape[2], 1.5e-5)
+    e, f = random(seed, 2, 6, *shape)
+    p, q = random(seed + 1, 2, *shape[:2])
+
+    def fields(pressure, strain):
+        return (
+            operators.surface_displacement(grid, pressure, E, 0.3),
+            operators.surface_stress(grid, pressure, grid.z, 0.3),
+            operators.residual_stress(grid, strain, E, 0.3),
+            operators.residual_displacement(grid, strain, 0.3),
+        )
+
+    combined = fields(p + factor * q, e + factor * f)
+    for total, one, other in zip(combined, fields(p, e), fields(q, f), strict=True):
+        terms = np.abs(one).max() + abs(factor) * np.abs(other).max()
+        assert np.abs(total - one - factor * other).max() <= 1e-12 * terms

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stand-ins for the computed objects, with fields that are known in closed form."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+
+from samcontact import hertz
+
+ELASTIC = SimpleNamespace(
+    E=210e9, nu=0.3, law="elastic", is_plastic=False, parameters={"E": 210e9, "nu": 0.3}
+)
+RIGID = SimpleNamespace(E=np.inf, nu=0.0, law="rigid", is_plastic=False, parameters={})
+SWIFT = SimpleNamespace(
+    E=210e9,
+    nu=0.3,
+    law="swift",
+    is_plastic=True,
+    parameters={"E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121},
+)
+
+
+def make_grid(nx=11, ny=9, dx=1e-4, dy=1.2e-4, nz=0, dz=None):
+    def centred(n, step):
+        return (np.arange(n) - (n - 1) / 2) * step
+
+    z = (np.arange(nz) + 0.5) * dz if nz else np.empty(0)
+    x, y = centred(nx, dx), centred(ny, dy)
+    return SimpleNamespace(nx=nx, ny=ny, nz=nz, dx=dx, dy=dy, dz=dz, x=x, y=y, z=z)
+
+
+class FakeState:
+    """Hertz pressure, and volume fields that are the load times simple patterns."""
+
+    def __init__(self, grid, load):
+        self.grid, self.load = grid, load
+        shape = (grid.nx, grid.ny)
+        self.shear, self.gap = np.zeros((2, *shape)), np.zeros(shape)
+        self.converged, self.iterations, self.contact_iterations, self.substeps = True, 3, 20, 1
+        if load > 0:
+            contact = hertz.point(7.5e-3, 115384615384.6154, load=load)
+            self.pressure = contact.pressure(grid.x[:, None], grid.y[None, :])
+            self.approach = contact.approach
+        else:
+            self.pressure, self.approach = np.zeros(shape), 0.0
+
+    def _pattern(self):
+        grid = self.grid
+        i = np.arange(grid.nx)[:, None, None]
+        j = np.arange(grid.ny)[None, :, None]
+        return 1.0 + i + 100.0 * j + 10000.0 * np.arange(grid.nz)
+
+    def von_mises(self, body=2):
+        return self._pattern() * self.load * body
+
+    def hydrostatic(self, body=2):
+        return -self._pattern() * self.load * body
+
+    def stress(self, body=2):
+        factors = np.arange(1.0, 7.0).reshape(6, 1, 1, 1)
+        return factors * self._pattern() * self.load * body
+
+    def residual_stress(self, body=2):
+        return self.stress(body=body) * 0.1
+
+    def plastic_strain(self, body=2):
+        return self.stress(body=body) * 1e-12
+
+    def equivalent_plastic_strain(self, body=2):
+        return self._pattern() * 1e-9 * body
+
+    def residual_displacement(self, body=2):
+        return np.broadcast_to(1e-7 * body * np.arange(self.grid.nx)[:, None], self.pressure.shape)
+
+
+def make_simulation(nz=4, body1=ELASTIC, body2=SWIFT):
+    grid = make_grid(nz=nz, dz=1e-4 if nz else None)
+    gap = np.zeros((grid.nx, grid.ny))
+    return SimpleNamespace(
+        grid=grid, body1=body1, body2=body2, initial_gap=gap, friction=0.0, counters={}
+    )

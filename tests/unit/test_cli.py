@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command: a real tiny run end to end, its output and exit codes."""
+
+import subprocess
+import sys
+
+import pytest
+from click.testing import CliRunner
+from test_cases import MINIMAL
+
+import samcontact
+from samcontact import results
+from samcontact.cli import main
+
+
+@pytest.fixture
+def case_file(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text(MINIMAL)
+    return path
+
+
+def invoke(*arguments):
+    return CliRunner().invoke(main, [str(argument) for argument in arguments])
+
+
+def test_run_writes_results_figures_and_tables(case_file, tmp_path):
+    outcome = invoke("run", case_file, "--output", tmp_path / "out")
+    assert outcome.exit_code == 0, outcome.output
+    text = outcome.stdout
+    assert "two balls" in text
+    assert "Increments" in text
+    assert "Against elastic Hertz contact at 600 N" in text
+    assert "contact area [mm²]" in text
+    files = [line for line in text.splitlines() if line.startswith(str(tmp_path))]
+    assert [f.rsplit("/", 1)[1] for f in files] == [
+        "results.nc",
+        "pressure.png",
+        "load_approach.png",
+        "axis_stress.png",
+        "sections.png",
+        "print.png",
+        "residual.png",
+    ]
+    with results.open_results(tmp_path / "out" / "results.nc") as data:
+        assert data["load"].values.tolist() == pytest.approx([300.0, 600.0, 0.0])
+        assert data.attrs["case"] == MINIMAL
+        # the table shows what is stored
+        assert f"{float(data['max_pressure'][1]) * 1e-6:.1f}" in text
+
+
+def test_run_quietly_without_figures_into_the_default_directory(case_file, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    outcome = invoke("run", case_file, "--no-figures", "--quiet")
+    assert outcome.exit_code == 0, outcome.output
+    assert outcome.stdout == "results/scene/results.nc\n"
+    assert outcome.stderr == ""
+    assert [p.name for p in (tmp_path / "results/scene").iterdir()] == ["results.nc"]
+
+
+def check_failure(outcome, code, *messages):
+    assert outcome.exit_code == code
+    assert outcome.stdout == ""
+    assert outcome.stderr.startswith("error: ")
+    assert "Traceback" not in outcome.stderr
+    for message in messages:
+        assert message in outcome.stderr
+
+
+def test_bad_case_is_exit_code_2(case_file, tmp_path):
+    case_file.write_text(MINIMAL.replace("nx = 15", "nx = -15"))
+    check_failure(invoke("run", case_file), 2, "scene.toml: grid.nx:", "got -15")
+    check_failure(invoke("run", tmp_path / "none.toml"), 2, "none.toml: cannot read", "No such")
+
+
+def test_load_beyond_the_grid_is_exit_code_2(case_file, tmp_path):
+    law = 'law = "swift"\nE = 210e9\nnu = 0.3\nB = 945e6\nC = 20\nn = 0.121'
+    text = MINIMAL.replace(law, 'law = "elastic"\nE = 210e9\nnu = 0.3')
+    case_file.write_text(text.replace("load = 600.0", "load = 5000.0"))
+    outcome = invoke("run", case_file, "--output", tmp_path / "out", "--quiet")
+    check_failure(outcome, 2, "border")
+
+
+def test_no_convergence_is_exit_code_1(case_file, tmp_path, monkeypatch):
+    def diverge(self, path, progress=True):
+        raise samcontact.ConvergenceError("residual 0.1 after 200 iterations")
+
+    monkeypatch.setattr(samcontact.Simulation, "run", diverge)
+    outcome = invoke("run", case_file, "--output", tmp_path / "out", "--quiet")
+    check_failure(outcome, 1, "no convergence: residual 0.1")
+
+
+def test_unwritable_output_fails_before_the_computation(case_file, tmp_path, monkeypatch):
+    monkeypatch.setattr(samcontact.Simulation, "run", lambda *_, **__: pytest.fail("was run"))
+    (tmp_path / "file").write_text("")
+    check_failure(invoke("run", case_file, "--output", tmp_path / "file" / "out"), 1, "file")
+
+
+def test_version():
+    outcome = invoke("--version")
+    assert outcome.exit_code == 0
+    assert outcome.stdout == f"samcontact {samcontact.__version__}\n"
+
+
+def test_hertz_point_and_elliptic():
+    common = ("hertz", "--R", "7.5e-3", "--E-star", "115384615384.6154")
+    outcome = invoke(*common, "--load", 1500, "--nu", 0.3)
+    assert outcome.exit_code == 0, outcome.output
+    values = {line[:32].strip(): float(line[32:]) for line in outcome.stdout.splitlines()}
+    assert values["maximum pressure p0 [Pa]"] == pytest.approx(4095642673.4, rel=1e-8)
+    assert values["maximum von Mises stress [Pa]"] == pytest.approx(
+        0.62004 * 4095642673.4, rel=1e-5
+    )
+    outcome = invoke(*common, "--Ry", "37.5e-3", "--p0", "1e9")
+    values = {line[:32].strip(): float(line[32:]) for line in outcome.stdout.splitlines()}
+    assert values["ellipticity a_y/a_x [-]"] == pytest.approx(2.890181, abs=1e-6)
+
+
+def test_hertz_errors():
+    common = ("hertz", "--R", "1", "--E-star", "1")
+    check_failure(invoke(*common), 2, "exactly one of load, approach, p0; got none")
+    check_failure(invoke(*common, "--load", "-1"), 2, "load must be a finite number > 0, got -1.0")
+    check_failure(invoke(*common, "--load", "1", "--nu", "2"), 2, "nu must be in [0, 0.5]")
+
+
+def test_module_is_the_same_command():
+    outcome = subprocess.run(
+        [sys.executable, "-m", "samcontact", "--version"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert outcome.stdout == f"samcontact {samcontact.__version__}\n"

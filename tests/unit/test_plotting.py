@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures: the data that artists show, in the displayed units, and the files written."""
+
+import subprocess
+import sys
+
+import matplotlib.image
+import numpy as np
+import pytest
+from core_fakes import ELASTIC, FakeState, make_grid, make_simulation
+from matplotlib.figure import Figure
+
+from samcontact import hertz, plotting
+
+E_STAR = 115384615384.6154
+
+
+@pytest.fixture
+def simulation():
+    return make_simulation()
+
+
+@pytest.fixture
+def state(simulation):
+    return FakeState(simulation.grid, 1500.0)
+
+
+@pytest.fixture
+def ax():
+    return Figure().subplots()
+
+
+def lines(ax):
+    return {line.get_label(): line.get_xydata() for line in ax.get_lines()}
+
+
+@pytest.mark.parametrize("axis", ["x", "y"])
+def test_pressure_profile_shows_the_central_row_and_hertz(state, simulation, ax, axis):
+    contact = hertz.point(7.5e-3, E_STAR, load=1500.0)
+    assert plotting.pressure_profile(state, simulation.grid, ax, hertz=contact, axis=axis) is ax
+    drawn = lines(ax)
+    row = state.pressure[:, 4] if axis == "x" else state.pressure[5, :]
+    coordinates = simulation.grid.x if axis == "x" else simulation.grid.y
+    np.testing.assert_allclose(drawn["computed"][:, 0], coordinates * 1e6)
+    np.testing.assert_allclose(drawn["computed"][:, 1], row * 1e-9)
+    # the fake state is Hertz contact: both curves agree where both are drawn
+    np.testing.assert_allclose(
+        np.interp(coordinates * 1e6, *drawn["Hertz"].T), row * 1e-9, atol=2e-2
+    )
+    assert ax.get_xlabel() == f"{axis} [µm]"
+    assert ax.get_ylabel() == "pressure [GPa]"
+
+
+def test_hertz_follows_the_row_of_cells_of_an_even_grid(ax):
+    grid = make_grid(nx=10, ny=8)
+    contact = hertz.point(7.5e-3, E_STAR, load=1500.0)
+    plotting.pressure_profile(FakeState(grid, 1500.0).pressure, grid, ax, hertz=contact)
+    peak = lines(ax)["Hertz"][:, 1].max()
+    assert peak == pytest.approx(float(contact.pressure(0.0, grid.dy / 2)) * 1e-9, rel=1e-12)
+
+
+def test_section_shows_the_plane_with_depth_downward(state, simulation, ax):
+    grid = simulation.grid
+    field = state.von_mises(body=2)
+    plotting.section(field, grid, ax)
+    (mesh,) = ax.collections
+    np.testing.assert_allclose(mesh.get_array(), field[:, 4, :].T * 1e-6)
+    corners = mesh.get_coordinates()
+    assert corners[0, 0, 0] == pytest.approx((grid.x[0] - grid.dx / 2) * 1e6)
+    assert corners[0, 0, 1] == 0.0
+    assert corners[-1, 0, 1] == pytest.approx(grid.nz * grid.dz * 1e6)
+    assert ax.yaxis_inverted()
+    assert ax.figure.axes[1].get_ylabel() == "von Mises stress [MPa]"
+
+
+def test_section_of_the_other_plane_and_signed_colours(state, simulation, ax):
+    grid = simulation.grid
+    field = state.hydrostatic(body=2)
+    plotting.section(field, grid, ax, quantity="hydrostatic", plane="x", position=grid.x[2])
+    (mesh,) = ax.collections
+    np.testing.assert_allclose(mesh.get_array(), field[2].T * 1e-6)
+    assert mesh.norm.vcenter == 0.0
+    assert mesh.norm.vmax == -mesh.norm.vmin == pytest.approx(np.abs(field[2]).max() * 1e-6)
+    assert ax.get_xlabel() == "y [µm]"
+
+
+def test_strain_in_percent(state, simulation, ax):
+    field = state.equivalent_plastic_strain(body=2)
+    plotting.section(field, simulation.grid, ax, quantity="equivalent_plastic_strain")
+    np.testing.assert_allclose(ax.collections[0].get_array(), field[:, 4, :].T * 100)
+    assert "[%]" in ax.figure.axes[1].get_ylabel()
+
+
+def test_load_approach(simulation, ax):
+    states = [FakeState(simulation.grid, load) for load in (100.0, 800.0, 0.0)]
+    contact = hertz.point(7.5e-3, E_STAR, load=123.0)
+    plotting.load_approach(states, ax, hertz=contact)
+    drawn = lines(ax)
+    np.testing.assert_allclose(drawn["computed"][:, 1], [100.0, 800.0, 0.0])
+    np.testing.assert_allclose(drawn["computed"][:, 0], [s.approach * 1e6 for s in states])
+    assert drawn["Hertz"][-1, 1] == pytest.approx(800.0, rel=1e-12)  # states are Hertz contacts
+
+
+def test_print_profile_in_either_input_form(state, simulation, ax):
+    plotting.print_profile(state, simulation.grid, ax, body=1, label="body 1")
+    field = state.residual_displacement(body=2)
+    plotting.print_profile(field, simulation.grid, ax, label="body 2")
+    drawn = lines(ax)
+    np.testing.assert_allclose(drawn["body 1"][:, 1], 0.1 * np.arange(11))
+    np.testing.assert_allclose(drawn["body 2"][:, 1], 0.2 * np.arange(11))
+    assert ax.yaxis_inverted()
+
+
+def test_axis_profile(state, simulation, ax):
+    plotting.axis_profile(state, simulation.grid, ax, components=("von_mises", "zz"))
+    first, second = ax.get_lines()
+    np.testing.assert_allclose(first.get_ydata(), simulation.grid.z * 1e6)
+    np.testing.assert_allclose(first.get_xdata(), state.von_mises()[5, 4] * 1e-6)
+    np.testing.assert_allclose(second.get_xdata(), state.stress()[2, 5, 4] * 1e-6)
+    assert ax.yaxis_inverted()
+
+
+def test_axis_profile_names_its_components(state, simulation, ax):
+    names = ("xx", "yy", "zz", "yz", "xz", "xy")
+    plotting.axis_profile(state, simulation.grid, ax, components=names)
+    for index, (name, line) in enumerate(zip(names, ax.get_lines(), strict=True)):
+        assert name in line.get_label()
+        np.testing.assert_allclose(line.get_xdata(), state.stress()[index, 5, 4] * 1e-6)
+
+
+def test_summary_figures(simulation, tmp_path):
+    states = [FakeState(simulation.grid, load) for load in (1500.0, 0.0)]
+    written = plotting.summary_figures(simulation, states, tmp_path / "new" / "folder")
+    assert [path.name for path in written] == [
+        "pressure.png",
+        "load_approach.png",
+        "axis_stress.png",
+        "sections.png",
+        "print.png",
+        "residual.png",
+    ]
+    for path in written:
+        image = matplotlib.image.imread(path)
+        assert min(image.shape[:2]) > 400
+        assert image[..., :3].std() > 0.01  # something is drawn
+    surface = make_simulation(nz=0, body2=ELASTIC)
+    states = [FakeState(surface.grid, 1500.0)]
+    written = plotting.summary_figures(surface, states, tmp_path)
+    assert [path.name for path in written] == ["pressure.png", "load_approach.png"]
+
+
+def test_new_figure_without_pyplot():
+    code = (
+        "import sys; from samcontact import plotting; sys.exit('matplotlib.pyplot' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_new_axes_are_made_when_none_are_given(state, simulation):
+    grid = simulation.grid
+    for ax in (
+        plotting.pressure_profile(state, grid),
+        plotting.section(state.von_mises(), grid),
+        plotting.load_approach([state]),
+        plotting.print_profile(state, grid),
+        plotting.axis_profile(state, grid),
+    ):
+        assert ax.figure.get_layout_engine() is not None
+
+
+def test_bad_input_is_named(state, simulation, ax):
+    grid = simulation.grid
+    with pytest.raises(ValueError, match=r"pressure must have shape \(11, 9\), got \(3, 3\)"):
+        plotting.pressure_profile(np.zeros((3, 3)), grid, ax)
+    with pytest.raises(ValueError, match="axis must be one of 'x', 'y', got 'z'"):
+        plotting.print_profile(state, grid, ax, axis="z")
+    with pytest.raises(ValueError, match=r"quantity must be one of 'von_mises', .* got 'heat'"):
+        plotting.section(state.von_mises(), grid, ax, quantity="heat")
+    with pytest.raises(ValueError, match="grid must have a volume"):
+        plotting.section(state.von_mises(), make_grid(), ax)
+    with pytest.raises(ValueError, match=r"components must be one of .* got 'rr'"):
+        plotting.axis_profile(state, grid, ax, components=("rr",))
+    with pytest.raises(ValueError, match="at least one state"):
+        plotting.load_approach([], ax)
