@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Semi-analytical elastic-plastic contact of two bodies. SI units everywhere."""
 
+from . import _load_core  # noqa: F401  (before anything that needs the core)
+
+# isort: split
 from . import critical, hertz, kernels, operators, paths, surfaces
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__

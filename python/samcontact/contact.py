@@ -81,7 +81,8 @@ class ContactSolver:
     Raises
     ------
     ValueError, TypeError
-        For an argument out of range or of the wrong kind; its name, value and range are in the text.
+        An argument out of range or of the wrong kind; the text names it, its value and what is
+        allowed.
     """
 
     def __init__(
@@ -107,8 +108,8 @@ class ContactSolver:
             raise ValueError(f"tol must be in [1e-13, 1), got {self.tol!r}")
         self.on_border = choice("on_border", on_border, ("error", "warn"))
         self.max_iterations = integer("max_iterations", max_iterations, 1)
-        constants = [body._core.elastic_constants for body in (body1, body2)]
-        self._core = _core.ContactSolver(grid._core, *constants, self.friction)
+        upper, lower = body1._core.elastic_constants, body2._core.elastic_constants
+        self._core = _core.ContactSolver(grid._core, upper, lower, self.friction)
 
     def solve(
         self,
@@ -182,7 +183,8 @@ class ContactSolver:
             Depths [m], >= 0.
         body : {1, 2}, optional
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
-            Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction*pressure.
+            Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction times
+            pressure.
 
         Returns
         -------

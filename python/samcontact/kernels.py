@@ -44,10 +44,9 @@ def pressure_displacement(
 ) -> FloatArray:
     """u_z [m] per unit pressure [Pa] on a rectangle (Love 1929); shape of X."""
     (x, y), shape = _points(X, Y)
-    values: FloatArray = _core.kernels.pressure_displacement(
-        x, y, *_sizes(a=a, b=b), *_constants(E, nu)
-    )
-    return values[0].reshape(shape)
+    a, b = _sizes(a=a, b=b)
+    E, nu = _constants(E, nu)
+    return _core.kernels.pressure_displacement(x, y, a, b, E, nu).reshape(shape)
 
 
 def shear_displacement(
@@ -55,10 +54,9 @@ def shear_displacement(
 ) -> FloatArray:
     """u_z [m] per unit shear s_x [Pa] acting on a rectangle in +x (Cerruti 1882); shape of X."""
     (x, y), shape = _points(X, Y)
-    values: FloatArray = _core.kernels.shear_displacement(
-        x, y, *_sizes(a=a, b=b), *_constants(E, nu)
-    )
-    return values[0].reshape(shape)
+    a, b = _sizes(a=a, b=b)
+    E, nu = _constants(E, nu)
+    return _core.kernels.shear_displacement(x, y, a, b, E, nu).reshape(shape)
 
 
 def _stress(function: Any, X: ArrayLike, Y: ArrayLike, z: ArrayLike, *rest: float) -> FloatArray:
@@ -78,7 +76,10 @@ def pressure_stress(
 def shear_stress(
     X: ArrayLike, Y: ArrayLike, z: ArrayLike, a: float, b: float, nu: float
 ) -> FloatArray:
-    """Stress [-] per unit shear s_x on a rectangle, shape (6, ...). Boucly (2008), (2.88)-(2.93)."""
+    """Stress [-] per unit shear s_x on a rectangle, shape (6, ...).
+
+    Boucly (2008), eqs (2.88)-(2.93), with L_22 corrected.
+    """
     nu = _constants(1.0, nu)[1]
     return _stress(_core.kernels.shear_stress, X, Y, z, *_sizes(a=a, b=b), nu)
 

@@ -52,7 +52,8 @@ class Simulation:
     Raises
     ------
     ValueError, TypeError
-        For an argument out of range or of the wrong kind; its name, value and range are in the text.
+        An argument out of range or of the wrong kind; the text names it, its value and what is
+        allowed.
     """
 
     def __init__(

@@ -107,7 +107,7 @@ class State:
         return self._field("equivalent_plastic_strain", body)
 
     def residual_displacement(self, body: int = 2) -> FloatArray:
-        """Permanent print: u_z of the plastic strain [m], shape (nx, ny), positive into the body."""
+        """Permanent print [m], shape (nx, ny): u_z of the plastic strain, positive inwards."""
         return self._field("residual_displacement", body)
 
     def surface_displacement(self, body: int = 2) -> FloatArray:

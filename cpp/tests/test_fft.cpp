@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Transforms against sums written out from the definition.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "samcontact/fft/padded_transform.hpp"
+#include "samcontact/fft/parity_spectrum.hpp"
+
+using namespace samcontact;
+using Threads = fft::PaddedTransform::Threads;
+
+namespace {
+
+Field sample(int n) {
+  Field f(n);
+  for (int i = 0; i < n; ++i) f[i] = std::sin(1.7 * i + 0.3) + 0.1 * i;
+  return f;
+}
+
+Complex phase(int a, int m) {
+  return std::polar(1.0, -2 * std::numbers::pi * (static_cast<double>(a % m) / m));
+}
+
+}  // namespace
+
+TEST_CASE("good sizes are even, smooth and not smaller") {
+  for (int n = 1; n < 400; ++n) {
+    const int m = fft::good_even_size(n);
+    CHECK(m >= n);
+    CHECK(m % 2 == 0);
+    int rest = m;
+    for (const int p : {2, 3, 5, 7}) {
+      while (rest % p == 0) rest /= p;
+    }
+    CHECK(rest == 1);
+  }
+}
+
+TEST_CASE("the padded transform is the discrete Fourier transform of the padded plane") {
+  const std::vector<std::pair<int, int>> shapes{{1, 1}, {1, 6}, {5, 1}, {7, 4}, {9, 17}};
+  for (const auto& [nx, ny] : shapes) {
+    const fft::PaddedTransform transform(nx, ny);
+    const Field plane = sample(nx * ny);
+    // A stride larger than a column, as in a block of many planes.
+    const std::size_t stride = transform.mx() + 3;
+    ComplexField spectrum(transform.mh() * stride);
+    transform.forward(plane.data(), spectrum.data(), stride, Threads::one);
+    for (int ky = 0; ky < transform.mh(); ++ky) {
+      for (int kx = 0; kx < transform.mx(); ++kx) {
+        Complex sum{};
+        for (int i = 0; i < nx; ++i) {
+          for (int j = 0; j < ny; ++j) {
+            sum +=
+                plane[i * ny + j] * phase(kx * i, transform.mx()) * phase(ky * j, transform.my());
+          }
+        }
+        CHECK(std::abs(spectrum[ky * stride + kx] - sum) < 1e-12 * nx * ny);
+      }
+    }
+    Field back(plane.size());
+    transform.inverse(spectrum.data(), back.data(), stride, Threads::one);
+    const double scale = 1.0 / (transform.mx() * transform.my());
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+      CHECK(scale * back[i] == doctest::Approx(plane[i]).epsilon(1e-13));
+    }
+  }
+}
+
+TEST_CASE("one and many threads give the same digits") {
+  const int n = 150;
+  const fft::PaddedTransform transform(n, n);
+  const Field plane = sample(n * n);
+  ComplexField one(transform.spectrum_size()), many(transform.spectrum_size());
+  transform.forward(plane.data(), one.data(), transform.mx(), Threads::one);
+  transform.forward(plane.data(), many.data(), transform.mx(), Threads::many);
+  CHECK(one == many);
+}
+
+TEST_CASE("quarter spectra of kernels of any parity") {
+  const std::vector<std::pair<int, int>> shapes{{1, 1}, {2, 5}, {6, 3}, {1, 8}};
+  for (const auto& [nx, ny] : shapes) {
+    const fft::PaddedTransform transform(nx, ny);
+    const fft::ParitySpectrum parity(transform);
+    const int mx = transform.mx(), my = transform.my();
+    for (int odd = 0; odd < 4; ++odd) {
+      const bool odd_x = odd & 1, odd_y = odd & 2;
+      const auto kernel = [&](int i, int j) {
+        // Vanishes with an odd index, as an odd function must.
+        const double x = odd_x ? i : 1.0 / (1 + i * i), y = odd_y ? j : 1.0 / (2 + j * j);
+        return x * y;
+      };
+      Field quarter(parity.size(), 0.0);
+      for (int j = 0; j < ny; ++j) {
+        for (int i = 0; i < nx; ++i) quarter[j * parity.hx() + i] = kernel(i, j);
+      }
+      parity.transform(quarter.data(), odd_x, odd_y);
+      for (int ky = 0; ky < parity.hy(); ++ky) {
+        for (int kx = 0; kx < parity.hx(); ++kx) {
+          Complex sum{};
+          for (int i = 1 - nx; i < nx; ++i) {
+            for (int j = 1 - ny; j < ny; ++j) {
+              sum += kernel(i, j) * phase(kx * (i + mx), mx) * phase(ky * (j + my), my);
+            }
+          }
+          Complex factor(1.0 / (mx * my), 0);
+          for (int n = odd_x + odd_y; n > 0; --n) factor *= Complex(0, 1);
+          CHECK(std::abs(factor * sum - quarter[ky * parity.hx() + kx]) < 1e-13);
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The core alone, without Python: acceleration, interruption, and one small elastic-plastic scene.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/simulation/anderson.hpp"
+#include "samcontact/simulation/simulation.hpp"
+
+using namespace samcontact;
+using namespace samcontact::simulation;
+
+namespace {
+
+struct Stopped {};
+
+Simulation small_scene(const plasticity::Material& lower) {
+  const Grid grid(17, 15, 60e-6, 60e-6, lower.is_plastic() ? 12 : 0, 60e-6);
+  Field gap(grid.surface_size());
+  const auto x = grid.x(), y = grid.y();
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      gap[i * grid.ny + j] = (x[i] * x[i] + y[j] * y[j]) / (2 * 7.5e-3);
+    }
+  }
+  return Simulation(grid, plasticity::Material::make_elastic(210e9, 0.3), lower, gap, 0.0, {});
+}
+
+Target load(double newton) { return {Target::Kind::load, newton, {}}; }
+
+}  // namespace
+
+TEST_CASE("Anderson mixing solves a linear problem of size n in n + 1 residuals") {
+  // x = A x + b with a contraction that plain iteration needs hundreds of steps for.
+  constexpr int n = 5;
+  const auto residual = [](const Field& x) {
+    Field f(n);
+    for (int i = 0; i < n; ++i) {
+      f[i] = (0.2 * i + 0.15) * x[i] + 0.01 * x[(i + 1) % n] + (1 + i) - x[i];
+    }
+    return f;
+  };
+  Anderson anderson(n);
+  Field x(n, 0.0);
+  for (int k = 0; k <= n; ++k) anderson.next(x, residual(x));
+  CHECK(norm(residual(x)) < 1e-8);
+}
+
+TEST_CASE("the ordered sum does not lose or repeat terms") {
+  for (const std::size_t n : {0u, 1u, 8191u, 8192u, 8193u, 100000u}) {
+    CHECK(ordered_sum(n, [](std::size_t) { return 1.0; }) == static_cast<double>(n));
+  }
+}
+
+TEST_CASE("loading flows, unloading keeps the print") {
+  auto simulation = small_scene(plasticity::Material::make_linear_hardening(210e9, 0.3, 1e9, 21e9));
+  const State loaded = simulation.step(load(300.0));
+  CHECK(loaded.plastic_iterations > 0);
+  CHECK(loaded.yield_excess <= 1e-6);
+  const double sum =
+      std::accumulate(loaded.tractions.pressure.begin(), loaded.tractions.pressure.end(), 0.0);
+  CHECK(sum * 60e-6 * 60e-6 == doctest::Approx(300.0).epsilon(1e-9));
+  const State unloaded = simulation.step(load(0.0));
+  CHECK(norm(unloaded.tractions.pressure) == 0.0);
+  const Field print = unloaded.residual_displacement(1);
+  CHECK(print[8 * 15 + 7] > 0);
+}
+
+TEST_CASE("an elastic scene has no volume") {
+  auto simulation = small_scene(plasticity::Material::make_elastic(210e9, 0.3));
+  simulation.step(load(300.0));
+  CHECK(simulation.volume_bytes() == 0);
+  CHECK(simulation.counters().yield_checks == 0);
+  CHECK_THROWS_AS(simulation.state().stress(1), std::invalid_argument);
+}
+
+TEST_CASE("an interrupt leaves the state as it was") {
+  auto simulation = small_scene(plasticity::Material::make_perfect_plastic(210e9, 0.3, 1e9));
+  const State before = simulation.step(load(100.0));
+  set_interrupt_check([] { throw Stopped{}; });
+  CHECK_THROWS_AS(for (int n = 0; n < 100000; ++n) simulation.step(load(n % 2 ? 250.0 : 200.0)),
+                  Stopped);
+  set_interrupt_check(nullptr);
+  const double reached = simulation.state().load;
+  CHECK((reached == 100.0 || reached == 200.0 || reached == 250.0));
+  CHECK(simulation.step(load(250.0)).converged);
+}

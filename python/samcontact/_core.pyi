@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+from typing import Any
+
+from ._checks import FloatArray
+
+version: str
+
+class ConvergenceError(RuntimeError):
+    iterations: int
+    residual: float
+
+class GridTooSmallError(ValueError): ...
+
+class Grid:
+    nx: int
+    ny: int
+    nz: int
+    dx: float
+    dy: float
+    dz: float
+    def __init__(self, nx: int, ny: int, dx: float, dy: float, nz: int, dz: float) -> None: ...
+    def x(self) -> list[float]: ...
+    def y(self) -> list[float]: ...
+    def z(self) -> list[float]: ...
+
+class Elastic:
+    E: float
+    nu: float
+    @staticmethod
+    def isotropic(E: float, nu: float) -> Elastic: ...
+    @staticmethod
+    def rigid() -> Elastic: ...
+
+class Material:
+    elastic_constants: Elastic
+    is_plastic: bool
+    @staticmethod
+    def elastic(E: float, nu: float) -> Material: ...
+    @staticmethod
+    def rigid() -> Material: ...
+    @staticmethod
+    def perfect_plastic(E: float, nu: float, yield_stress: float) -> Material: ...
+    @staticmethod
+    def linear_hardening(
+        E: float, nu: float, yield_stress: float, tangent_modulus: float
+    ) -> Material: ...
+    @staticmethod
+    def swift(E: float, nu: float, B: float, C: float, n: float) -> Material: ...
+    def yield_stress(self, g: FloatArray) -> FloatArray: ...
+    def equivalent_increment(self, trial: float, g: float) -> float: ...
+
+class ContactSolver:
+    def __init__(self, grid: Grid, body1: Elastic, body2: Elastic, friction: float) -> None: ...
+    def solve(
+        self,
+        gap: FloatArray,
+        load_driven: bool,
+        value: float,
+        initial_pressure: FloatArray | None,
+        tol: float,
+        max_iterations: int,
+        error_on_border: bool,
+    ) -> dict[str, Any]: ...
+
+class State:
+    pressure: FloatArray
+    shear_x: FloatArray | None
+    shear_y: FloatArray | None
+    gap: FloatArray
+    load: float
+    approach: float
+    converged: bool
+    iterations: int
+    contact_iterations: int
+    substeps: int
+    plastic_residual: float
+    yield_excess: float
+    warnings: list[str]
+    def has_plastic_strain(self, body: int) -> bool: ...
+    def stress(self, body: int) -> FloatArray: ...
+    def residual_stress(self, body: int) -> FloatArray: ...
+    def plastic_strain(self, body: int) -> FloatArray: ...
+    def von_mises(self, body: int) -> FloatArray: ...
+    def hydrostatic(self, body: int) -> FloatArray: ...
+    def equivalent_plastic_strain(self, body: int) -> FloatArray: ...
+    def residual_displacement(self, body: int) -> FloatArray: ...
+    def surface_displacement(self, body: int) -> FloatArray: ...
+
+class Simulation:
+    state: State
+    counters: dict[str, int]
+    def __init__(
+        self,
+        grid: Grid,
+        body1: Material,
+        body2: Material,
+        gap: FloatArray,
+        friction: float,
+        tol: float,
+        max_iterations: int,
+        error_on_border: bool,
+    ) -> None: ...
+    def step(
+        self,
+        kind: str,
+        value: float,
+        pressure: FloatArray | None,
+        shear_x: FloatArray | None,
+        shear_y: FloatArray | None,
+    ) -> State: ...
+    def set_plastic_state(
+        self, body: int, strain: FloatArray, equivalent: FloatArray | None
+    ) -> None: ...
+    def restore(self, saved: dict[str, Any]) -> None: ...
+
+class kernels:
+    @staticmethod
+    def pressure_displacement(
+        X: FloatArray, Y: FloatArray, a: float, b: float, E: float, nu: float
+    ) -> FloatArray: ...
+    @staticmethod
+    def shear_displacement(
+        X: FloatArray, Y: FloatArray, a: float, b: float, E: float, nu: float
+    ) -> FloatArray: ...
+    @staticmethod
+    def pressure_stress(
+        X: FloatArray, Y: FloatArray, z: FloatArray, a: float, b: float, nu: float
+    ) -> FloatArray: ...
+    @staticmethod
+    def shear_stress(
+        X: FloatArray, Y: FloatArray, z: FloatArray, a: float, b: float, nu: float
+    ) -> FloatArray: ...
+    @staticmethod
+    def eigenstrain_displacement(
+        X: FloatArray, Y: FloatArray, zc: float, a: float, b: float, c: float, nu: float
+    ) -> FloatArray: ...
+    @staticmethod
+    def eigenstrain_stress(
+        X: FloatArray,
+        Y: FloatArray,
+        z: FloatArray,
+        zc: float,
+        a: float,
+        b: float,
+        c: float,
+        E: float,
+        nu: float,
+    ) -> FloatArray: ...
+
+class operators:
+    @staticmethod
+    def residual_stress(grid: Grid, strain: FloatArray, elastic: Elastic) -> FloatArray: ...
+    @staticmethod
+    def residual_displacement(grid: Grid, strain: FloatArray, nu: float) -> FloatArray: ...
+    @staticmethod
+    def surface_displacement(
+        grid: Grid,
+        elastic: Elastic,
+        pressure: FloatArray,
+        shear_x: FloatArray | None,
+        shear_y: FloatArray | None,
+    ) -> FloatArray: ...
+    @staticmethod
+    def surface_stress(
+        grid: Grid,
+        nu: float,
+        z: list[float],
+        pressure: FloatArray,
+        shear_x: FloatArray | None,
+        shear_y: FloatArray | None,
+    ) -> FloatArray: ...

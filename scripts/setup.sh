@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sourced by ./run and ./test: system packages, virtual environment, the package itself. Each part
+# is skipped when it is up to date.
+
+samcontact_missing_packages() {
+  local package
+  for package in "$@"; do
+    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
+      echo "$package"
+  done
+}
+
+samcontact_system_packages() {
+  local missing sudo=""
+  if ! command -v dpkg-query > /dev/null; then
+    echo "Not a Debian-like system: install g++, Eigen 3, FFTW 3, doctest and Python's venv yourself." >&2
+    return
+  fi
+  missing=$(samcontact_missing_packages "$@")
+  [ -n "$missing" ] || return 0
+  [ "$(id -u)" = 0 ] || sudo=sudo
+  echo "Installing system packages:" $missing
+  $sudo apt-get update -qq
+  # shellcheck disable=SC2086
+  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq $missing > /dev/null
+}
+
+# What the installed package depends on: sources, build files, and the interpreter.
+samcontact_fingerprint() {
+  { python3 --version; echo "$1"; find CMakeLists.txt pyproject.toml cmake cpp python -type f \
+      ! -name '*.pyc' ! -name '*.so' -print0 | sort -z | xargs -0 sha256sum; } | sha256sum
+}
+
+# samcontact_setup EXTRAS: EXTRAS is "" or e.g. "[dev]".
+samcontact_setup() {
+  local packages=(g++ python3-venv libeigen3-dev libfftw3-dev) state
+  # A Python from elsewhere brings its own venv.
+  python3 -c 'import ensurepip' 2> /dev/null && packages=(g++ libeigen3-dev libfftw3-dev)
+  [ "$1" = "" ] || packages+=(doctest-dev)
+  samcontact_system_packages "${packages[@]}"
+  [ -x .venv/bin/python ] || python3 -m venv .venv
+  mkdir -p build
+  state=$(samcontact_fingerprint "$1")
+  if [ "$(cat .venv/samcontact-state 2> /dev/null)" != "$state" ]; then
+    echo "Building and installing samcontact (a minute the first time) ..."
+    .venv/bin/python -m pip install --quiet --disable-pip-version-check ".$1"
+    if [ "$1" != "" ]; then
+      # The C++ tests use the same tools as the package's own build.
+      .venv/bin/python -m pip install --quiet --disable-pip-version-check cmake ninja
+    fi
+    echo "$state" > .venv/samcontact-state
+  fi
+}
