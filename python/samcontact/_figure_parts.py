@@ -28,7 +28,7 @@ COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
 
 
 def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
-    figure = Figure(figsize=(width, height), layout="constrained", dpi=200)
+    figure = Figure(figsize=(width, height), layout="compressed", dpi=200)
     FigureCanvasAgg(figure)
     return figure
 

@@ -316,7 +316,7 @@ def axis_profile(
     ax.set_ylim(float(np.max(grid.z)) * 1e6, 0.0)
     ax.set_xlabel("stress on the axis [MPa]")
     ax.set_ylabel("depth z [µm]")
-    ax.legend(framealpha=0.85, edgecolor="none")
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
     return finish(ax)
 
 
