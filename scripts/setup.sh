@@ -27,7 +27,7 @@ samcontact_system_packages() {
 
 # What the installed package depends on: sources, build files, and the interpreter.
 samcontact_fingerprint() {
-  { python3 --version; echo "$1"; find CMakeLists.txt pyproject.toml cmake cpp python -type f \
+  { python3 --version; find CMakeLists.txt pyproject.toml cmake cpp python -type f \
       ! -name '*.pyc' ! -name '*.so' -print0 | sort -z | xargs -0 sha256sum; } | sha256sum
 }
 
@@ -40,14 +40,12 @@ samcontact_setup() {
   samcontact_system_packages "${packages[@]}"
   [ -x .venv/bin/python ] || python3 -m venv .venv
   mkdir -p build
-  state=$(samcontact_fingerprint "$1")
-  if [ "$(cat .venv/samcontact-state 2> /dev/null)" != "$state" ]; then
+  state=$(samcontact_fingerprint)
+  if [ "$(cat .venv/samcontact-state 2> /dev/null)" != "$state" ] ||
+    { [ -n "$1" ] && ! grep -qxF -e "$1" .venv/samcontact-extras 2> /dev/null; }; then
     echo "Building and installing samcontact (a minute the first time) ..."
     .venv/bin/python -m pip install --quiet --disable-pip-version-check ".$1"
-    if [ "$1" != "" ]; then
-      # The C++ tests use the same tools as the package's own build.
-      .venv/bin/python -m pip install --quiet --disable-pip-version-check cmake ninja
-    fi
     echo "$state" > .venv/samcontact-state
+    echo "$1" >> .venv/samcontact-extras
   fi
 }
