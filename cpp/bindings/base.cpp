@@ -22,7 +22,10 @@ void check_signals() {
 void bind_errors(py::module_& m) {
   PYBIND11_CONSTINIT static py::gil_safe_call_once_and_store<py::object> convergence_error;
   convergence_error.call_once_and_store_result([&] {
-    return py::object(py::exception<ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError));
+    py::exception<ConvergenceError> type(m, "ConvergenceError", PyExc_RuntimeError);
+    type.attr("__doc__") =
+        "An iteration did not reach its tolerance: .iterations, .residual; the state before stays.";
+    return py::object(type);
   });
   py::register_exception_translator([](std::exception_ptr p) {
     try {
@@ -35,7 +38,8 @@ void bind_errors(py::module_& m) {
       PyErr_SetObject(type.ptr(), value.ptr());
     }
   });
-  py::register_exception<GridTooSmallError>(m, "GridTooSmallError", PyExc_ValueError);
+  py::register_exception<GridTooSmallError>(m, "GridTooSmallError", PyExc_ValueError)
+      .attr("__doc__") = "The contact or the plastic zone reaches the border of the grid.";
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
   result["error"] = solution.error;
   result["iterations"] = solution.iterations;
   result["converged"] = solution.converged;
-  result["touches_border"] = solution.touches_border;
+  result["border_complaint"] = solution.border_complaint;
   return result;
 }
 

@@ -152,9 +152,10 @@ void bind_simulation(py::module_& m) {
   py::class_<Simulation>(m, "Simulation")
       .def(py::init([](const Grid& grid, const plasticity::Material& body1,
                        const plasticity::Material& body2, const Array& gap, double friction,
-                       double tol, int max_iterations, bool error_on_border) {
+                       double tol, double increment_tol, int max_iterations, bool error_on_border) {
              simulation::Settings settings;
              settings.tol = tol;
+             settings.increment_tol = increment_tol;
              settings.max_iterations = max_iterations;
              settings.on_border =
                  error_on_border ? contact::OnBorder::error : contact::OnBorder::warn;
@@ -162,7 +163,8 @@ void bind_simulation(py::module_& m) {
                                                  settings);
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"), py::arg("friction"),
-           py::arg("tol"), py::arg("max_iterations"), py::arg("error_on_border"))
+           py::arg("tol"), py::arg("increment_tol"), py::arg("max_iterations"),
+           py::arg("error_on_border"))
       .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
            py::arg("shear_x"), py::arg("shear_y"))
       .def(

@@ -244,6 +244,7 @@ class ContactSection(Section):
 
     friction: NonNegative = 0.0
     tol: Annotated[float, Field(ge=1e-11, lt=1.0)] = 1e-6
+    increment_tol: Annotated[float, Field(gt=0.0, lt=1.0)] | None = None
     on_border: Literal["error", "warn"] = "error"
 
 

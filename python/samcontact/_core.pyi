@@ -97,6 +97,7 @@ class Simulation:
         gap: FloatArray,
         friction: float,
         tol: float,
+        increment_tol: float,
         max_iterations: int,
         error_on_border: bool,
     ) -> None: ...

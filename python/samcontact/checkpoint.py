@@ -69,6 +69,8 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
         on_border=simulation.on_border,
         max_iterations=simulation.max_iterations,
     )
+    if simulation.increment_tol is not None:
+        file["settings"].attrs["increment_tol"] = simulation.increment_tol
     file["initial_gap"] = simulation.initial_gap
     core = simulation._core.state
     state = file.create_group("state")

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any
 
@@ -155,14 +156,9 @@ class ContactSolver:
             self.max_iterations,
             self.on_border == "error",
         )
-        if found.pop("touches_border"):
-            import warnings
-
-            warnings.warn(
-                f"the contact touches the border of the grid at {driver} = {value!r}",
-                GridTooSmallWarning,
-                stacklevel=2,
-            )
+        complaint = found.pop("border_complaint")
+        if complaint:
+            warnings.warn(complaint, GridTooSmallWarning, stacklevel=2)
         return ContactSolution(**found)
 
     def stress(

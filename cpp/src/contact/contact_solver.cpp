@@ -111,9 +111,9 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
                                to_text(settings.tol),
                            solution.iterations, solution.error);
   }
-  solution.touches_border = touches_border(grid_, solution.pressure);
-  if (solution.touches_border && settings.on_border == OnBorder::error) {
-    throw too_small(border_complaint(grid_, solution.pressure, describe(driver)));
+  solution.border_complaint = border_complaint(grid_, solution.pressure, describe(driver));
+  if (!solution.border_complaint.empty() && settings.on_border == OnBorder::error) {
+    throw too_small(solution.border_complaint);
   }
   return solution;
 }

@@ -62,7 +62,8 @@ class FixedPoint {
       advance();
       const double finest = contact_tolerance(settings_.tol);
       if (residual_ <= settings_.tol && result_.excess <= settings_.tol) {
-        if (contact_tol_ <= finest) return finish(n);
+        // The wanted tolerance moves a little with every iterate: twice it is near enough.
+        if (contact_tol_ <= 2 * finest) return finish(n);
         contact_tol_ = finest;
       } else {
         contact_tol_ = std::max(contact_tolerance(residual_), finest);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -58,6 +59,30 @@ std::string flow_at_border(const Grid& grid, const PlasticState* before,
   return {};
 }
 
+/// Largest difference between two solutions of one increment: of the pressure relative to its
+/// maximum, and of the equivalent plastic strain relative to its maximum or the strain at yield.
+double increment_error(const State& one, const State& two) {
+  const auto largest = [](const Field& f) { return *std::max_element(f.begin(), f.end()); };
+  const auto difference = [](const Field& a, const Field& b) {
+    double d = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) d = std::max(d, std::fabs(a[i] - b[i]));
+    return d;
+  };
+  const double p_max = largest(two.tractions.pressure);
+  double error =
+      p_max > 0 ? difference(one.tractions.pressure, two.tractions.pressure) / p_max : 0.0;
+  for (int b = 0; b < 2; ++b) {
+    if (!one.plastic[b] || !two.plastic[b]) continue;
+    const auto& material = two.scene().materials[b];
+    const double yield_strain =
+        material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
+    const Field& g = two.plastic[b]->equivalent;
+    error = std::max(
+        error, difference(one.plastic[b]->equivalent, g) / std::max(largest(g), yield_strain));
+  }
+  return error;
+}
+
 }  // namespace
 
 Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
@@ -69,6 +94,12 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
       settings_(settings),
       state_(scene_) {
   require(settings.tol >= 1e-11 && settings.tol < 1, "tol", "in [1e-11, 1)", settings.tol);
+  if (settings.increment_tol != 0) {
+    // Closer to tol, the difference of two solutions is their own residual.
+    require(settings.increment_tol >= 10 * settings.tol && settings.increment_tol < 1,
+            "increment_tol", "in [10 tol, 1) with tol = " + to_text(settings.tol),
+            settings.increment_tol);
+  }
   if (grid.nz == 0 && (body1.is_plastic() || body2.is_plastic())) {
     throw std::invalid_argument(
         "nz must be > 0 for an inelastic body: give the grid layers with nz and dz");
@@ -112,62 +143,99 @@ Target Simulation::between(const State& from, const Target& target, double fract
   return part;
 }
 
-const State& Simulation::step(const Target& target) {
-  check(target);
+State Simulation::advance(const Target& target) {
+  const double least = std::ldexp(1.0, -settings_.max_halvings);
   State moment = state_;
-  double done = 0.0, part = 1.0;
   int iterations = 0, substeps = 0;
-  const long contact_before = counters_.contact_iterations;
-  std::vector<std::string> warnings;
+  const auto solve = [&](const State& from, double start, double end) {
+    // The remaining way from the moment reached: (end - start) of (1 - start).
+    const double fraction = end == 1.0 ? 1.0 : (end - start) / (1.0 - start);
+    State state = solve_increment(from, between(from, target, fraction), settings_, counters_);
+    iterations += state.plastic_iterations;
+    return state;
+  };
+  double done = 0.0, part = 1.0;
+  std::optional<State> known;  // the state at done + part, if it was solved before
   while (done < 1.0) {
     const double goal = std::min(1.0, done + part);
     try {
-      // The remaining way from the moment reached: (goal - done) of (1 - done).
-      State next = solve_increment(
-          moment, between(moment, target, goal == 1.0 ? 1.0 : (goal - done) / (1.0 - done)),
-          settings_, counters_);
-      iterations += next.plastic_iterations;
+      State next = known ? std::move(*known) : solve(moment, done, goal);
+      known.reset();
+      bool widen = true;
+      if (settings_.increment_tol > 0 && next.plastic != moment.plastic) {
+        const double middle = done + 0.5 * (goal - done);
+        State half = solve(moment, done, middle);
+        State twice = solve(half, middle, goal);
+        const double error = increment_error(next, twice);
+        if (error > settings_.increment_tol) {
+          part = middle - done;
+          if (part < least) {
+            throw std::invalid_argument("increment_tol " + to_text(settings_.increment_tol) +
+                                        " asks for parts smaller than " + to_text(least) +
+                                        " of the increment to " + describe(target) +
+                                        ": take smaller increments or a larger tolerance");
+          }
+          known = std::move(half);
+          continue;
+        }
+        widen = error < 0.25 * settings_.increment_tol;
+        next = std::move(twice);
+        ++substeps;
+      }
       moment = std::move(next);
       done = goal;
       ++substeps;
-      part = std::min(2 * part, 1.0);
-    } catch (const ConvergenceError& error) {
+      if (widen) part = std::min(2 * part, 1.0);
+    } catch (const ConvergenceError&) {
+      known.reset();
       part *= 0.5;
       ++counters_.halvings;
       const bool no_start =
           target.kind == Target::Kind::approach && !std::isfinite(moment.approach);
-      if (part < std::ldexp(1.0, -settings_.max_halvings) || no_start) throw;
-    }
-  }
-  const auto complain = [&](const std::string& what) {
-    if (what.empty()) return;
-    if (settings_.on_border == contact::OnBorder::error) throw contact::too_small(what);
-    warnings.push_back(what);
-  };
-  if (target.kind != Target::Kind::tractions) {
-    complain(contact::border_complaint(scene_->grid, moment.tractions.pressure, describe(target)));
-  }
-  for (int b = 0; b < 2; ++b) {
-    if (!moment.plastic[b]) continue;
-    const auto where =
-        flow_at_border(scene_->grid, state_.plastic[b].get(), moment.plastic[b].get());
-    if (!where.empty()) {
-      complain("at " + describe(target) + " the plastic zone of body " + std::to_string(b + 1) +
-               " reaches the " + where);
-    }
-  }
-  if (target.kind == Target::Kind::tractions) {
-    moment.gap = scene_->initial_gap;
-    for (int b = 0; b < 2; ++b) {
-      const Field u = moment.surface_displacement(b);
-      for (std::size_t i = 0; i < u.size(); ++i) moment.gap[i] += u[i];
+      if (part < least || no_start) throw;
     }
   }
   moment.plastic_iterations = iterations;
-  moment.contact_iterations = static_cast<int>(counters_.contact_iterations - contact_before);
   moment.substeps = substeps;
-  moment.warnings = std::move(warnings);
-  state_ = std::move(moment);
+  return moment;
+}
+
+std::vector<std::string> Simulation::border_complaints(const State& reached,
+                                                       const Target& target) const {
+  std::vector<std::string> complaints;
+  const auto add = [&](std::string what) {
+    if (what.empty()) return;
+    if (settings_.on_border == contact::OnBorder::error) throw contact::too_small(what);
+    complaints.push_back(std::move(what));
+  };
+  if (target.kind != Target::Kind::tractions) {
+    add(contact::border_complaint(scene_->grid, reached.tractions.pressure, describe(target)));
+  }
+  for (int b = 0; b < 2; ++b) {
+    if (!reached.plastic[b]) continue;
+    const auto where =
+        flow_at_border(scene_->grid, state_.plastic[b].get(), reached.plastic[b].get());
+    if (where.empty()) continue;
+    add("at " + describe(target) + " the plastic zone of body " + std::to_string(b + 1) +
+        " reaches the " + where);
+  }
+  return complaints;
+}
+
+const State& Simulation::step(const Target& target) {
+  check(target);
+  const long contact_before = counters_.contact_iterations;
+  State reached = advance(target);
+  reached.contact_iterations = static_cast<int>(counters_.contact_iterations - contact_before);
+  reached.warnings = border_complaints(reached, target);
+  if (target.kind == Target::Kind::tractions) {
+    reached.gap = scene_->initial_gap;
+    for (int b = 0; b < 2; ++b) {
+      const Field u = reached.surface_displacement(b);
+      for (std::size_t i = 0; i < u.size(); ++i) reached.gap[i] += u[i];
+    }
+  }
+  state_ = std::move(reached);
   return state_;
 }
 

@@ -2,6 +2,8 @@
 // The frictionless contact problem on a grid: p >= 0, g = h + K p - delta >= 0, p g = 0.
 #pragma once
 
+#include <string>
+
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/operators/surface_displacement.hpp"
 
@@ -26,7 +28,8 @@ struct Solution {
   double error = 0.0;
   int iterations = 0;
   bool converged = true;
-  bool touches_border = false;
+  /// Which border the contact touches and the remedy; empty when it touches none.
+  std::string border_complaint;
 };
 
 /// Conjugate gradient on the cells in contact with projection to p >= 0 (Polonsky & Keer 1999,

@@ -34,8 +34,8 @@ class ContactSolver {
 
   /// Without coupling one conjugate-gradient solve. With it (dissimilar bodies and friction) the
   /// operator is not symmetric: the shear's displacement is lagged in an outer fixed point, a
-  /// contraction with factor <= mu (1 - 2 nu)/(2 (1 - nu)) in the energy norm because its kernel is
-  /// antisymmetric. initial_pressure may be empty.
+  /// contraction with factor <= mu (1 - 2 nu)/(2 (1 - nu)) in the energy norm the largest
+  /// ratio of the two operators' Fourier symbols. initial_pressure may be empty.
   /// Throws std::invalid_argument (load < 0, wrong shape, not finite), GridTooSmallError, and
   /// ConvergenceError.
   Solution solve(const Field& gap, Driver driver, const Field& initial_pressure,

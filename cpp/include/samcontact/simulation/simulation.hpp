@@ -19,6 +19,8 @@ struct Settings {
   double tol = 1e-6;  // relative change of the plastic strain increment, and yield excess
   int max_iterations = 60;
   int max_halvings = 8;
+  /// Error of the division into increments, by step doubling; 0: increments as given.
+  double increment_tol = 0.0;
   contact::OnBorder on_border = contact::OnBorder::error;
 };
 
@@ -59,6 +61,10 @@ class Simulation {
 
  private:
   void check(const Target& target) const;
+  /// Walks from the present state to the target in as many parts as convergence and the increment
+  /// tolerance ask for.
+  State advance(const Target& target);
+  std::vector<std::string> border_complaints(const State& reached, const Target& target) const;
   Target between(const State& from, const Target& target, double fraction) const;
 
   std::shared_ptr<const Scene> scene_;

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The documentation: its examples run, what it names exists, its links lead somewhere."""
+
+import importlib
+import re
+from pathlib import Path
+
+import pytest
+
+import samcontact as sc
+from samcontact import _case_sections, results
+from samcontact.cases import Case
+
+ROOT = Path(__file__).parents[2]
+PAGES = [ROOT / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md")]
+PAGES += sorted((ROOT / "docs").glob("*.md"))
+TEXTS = {str(page.relative_to(ROOT)): page.read_text(encoding="utf-8") for page in PAGES}
+pages = pytest.mark.parametrize("page", TEXTS)
+
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+EXAMPLES = [
+    pytest.param(block, id=f"{page}-{number}")
+    for page, text in TEXTS.items()
+    for number, (language, block) in enumerate(FENCE.findall(text))
+    if language == "python"
+]
+
+
+def prose(page):
+    """The page without its fenced blocks."""
+    return FENCE.sub("", TEXTS[page])
+
+
+@pytest.mark.parametrize("block", EXAMPLES)
+def test_example_runs(block, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    exec(compile(block, "example", "exec"), {"__name__": "example"})
+
+
+@pages
+def test_paths_exist(page):
+    named = re.compile(r"(?<![\w./])(?:(?:cpp|python|tests|cases|docs|cmake)/[\w./-]+|\./\w+)")
+    # the targets of links are relative to the page, and checked below
+    text = re.sub(r"\]\([^)]*\)", "]", TEXTS[page])
+    paths = {path.rstrip("./-") for path in named.findall(text)}
+    missing = sorted(path for path in paths if not (ROOT / path).exists())
+    assert not missing
+
+
+def resolve(name):
+    """The object a dotted name in the package stands for."""
+    first, *rest = name.split(".")
+    # modules such as `results` are not attributes of the package before they are imported
+    target = getattr(sc, first, None) or importlib.import_module(f"samcontact.{first}")
+    for part in rest:
+        target = getattr(target, part)
+    return target
+
+
+@pages
+def test_names_exist(page):
+    code = " ".join(re.findall(r"`([^`\n]+)`", prose(page)))
+    for name in re.findall(r"\b(?:sc|samcontact)\.([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*)", code):
+        resolve(name)
+
+
+def anchors(page):
+    headings = re.findall(r"^#+ (.+)$", prose(page), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+@pages
+def test_links_lead_somewhere(page):
+    for target in re.findall(r"\]\(([^)\s]+)\)", prose(page)):
+        if target.startswith(("https://", "http://")):
+            continue
+        path, _, anchor = target.partition("#")
+        file = (ROOT / page).parent / path if path else ROOT / page
+        assert file.exists(), target
+        if anchor:
+            assert anchor in anchors(str(file.resolve().relative_to(ROOT))), target
+
+
+def test_every_page_is_linked_from_the_readme():
+    links = set(re.findall(r"\]\(([^)\s]+)\)", TEXTS["README.md"]))
+    assert links >= set(TEXTS) - {"README.md"}
+
+
+def test_newest_change_is_this_version():
+    version, date = re.findall(r"^## \[(.+?)\] - (.+)$", TEXTS["CHANGELOG.md"], re.MULTILINE)[0]
+    assert version == sc.__version__
+    assert re.fullmatch(r"\d{4}-\d\d-\d\d", date)
+
+
+def test_every_version_tells_whether_numbers_changed():
+    for release in re.split(r"^## \[", TEXTS["CHANGELOG.md"], flags=re.MULTILINE)[1:]:
+        assert "### Numerical results changed" in release
+
+
+def test_equations_are_numbered_in_order():
+    numbers = [int(n) for n in re.findall(r"\\tag\{(\d+)\}", TEXTS["docs/theory.md"])]
+    assert numbers == list(range(1, len(numbers) + 1))
+
+
+def sections(model=_case_sections.Section):
+    for section in model.__subclasses__():
+        yield section
+        yield from sections(section)
+
+
+def test_every_field_of_a_case_file_is_documented():
+    text = TEXTS["docs/case_files.md"]
+    fields = {name for section in sections() for name in section.model_fields}
+    assert fields > {"title", "nx", "yield_stress", "hurst", "on_border", "spacing", "volume"}
+    assert sorted(name for name in fields if not re.search(rf"\b{name}\b", text)) == []
+
+
+def test_every_variable_of_a_results_file_is_documented():
+    swift = {"law": "swift", "E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121}
+    case = Case.model_validate(
+        {
+            "title": "small",
+            "grid": {"nx": 8, "ny": 8, "dx": 1e-4, "dy": 1e-4, "nz": 4, "dz": 1e-4},
+            "body1": swift,
+            "body2": swift,
+            "surface": {"shape": "paraboloid", "Rx": 7.5e-3},
+            "contact": {"friction": 0.1},
+            "path": [{"load": 50.0, "increments": 1}],
+        }
+    )
+    simulation, path = case.build()
+    dataset = results.to_dataset(simulation, simulation.run(path, progress=False), case)
+    names = {re.sub(r"body[12]$", "bodyN", str(name)) for name in dataset.variables}
+    text = TEXTS["docs/case_files.md"]
+    assert sorted(name for name in names if not re.search(rf"\b{name}\b", text)) == []

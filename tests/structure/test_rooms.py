@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The order of the rooms, as data, and what keeps the code readable by machine."""
+
+import ast
+import graphlib
+import inspect
+import os
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+import samcontact as sc
+
+ROOT = Path(__file__).parents[2]
+INCLUDE = ROOT / "cpp" / "include"
+HEADERS = sorted(INCLUDE.rglob("*.hpp"))
+SOURCES = sorted((ROOT / "cpp" / "src").rglob("*.cpp"))
+BINDINGS = sorted((ROOT / "cpp" / "bindings").iterdir())
+PACKAGE = ROOT / "python" / "samcontact"
+MODULES = sorted(PACKAGE.glob("*.py"))
+
+# What a room may include besides itself.
+BELOW = {
+    "base": set(),
+    "kernels": {"base"},
+    "fft": {"base"},
+    "plasticity": {"base"},
+    "operators": {"base", "kernels", "fft"},
+    "contact": {"base", "kernels", "fft", "operators"},
+    "simulation": {"base", "kernels", "fft", "operators", "plasticity", "contact"},
+}
+# Modules that talk to the core; all others go through them.
+CORE_USERS = {
+    "__init__",
+    "_load_core",
+    "checkpoint",
+    "contact",
+    "grid",
+    "kernels",
+    "material",
+    "operators",
+    "simulation",
+}
+
+
+def room(file):
+    return file.parent.name
+
+
+def includes(file):
+    return re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', file.read_text(), re.MULTILINE)
+
+
+def own(file):
+    """The headers of the core that a file includes, as paths below cpp/include."""
+    return [name for name in includes(file) if name.startswith("samcontact/")]
+
+
+def test_rooms_are_complete():
+    for folder in (INCLUDE / "samcontact", ROOT / "cpp" / "src"):
+        assert {path.name for path in folder.iterdir()} == set(BELOW)
+    assert {room(file) for file in HEADERS} == set(BELOW)
+    graphlib.TopologicalSorter(BELOW).prepare()
+
+
+def test_rooms_include_lower_rooms_only():
+    wrong = [
+        f"{file.relative_to(ROOT)} includes {name}"
+        for file in HEADERS + SOURCES
+        for name in own(file)
+        if name.split("/")[1] not in BELOW[room(file)] | {room(file)}
+    ]
+    assert wrong == []
+
+
+def test_headers_have_no_cycle():
+    graph = {str(file.relative_to(INCLUDE)): own(file) for file in HEADERS}
+    assert {name for names in graph.values() for name in names} <= set(graph)
+    graphlib.TopologicalSorter(graph).prepare()  # raises CycleError, which names the cycle
+
+
+def test_sources_include_their_header_first():
+    for file in SOURCES:
+        assert includes(file)[0] == f"samcontact/{room(file)}/{file.stem}.hpp"
+
+
+def test_the_core_knows_neither_python_nor_printing():
+    forbidden = re.compile(r"pybind11|Python\.h|numpy|iostream|cstdio|stdio\.h|fstream|print")
+    for file in HEADERS + SOURCES:
+        assert [name for name in includes(file) if forbidden.search(name)] == []
+        assert not re.search(r"\bstd::(cout|cerr|clog|printf)\b|\bprintf\s*\(", file.read_text())
+
+
+def test_fftw_has_one_door():
+    users = {str(f.relative_to(ROOT)) for f in HEADERS + SOURCES if "fftw3.h" in includes(f)}
+    assert users == {"cpp/include/samcontact/fft/plan.hpp"}
+
+
+def test_pybind11_stays_in_the_bindings():
+    users = {file.name for file in BINDINGS if any("pybind11" in name for name in includes(file))}
+    assert {"arrays.hpp", "base.cpp"} <= users
+    assert {path.stem for path in BINDINGS} - {"arrays", "module", "rooms"} <= set(BELOW)
+
+
+def test_every_header_compiles_alone():
+    compiler = os.environ.get("CXX", "g++")
+    flags = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-Wno-unknown-pragmas"]
+    flags += [f"-I{INCLUDE}", "-isystem", "/usr/include/eigen3", "-x", "c++", "-"]
+
+    def compiled(file):
+        code = f'#include "{file.relative_to(INCLUDE)}"\n'
+        return subprocess.run([compiler, *flags], input=code, capture_output=True, text=True)
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        results = list(pool.map(compiled, HEADERS))
+    assert "\n".join(r.stderr for r in results if r.returncode != 0) == ""
+
+
+def test_headers_open_with_their_purpose():
+    for file in HEADERS:
+        lines = file.read_text().splitlines()
+        assert re.match(r"// [A-Z].{15,}", lines[1]), file
+        assert "#pragma once" in lines, file
+
+
+def test_the_architecture_page_names_every_room():
+    page = (ROOT / "docs" / "architecture.md").read_text()
+    diagram = page.split("```text")[1].split("```")[0]
+    rows = re.findall(r"^\| (\w+) \|", page, re.MULTILINE)
+    for name in BELOW:
+        assert re.search(rf"\b{name}\b", diagram), name
+        assert name in rows, name
+
+
+@pytest.mark.parametrize("folder", ["cpp", "python", "tests", "cmake", "cases", "docs", "scripts"])
+def test_files_begin_with_the_licence(folder):
+    kinds = {".hpp", ".cpp", ".py", ".pyi", ".cmake", ".toml", ".md", ".sh"}
+    files = [f for f in (ROOT / folder).rglob("*") if f.suffix in kinds]
+    assert files
+    for file in files:
+        start = "\n".join(file.read_text().splitlines()[:2])
+        # an empty file, such as py.typed or a package marker, has nothing to license
+        assert "SPDX-License-Identifier: GPL-3.0-or-later" in start or not start, file
+
+
+def imports(tree):
+    """Modules of the package imported when a module is loaded, as (module, name) pairs."""
+    for node in tree.body:
+        if not isinstance(node, ast.ImportFrom) or node.level != 1:
+            continue
+        for alias in node.names:
+            yield (node.module or alias.name), alias.name
+
+
+def test_modules_have_no_cycle():
+    graph = {
+        file.stem: {module for module, _ in imports(ast.parse(file.read_text()))} - {"_core"}
+        for file in MODULES
+    }
+    assert {name for names in graph.values() for name in names} <= set(graph)
+    graphlib.TopologicalSorter(graph).prepare()
+
+
+def test_few_modules_talk_to_the_core():
+    users = {
+        file.stem
+        for file in MODULES
+        for node in ast.walk(ast.parse(file.read_text()))
+        if isinstance(node, ast.ImportFrom)
+        and ("_core" in (node.module or "") or any(a.name == "_core" for a in node.names))
+    }
+    assert users == CORE_USERS
+
+
+def test_the_package_loads_no_file_or_figure_library():
+    heavy = "{'matplotlib', 'xarray', 'pydantic', 'pandas', 'click', 'rich'}"
+    code = f"import sys, samcontact; print(sorted({heavy} & set(sys.modules)))"
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == "[]"
+
+
+def public(owner, prefix):
+    """Public functions, classes, methods and properties below a module or class, with names."""
+    names = getattr(owner, "__all__", None) or [n for n in vars(owner) if not n.startswith("_")]
+    for name in names:
+        thing = inspect.getattr_static(owner, name)
+        thing = getattr(thing, "__func__", thing)
+        full = f"{prefix}.{name}"
+        if isinstance(thing, ModuleType):
+            if thing.__name__.startswith("samcontact."):
+                yield from public(thing, full)
+        elif inspect.isclass(thing):
+            yield full, thing
+            if thing.__module__.startswith("samcontact"):
+                yield from public(thing, full)
+        elif inspect.isfunction(thing) or isinstance(thing, property):
+            yield full, thing
+
+
+def test_everything_public_has_a_docstring():
+    things = {
+        name: thing
+        for name, thing in public(sc, "sc")
+        if str(getattr(thing, "__module__", "samcontact")).startswith("samcontact")
+    }
+    assert {"sc.Grid", "sc.Simulation.step", "sc.hertz.point", "sc.State.pressure"} <= set(things)
+    assert sorted(name for name, thing in things.items() if not inspect.getdoc(thing)) == []

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cases of V. Boucly's thesis (INSA Lyon 2008, section 2.3.1 and Table 2.1).
+
+Where the thesis states a number it is named; the targets asserted are those of independent
+computations of the same cases (finite elements, a fine elastic solution, a separate prototype of
+the method), because the thesis reads its maxima off a coarse mesh.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from samcontact.cases import load_case
+
+CASES = Path(__file__).parents[2] / "cases"
+ELASTIC = sc.Material.elastic(210e9, 0.3)
+STEEL_52100 = sc.Material.swift(210e9, 0.3, B=945e6, C=20, n=0.121)
+RADIUS = 7.5e-3
+MICRO_YIELD = 1476.7e6  # of 52100 at 20 microstrain: the thesis's "onset of yield"
+
+
+def two_balls(cells, body1=ELASTIC, body2=STEEL_52100, load=1500.0, size=(1.3, 1.6), **settings):
+    hertz = sc.hertz.point(R=RADIUS, E_star=sc.hertz.effective_modulus(body1, body2), load=load)
+    n, d = 2 * int(size[0] * cells) + 1, hertz.a / cells
+    grid = sc.Grid(n, n, d, d, int(size[1] * cells), d)
+    gap = sc.surfaces.paraboloid(grid, RADIUS)
+    return sc.Simulation(grid, body1, body2, gap, **settings)
+
+
+@pytest.fixture(scope="module")
+def states():
+    """States of the ready case at its largest load and after unloading."""
+    simulation, path = load_case(CASES / "t1_two_balls.toml").build()
+    states = simulation.run(path, progress=False)
+    peak = max(range(len(states)), key=lambda k: states[k].load)
+    return states[peak], states[-1]
+
+
+@pytest.fixture(scope="module")
+def load_driven():
+    simulation, path = load_case(CASES / "v1_nano_indentation.toml").build()
+    return simulation, simulation.run(path, progress=False)
+
+
+class TestTwoBallsAt1500N:
+    """Table 2.1: R = 7.5 mm, 1500 N, AISI 52100, no heat; finite elements: 2351 MPa, 0.1846 %."""
+
+    def test_elastic_maximum(self):
+        # Thesis: 2537.9 MPa at 200 um; exact: 0.62004 p0 = 2539.4 MPa at 0.4809 a = 201 um.
+        simulation = two_balls(16, ELASTIC, ELASTIC)
+        von_mises = simulation.step(load=1500.0).von_mises()
+        depth = simulation.grid.z[np.unravel_index(von_mises.argmax(), von_mises.shape)[2]]
+        assert von_mises.max() == pytest.approx(2539.4e6, rel=2e-3)
+        assert abs(depth - 200e-6) < simulation.grid.dz
+
+    def test_loaded(self, states):
+        loaded, _ = states
+        von_mises = loaded.von_mises()
+        depth = loaded.grid.z[np.unravel_index(von_mises.argmax(), von_mises.shape)[2]]
+        assert von_mises.max() == pytest.approx(2349.1e6, rel=1.5e-3)
+        assert abs(depth - 202e-6) < 20e-6
+        assert 0.00182 < loaded.equivalent_plastic_strain().max() < 0.00187
+
+    def test_unloaded(self, states):
+        _, unloaded = states
+        residual = unloaded.von_mises().max()
+        assert residual == pytest.approx(135e6, rel=0.10)  # the thesis's number
+        assert residual == pytest.approx(133.7e6, rel=0.02)  # finite elements
+        assert np.allclose(unloaded.stress(), unloaded.residual_stress(), atol=1e-3)
+
+    def test_onset_of_yield(self):
+        # Thesis: 298 N, fine elastic solution: 296 N. Elastic stress grows with the cube root of
+        # the load, so one solution gives the onset; the parabola through the largest layer and its
+        # neighbours removes the error of the layers' spacing.
+        simulation = two_balls(20, ELASTIC, ELASTIC, load=296.0)
+        state = simulation.step(load=296.0)
+        profile = state.von_mises().max(axis=(0, 1))
+        k = int(profile.argmax())
+        below, top, above = profile[k - 1 : k + 2]
+        largest = top + (below - above) ** 2 / (8 * (2 * top - below - above))
+        onset = 296.0 * (MICRO_YIELD / largest) ** 3
+        assert onset == pytest.approx(296.0, rel=5e-3)
+        assert onset == pytest.approx(298.0, rel=1.5e-2)
+
+
+def test_the_load_may_come_at_once_or_in_many_increments():
+    # Backward Euler with the consistent total increment: converges for any step.
+    found = []
+    for increments in (1, 6, 12):
+        simulation = two_balls(10)
+        state = simulation.run(sc.paths.ramp(load=1500.0, increments=increments), progress=False)[
+            -1
+        ]
+        assert state.converged
+        assert state.substeps == 1
+        found.append((state.pressure.max(), state.equivalent_plastic_strain().max()))
+    at_once, coarse, fine = np.array(found)
+    assert np.all(np.abs(coarse / fine - 1) < 5e-3)
+    assert np.all(np.abs(at_once / fine - 1) < 2e-2)
+
+
+def test_increment_tolerance_bounds_the_error_of_one_increment():
+    # At p0 = 8 GPa a single increment is several per cent off in pressure; the division that the
+    # tolerance asks for must bring it near the finely divided path.
+    load = 11179.0
+    scene = {"load": load, "size": (1.8, 2.4)}
+    reference = two_balls(6, **scene).run(sc.paths.ramp(load=load, increments=24), progress=False)[
+        -1
+    ]
+    single = two_balls(6, **scene).step(load=load)
+    divided = two_balls(6, **scene, increment_tol=5e-3).step(load=load)
+    error = [abs(s.pressure.max() / reference.pressure.max() - 1) for s in (single, divided)]
+    assert error[0] > 0.02
+    assert error[1] < 0.012
+    assert divided.substeps > 4
+
+
+class TestNanoIndentation:
+    """Rigid sphere of 105 um on nitrided steel, 0.650 N: largest interference 372 nm."""
+
+    def test_largest_interference(self, load_driven):
+        _, states = load_driven
+        assert max(s.approach for s in states) == pytest.approx(372.0e-9, rel=5e-3)
+        assert max(s.load for s in states) == pytest.approx(0.650)
+
+    def test_displacement_driven_gives_the_same_curve(self, load_driven):
+        simulation, states = load_driven
+        other = sc.Simulation(
+            simulation.grid, simulation.body1, simulation.body2, simulation.initial_gap
+        )
+        # As many increments, but at other points of the curve: half-way between those of the load.
+        approach = np.array([0.0, *(s.approach for s in states)])
+        load = np.array([0.0, *(s.load for s in states)])
+        top = int(approach.argmax())
+        up = np.append(0.5 * (approach[1:top] + approach[2 : top + 1]), approach[top])
+        driven = other.run([{"approach": float(d)} for d in up], progress=False)
+        expected = np.interp(up**1.5, approach[: top + 1] ** 1.5, load[: top + 1])
+        found = np.array([s.load for s in driven])
+        assert np.abs(found - expected).max() < 2e-3 * load[top]
+
+
+@pytest.mark.parametrize(
+    ("body1", "target", "stated"),
+    [(ELASTIC, 1572.0, 1649.0), (STEEL_52100, 1695.0, 1743.0)],
+    ids=["one body inelastic", "both inelastic"],
+)
+def test_load_at_conventional_yield(body1, target, stated):
+    """Load at which the plastic strain reaches 0.2 %. The thesis states 1649 and 1743 N, 5 and 3 %
+    more, but its own 0.18 % at 1500 N agrees with the lower values."""
+    simulation = two_balls(12, body1, load=1750.0)
+    load = np.concatenate([np.linspace(400, 1400, 6), np.linspace(1500, 1750, 6)])
+    strain = [
+        max(s.equivalent_plastic_strain(body=b).max() for b in (1, 2))
+        for s in simulation.run([{"load": w} for w in load], progress=False)
+    ]
+    reached = float(np.interp(2e-3, strain, load))
+    assert reached == pytest.approx(target, rel=2e-2)
+    assert reached < stated
