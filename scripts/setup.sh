@@ -33,10 +33,12 @@ samcontact_fingerprint() {
 
 # samcontact_setup EXTRAS: EXTRAS is "" or e.g. "[dev]".
 samcontact_setup() {
-  local packages=(g++ python3-venv libeigen3-dev libfftw3-dev) state
-  # A Python from elsewhere brings its own venv.
-  python3 -c 'import ensurepip' 2> /dev/null && packages=(g++ libeigen3-dev libfftw3-dev)
+  local packages=(g++ libeigen3-dev libfftw3-dev) state
   [ "$1" = "" ] || packages+=(doctest-dev)
+  # A Python from elsewhere brings these two itself.
+  python3 -c 'import ensurepip' 2> /dev/null || packages+=(python3-venv)
+  python3 -c 'import os, sysconfig as s, sys
+sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=(python3-dev)
   samcontact_system_packages "${packages[@]}"
   [ -x .venv/bin/python ] || python3 -m venv .venv
   mkdir -p build

@@ -64,7 +64,12 @@ def replaced(old, new):
 def test_defaults_and_steps(write):
     case = load_case(write(MINIMAL))
     assert case.steps() == [{"load": 300.0}, {"load": 600.0}, {"load": 0.0}]
-    assert case.contact.model_dump() == {"friction": 0.0, "tol": 1e-6, "on_border": "error"}
+    assert case.contact.model_dump() == {
+        "friction": 0.0,
+        "tol": 1e-6,
+        "increment_tol": None,
+        "on_border": "error",
+    }
     assert (case.output.body, case.output.volume, case.output.figures) == (2, "peak_and_last", True)
     assert case.output_directory == Path("results/scene")
     assert case.text == MINIMAL

@@ -279,11 +279,11 @@ class TestBorder:
     def test_warning_on_request(self):
         grid, gap, exact = scene(RIGID, STEEL)
         solver = sc.ContactSolver(grid, RIGID, STEEL, on_border="warn")
-        with pytest.warns(sc.GridTooSmallWarning, match=self.text + " at load"):
+        with pytest.warns(sc.GridTooSmallWarning, match="^at load .*" + self.text):
             solution = solver.solve(gap, load=8 * exact.load)
         displacement = penetration(grid, solution.pressure, RIGID, STEEL)
         assert_complementary(grid, solution, gap, displacement, TOL)
-        with pytest.warns(sc.GridTooSmallWarning, match=self.text + " at approach"):
+        with pytest.warns(sc.GridTooSmallWarning, match="^at approach .*" + self.text):
             solver.solve(gap, approach=4 * exact.approach)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
