@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 _FORMAT = "samcontact checkpoint"
 _FORMAT_VERSION = 1
 _SURFACE = ("pressure", "shear_x", "shear_y", "gap")
+_REQUIRED = ("pressure", "gap")
 _SCALARS = (
     "load",
     "approach",
@@ -130,9 +131,11 @@ def _read_state(file: h5py.File) -> dict[str, Any]:
     shape = file["initial_gap"].shape
     saved: dict[str, Any] = {name: _plain(group.attrs[name]) for name in _SCALARS}
     for name in _SURFACE:
-        saved[name] = np.ascontiguousarray(group[name][...]) if name in group else None
-        if saved[name] is not None and saved[name].shape != shape:
-            raise ValueError(f"{name} has shape {saved[name].shape}, not {shape}")
+        saved[name] = None
+        if name in group or name in _REQUIRED:
+            saved[name] = np.ascontiguousarray(group[name][...])
+            if saved[name].shape != shape:
+                raise ValueError(f"{name} has shape {saved[name].shape}, not {shape}")
     for body in (1, 2):
         for name, moved in ((f"plastic_strain{body}", 1), (f"equivalent{body}", 0)):
             saved[name] = None

@@ -224,6 +224,9 @@ class Simulation:
         Raises CheckpointError (a ValueError) for a file that is no checkpoint or is damaged.
         """
         arguments, saved = read_checkpoint(path)
-        simulation = cls(**arguments)
-        simulation._core.restore(saved)
+        try:
+            simulation = cls(**arguments)
+            simulation._core.restore(saved)
+        except (ValueError, TypeError) as error:
+            raise CheckpointError(f"{os.fspath(path)!r} is damaged: {error}") from error
         return simulation

@@ -15,8 +15,8 @@ class State:
     """Fields of one moment, in SI units; volume fields are computed when they are asked for.
 
     Tensor components are xx, yy, zz, yz, xz, xy in the frame of the body (z into it); tension is
-    positive. Methods take body = 1 or 2 and raise ValueError for a grid without layers or a rigid
-    body.
+    positive. Methods take body = 1 or 2; those of volume fields raise ValueError for a grid without
+    layers or a rigid body.
     """
 
     def __init__(self, core: Any, grid: Grid) -> None:

@@ -185,7 +185,7 @@ State Simulation::advance(const Target& target) {
       moment = std::move(next);
       done = goal;
       ++substeps;
-      if (widen) part = std::min(2 * part, 1.0);
+      if (widen) part = std::min(2 * part, 1.0 - done);
     } catch (const ConvergenceError&) {
       known.reset();
       part *= 0.5;

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What must hold for every elastic-plastic scene, whatever its numbers."""
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import samcontact as sc
+
+few = settings(max_examples=6, deadline=None, derandomize=True)
+
+E, NU, RADIUS = 210e9, 0.3, 7.5e-3
+ELASTIC = sc.Material.elastic(E, NU)
+
+
+def hardening(name, stress=1.0):
+    if name == "swift":
+        return sc.Material.swift(E * stress, NU, 945e6 * stress, 20.0, 0.121)
+    if name == "linear":
+        return sc.Material.linear_hardening(E * stress, NU, 1.2e9 * stress, 21e9 * stress)
+    return sc.Material.perfect_plastic(E * stress, NU, 1.4e9 * stress)
+
+
+laws = st.sampled_from(["swift", "linear", "perfect"])
+
+
+def scene(body2, nx=21, ny=19, dx=60e-6, dy=65e-6, body1=ELASTIC, gap=None, length=1.0, **rest):
+    grid = sc.Grid(nx, ny, dx * length, dy * length, 14, 60e-6 * length)
+    if gap is None:
+        gap = sc.surfaces.paraboloid(grid, RADIUS * length, 1.2 * RADIUS * length)
+    return sc.Simulation(grid, body1, body2, gap, **rest)
+
+
+@few
+@given(law=laws, load=st.floats(300, 900))
+def test_load_balance_flow_rule_and_dissipation(law, load):
+    simulation = scene(hardening(law))
+    before = np.zeros(simulation.grid.volume_shape)
+    for target in (0.5 * load, load, 0.2 * load, 0.0, 0.8 * load):
+        state = simulation.step(load=target)
+        total = state.pressure.sum() * simulation.grid.cell_area
+        assert abs(total - target) < 1e-9 * load
+        assert state.pressure.min() >= 0
+        g = state.equivalent_plastic_strain()
+        assert (g >= before).all()  # dissipation is never negative
+        before = g
+        # Plastic strain keeps the volume, and nothing is beyond yield.
+        strain = state.plastic_strain()
+        assert np.abs(strain[:3].sum(axis=0)).max() <= 1e-12 * max(np.abs(strain).max(), 1e-30)
+        yielded = state.von_mises() / simulation.body2.yield_stress(g) - 1
+        assert yielded.max() < 1e-5
+    assert before.max() > 0
+
+
+@few
+@given(
+    law=laws,
+    length=st.sampled_from([1e3, 1 / 60e-6, 0.37]),
+    stress=st.sampled_from([1e-6, 1 / 210e9, 12.3]),
+)
+def test_units_do_not_matter(law, length, stress):
+    """Metres and pascals, millimetres and megapascals, or dimensionless: the same digits."""
+    reference = scene(hardening(law), tol=1e-10).step(load=700.0)
+    scaled = scene(
+        hardening(law, stress=stress),
+        body1=sc.Material.elastic(E * stress, NU),
+        length=length,
+        tol=1e-10,
+    ).step(load=700.0 * length**2 * stress)
+    # Rounding grows along the iteration until its tolerance stops it. The tolerance is one of the
+    # residual; the error is up to a hundred times that where hardening is weak.
+    g, p = reference.equivalent_plastic_strain(), reference.pressure
+    assert np.abs(scaled.equivalent_plastic_strain() - g).max() < 1e-8 * g.max()
+    assert np.abs(scaled.pressure / stress - p).max() < 1e-9 * p.max()
+
+
+@few
+@given(law=laws, seed=st.integers(0, 1000))
+def test_exchange_of_x_and_y(law, seed):
+    grid = sc.Grid(21, 19, 60e-6, 65e-6, 14, 60e-6)
+    rough = 0.2e-6 * np.random.default_rng(seed).random(grid.surface_shape)
+    gap = sc.surfaces.paraboloid(grid, RADIUS) + rough
+    one = scene(hardening(law), gap=gap).step(load=600.0)
+    other = scene(hardening(law), nx=19, ny=21, dx=65e-6, dy=60e-6, gap=gap.T).step(load=600.0)
+    assert np.abs(one.pressure - other.pressure.T).max() < 1e-5 * one.pressure.max()
+    g = one.equivalent_plastic_strain()
+    assert g.max() > 0
+    swapped = other.equivalent_plastic_strain().transpose(1, 0, 2)
+    assert np.abs(g - swapped).max() < 1e-5 * g.max()
+    # xx <-> yy, yz <-> xz
+    strain = other.plastic_strain().transpose(0, 2, 1, 3)[[1, 0, 2, 4, 3, 5]]
+    assert np.abs(one.plastic_strain() - strain).max() < 1e-5 * np.abs(strain).max()
+
+
+@few
+@given(law=laws, friction=st.floats(0.0, 0.4))
+def test_a_scene_symmetric_in_y_stays_symmetric(law, friction):
+    state = scene(hardening(law), friction=friction).step(load=500.0)
+    g = state.equivalent_plastic_strain()
+    assert np.abs(g - g[:, ::-1]).max() < 1e-7 * max(g.max(), 1e-12)
+    assert np.abs(state.pressure - state.pressure[:, ::-1]).max() < 1e-8 * state.pressure.max()

@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checkpoints: the same bits after resuming, and no damage from damaged files or failed writes."""
+
+import os
+import subprocess
+import sys
+
+import h5py
+import numpy as np
+import pytest
+
+import samcontact as sc
+from samcontact import checkpoint, hertz, surfaces
+
+E, NU = 210e9, 0.3
+MATERIALS = {
+    "elastic": sc.Material.elastic(1.2 * E, 0.25),
+    "rigid": sc.Material.rigid(),
+    "perfect": sc.Material.perfect_plastic(E, NU, 1e9),
+    "linear": sc.Material.linear_hardening(E, NU, 1e9, 0.1 * E),
+    "swift": sc.Material.swift(E, NU, 700e6, 20.0, 0.15),
+}
+RADIUS = 7.5e-3
+EXACT = hertz.point(R=RADIUS, E_star=E / (1 - NU**2) / 2, p0=2e9)
+SIZE = EXACT.a / 4
+GRID = sc.Grid(15, 17, SIZE, 0.9 * SIZE, 9, SIZE)
+GAP = surfaces.paraboloid(GRID, RADIUS) + 1e-4 * GRID.x[:, None]
+LOAD = EXACT.load
+STATE = ("pressure", "shear", "gap", "load", "approach", "iterations", "contact_iterations")
+STATE += ("substeps", "converged", "plastic_residual", "yield_excess")
+BODY = ("stress", "plastic_strain", "equivalent_plastic_strain", "residual_displacement")
+
+
+def assert_same(one, other):
+    for name in STATE:
+        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
+    for body in (1, 2):
+        for name in BODY:
+            fields = []
+            for state in (one, other):
+                try:
+                    fields.append(getattr(state, name)(body))
+                except ValueError as error:  # a rigid body, or no layers
+                    fields.append(str(error))
+            np.testing.assert_array_equal(*fields, err_msg=f"{name} {body}")
+
+
+def simulation(body1="elastic", body2="linear", **settings):
+    return sc.Simulation(GRID, MATERIALS[body1], MATERIALS[body2], GAP, **settings)
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "state.h5"
+
+
+@pytest.mark.parametrize(
+    ("body1", "body2", "settings"),
+    [
+        ("elastic", "linear", {}),
+        ("rigid", "perfect", {"tol": 1e-5}),
+        ("swift", "elastic", {"friction": 0.1, "tol": 1e-7}),
+        ("swift", "linear", {"on_border": "warn", "max_iterations": 55, "increment_tol": 0.05}),
+        ("elastic", "rigid", {}),
+    ],
+)
+def test_goes_on_with_the_same_bits(path, body1, body2, settings):
+    sim = simulation(body1, body2, **settings)
+    sim.step(load=0.4 * LOAD)
+    sim.step(load=0.7 * LOAD)
+    sim.save(path)
+    other = sc.Simulation.load(path)
+
+    assert other.grid == sim.grid
+    assert (other.body1, other.body2) == (sim.body1, sim.body2)
+    for name in ("friction", "tol", "increment_tol", "on_border", "max_iterations"):
+        assert getattr(other, name) == getattr(sim, name)
+        assert type(getattr(other, name)) is type(getattr(sim, name))
+    np.testing.assert_array_equal(other.initial_gap, GAP)
+    assert_same(other.state, sim.state)
+    before, after = other.counters, sim.counters
+    before.pop("volume_bytes"), after.pop("volume_bytes")  # kernels are built when needed
+    assert before == after
+
+    plastic = body1 in ("linear", "swift") or body2 in ("linear", "perfect")
+    for arguments in ({"load": 0.9 * LOAD}, {"approach": sim.state.approach / 2}, {"load": 0.0}):
+        state = sim.step(**arguments)
+        assert_same(other.step(**arguments), state)
+        if arguments == {"load": 0.9 * LOAD}:
+            assert (state.iterations > 0) == plastic
+
+
+def test_before_the_first_step(path):
+    simulation().save(path)
+    assert_same(sc.Simulation.load(path).step(load=LOAD), simulation().step(load=LOAD))
+
+
+def test_without_layers(path):
+    grid = sc.Grid(15, 17, SIZE, 0.9 * SIZE)
+    sim = sc.Simulation(grid, MATERIALS["elastic"], MATERIALS["rigid"], GAP)
+    sim.step(load=LOAD)
+    sim.save(str(path))
+    other = sc.Simulation.load(str(path))
+    assert other.grid == grid
+    assert_same(other.step(load=0.5 * LOAD), sim.step(load=0.5 * LOAD))
+
+
+def test_after_prescribed_tractions_and_given_strain(path):
+    sim = simulation("linear", "swift", friction=0.1)
+    strain = 1e-4 * np.random.default_rng(3).standard_normal((6, *GRID.volume_shape))
+    sim.set_plastic_strain(1, strain, np.full(GRID.volume_shape, 1e-3))
+    pressure = EXACT.pressure(GRID.x[:, None], GRID.y)
+    sim.step(pressure=0.6 * pressure, shear=np.stack([0.1 * pressure, 0.05 * pressure]))
+    sim.save(path)
+    other = sc.Simulation.load(path)
+    assert_same(other.state, sim.state)
+    assert_same(other.step(load=0.5 * LOAD), sim.step(load=0.5 * LOAD))
+
+
+RESUME = """
+import sys, numpy as np, samcontact as sc
+state = sc.Simulation.load(sys.argv[1]).step(load=float(sys.argv[2]))
+np.savez(sys.argv[3], pressure=state.pressure, strain=state.plastic_strain(), gap=state.gap)
+"""
+
+
+def test_in_another_process(path, tmp_path):
+    sim = simulation(friction=0.1)
+    sim.step(load=0.6 * LOAD)
+    sim.save(path)
+    result = tmp_path / "result.npz"
+    command = [sys.executable, "-c", RESUME, str(path), repr(LOAD), str(result)]
+    subprocess.run(command, check=True, timeout=60)
+    state = sim.step(load=LOAD)
+    assert state.iterations > 0
+    with np.load(result) as there:
+        np.testing.assert_array_equal(there["pressure"], state.pressure)
+        np.testing.assert_array_equal(there["strain"], state.plastic_strain())
+        np.testing.assert_array_equal(there["gap"], state.gap)
+
+
+class TestDamage:
+    @pytest.fixture
+    def saved(self, path):
+        sim = simulation()
+        sim.step(load=LOAD)
+        sim.save(path)
+        return path
+
+    def test_no_file(self, path):
+        with pytest.raises(FileNotFoundError, match=r"no checkpoint at '.*state\.h5'"):
+            sc.Simulation.load(path)
+
+    @pytest.mark.parametrize("content", [b"", b"load,approach\n1,2\n", os.urandom(4096)])
+    def test_something_else(self, path, content):
+        path.write_bytes(content)
+        with pytest.raises(sc.CheckpointError, match=r"state\.h5' is damaged"):
+            sc.Simulation.load(path)
+
+    def test_another_hdf5_file(self, path):
+        with h5py.File(path, "w") as file:
+            file["initial_gap"] = GAP
+        with pytest.raises(sc.CheckpointError, match="is not a samcontact checkpoint") as caught:
+            sc.Simulation.load(path)
+        assert isinstance(caught.value, ValueError)
+
+    def test_a_later_format(self, saved):
+        with h5py.File(saved, "a") as file:
+            file.attrs["format_version"] = 99
+        text = r"checkpoint format 99; this version reads format \d+$"
+        with pytest.raises(sc.CheckpointError, match=text):
+            sc.Simulation.load(saved)
+
+    @pytest.mark.parametrize("part", [0.1, 0.5, 0.9, 0.999])
+    def test_cut_off(self, saved, part):
+        content = saved.read_bytes()
+        saved.write_bytes(content[: int(part * len(content))])
+        with pytest.raises(sc.CheckpointError, match="is damaged"):
+            sc.Simulation.load(saved)
+
+    @pytest.mark.parametrize("name", ["pressure", "gap", "plastic_strain2", "equivalent2"])
+    def test_flipped_bits_in_the_numbers(self, saved, name):
+        """A changed byte in the middle of a field must not become a slightly wrong start."""
+        with h5py.File(saved, "r") as file:
+            chunk = file["state"][name].id.get_chunk_info(0)
+        content = bytearray(saved.read_bytes())
+        content[chunk.byte_offset + chunk.size // 2] ^= 0x10
+        saved.write_bytes(content)
+        with pytest.raises(sc.CheckpointError, match="is damaged"):
+            sc.Simulation.load(saved)
+
+    @pytest.mark.parametrize(
+        "name",
+        [
+            "grid",
+            "body1",
+            "settings",
+            "initial_gap",
+            "state",
+            "counters",
+            "state/pressure",
+            "state/gap",
+        ],
+    )
+    def test_missing_part(self, saved, name):
+        with h5py.File(saved, "a") as file:
+            del file[name]
+        with pytest.raises(sc.CheckpointError, match="is damaged"):
+            sc.Simulation.load(saved)
+
+    @pytest.mark.parametrize(
+        "name",
+        [
+            "pressure",
+            "plastic_strain2",
+            "equivalent2",
+        ],
+    )
+    def test_part_that_does_not_fit(self, saved, name):
+        with h5py.File(saved, "a") as file:
+            values = file["state"][name][...]
+            del file["state"][name]
+            file["state"][name] = values[..., 1:]
+        with pytest.raises(sc.CheckpointError, match="is damaged"):
+            sc.Simulation.load(saved)
+
+    @pytest.mark.parametrize(
+        ("group", "attribute", "value"),
+        [
+            ("grid", "dx", -1.0),
+            ("body2", "nu", 0.7),
+            ("body2", "law", "viscous"),
+            ("settings", "tol", "tight"),
+            ("settings", "friction", -1.0),
+        ],
+    )
+    def test_impossible_values(self, saved, group, attribute, value):
+        with h5py.File(saved, "a") as file:
+            file[group].attrs[attribute] = value
+        with pytest.raises(sc.CheckpointError, match="is damaged"):
+            sc.Simulation.load(saved)
+
+
+class TestFailedSave:
+    def test_leaves_the_old_file(self, path, monkeypatch):
+        sim = simulation()
+        sim.step(load=0.5 * LOAD)
+        sim.save(path)
+        content = path.read_bytes()
+        sim.step(load=LOAD)
+        write = checkpoint._write
+
+        def interrupted(file, simulation):
+            write(file, simulation)
+            raise OSError("No space left on device")
+
+        for name, broken in (("_write", interrupted), ("_dataset", interrupted)):
+            with monkeypatch.context() as patch:
+                patch.setattr(checkpoint, name, broken)
+                with pytest.raises((OSError, TypeError)):
+                    sim.save(path)
+            assert path.read_bytes() == content
+            assert [entry.name for entry in path.parent.iterdir()] == [path.name]
+        sim.save(path)
+        assert_same(sc.Simulation.load(path).state, sim.state)
+
+    def test_names_a_missing_folder(self, tmp_path):
+        with pytest.raises(FileNotFoundError, match="missing"):
+            simulation().save(tmp_path / "missing" / "state.h5")
