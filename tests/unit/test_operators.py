@@ -244,3 +244,16 @@ def test_wrong_shapes_are_rejected():
         operators.residual_stress(grid, np.zeros((6, 7, 6, 2)), E, NU)
     with pytest.raises(ValueError, match=r"6.*7.*6.*3"):
         operators.residual_displacement(grid, np.zeros((5, 7, 6, 3)), NU)
+
+
+@pytest.mark.parametrize(("axes", "components"), [((0, 1), (0, 1)), ((0, 2), (0, 2))])
+def test_stress_at_the_centres_of_an_alternating_strain(axes, components):
+    """The wrong-signed answer of point values that docs/theory.md states: a limit of the method."""
+    grid = sc.Grid(16, 16, 1e-5, 1e-5, 16, 1e-5)
+    index = np.indices(grid.volume_shape)
+    pattern = (-1.0) ** (index[axes[0]] + index[axes[1]])
+    strain = np.zeros((6, *grid.volume_shape))
+    strain[components[0]], strain[components[1]] = pattern, -pattern
+    stress = operators.residual_stress(grid, strain, E, NU)
+    work = (stress[components[0]] - stress[components[1]]) / 2 * pattern
+    assert work[8, 8, 8] / (E / (1 + NU)) == pytest.approx(0.28, abs=0.005)

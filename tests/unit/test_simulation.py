@@ -2,10 +2,7 @@
 """Increments of elastic-plastic contact: work done, symmetries, failures, initial states, input."""
 
 import math
-import os
 import re
-import subprocess
-import sys
 import warnings
 
 import numpy as np
@@ -671,31 +668,3 @@ class TestBadInput:
         sim = simulation(gap=gap)
         gap[...] = np.nan
         assert_same(sim.step(load=LOAD), simulation().step(load=LOAD))
-
-
-THREADS = """
-import hashlib, samcontact as sc
-soft = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)
-grid = sc.Grid(33, 31, 1.5e-5, 1.6e-5, 20, 1.5e-5)
-gap = sc.surfaces.paraboloid(grid, 7.5e-3) + 1e-4 * grid.x[:, None]
-sim = sc.Simulation(grid, sc.Material.elastic(300e9, 0.2), soft, gap, friction=0.1)
-state = sim.run([{"load": 100.0}, {"load": 200.0}], progress=False)[-1]
-digest = hashlib.sha256(state.pressure.tobytes() + state.stress().tobytes())
-print(state.iterations, digest.hexdigest())
-"""
-
-
-def test_same_digits_for_any_number_of_threads():
-    answers = [
-        subprocess.run(
-            [sys.executable, "-c", THREADS],
-            env=os.environ | {"OMP_NUM_THREADS": str(threads)},
-            capture_output=True,
-            text=True,
-            check=True,
-            timeout=60,
-        ).stdout
-        for threads in (1, 2)
-    ]
-    assert answers[0] == answers[1]
-    assert int(answers[0].split()[0]) > 0

@@ -1,11 +1,34 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Simulations in several Python threads do not disturb each other."""
+"""Neither the number of OpenMP threads nor other Python threads change a digit."""
 
+import os
+import subprocess
+import sys
 import threading
 
 import numpy as np
+import pytest
 
 import samcontact as sc
+
+CONTACT = """
+import hashlib, samcontact as sc
+steel, ceramic = sc.Material.elastic(210e9, 0.3), sc.Material.elastic(310e9, 0.29)
+grid = sc.Grid(120, 90, 1e-6, 1.2e-6)
+gap = sc.surfaces.paraboloid(grid, 5e-3) + sc.surfaces.sinusoidal(grid, 2e-8, 9e-6, 8e-6)
+solution = sc.ContactSolver(grid, ceramic, steel, 0.3, tol=1e-10).solve(gap, load=1.0)
+print(solution.iterations, hashlib.sha256(solution.pressure.tobytes()).hexdigest())
+"""
+SIMULATION = """
+import hashlib, samcontact as sc
+soft = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)
+grid = sc.Grid(33, 31, 1.5e-5, 1.6e-5, 20, 1.5e-5)
+gap = sc.surfaces.paraboloid(grid, 7.5e-3) + 1e-4 * grid.x[:, None]
+sim = sc.Simulation(grid, sc.Material.elastic(300e9, 0.2), soft, gap, friction=0.1)
+state = sim.run([{"load": 100.0}, {"load": 200.0}], progress=False)[-1]
+digest = hashlib.sha256(state.pressure.tobytes() + state.stress().tobytes())
+print(state.iterations, digest.hexdigest())
+"""
 
 
 def test_two_simulations_at_once_give_the_digits_of_each_alone():
@@ -32,3 +55,22 @@ def test_two_simulations_at_once_give_the_digits_of_each_alone():
     for load in loads:
         for one, other in zip(alone[load], together[load], strict=True):
             assert np.array_equal(one, other)
+
+
+@pytest.mark.parametrize("script", [CONTACT, SIMULATION], ids=["contact", "simulation"])
+def test_same_digits_for_any_number_of_openmp_threads(script):
+    answers = [
+        subprocess.run(
+            [sys.executable, "-c", script],
+            env=os.environ | {"OMP_NUM_THREADS": str(threads)},
+            capture_output=True,
+            text=True,
+            check=True,
+            timeout=60,
+        ).stdout
+        for threads in (1, 2)
+    ]
+    assert answers[0] == answers[1]
+    iterations, digest = answers[0].split()
+    assert int(iterations) > 0
+    assert len(digest) == 64

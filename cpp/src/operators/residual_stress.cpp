@@ -103,8 +103,9 @@ void ResidualStress::build_terms(double nu, double shear_modulus) {
   const double unit_cell = 1.0 / (static_cast<double>(transform_->mx()) * transform_->my());
   for (int out = 0; out < 6; ++out) {
     for (int in = 0; in < 6; ++in) {
-      const auto odd_z = [](int c) { return c == 3 || c == 4; };
-      full_signs_.push_back(odd_z(out) != odd_z(in) ? -1.0 : 1.0);
+      const bool odd_z =
+          kernels::component_parity(out).odd_z != kernels::component_parity(in).odd_z;
+      full_signs_.push_back(odd_z ? -1.0 : 1.0);
       inside_.push_back(shear_modulus * kernels::inside_stress(out, in, nu) * unit_cell);
     }
   }

@@ -37,7 +37,7 @@ struct Parity {
 };
 Parity full_space_parity(int kernel);
 Parity image_parity(int kernel);
-/// Parity in (x, y) of a stress or strain component seen as a scalar source of symmetric fields.
+/// Parity of a stress or strain component seen as a scalar source of symmetric fields.
 Parity component_parity(int component);
 
 /// Stress [Pa] per unit eigenstrain, [out][in], of a cuboid with centre depth zc and half sizes a,
