@@ -12,17 +12,19 @@ namespace {
 
 const double* pointer(const Field& field) { return field.empty() ? nullptr : field.data(); }
 
-py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& elastic) {
-  Field field = to_field(strain);
+py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& elastic, bool exact,
+                          double image_tol) {
+  const Field field = to_field(strain);
+  Field stress;
   {
     py::gil_scoped_release release;
-    const operators::VolumeOperators volume(grid, elastic);
-    operators::VolumeSpectrum spectrum(volume.transform(), grid.nz);
-    operators::forward(volume.transform(), field.data(), spectrum);
-    volume.residual_stress().apply(spectrum);
-    operators::inverse(volume.transform(), spectrum, field.data());
+    using operators::ResidualMethod;
+    const operators::VolumeOperators volume(
+        grid, elastic,
+        {operators::Tensor::full, exact ? ResidualMethod::exact : ResidualMethod::fast, image_tol});
+    stress = volume.stress(field.data(), nullptr, 1.0);
   }
-  return tensor_array(std::move(field), grid, grid.nz);
+  return tensor_array(std::move(stress), grid, grid.nz);
 }
 
 py::array residual_displacement(const Grid& grid, const Array& strain, double nu) {
@@ -30,11 +32,10 @@ py::array residual_displacement(const Grid& grid, const Array& strain, double nu
   Field out(grid.surface_size());
   {
     py::gil_scoped_release release;
-    const fft::PaddedTransform transform(grid.nx, grid.ny);
-    const operators::ResidualDisplacement displacement(grid, transform, nu);
-    operators::VolumeSpectrum spectrum(transform, grid.nz);
-    operators::forward(transform, field.data(), spectrum);
-    displacement.apply(spectrum, out.data());
+    const operators::VolumeOperators volume(grid, {1.0, nu}, {});
+    operators::VolumeSpectrum spectrum = volume.make_spectrum();
+    operators::forward(volume.transform(), field.data(), spectrum);
+    volume.residual_displacement().apply(spectrum, out.data());
   }
   return surface_array(std::move(out), grid);
 }
@@ -71,7 +72,7 @@ py::array surface_stress(const Grid& grid, double nu, const std::vector<double>&
 void bind_operators(py::module_& parent) {
   auto m = parent.def_submodule("operators");
   m.def("residual_stress", &residual_stress, py::arg("grid"), py::arg("strain"),
-        py::arg("elastic"));
+        py::arg("elastic"), py::arg("exact"), py::arg("image_tol"));
   m.def("residual_displacement", &residual_displacement, py::arg("grid"), py::arg("strain"),
         py::arg("nu"));
   m.def("surface_displacement", &surface_displacement, py::arg("grid"), py::arg("elastic"),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/simulation/simulation.hpp"
@@ -21,6 +24,51 @@ py::object surface_view(const py::object& self, const Field& field) {
   py::array view({grid.nx, grid.ny}, {item * grid.ny, item}, field.data(), self);
   py::detail::array_proxy(view.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
   return view;
+}
+
+/// Plastic history as it is kept, for checkpoints: its box, strain (components, nz, nx, ny) and
+/// equivalent plastic strain (nz, nx, ny) of the box; None without plastic strain.
+py::object history(const State& state, int body) {
+  const auto& plastic = state.plastic[body];
+  if (!plastic) return py::none();
+  const Box& box = plastic->box;
+  const py::ssize_t nx = box.nx, ny = box.ny, nz = box.nz;
+  const py::ssize_t parts = operators::count(plastic->tensor);
+  py::dict d;
+  d["box"] = std::vector<int>{box.i0, box.j0, box.nx, box.ny, box.nz};
+  d["strain"] = py::array_t<double>({parts, nz, nx, ny}, plastic->strain.data());
+  d["equivalent"] = py::array_t<double>({nz, nx, ny}, plastic->equivalent.data());
+  return d;
+}
+
+/// The reverse; throws std::invalid_argument for a history that does not fit the grid.
+std::shared_ptr<const simulation::PlasticState> to_history(const py::dict& saved,
+                                                           const Grid& grid) {
+  const auto extents = saved["box"].cast<std::vector<int>>();
+  const auto strain = saved["strain"].cast<Array>();
+  const auto equivalent = saved["equivalent"].cast<Array>();
+  if (extents.size() != 5) throw std::invalid_argument("a box needs 5 numbers");
+  auto plastic = std::make_shared<simulation::PlasticState>();
+  Box& box = plastic->box;
+  box = {extents[0], extents[1], extents[2], extents[3], extents[4]};
+  const bool inside = box.i0 >= 0 && box.j0 >= 0 && box.nx > 0 && box.ny > 0 && box.nz > 0 &&
+                      Box::whole(grid).contains(box);
+  if (!inside) throw std::invalid_argument("the box of a plastic history is not in the grid");
+  const auto cells = static_cast<py::ssize_t>(box.volume_size());
+  plastic->tensor = strain.size() == 5 * cells ? operators::Tensor::deviator
+                                                : operators::Tensor::full;
+  if (strain.size() != operators::count(plastic->tensor) * cells || equivalent.size() != cells) {
+    throw std::invalid_argument("the arrays of a plastic history do not fit its box");
+  }
+  plastic->strain = to_field(strain);
+  plastic->equivalent = to_field(equivalent);
+  const auto finite = [](const Field& f) {
+    return std::all_of(f.begin(), f.end(), [](double v) { return std::isfinite(v); });
+  };
+  if (!finite(plastic->strain) || !finite(plastic->equivalent)) {
+    throw std::invalid_argument("a plastic history must be finite everywhere");
+  }
+  return plastic;
 }
 
 enum class Rank { surface, scalar, tensor };
@@ -57,9 +105,19 @@ void bind_state(py::module_& m) {
                                return surface_view(self,
                                                    self.cast<const State&>().tractions.shear_y);
                              })
+      .def("gap",
+           [](const State& state) {
+             Field gap;
+             {
+               py::gil_scoped_release release;
+               gap = state.gap();
+             }
+             return surface_array(std::move(gap), state.scene().grid);
+           })
       .def_property_readonly(
-          "gap",
-          [](const py::object& self) { return surface_view(self, self.cast<const State&>().gap); })
+          "exact_residual_stress",
+          [](const State& s) { return s.method == operators::ResidualMethod::exact; })
+      .def("history", &history, py::arg("body"))
       .def_readonly("load", &State::load)
       .def_readonly("approach", &State::approach)
       .def_readonly("converged", &State::converged)
@@ -69,9 +127,6 @@ void bind_state(py::module_& m) {
       .def_readonly("plastic_residual", &State::plastic_residual)
       .def_readonly("yield_excess", &State::yield_excess)
       .def_readonly("warnings", &State::warnings)
-      .def(
-          "has_plastic_strain", [](const State& s, int body) { return s.plastic[body] != nullptr; },
-          py::arg("body"))
       .def("stress", field_method<Rank::tensor>(&State::stress), py::arg("body"))
       .def("residual_stress", field_method<Rank::tensor>(&State::residual_stress), py::arg("body"))
       .def("plastic_strain", field_method<Rank::tensor>(&State::plastic_strain), py::arg("body"))
@@ -117,10 +172,12 @@ py::dict counters(const Simulation& simulation) {
 /// Sets the state from the entries of a checkpoint: surface fields, scalars, and per body the
 /// depth-major plastic arrays or None.
 void restore(Simulation& simulation, const py::dict& saved) {
-  State state(simulation.shared_scene());
+  using operators::ResidualMethod;
+  State state(simulation.shared_scene(), saved["exact_residual_stress"].cast<bool>()
+                                             ? ResidualMethod::exact
+                                             : ResidualMethod::fast);
   const auto field = [&](const char* name) { return to_field_or_empty(saved[name]); };
   state.tractions = {field("pressure"), field("shear_x"), field("shear_y")};
-  state.gap = field("gap");
   state.load = saved["load"].cast<double>();
   state.approach = saved["approach"].cast<double>();
   state.plastic_iterations = saved["iterations"].cast<int>();
@@ -136,13 +193,13 @@ void restore(Simulation& simulation, const py::dict& saved) {
   c.plastic_solves = d["plastic_solves"].cast<long>();
   c.plastic_iterations = d["plastic_iterations"].cast<long>();
   c.halvings = d["halvings"].cast<long>();
-  simulation.restore(state, c);
   for (int body = 0; body < 2; ++body) {
-    const std::string suffix = std::to_string(body + 1);
-    Field strain = field(("plastic_strain" + suffix).c_str());
-    if (strain.empty()) continue;
-    simulation.set_plastic_state(body, std::move(strain), field(("equivalent" + suffix).c_str()));
+    const py::object history = saved[("history" + std::to_string(body + 1)).c_str()];
+    if (!history.is_none()) {
+      state.plastic[body] = to_history(history, simulation.scene().grid);
+    }
   }
+  simulation.restore(state, c);
 }
 
 }  // namespace
@@ -152,19 +209,25 @@ void bind_simulation(py::module_& m) {
   py::class_<Simulation>(m, "Simulation")
       .def(py::init([](const Grid& grid, const plasticity::Material& body1,
                        const plasticity::Material& body2, const Array& gap, double friction,
-                       double tol, double increment_tol, int max_iterations, bool error_on_border) {
+                       double tol, double increment_tol, int max_iterations, bool error_on_border,
+                       const std::string& residual_stress, double image_tol) {
              simulation::Settings settings;
              settings.tol = tol;
              settings.increment_tol = increment_tol;
              settings.max_iterations = max_iterations;
              settings.on_border =
                  error_on_border ? contact::OnBorder::error : contact::OnBorder::warn;
+             using simulation::ResidualChoice;
+             settings.residual_stress = residual_stress == "exact"  ? ResidualChoice::exact
+                                        : residual_stress == "fast" ? ResidualChoice::fast
+                                                                    : ResidualChoice::automatic;
+             settings.image_tol = image_tol;
              return std::make_unique<Simulation>(grid, body1, body2, to_field(gap), friction,
                                                  settings);
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"), py::arg("friction"),
            py::arg("tol"), py::arg("increment_tol"), py::arg("max_iterations"),
-           py::arg("error_on_border"))
+           py::arg("error_on_border"), py::arg("residual_stress"), py::arg("image_tol"))
       .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
            py::arg("shear_x"), py::arg("shear_y"))
       .def(

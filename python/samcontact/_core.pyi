@@ -66,7 +66,7 @@ class State:
     pressure: FloatArray
     shear_x: FloatArray | None
     shear_y: FloatArray | None
-    gap: FloatArray
+    exact_residual_stress: bool
     load: float
     approach: float
     converged: bool
@@ -76,7 +76,8 @@ class State:
     plastic_residual: float
     yield_excess: float
     warnings: list[str]
-    def has_plastic_strain(self, body: int) -> bool: ...
+    def gap(self) -> FloatArray: ...
+    def history(self, body: int) -> dict[str, Any] | None: ...
     def stress(self, body: int) -> FloatArray: ...
     def residual_stress(self, body: int) -> FloatArray: ...
     def plastic_strain(self, body: int) -> FloatArray: ...
@@ -100,6 +101,8 @@ class Simulation:
         increment_tol: float,
         max_iterations: int,
         error_on_border: bool,
+        residual_stress: str,
+        image_tol: float,
     ) -> None: ...
     def step(
         self,

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from .simulation import Simulation
 
 _FORMAT = "samcontact checkpoint"
-_FORMAT_VERSION = 1
-_SURFACE = ("pressure", "shear_x", "shear_y", "gap")
-_REQUIRED = ("pressure", "gap")
+_FORMAT_VERSION = 2
+_SURFACE = ("pressure", "shear_x", "shear_y")
+_REQUIRED = ("pressure",)
 _SCALARS = (
     "load",
     "approach",
@@ -30,6 +30,7 @@ _SCALARS = (
     "substeps",
     "plastic_residual",
     "yield_excess",
+    "exact_residual_stress",
 )
 
 
@@ -69,6 +70,8 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
         tol=simulation.tol,
         on_border=simulation.on_border,
         max_iterations=simulation.max_iterations,
+        residual_stress=simulation.residual_stress,
+        image_tol=simulation.image_tol,
     )
     if simulation.increment_tol is not None:
         file["settings"].attrs["increment_tol"] = simulation.increment_tol
@@ -80,9 +83,12 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
         if getattr(core, name) is not None:
             _dataset(state, name, getattr(core, name))
     for body in (0, 1):
-        if core.has_plastic_strain(body):
-            _dataset(state, f"plastic_strain{body + 1}", core.plastic_strain(body))
-            _dataset(state, f"equivalent{body + 1}", core.equivalent_plastic_strain(body))
+        history = core.history(body)
+        if history is not None:
+            kept = state.create_group(f"history{body + 1}")
+            kept.attrs["box"] = history["box"]
+            _dataset(kept, "strain", history["strain"])
+            _dataset(kept, "equivalent", history["equivalent"])
     file.create_group("counters").attrs.update(simulation.counters)
 
 
@@ -137,9 +143,14 @@ def _read_state(file: h5py.File) -> dict[str, Any]:
             if saved[name].shape != shape:
                 raise ValueError(f"{name} has shape {saved[name].shape}, not {shape}")
     for body in (1, 2):
-        for name, moved in ((f"plastic_strain{body}", 1), (f"equivalent{body}", 0)):
-            saved[name] = None
-            if name in group:
-                saved[name] = np.ascontiguousarray(np.moveaxis(group[name][...], -1, moved))
+        name = f"history{body}"
+        saved[name] = None
+        if name in group:
+            kept = group[name]
+            saved[name] = {
+                "box": [int(n) for n in kept.attrs["box"]],
+                "strain": np.ascontiguousarray(kept["strain"][...]),
+                "equivalent": np.ascontiguousarray(kept["equivalent"][...]),
+            }
     saved["counters"] = {k: _plain(v) for k, v in file["counters"].attrs.items()}
     return saved

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import FloatArray, finite_array
+from ._checks import FloatArray, choice, finite_array, number
 from .grid import Grid
 
 
@@ -95,7 +95,15 @@ def surface_stress(
     return field
 
 
-def residual_stress(grid: Grid, strain: ArrayLike, E: float, nu: float) -> FloatArray:
+def residual_stress(
+    grid: Grid,
+    strain: ArrayLike,
+    E: float,
+    nu: float,
+    *,
+    method: str = "exact",
+    image_tol: float = 1e-3,
+) -> FloatArray:
     """Stress [Pa] of an eigenstrain (plastic strain) field, shape (6, nx, ny, nz).
 
     Parameters
@@ -103,16 +111,22 @@ def residual_stress(grid: Grid, strain: ArrayLike, E: float, nu: float) -> Float
     strain : array_like, shape (6, nx, ny, nz)
         Any symmetric strain, tensor components xx, yy, zz, yz, xz, xy, uniform in each cell.
     E, nu : float
-
-    Notes
-    -----
-    Exact influence coefficients of cuboids in a half-space (Mindlin's solution integrated in closed
-    form): docs/theory.md.
+    method : {"exact", "fast"}, optional
+        "exact": influence coefficients of cuboids in a half-space (Mindlin's solution integrated
+        in closed form), at the cell centres. "fast": the strain is band-limited in the plane and
+        uniform in each layer, the stress its mean over each layer; for smooth fields, in time and
+        memory proportional to the cells. docs/theory.md has both and their errors.
+    image_tol : float, optional
+        With "fast": error due to the periodicity of the transforms, relative to the largest
+        stress; in [1e-6, 0.1].
     """
     _require_volume(grid)
     elastic = _core.Elastic.isotropic(E, nu)
+    exact = choice("method", method, ("exact", "fast")) == "exact"
+    if not 1e-6 <= number("image_tol", image_tol) <= 0.1:
+        raise ValueError(f"image_tol must be in [1e-6, 0.1], got {image_tol!r}")
     field: FloatArray = _core.operators.residual_stress(
-        grid._core, depth_major(grid, "strain", strain), elastic
+        grid._core, depth_major(grid, "strain", strain), elastic, exact, float(image_tol)
     )
     return field
 

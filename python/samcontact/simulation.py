@@ -53,6 +53,14 @@ class Simulation:
         What to do when the contact or the plastic zone reaches the border of the grid.
     max_iterations : int, optional
         Of the plastic fixed point, before the increment is halved.
+    residual_stress : {"auto", "exact", "fast"}, optional
+        "exact": influence coefficients of cuboids; time grows with the square of the layers, 1 kB
+        of memory a cell. "fast": sweeps over the layers; time and memory grow with the cells.
+        "auto": exact on grids of up to 8192 cells and for a given plastic strain of up to 64
+        cells, otherwise fast. See docs/theory.md for their errors.
+    image_tol : float, optional
+        With "fast": error due to the periodicity of the transforms, relative to the largest
+        residual stress; in [1e-6, 0.1].
 
     Raises
     ------
@@ -73,6 +81,8 @@ class Simulation:
         increment_tol: float | None = None,
         on_border: str = "error",
         max_iterations: int = 60,
+        residual_stress: str = "auto",
+        image_tol: float = 1e-3,
     ) -> None:
         require_type("grid", grid, Grid)
         require_type("body1", body1, Material)
@@ -93,6 +103,10 @@ class Simulation:
                 )
         self.on_border = choice("on_border", on_border, ("error", "warn"))
         self.max_iterations = integer("max_iterations", max_iterations, 1)
+        self.residual_stress = choice("residual_stress", residual_stress, ("auto", "exact", "fast"))
+        self.image_tol = number("image_tol", image_tol)
+        if not 1e-6 <= self.image_tol <= 0.1:
+            raise ValueError(f"image_tol must be in [1e-6, 0.1], got {self.image_tol!r}")
         self._core = _core.Simulation(
             grid._core,
             body1._core,
@@ -103,6 +117,8 @@ class Simulation:
             self.increment_tol or 0.0,
             self.max_iterations,
             self.on_border == "error",
+            self.residual_stress,
+            self.image_tol,
         )
 
     def step(

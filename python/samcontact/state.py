@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from typing import Any
 
 import numpy as np
@@ -36,10 +38,11 @@ class State:
         shape = self.grid.surface_shape
         return np.stack([np.zeros(shape) if part is None else part for part in parts])
 
-    @property
+    @cached_property
     def gap(self) -> FloatArray:
         """Separation [m], shape (nx, ny); under prescribed tractions that for zero approach."""
-        field: FloatArray = self._core.gap
+        field: FloatArray = self._core.gap()
+        field.flags.writeable = False
         return field
 
     @property

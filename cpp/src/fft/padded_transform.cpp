@@ -11,8 +11,11 @@ constexpr std::size_t worth_threads = 1 << 15;
 
 }  // namespace
 
-PaddedTransform::PaddedTransform(int nx, int ny)
-    : nx_(nx), ny_(ny), mx_(good_even_size(2 * nx - 1)), my_(good_even_size(2 * ny - 1)) {
+PaddedTransform::PaddedTransform(int nx, int ny, int least_mx, int least_my)
+    : nx_(nx),
+      ny_(ny),
+      mx_(good_even_size(std::max(2 * nx - 1, least_mx))),
+      my_(good_even_size(std::max(2 * ny - 1, least_my))) {
   Field real(static_cast<std::size_t>(block) * my_);
   ComplexField half(static_cast<std::size_t>(block) * mh());
   ComplexField column(mx_);

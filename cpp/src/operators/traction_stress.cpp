@@ -28,11 +28,18 @@ kernels::Stress corner_stress(Traction kind, double x, double y, double z, doubl
   return {s[1], s[0], s[2], s[4], s[3], s[5]};
 }
 
+/// The components of the field that are asked for come first.
+kernels::Stress select(kernels::Stress s, Tensor tensor) {
+  if (tensor == Tensor::full) return s;
+  const double mean = (s[0] + s[1] + s[2]) / 3;
+  return {s[0] - mean, s[1] - mean, s[3], s[4], s[5], 0.0};
+}
+
 }  // namespace
 
 TractionStress::TractionStress(const Grid& grid, const fft::PaddedTransform& transform, double nu,
-                               std::vector<double> depths)
-    : grid_(grid), transform_(&transform), nu_(nu), depths_(std::move(depths)) {}
+                               std::vector<double> depths, Tensor tensor)
+    : grid_(grid), transform_(&transform), nu_(nu), depths_(std::move(depths)), tensor_(tensor) {}
 
 void TractionStress::prepare(Traction kind) {
   Field& spectra = spectra_[static_cast<int>(kind)];
@@ -40,7 +47,9 @@ void TractionStress::prepare(Traction kind) {
   const fft::ParitySpectrum parity_spectrum(*transform_);
   const CornerLattice lattice{grid_.nx, grid_.ny, grid_.dy / grid_.dx};
   const int nz = layers(), hx = parity_spectrum.hx(), hy = parity_spectrum.hy();
-  Field built(parity_spectrum.size() * 6 * nz);
+  const auto places = components(tensor_);
+  const int count = static_cast<int>(places.size());
+  Field built(parity_spectrum.size() * count * nz);
   check_interrupt();
 #pragma omp parallel
   {
@@ -48,15 +57,16 @@ void TractionStress::prepare(Traction kind) {
 #pragma omp for schedule(dynamic)
     for (int k = 0; k < nz; ++k) {
       const double z = depths_[k] / grid_.dx;
-      lattice.evaluate<6>([&](double x, double y) { return corner_stress(kind, x, y, z, nu_); },
-                          corners.data());
-      for (int c = 0; c < 6; ++c) {
+      lattice.evaluate<6>(
+          [&](double x, double y) { return select(corner_stress(kind, x, y, z, nu_), tensor_); },
+          corners.data());
+      for (int c = 0; c < count; ++c) {
         lattice.corner_sums(corners.data() + c * lattice.size(), quarter.data(), hx, hy);
-        const auto p = parity(kind, c);
+        const auto p = parity(kind, places[c]);
         parity_spectrum.transform(quarter.data(), p.odd_x, p.odd_y);
         for (int ky = 0; ky < hy; ++ky) {
           for (int kx = 0; kx < hx; ++kx) {
-            built[((static_cast<std::size_t>(ky) * 6 + c) * nz + k) * hx + kx] =
+            built[((static_cast<std::size_t>(ky) * count + c) * nz + k) * hx + kx] =
                 quarter[static_cast<std::size_t>(ky) * hx + kx] / (2 * std::numbers::pi);
           }
         }
@@ -70,13 +80,14 @@ void TractionStress::add(Traction kind, const ComplexField& traction, double sca
                          VolumeSpectrum& out) const {
   const Field& spectra = spectra_[static_cast<int>(kind)];
   const int mx = out.mx, nz = layers(), hx = mx / 2 + 1;
+  const auto places = components(tensor_);
 #pragma omp parallel for schedule(static)
   for (int ky = 0; ky < out.mh; ++ky) {
     const Complex* in = traction.data() + static_cast<std::size_t>(ky) * mx;
-    const double* quarter = spectra.data() + static_cast<std::size_t>(ky) * 6 * nz * hx;
-    for (int c = 0; c < 6; ++c) {
+    const double* quarter = spectra.data() + static_cast<std::size_t>(ky) * out.components * nz * hx;
+    for (int c = 0; c < out.components; ++c) {
       for (int k = 0; k < nz; ++k, quarter += hx) {
-        add_parity_product(quarter, parity(kind, c), scale, in, out.column(ky, c, k), mx);
+        add_parity_product(quarter, parity(kind, places[c]), scale, in, out.column(ky, c, k), mx);
       }
     }
   }
@@ -95,8 +106,8 @@ Field traction_stress(const Grid& grid, double nu, std::span<const double> depth
   const std::size_t plane = grid.surface_size();
   // One depth at a time: the kernels of a depth are used once, so only one set is kept.
   for (std::size_t d = 0; d < depths.size(); ++d) {
-    TractionStress single(grid, transform, nu, {depths[d]});
-    VolumeSpectrum spectrum(transform, 1);
+    TractionStress single(grid, transform, nu, {depths[d]}, Tensor::full);
+    VolumeSpectrum spectrum(transform, 1, Tensor::full);
     for (int kind = 0; kind < 3; ++kind) {
       if (tractions[kind] == nullptr) continue;
       ComplexField in(transform.spectrum_size());

@@ -1,18 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/volume_operators.hpp"
 
-namespace samcontact::operators {
+#include <cmath>
 
-VolumeOperators::VolumeOperators(const Grid& grid, const Elastic& elastic)
+#include "samcontact/operators/cuboid_residual_stress.hpp"
+#include "samcontact/operators/layer_residual_stress.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+/// The images of a long narrow box would come too near to its ends: the short period is at least
+/// this part of the long one.
+constexpr double shortest_period = 0.25;
+
+fft::PaddedTransform make_transform(const Grid& grid, ResidualMethod method) {
+  fft::PaddedTransform transform(grid.nx, grid.ny);
+  if (method == ResidualMethod::exact) return transform;
+  const double px = transform.mx() * grid.dx, py = transform.my() * grid.dy;
+  const int mx = static_cast<int>(std::ceil(shortest_period * py / grid.dx));
+  const int my = static_cast<int>(std::ceil(shortest_period * px / grid.dy));
+  if (mx <= transform.mx() && my <= transform.my()) return transform;
+  return fft::PaddedTransform(grid.nx, grid.ny, mx, my);
+}
+
+}  // namespace
+
+VolumeOperators::VolumeOperators(const Grid& grid, const Elastic& elastic,
+                                 const VolumeOptions& options)
     : grid_(grid),
       elastic_(elastic),
-      transform_(grid.nx, grid.ny),
-      traction_stress_(grid, transform_, elastic.nu, grid.z()) {}
+      options_(options),
+      transform_(make_transform(grid, options.method)),
+      traction_stress_(grid, transform_, elastic.nu, grid.z(), options.tensor) {}
 
 const ResidualStress& VolumeOperators::residual_stress() const {
   const std::lock_guard lock(mutex_);
   if (!residual_stress_) {
-    residual_stress_ = std::make_unique<ResidualStress>(grid_, transform_, elastic_);
+    if (options_.method == ResidualMethod::exact) {
+      residual_stress_ = std::make_unique<CuboidResidualStress>(grid_, transform_, elastic_);
+    } else {
+      residual_stress_ =
+          std::make_unique<LayerResidualStress>(grid_, transform_, elastic_, options_.image_tol);
+    }
   }
   return *residual_stress_;
 }
@@ -20,7 +49,8 @@ const ResidualStress& VolumeOperators::residual_stress() const {
 const ResidualDisplacement& VolumeOperators::residual_displacement() const {
   const std::lock_guard lock(mutex_);
   if (!residual_displacement_) {
-    residual_displacement_ = std::make_unique<ResidualDisplacement>(grid_, transform_, elastic_.nu);
+    residual_displacement_ = std::make_unique<ResidualDisplacement>(grid_, transform_, elastic_.nu,
+                                                                    options_.tensor);
   }
   return *residual_displacement_;
 }
@@ -41,6 +71,20 @@ void VolumeOperators::add_tractions(const Tractions& tractions, double shear_sig
   add(Traction::pressure, tractions.pressure, 1.0);
   add(Traction::shear_x, tractions.shear_x, shear_sign);
   add(Traction::shear_y, tractions.shear_y, shear_sign);
+}
+
+Field VolumeOperators::stress(const double* strain, const Tractions* tractions,
+                              double shear_sign) const {
+  VolumeSpectrum spectrum = make_spectrum();
+  if (strain != nullptr) {
+    forward(transform_, strain, spectrum);
+    residual_stress().apply(spectrum);
+  }
+  if (tractions != nullptr) add_tractions(*tractions, shear_sign, spectrum);
+  Field out(count(options_.tensor) * grid_.volume_size());
+  inverse(transform_, spectrum, out.data());
+  if (strain != nullptr) residual_stress().correct(options_.tensor, strain, out.data());
+  return out;
 }
 
 std::size_t VolumeOperators::bytes() const {

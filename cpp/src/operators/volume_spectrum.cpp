@@ -9,11 +9,14 @@ namespace samcontact::operators {
 
 using Threads = fft::PaddedTransform::Threads;
 
-VolumeSpectrum::VolumeSpectrum(const fft::PaddedTransform& transform, int nz_)
-    : mx(transform.mx()),
+VolumeSpectrum::VolumeSpectrum(const fft::PaddedTransform& transform, int nz_, Tensor tensor_)
+    : tensor(tensor_),
+      components(count(tensor_)),
+      mx(transform.mx()),
       mh(transform.mh()),
       nz(nz_),
-      data(static_cast<std::size_t>(transform.mh()) * 6 * nz_ * transform.mx()),
+      pitch(padded(transform.mx())),
+      data(transform.mh() * stride()),
       used(nz_, 1) {}
 
 void forward(const fft::PaddedTransform& transform, const double* tensor, VolumeSpectrum& out) {
@@ -22,13 +25,13 @@ void forward(const fft::PaddedTransform& transform, const double* tensor, Volume
   const std::size_t plane = static_cast<std::size_t>(transform.nx()) * transform.ny();
   for (int k = 0; k < nz; ++k) {
     out.used[k] = 0;
-    for (int c = 0; c < 6 && !out.used[k]; ++c) {
+    for (int c = 0; c < out.components && !out.used[k]; ++c) {
       const double* values = tensor + (static_cast<std::size_t>(c) * nz + k) * plane;
       out.used[k] = std::any_of(values, values + plane, [](double v) { return v != 0.0; });
     }
   }
 #pragma omp parallel for schedule(dynamic)
-  for (int ck = 0; ck < 6 * nz; ++ck) {
+  for (int ck = 0; ck < out.components * nz; ++ck) {
     if (!out.used[ck % nz]) continue;
     transform.forward(tensor + ck * plane, out.column(0, ck / nz, ck % nz), out.stride(),
                       Threads::one);
@@ -40,7 +43,7 @@ void inverse(const fft::PaddedTransform& transform, VolumeSpectrum& spectrum, do
   const int nz = spectrum.nz;
   const std::size_t plane = static_cast<std::size_t>(transform.nx()) * transform.ny();
 #pragma omp parallel for schedule(dynamic)
-  for (int ck = 0; ck < 6 * nz; ++ck) {
+  for (int ck = 0; ck < spectrum.components * nz; ++ck) {
     transform.inverse(spectrum.column(0, ck / nz, ck % nz), tensor + ck * plane, spectrum.stride(),
                       Threads::one);
   }

@@ -30,14 +30,13 @@ bool any(const Field& field) {
 
 class FixedPoint {
  public:
-  FixedPoint(const State& from, const Target& target, const Settings& settings, Counters& counters)
+  FixedPoint(const State& from, const Target& target, const Scans& scans,
+             const Settings& settings, Counters& counters)
       : grid_(from.scene().grid),
         target_(target),
         settings_(settings),
         counters_(counters),
-        problem_(from, target, counters),
-        x_(problem_.size(), 0.0),
-        f_(problem_.size(), 0.0),
+        problem_(from, target, scans, counters),
         contact_tol_(problem_.has_plastic_body() ? loosest : contact_share * settings.tol) {}
 
   State solve() {
@@ -61,7 +60,10 @@ class FixedPoint {
       check_interrupt();
       advance();
       const double finest = contact_tolerance(settings_.tol);
-      if (residual_ <= settings_.tol && result_.excess <= settings_.tol) {
+      if (result_.grown) {
+        // Cells outside the box may flow too: look at them before accepting.
+        contact_tol_ = std::max(contact_tolerance(residual_), finest);
+      } else if (residual_ <= settings_.tol && result_.excess <= settings_.tol) {
         // The wanted tolerance moves a little with every iterate: twice it is near enough.
         if (contact_tol_ <= 2 * finest) return finish(n);
         contact_tol_ = finest;
@@ -88,6 +90,7 @@ class FixedPoint {
   /// mapped = G(x), f = G(x) - x.
   void evaluate() {
     result_ = problem_.evaluate(x_, contact_tol_, mapped_);
+    f_.resize(x_.size());
     for (std::size_t i = 0; i < f_.size(); ++i) f_[i] = mapped_[i] - x_[i];
     const double change = norm(f_);
     const double scale = std::max(norm(mapped_), negligible * result_.yield_strain_norm);
@@ -103,8 +106,11 @@ class FixedPoint {
     } else if (size > astray * best_) {
       // Start anew from the best point with a damped plain step.
       anderson_.reset();
+      const std::size_t n = x_.size();
       x_ = best_x_;
       f_ = best_f_;
+      x_.resize(n, 0.0);
+      f_.resize(n, 0.0);
       for (double& v : f_) v *= 0.5;
     }
     anderson_.next(x_, f_);
@@ -112,7 +118,7 @@ class FixedPoint {
     ++counters_.plastic_iterations;
   }
 
-  State finish(int iterations) const {
+  State finish(int iterations) {
     State state = problem_.finish(mapped_, result_);
     state.plastic_iterations = iterations;
     state.plastic_residual = iterations > 0 ? residual_ : 0.0;
@@ -144,9 +150,9 @@ std::string describe(const Target& target) {
   }
 }
 
-State solve_increment(const State& from, const Target& target, const Settings& settings,
-                      Counters& counters) {
-  return FixedPoint(from, target, settings, counters).solve();
+State solve_increment(const State& from, const Target& target, const Scans& scans,
+                      const Settings& settings, Counters& counters) {
+  return FixedPoint(from, target, scans, settings, counters).solve();
 }
 
 }  // namespace samcontact::simulation

@@ -10,48 +10,146 @@
 #include "samcontact/plasticity/return_mapping.hpp"
 
 namespace samcontact::simulation {
+namespace {
 
-PlasticIncrement::PlasticIncrement(const State& from, const Target& target, Counters& counters)
+using operators::Tensor;
+
+/// Elastic stress above this part of the yield stress belongs into the box.
+constexpr double near_yield = 0.9;
+/// Cells around what must be in a box.
+constexpr int margin = 2;
+
+/// All six components of unknown number n; with 5 components zz follows.
+plasticity::Tensor tensor_of(const Field& unknown, std::size_t n, int components) {
+  const double* u = unknown.data() + n * components;
+  if (components == 6) return {u[0], u[1], u[2], u[3], u[4], u[5]};
+  return {u[0], u[1], -(u[0] + u[1]), u[2], u[3], u[4]};
+}
+
+void put(const plasticity::Tensor& t, Field& unknown, std::size_t n, int components) {
+  const auto places = operators::components(components == 6 ? Tensor::full : Tensor::deviator);
+  for (int c = 0; c < components; ++c) unknown[n * components + c] = t[places[c]];
+}
+
+/// One extent of a box that holds [begin, end) of a grid of n cells, and had `before` cells: with
+/// room to grow, and a count that transforms fast.
+void fit_extent(int n, int before, int& begin, int& end) {
+  int cells = end - begin;
+  if (before > 0 && cells > before) cells = std::max(cells, before + before / 6);
+  cells = std::min((fft::good_even_size(2 * cells - 1) + 1) / 2, n);
+  if (cells > n - n / 8) cells = n;
+  const int extra = cells - (end - begin);
+  begin = std::clamp(begin - extra / 2, 0, n - cells);
+  end = begin + cells;
+}
+
+Box fit(const Box& needed, const Box& before, const Grid& grid) {
+  int i0 = needed.i0, i1 = needed.i0 + needed.nx, j0 = needed.j0, j1 = needed.j0 + needed.ny;
+  fit_extent(grid.nx, before.nx, i0, i1);
+  fit_extent(grid.ny, before.ny, j0, j1);
+  int nz = needed.nz;
+  if (before.nz > 0 && nz > before.nz) nz = std::max(nz, before.nz + before.nz / 6);
+  nz = std::min(nz, grid.nz);
+  if (nz > grid.nz - grid.nz / 8) nz = grid.nz;
+  return {i0, j0, i1 - i0, j1 - j0, nz};
+}
+
+Box bounding_box(const Field& field, const Grid& grid) {
+  int i0 = grid.nx, i1 = -1, j0 = grid.ny, j1 = -1;
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      if (field[static_cast<std::size_t>(i) * grid.ny + j] == 0) continue;
+      i0 = std::min(i0, i);
+      i1 = std::max(i1, i);
+      j0 = std::min(j0, j);
+      j1 = std::max(j1, j);
+    }
+  }
+  if (i1 < 0) return {};
+  return {i0, j0, i1 - i0 + 1, j1 - j0 + 1, 0};
+}
+
+/// Components of a field moved into a larger box, zero where it was not.
+Field moved(const Field& field, const Box& from, const Box& to, int components) {
+  Field out(components * to.volume_size(), 0.0);
+  for (int c = 0; c < components && !from.empty(); ++c) {
+    insert(field.data() + c * from.volume_size(), from, out.data() + c * to.volume_size(), to);
+  }
+  return out;
+}
+
+}  // namespace
+
+PlasticIncrement::PlasticIncrement(const State& from, const Target& target, const Scans& scans,
+                                   Counters& counters)
     : from_(from),
       target_(target),
       counters_(counters),
       scene_(from.scene()),
-      cells_(scene_.grid.volume_size()),
-      body_size_(6 * cells_),
       tractions_(target.kind == Target::Kind::tractions
                      ? target.tractions
                      : operators::Tractions{from.tractions.pressure, {}, {}}) {
   for (int b = 0; b < 2; ++b) {
     if (!scene_.materials[b].is_plastic()) continue;
-    bodies_.push_back(b);
-    spectra_.emplace_back(scene_.volumes[b]->transform(), scene_.grid.nz);
-  }
-  if (!bodies_.empty()) {
-    equivalent_.resize(bodies_.size() * cells_);
-    strain_.resize(body_size_);
-    stress_.resize(body_size_);
+    Body body;
+    body.index = b;
+    body.scan = scans[b].get();
+    body.tensor = Tensor::deviator;
+    if (const auto& history = from.plastic[b]) {
+      body.tensor = history->tensor;
+      if (body.tensor == Tensor::full) components_ = 6;
+      set_box(body, history->box);
+      body.strain = history->strain;
+      body.equivalent = history->equivalent;
+      body.strained = true;
+    }
+    bodies_.push_back(std::move(body));
   }
 }
 
-void PlasticIncrement::residual_fields(int body, const double* guess, Field& gap,
-                                       operators::VolumeSpectrum& spectrum) {
-  const auto& operators = *scene_.volumes[body];
-  std::copy(guess, guess + body_size_, strain_.begin());
-  if (from_.plastic[body]) {
-    const Field& before = from_.plastic[body]->strain;
-    for (std::size_t i = 0; i < body_size_; ++i) strain_[i] += before[i];
+void PlasticIncrement::set_box(Body& body, const Box& box) {
+  const int parts = operators::count(body.tensor);
+  std::vector<int> active(box.volume_size(), -1);
+  body.strain = moved(body.strain, body.box, box, parts);
+  body.equivalent = moved(body.equivalent, body.box, box, 1);
+  body.stress.resize(parts * box.volume_size());
+  const auto number = static_cast<std::uint8_t>(&body - bodies_.data());
+  if (!body.box.empty() && !body.active.empty()) active_.move(number, body.box, box);
+  for (std::size_t n = 0; n < active_.size(); ++n) {
+    if (active_.cells[n].body == number) active[active_.cells[n].cell] = static_cast<int>(n);
   }
-  operators::forward(operators.transform(), strain_.data(), spectrum);
-  if (std::none_of(spectrum.used.begin(), spectrum.used.end(), [](char u) { return u; })) {
-    std::fill(spectrum.data.begin(), spectrum.data.end(), Complex{});
-    return;
+  body.active = std::move(active);
+  body.box = box;
+  body.operators = scene_.volume(body.index, box, body.tensor, from_.method);
+  body.spectrum.clear();
+  body.spectrum.push_back(body.operators->make_spectrum());
+}
+
+void PlasticIncrement::scatter(const Field& guess) {
+  const std::ptrdiff_t count = active_.size();
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t n = 0; n < count; ++n) {
+    const auto [b, cell] = active_.cells[n];
+    Body& body = bodies_[b];
+    const std::size_t cells = body.box.volume_size();
+    const auto before = tensor_of(base_, n, components_), more = tensor_of(guess, n, components_);
+    const auto places = operators::components(body.tensor);
+    for (std::size_t c = 0; c < places.size(); ++c) {
+      body.strain[c * cells + cell] = before[places[c]] + more[places[c]];
+    }
   }
-  if (target_.kind != Target::Kind::tractions) {
-    Field displacement(scene_.grid.surface_size());
-    operators.residual_displacement().apply(spectrum, displacement.data());
-    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += displacement[i];
+}
+
+void PlasticIncrement::residual_displacement(Body& body, Field& gap) {
+  if (!body.strained || target_.kind == Target::Kind::tractions) return;
+  Field displacement(body.box.surface_size());
+  body.operators->residual_displacement().apply(body.spectrum[0], displacement.data());
+  for (int i = 0; i < body.box.nx; ++i) {
+    double* row = gap.data() + static_cast<std::size_t>(body.box.i0 + i) * scene_.grid.ny +
+                  body.box.j0;
+    const double* u = displacement.data() + static_cast<std::size_t>(i) * body.box.ny;
+    for (int j = 0; j < body.box.ny; ++j) row[j] += u[j];
   }
-  operators.residual_stress().apply(spectrum);
 }
 
 contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) {
@@ -80,77 +178,224 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
   return solution;
 }
 
-void PlasticIncrement::return_map(int body, const double* guess, double* mapped, double* equivalent,
-                                  Result& result) const {
-  const auto& material = scene_.materials[body];
-  const double shear_modulus = material.elastic.shear_modulus();
-  const double* before = from_.plastic[body] ? from_.plastic[body]->equivalent.data() : nullptr;
-  const std::ptrdiff_t n = cells_;
-  double excess = 0.0, overshoot = 0.0;
-  long flowing = 0;
-#pragma omp parallel for schedule(static) reduction(max : excess, overshoot) reduction(+ : flowing)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    plasticity::Tensor s, e;
-    for (int c = 0; c < 6; ++c) {
-      s[c] = stress_[c * n + i];
-      e[c] = guess[c * n + i];
-    }
-    const auto r = plasticity::radial_return(s, e, before ? before[i] : 0.0, shear_modulus,
-                                             material.hardening);
-    for (int c = 0; c < 6; ++c) mapped[c * n + i] = r.increment[c];
-    equivalent[i] = r.equivalent;
-    excess = std::max(excess, r.excess);
-    overshoot = std::max(overshoot, r.overshoot);
-    flowing += r.equivalent > 0;
+Box PlasticIncrement::contact_window() const {
+  const Grid& grid = scene_.grid;
+  Box window = bounding_box(tractions_.pressure, grid);
+  for (const Field* shear : {&tractions_.shear_x, &tractions_.shear_y}) {
+    if (!shear->empty()) window = window.united(bounding_box(*shear, grid));
   }
-  result.excess = std::max(result.excess, excess);
-  result.overshoot = std::max(result.overshoot, overshoot);
-  const double yield_strain = material.hardening.yield_stress(0.0) / (3 * shear_modulus);
-  result.yield_strain_norm =
-      std::hypot(result.yield_strain_norm, yield_strain * std::sqrt(static_cast<double>(flowing)));
+  return window;
 }
 
-PlasticIncrement::Result PlasticIncrement::evaluate(const Field& guess, double contact_tol,
+bool PlasticIncrement::fit_boxes() {
+  const Grid& grid = scene_.grid;
+  const Box window = contact_window();
+  bool grown = false;
+  for (Body& body : bodies_) {
+    Box needed = body.box;
+    if (!scanned_) {
+      const auto& hardening = scene_.materials[body.index].hardening;
+      const Box near = body.scan->box(tractions_, body.index == 1 ? 1.0 : -1.0,
+                                      near_yield * hardening.yield_stress(0.0));
+      if (!near.empty()) needed = needed.united(near.widened(margin, grid));
+    }
+    if (needed.empty()) continue;
+    // The stress is that of the tractions over the box: it must hold all of them.
+    needed = needed.united(window);
+    if (!body.box.empty() && body.box.contains(needed)) continue;
+    set_box(body, fit(needed.widened(margin, grid).united(needed), body.box, grid));
+    grown = true;
+  }
+  scanned_ = true;
+  return grown;
+}
+
+void PlasticIncrement::stress(Body& body) {
+  auto& spectrum = body.spectrum[0];
+  if (body.strained) {
+    body.operators->residual_stress().apply(spectrum);
+  } else {
+    std::fill(spectrum.data.begin(), spectrum.data.end(), Complex{});
+  }
+  body.operators->add_tractions(window(tractions_, scene_.grid, body.box),
+                                body.index == 1 ? 1.0 : -1.0, spectrum);
+  operators::inverse(body.operators->transform(), spectrum, body.stress.data());
+  if (body.strained) {
+    body.operators->residual_stress().correct(body.tensor, body.strain.data(), body.stress.data());
+  }
+}
+
+/// Finds the cells that yield and are not active yet.
+void PlasticIncrement::activate(std::uint8_t b, Field& guess) {
+  Body& body = bodies_[b];
+  const auto& hardening = scene_.materials[body.index].hardening;
+  const std::ptrdiff_t cells = body.box.volume_size();
+  const bool deviator = body.tensor == Tensor::deviator;
+  const double* s[6];
+  for (int c = 0; c < 6; ++c) {
+    const int place = deviator ? (c < 3 ? c : c - 1) : c;
+    s[c] = body.stress.data() + place * cells;
+  }
+  const double first = hardening.yield_stress(0.0), bound = first * first / 3;
+  constexpr std::ptrdiff_t chunk = 8192;
+  const std::ptrdiff_t chunks = (cells + chunk - 1) / chunk;
+  std::vector<std::vector<std::uint32_t>> found(chunks);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t c = 0; c < chunks; ++c) {
+    const std::ptrdiff_t end = std::min(cells, (c + 1) * chunk);
+    for (std::ptrdiff_t i = c * chunk; i < end; ++i) {
+      double xx = s[0][i], yy = s[1][i];
+      if (!deviator) {
+        const double mean = (xx + yy + s[2][i]) / 3;
+        xx -= mean;
+        yy -= mean;
+      }
+      const double second = xx * xx + yy * yy + xx * yy + s[3][i] * s[3][i] + s[4][i] * s[4][i] +
+                            s[5][i] * s[5][i];
+      if (second <= bound || body.active[i] >= 0) continue;
+      const double g = body.equivalent[i];
+      if (g > 0 && std::sqrt(3 * second) <= hardening.yield_stress(g)) continue;
+      found[c].push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  const auto places = operators::components(body.tensor);
+  for (const auto& part : found) {
+    for (const std::uint32_t i : part) {
+      const std::size_t n = active_.size();
+      body.active[i] = static_cast<int>(n);
+      active_.cells.push_back({b, i});
+      plasticity::Tensor before{};
+      for (std::size_t c = 0; c < places.size(); ++c) {
+        before[places[c]] = body.strain[c * cells + i];
+      }
+      if (deviator) before[2] = -(before[0] + before[1]);
+      base_.resize((n + 1) * components_);
+      put(before, base_, n, components_);
+    }
+  }
+  guess.resize(active_.size() * components_, 0.0);
+}
+
+void PlasticIncrement::return_map(Field& guess, Field& mapped, Result& result) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (!bodies_[b].box.empty()) activate(static_cast<std::uint8_t>(b), guess);
+  }
+  const std::ptrdiff_t count = active_.size();
+  mapped.resize(count * components_);
+  equivalent_.resize(count);
+  double excess = 0.0, overshoot = 0.0;
+  Field yield_strains(count);
+#pragma omp parallel for schedule(static) reduction(max : excess, overshoot)
+  for (std::ptrdiff_t n = 0; n < count; ++n) {
+    const auto [b, cell] = active_.cells[n];
+    const Body& body = bodies_[b];
+    const auto& material = scene_.materials[body.index];
+    const double shear_modulus = material.elastic.shear_modulus();
+    const std::size_t cells = body.box.volume_size();
+    plasticity::Tensor s{};
+    const auto places = operators::components(body.tensor);
+    for (std::size_t c = 0; c < places.size(); ++c) s[places[c]] = body.stress[c * cells + cell];
+    if (body.tensor == Tensor::deviator) s[2] = -(s[0] + s[1]);
+    const auto r = plasticity::radial_return(s, tensor_of(guess, n, components_),
+                                             body.equivalent[cell], shear_modulus,
+                                             material.hardening);
+    put(r.increment, mapped, n, components_);
+    equivalent_[n] = r.equivalent;
+    excess = std::max(excess, r.excess);
+    overshoot = std::max(overshoot, r.overshoot);
+    yield_strains[n] =
+        r.equivalent > 0 ? material.hardening.yield_stress(0.0) / (3 * shear_modulus) : 0.0;
+  }
+  result.excess = excess;
+  result.overshoot = overshoot;
+  result.yield_strain_norm =
+      std::sqrt(ordered_dot(yield_strains.data(), yield_strains.data(), yield_strains.size()));
+}
+
+bool PlasticIncrement::grow_at_rim(const Field& mapped) {
+  const Grid& grid = scene_.grid;
+  bool grown = false;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    Body& body = bodies_[b];
+    const Box box = body.box;
+    Box needed = box;
+    for (std::size_t n = 0; n < active_.size(); ++n) {
+      if (active_.cells[n].body != b || equivalent_[n] == 0) continue;
+      const std::uint32_t cell = active_.cells[n].cell;
+      const int j = static_cast<int>(cell % box.ny), ki = static_cast<int>(cell / box.ny);
+      const int i = ki % box.nx, k = ki / box.nx;
+      const bool rim =
+          i == 0 || j == 0 || i == box.nx - 1 || j == box.ny - 1 || k == box.nz - 1;
+      if (!rim) continue;
+      needed = needed.united(Box{box.i0 + i, box.j0 + j, 1, 1, k + 1}.widened(margin, grid));
+    }
+    if (box.empty() || box.contains(needed)) continue;
+    set_box(body, fit(needed, box, grid));
+    grown = true;
+  }
+  (void)mapped;
+  return grown;
+}
+
+PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact_tol,
                                                     Field& mapped) {
+  scatter(guess);
   Field gap = scene_.initial_gap;
-  for (std::size_t n = 0; n < bodies_.size(); ++n) {
-    residual_fields(bodies_[n], guess.data() + n * body_size_, gap, spectra_[n]);
+  const auto transform = [](Body& body) {
+    if (body.strained) {
+      operators::forward(body.operators->transform(), body.strain.data(), body.spectrum[0]);
+    }
+  };
+  for (Body& body : bodies_) {
+    body.strained = body.strained || !active_.cells.empty();
+    if (body.box.empty()) body.strained = false;
+    transform(body);
+    residual_displacement(body, gap);
   }
   Result result;
   result.contact = solve_contact(gap, contact_tol);
-  mapped.resize(size());
-  for (std::size_t n = 0; n < bodies_.size(); ++n) {
-    const int body = bodies_[n];
-    const auto& operators = *scene_.volumes[body];
-    operators.add_tractions(tractions_, body == 1 ? 1.0 : -1.0, spectra_[n]);
-    operators::inverse(operators.transform(), spectra_[n], stress_.data());
-    return_map(body, guess.data() + n * body_size_, mapped.data() + n * body_size_,
-               equivalent_.data() + n * cells_, result);
+  if (fit_boxes()) {
+    for (Body& body : bodies_) transform(body);
   }
+  for (Body& body : bodies_) {
+    if (!body.box.empty()) stress(body);
+  }
+  return_map(guess, mapped, result);
+  result.grown = grow_at_rim(mapped);
   return result;
 }
 
-State PlasticIncrement::finish(const Field& mapped, const Result& result) const {
+State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   State state = from_;
   state.warnings.clear();
   state.tractions = tractions_;
-  state.gap = result.contact.gap;
+  state.contact_gap.clear();
   state.load = result.contact.load;
   state.approach = result.contact.approach;
-  for (std::size_t n = 0; n < bodies_.size(); ++n) {
-    const double* increment = mapped.data() + n * body_size_;
-    const double* equivalent = equivalent_.data() + n * cells_;
-    if (std::none_of(equivalent, equivalent + cells_, [](double g) { return g > 0; })) continue;
-    auto plastic = std::make_shared<PlasticState>();
-    if (const auto& before = from_.plastic[bodies_[n]]) {
-      *plastic = *before;
-    } else {
-      plastic->strain.assign(body_size_, 0.0);
-      plastic->equivalent.assign(cells_, 0.0);
+  scatter(mapped);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    Body& body = bodies_[b];
+    bool flowed = false;
+    for (std::size_t n = 0; n < active_.size(); ++n) {
+      if (active_.cells[n].body != b || equivalent_[n] == 0) continue;
+      body.equivalent[active_.cells[n].cell] += equivalent_[n];
+      flowed = true;
     }
-    for (std::size_t i = 0; i < body_size_; ++i) plastic->strain[i] += increment[i];
-    for (std::size_t i = 0; i < cells_; ++i) plastic->equivalent[i] += equivalent[i];
-    state.plastic[bodies_[n]] = std::move(plastic);
+    if (!flowed) continue;
+    auto plastic = std::make_shared<PlasticState>();
+    plastic->box = body.box;
+    plastic->tensor = body.tensor;
+    plastic->strain = std::move(body.strain);
+    plastic->equivalent = std::move(body.equivalent);
+    state.plastic[body.index] = std::move(plastic);
+  }
+  if (target_.kind != Target::Kind::tractions) {
+    Box whole = Box::whole(scene_.grid);
+    const bool known = std::all_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
+      whole.nz = body.box.nz;
+      return !state.plastic[body.index] || body.box == whole;
+    });
+    if (known) state.contact_gap = result.contact.gap;
   }
   return state;
 }

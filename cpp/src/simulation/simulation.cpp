@@ -37,15 +37,19 @@ std::string shape_text(std::initializer_list<int> extents) {
 std::string flow_at_border(const Grid& grid, const PlasticState* before,
                            const PlasticState* after) {
   if (after == before) return {};
+  const Box& box = after->box;
+  Field earlier(box.volume_size(), 0.0);
+  if (before != nullptr) insert(before->equivalent.data(), before->box, earlier.data(), box);
   bool bottom = false, side = false;
-  for (int k = 0; k < grid.nz; ++k) {
-    for (int i = 0; i < grid.nx; ++i) {
-      for (int j = 0; j < grid.ny; ++j) {
-        const bool at_side = i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1;
+  for (int k = 0; k < box.nz; ++k) {
+    for (int i = 0; i < box.nx; ++i) {
+      for (int j = 0; j < box.ny; ++j) {
+        const int gi = box.i0 + i, gj = box.j0 + j;
+        const bool at_side = gi == 0 || gj == 0 || gi == grid.nx - 1 || gj == grid.ny - 1;
         const bool at_bottom = k == grid.nz - 1;
         if (!at_side && !at_bottom) continue;
-        const std::size_t n = (static_cast<std::size_t>(k) * grid.nx + i) * grid.ny + j;
-        if (after->equivalent[n] == (before ? before->equivalent[n] : 0.0)) continue;
+        const std::size_t n = (static_cast<std::size_t>(k) * box.nx + i) * box.ny + j;
+        if (after->equivalent[n] == earlier[n]) continue;
         bottom |= at_bottom;
         side |= at_side && !at_bottom;
       }
@@ -57,6 +61,17 @@ std::string flow_at_border(const Grid& grid, const PlasticState* before,
            to_text(grid.ny * grid.dy) + " m): enlarge nx dx and ny dy";
   }
   return {};
+}
+
+/// Cells of the grid up to which the exact residual stress is the default.
+constexpr std::size_t small_volume = 8192;
+/// A given eigenstrain in at most this many cells counts as one of cuboids, not as a smooth field.
+constexpr long few_cells = 64;
+
+operators::ResidualMethod choose(ResidualChoice choice, bool exact) {
+  if (choice == ResidualChoice::exact) return operators::ResidualMethod::exact;
+  if (choice == ResidualChoice::fast) return operators::ResidualMethod::fast;
+  return exact ? operators::ResidualMethod::exact : operators::ResidualMethod::fast;
 }
 
 /// Largest difference between two solutions of one increment: of the pressure relative to its
@@ -76,9 +91,13 @@ double increment_error(const State& one, const State& two) {
     const auto& material = two.scene().materials[b];
     const double yield_strain =
         material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
-    const Field& g = two.plastic[b]->equivalent;
+    // One box contains the other.
+    const PlasticState *small = one.plastic[b].get(), *wide = two.plastic[b].get();
+    if (!wide->box.contains(small->box)) std::swap(small, wide);
+    Field g(wide->box.volume_size(), 0.0);
+    insert(small->equivalent.data(), small->box, g.data(), wide->box);
     error = std::max(
-        error, difference(one.plastic[b]->equivalent, g) / std::max(largest(g), yield_strain));
+        error, difference(wide->equivalent, g) / std::max(largest(wide->equivalent), yield_strain));
   }
   return error;
 }
@@ -90,9 +109,10 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
                        const Settings& settings)
     : scene_(
           (require_field(initial_gap, grid.surface_size(), "gap", shape_text({grid.nx, grid.ny})),
-           std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction))),
+           std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
+                                   settings.image_tol))),
       settings_(settings),
-      state_(scene_) {
+      state_(scene_, choose(settings.residual_stress, grid.volume_size() <= small_volume)) {
   require(settings.tol >= 1e-11 && settings.tol < 1, "tol", "in [1e-11, 1)", settings.tol);
   if (settings.increment_tol != 0) {
     // Closer to tol, the difference of two solutions is their own residual.
@@ -100,9 +120,16 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
             "increment_tol", "in [10 tol, 1) with tol = " + to_text(settings.tol),
             settings.increment_tol);
   }
+  require(settings.image_tol >= 1e-6 && settings.image_tol <= 0.1, "image_tol", "in [1e-6, 0.1]",
+          settings.image_tol);
   if (grid.nz == 0 && (body1.is_plastic() || body2.is_plastic())) {
     throw std::invalid_argument(
         "nz must be > 0 for an inelastic body: give the grid layers with nz and dz");
+  }
+  for (int b = 0; b < 2; ++b) {
+    if (!scene_->materials[b].is_plastic()) continue;
+    const bool same = b == 1 && scans_[0] && body1.elastic == body2.elastic;
+    scans_[b] = same ? scans_[0] : std::make_shared<YieldScan>(*scene_, b);
   }
 }
 
@@ -150,7 +177,7 @@ State Simulation::advance(const Target& target) {
   const auto solve = [&](const State& from, double start, double end) {
     // The remaining way from the moment reached: (end - start) of (1 - start).
     const double fraction = end == 1.0 ? 1.0 : (end - start) / (1.0 - start);
-    State state = solve_increment(from, between(from, target, fraction), settings_, counters_);
+    State state = solve_increment(from, between(from, target, fraction), scans_, settings_, counters_);
     iterations += state.plastic_iterations;
     return state;
   };
@@ -228,33 +255,60 @@ const State& Simulation::step(const Target& target) {
   State reached = advance(target);
   reached.contact_iterations = static_cast<int>(counters_.contact_iterations - contact_before);
   reached.warnings = border_complaints(reached, target);
-  if (target.kind == Target::Kind::tractions) {
-    reached.gap = scene_->initial_gap;
-    for (int b = 0; b < 2; ++b) {
-      const Field u = reached.surface_displacement(b);
-      for (std::size_t i = 0; i < u.size(); ++i) reached.gap[i] += u[i];
-    }
-  }
   state_ = std::move(reached);
   return state_;
 }
 
-void Simulation::set_plastic_state(int body, Field strain, Field equivalent) {
+void Simulation::set_plastic_state(int body, const Field& strain, const Field& equivalent) {
   const Grid& grid = scene_->grid;
   if (!scene_->materials[body].is_plastic()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
                                 " is not inelastic: it has no plastic strain to set");
   }
-  require_field(strain, 6 * grid.volume_size(), "strain",
-                shape_text({6, grid.nx, grid.ny, grid.nz}));
-  if (equivalent.empty()) equivalent.assign(grid.volume_size(), 0.0);
-  require_field(equivalent, grid.volume_size(), "equivalent",
-                shape_text({grid.nx, grid.ny, grid.nz}));
-  const double lowest = *std::min_element(equivalent.begin(), equivalent.end());
-  require(lowest >= 0, "equivalent", ">= 0 everywhere", lowest);
+  const std::size_t cells = grid.volume_size();
+  require_field(strain, 6 * cells, "strain", shape_text({6, grid.nx, grid.ny, grid.nz}));
+  if (!equivalent.empty()) {
+    require_field(equivalent, cells, "equivalent", shape_text({grid.nx, grid.ny, grid.nz}));
+    const double lowest = *std::min_element(equivalent.begin(), equivalent.end());
+    require(lowest >= 0, "equivalent", ">= 0 everywhere", lowest);
+  }
+  // The box of all cells with a history.
+  Box box;
+  long strained = 0;
+  double largest = 0.0, trace = 0.0;
+  for (std::size_t n = 0; n < cells; ++n) {
+    double size = 0.0;
+    for (int c = 0; c < 6; ++c) size = std::max(size, std::fabs(strain[c * cells + n]));
+    largest = std::max(largest, size);
+    trace = std::max(trace, std::fabs(strain[n] + strain[cells + n] + strain[2 * cells + n]));
+    strained += size > 0;
+    if (size == 0 && (equivalent.empty() || equivalent[n] == 0)) continue;
+    const int j = static_cast<int>(n % grid.ny), i = static_cast<int>(n / grid.ny % grid.nx);
+    const int k = static_cast<int>(n / grid.ny / grid.nx);
+    box = box.united({i, j, 1, 1, k + 1});
+  }
+  state_.contact_gap.clear();
+  if (box.empty()) {
+    state_.plastic[body] = nullptr;
+    return;
+  }
   auto plastic = std::make_shared<PlasticState>();
-  plastic->strain = std::move(strain);
-  plastic->equivalent = std::move(equivalent);
+  plastic->box = box;
+  // Plastic strain has no trace but for rounding.
+  plastic->tensor =
+      trace <= 1e-12 * largest ? operators::Tensor::deviator : operators::Tensor::full;
+  const Box whole = Box::whole(grid);
+  const auto cut = [&](const double* from, double* to) { extract(from, whole, to, box); };
+  const auto places = operators::components(plastic->tensor);
+  plastic->strain.resize(places.size() * box.volume_size());
+  for (std::size_t c = 0; c < places.size(); ++c) {
+    cut(strain.data() + places[c] * cells, plastic->strain.data() + c * box.volume_size());
+  }
+  plastic->equivalent.assign(box.volume_size(), 0.0);
+  if (!equivalent.empty()) cut(equivalent.data(), plastic->equivalent.data());
+  if (settings_.residual_stress == ResidualChoice::automatic && strained <= few_cells) {
+    state_.method = operators::ResidualMethod::exact;
+  }
   state_.plastic[body] = std::move(plastic);
 }
 
@@ -264,13 +318,12 @@ void Simulation::restore(const State& state, const Counters& counters) {
 }
 
 std::size_t Simulation::volume_bytes() const {
-  std::size_t bytes = 0;
+  std::size_t bytes = scene_->operator_bytes();
   for (int b = 0; b < 2; ++b) {
     if (const auto& plastic = state_.plastic[b]) {
       bytes += (plastic->strain.size() + plastic->equivalent.size()) * sizeof(double);
     }
-    const auto& volume = scene_->volumes[b];
-    if (volume && (b == 0 || volume != scene_->volumes[0])) bytes += volume->bytes();
+    if (scans_[b] && (b == 0 || scans_[b] != scans_[0])) bytes += scans_[b]->bytes();
   }
   return bytes;
 }

@@ -2,7 +2,7 @@
 #include "samcontact/simulation/state.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
 #include <utility>
 
 #include "samcontact/operators/surface_displacement.hpp"
@@ -10,6 +10,8 @@
 
 namespace samcontact::simulation {
 namespace {
+
+using operators::Tensor;
 
 /// scalar[i] = f(tensor of cell i).
 template <class F>
@@ -24,65 +26,95 @@ Field reduce_tensor(const Field& tensor, const F& f) {
   return scalar;
 }
 
+/// All six components of the plastic strain in its box.
+Field six_components(const PlasticState& plastic) {
+  if (plastic.tensor == Tensor::full) return plastic.strain;
+  const std::size_t n = plastic.box.volume_size();
+  Field full(6 * n);
+  int place = 0;
+  for (const int c : operators::components(plastic.tensor)) {
+    std::copy_n(plastic.strain.data() + place++ * n, n, full.data() + c * n);
+  }
+  for (std::size_t i = 0; i < n; ++i) full[2 * n + i] = -(full[i] + full[n + i]);
+  return full;
+}
+
+/// Components of a field of the box placed into the whole volume, zero elsewhere.
+Field embed(const Field& field, const Box& box, const Grid& grid, int components) {
+  const Box whole = Box::whole(grid);
+  if (box == whole) return field;
+  Field out(components * grid.volume_size(), 0.0);
+  for (int c = 0; c < components; ++c) {
+    insert(field.data() + c * box.volume_size(), box, out.data() + c * grid.volume_size(), whole);
+  }
+  return out;
+}
+
 }  // namespace
 
-Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
-             const plasticity::Material& body2, Field initial_gap_, double friction)
-    : grid(grid_),
-      materials{body1, body2},
-      initial_gap(std::move(initial_gap_)),
-      solver(grid_, body1.elastic, body2.elastic, friction) {
-  for (int b = 0; b < 2; ++b) {
-    if (grid.nz == 0 || materials[b].elastic.is_rigid()) continue;
-    if (b == 1 && volumes[0] && materials[0].elastic == materials[1].elastic) {
-      volumes[1] = volumes[0];
-    } else {
-      volumes[b] = std::make_shared<operators::VolumeOperators>(grid, materials[b].elastic);
-    }
-  }
+operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,
+                            const Box& box) {
+  Box surface = Box::whole(grid), part = box;
+  surface.nz = part.nz = 1;
+  if (part == surface) return tractions;
+  operators::Tractions out;
+  const auto cut = [&](const Field& from, Field& to) {
+    if (from.empty()) return;
+    to.resize(box.surface_size());
+    extract(from.data(), surface, to.data(), part);
+  };
+  cut(tractions.pressure, out.pressure);
+  cut(tractions.shear_x, out.shear_x);
+  cut(tractions.shear_y, out.shear_y);
+  return out;
 }
 
-State::State(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
+State::State(std::shared_ptr<const Scene> scene, operators::ResidualMethod method_)
+    : method(method_), scene_(std::move(scene)) {
   tractions.pressure.assign(scene_->grid.surface_size(), 0.0);
   approach = *std::min_element(scene_->initial_gap.begin(), scene_->initial_gap.end());
-  gap = scene_->initial_gap;
-  for (double& g : gap) g -= approach;
 }
 
-const operators::VolumeOperators& State::volume(int body) const {
-  if (scene_->grid.nz == 0) {
-    throw std::invalid_argument("nz is 0: fields below the surface need a grid with nz and dz");
+Field State::gap() const {
+  if (!contact_gap.empty()) return contact_gap;
+  Field gap = scene_->initial_gap;
+  const double moved = std::isfinite(approach) ? approach : 0.0;
+  for (double& g : gap) g -= moved;
+  for (int body = 0; body < 2; ++body) {
+    const Field u = surface_displacement(body);
+    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += u[i];
   }
-  if (!scene_->volumes[body]) {
-    throw std::invalid_argument("body " + std::to_string(body + 1) +
-                                " is rigid: it has no stress or strain");
-  }
-  return *scene_->volumes[body];
+  return gap;
 }
 
-Field State::stress(int body) const {
-  const auto& operators = volume(body);
-  operators::VolumeSpectrum spectrum(operators.transform(), scene_->grid.nz);
-  if (plastic[body]) {
-    operators::forward(operators.transform(), plastic[body]->strain.data(), spectrum);
-    operators.residual_stress().apply(spectrum);
+Field State::total_stress(int body, bool with_tractions) const {
+  const Grid& grid = scene_->grid;
+  scene_->require_volume(body);
+  const auto& history = plastic[body];
+  const double sign = body == 1 ? 1.0 : -1.0;
+  const Box whole = Box::whole(grid);
+  if (!history && !with_tractions) return Field(6 * grid.volume_size(), 0.0);
+  const auto everywhere = scene_->volume(body, whole, Tensor::full, method);
+  if (!history) return everywhere->stress(nullptr, &tractions, sign);
+  const Field strain = six_components(*history);
+  Field out = everywhere->stress(embed(strain, history->box, grid, 6).data(),
+                                 with_tractions ? &tractions : nullptr, sign);
+  if (history->box == whole || method == operators::ResidualMethod::exact) return out;
+  // In the box itself the very stress that the flow was computed with: the two differ by what the
+  // fast operator's period changes.
+  const auto inside = scene_->volume(body, history->box, Tensor::full, method);
+  const operators::Tractions here = window(tractions, grid, history->box);
+  const Field part = inside->stress(strain.data(), with_tractions ? &here : nullptr, sign);
+  for (int c = 0; c < 6; ++c) {
+    insert(part.data() + c * history->box.volume_size(), history->box,
+           out.data() + c * grid.volume_size(), whole);
   }
-  operators.add_tractions(tractions, body == 1 ? 1.0 : -1.0, spectrum);
-  Field out(6 * scene_->grid.volume_size());
-  operators::inverse(operators.transform(), spectrum, out.data());
   return out;
 }
 
-Field State::residual_stress(int body) const {
-  const auto& operators = volume(body);
-  Field out(6 * scene_->grid.volume_size(), 0.0);
-  if (!plastic[body]) return out;
-  operators::VolumeSpectrum spectrum(operators.transform(), scene_->grid.nz);
-  operators::forward(operators.transform(), plastic[body]->strain.data(), spectrum);
-  operators.residual_stress().apply(spectrum);
-  operators::inverse(operators.transform(), spectrum, out.data());
-  return out;
-}
+Field State::stress(int body) const { return total_stress(body, true); }
+
+Field State::residual_stress(int body) const { return total_stress(body, false); }
 
 Field State::von_mises(int body) const {
   return reduce_tensor(stress(body), plasticity::von_mises);
@@ -94,28 +126,37 @@ Field State::hydrostatic(int body) const {
 }
 
 Field State::plastic_strain(int body) const {
-  volume(body);
-  return plastic[body] ? plastic[body]->strain : Field(6 * scene_->grid.volume_size(), 0.0);
+  scene_->require_volume(body);
+  if (!plastic[body]) return Field(6 * scene_->grid.volume_size(), 0.0);
+  return embed(six_components(*plastic[body]), plastic[body]->box, scene_->grid, 6);
 }
 
 Field State::equivalent_plastic_strain(int body) const {
-  volume(body);
-  return plastic[body] ? plastic[body]->equivalent : Field(scene_->grid.volume_size(), 0.0);
+  scene_->require_volume(body);
+  if (!plastic[body]) return Field(scene_->grid.volume_size(), 0.0);
+  return embed(plastic[body]->equivalent, plastic[body]->box, scene_->grid, 1);
 }
 
 Field State::residual_displacement(int body) const {
-  Field out(scene_->grid.surface_size(), 0.0);
+  const Grid& grid = scene_->grid;
+  Field out(grid.surface_size(), 0.0);
   if (!plastic[body]) return out;
-  const auto& operators = volume(body);
-  operators::VolumeSpectrum spectrum(operators.transform(), scene_->grid.nz);
-  operators::forward(operators.transform(), plastic[body]->strain.data(), spectrum);
-  operators.residual_displacement().apply(spectrum, out.data());
+  const PlasticState& history = *plastic[body];
+  Box wide = Box::whole(grid);
+  wide.nz = history.box.nz;
+  const auto operators = scene_->volume(body, wide, history.tensor, method);
+  operators::VolumeSpectrum spectrum = operators->make_spectrum();
+  const int parts = operators::count(history.tensor);
+  operators::forward(operators->transform(),
+                     embed(history.strain, history.box, wide.grid(grid), parts).data(), spectrum);
+  operators->residual_displacement().apply(spectrum, out.data());
   return out;
 }
 
 Field State::surface_displacement(int body) const {
   Field out = residual_displacement(body);
   const Elastic& elastic = scene_->materials[body].elastic;
+  if (elastic.is_rigid()) return out;
   const auto pointer = [](const Field& f) { return f.empty() ? nullptr : f.data(); };
   const Field loaded = operators::surface_displacement(
       scene_->grid, elastic.normal_compliance(),

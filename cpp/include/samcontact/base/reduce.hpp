@@ -8,22 +8,35 @@
 
 namespace samcontact {
 
+constexpr std::size_t reduce_chunk = 8192;
+
+/// Sum over chunks [begin, end) of 0..n-1 of partial(begin, end).
+template <class Partial>
+double ordered_chunks(std::size_t n, const Partial& partial) {
+  const std::ptrdiff_t chunks = (n + reduce_chunk - 1) / reduce_chunk;
+  std::vector<double> sums(chunks);
+#pragma omp parallel for schedule(static) if (chunks > 4)
+  for (std::ptrdiff_t c = 0; c < chunks; ++c) {
+    sums[c] = partial(c * reduce_chunk, std::min(n, (c + 1) * reduce_chunk));
+  }
+  double total = 0.0;
+  for (const double sum : sums) total += sum;
+  return total;
+}
+
 /// sum_{i < n} term(i).
 template <class Term>
 double ordered_sum(std::size_t n, const Term& term) {
-  constexpr std::size_t chunk = 8192;
-  const std::ptrdiff_t chunks = (n + chunk - 1) / chunk;
-  std::vector<double> partial(chunks);
-#pragma omp parallel for schedule(static) if (chunks > 4)
-  for (std::ptrdiff_t c = 0; c < chunks; ++c) {
+  return ordered_chunks(n, [&](std::size_t begin, std::size_t end) {
     double sum = 0.0;
-    const std::size_t end = std::min(n, (c + 1) * chunk);
-    for (std::size_t i = c * chunk; i < end; ++i) sum += term(i);
-    partial[c] = sum;
-  }
-  double total = 0.0;
-  for (const double sum : partial) total += sum;
-  return total;
+    for (std::size_t i = begin; i < end; ++i) sum += term(i);
+    return sum;
+  });
 }
+
+/// sum_{i < n} a_i b_i.
+double ordered_dot(const double* a, const double* b, std::size_t n);
+double ordered_dot(const float* a, const float* b, std::size_t n);
+double ordered_dot(const float* a, const double* b, std::size_t n);
 
 }  // namespace samcontact

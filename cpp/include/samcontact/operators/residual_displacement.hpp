@@ -11,7 +11,8 @@ namespace samcontact::operators {
 class ResidualDisplacement {
  public:
   /// The grid's layers start at the surface. The displacement does not depend on Young's modulus.
-  ResidualDisplacement(const Grid& grid, const fft::PaddedTransform& transform, double nu);
+  ResidualDisplacement(const Grid& grid, const fft::PaddedTransform& transform, double nu,
+                       Tensor tensor);
 
   /// displacement [i][j] [m] of the eigenstrain whose spectrum is given.
   void apply(const VolumeSpectrum& strain, double* displacement) const;
@@ -21,6 +22,7 @@ class ResidualDisplacement {
  private:
   const fft::PaddedTransform* transform_;
   int nz_;
+  Tensor tensor_;
   Field spectra_;  // [ky][component][layer][kx <= mx/2]
 };
 

@@ -18,7 +18,7 @@ enum class Traction { pressure = 0, shear_x = 1, shear_y = 2 };
 class TractionStress {
  public:
   TractionStress(const Grid& grid, const fft::PaddedTransform& transform, double nu,
-                 std::vector<double> depths);
+                 std::vector<double> depths, Tensor tensor);
 
   /// Builds the kernels of a kind of traction; not thread-safe against add().
   void prepare(Traction kind);
@@ -35,6 +35,7 @@ class TractionStress {
   const fft::PaddedTransform* transform_;
   double nu_;
   std::vector<double> depths_;
+  Tensor tensor_;
   std::array<Field, 3> spectra_;  // [ky][component][layer][kx <= mx/2]
 };
 

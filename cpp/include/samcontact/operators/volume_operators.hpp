@@ -18,19 +18,36 @@ struct Tractions {
   Field pressure, shear_x, shear_y;
 };
 
-/// Thread-safe; shared by bodies with equal elastic constants.
+/// How the residual stress is found: from the influence coefficients of cuboids, or by sweeps over
+/// the layers.
+enum class ResidualMethod { exact, fast };
+
+struct VolumeOptions {
+  Tensor tensor = Tensor::full;
+  ResidualMethod method = ResidualMethod::exact;
+  /// Fast method: error due to periodic images, relative to the largest residual stress.
+  double image_tol = 1e-3;
+};
+
+/// Thread-safe; shared by bodies with equal elastic constants. Strain and stress have the
+/// components of options.tensor, [component][k][i][j].
 class VolumeOperators {
  public:
-  VolumeOperators(const Grid& grid, const Elastic& elastic);
+  VolumeOperators(const Grid& grid, const Elastic& elastic, const VolumeOptions& options);
 
   const Grid& grid() const { return grid_; }
   const Elastic& elastic() const { return elastic_; }
+  Tensor tensor() const { return options_.tensor; }
   const fft::PaddedTransform& transform() const { return transform_; }
+  VolumeSpectrum make_spectrum() const { return {transform_, grid_.nz, options_.tensor}; }
 
   const ResidualStress& residual_stress() const;
   const ResidualDisplacement& residual_displacement() const;
   /// out += stress of a traction; sign multiplies the shear (the two bodies see opposite shear).
   void add_tractions(const Tractions& tractions, double shear_sign, VolumeSpectrum& out) const;
+
+  /// Stress of an eigenstrain and of tractions; either pointer may be null.
+  Field stress(const double* strain, const Tractions* tractions, double shear_sign) const;
 
   /// Memory of the kernels built so far.
   std::size_t bytes() const;
@@ -38,6 +55,7 @@ class VolumeOperators {
  private:
   Grid grid_;
   Elastic elastic_;
+  VolumeOptions options_;
   fft::PaddedTransform transform_;
   mutable std::mutex mutex_;
   mutable TractionStress traction_stress_;

@@ -2,32 +2,50 @@
 // Tensor fields of a layered box in the plane's wavenumber space.
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "samcontact/fft/padded_transform.hpp"
 
 namespace samcontact::operators {
 
-/// Spectra of the six components on nz layers, [ky][component][layer][kx]: all that one wavenumber
-/// ky needs lies together.
+/// Which components a field has: all six, or the five of a deviator, whose zz is -(xx + yy).
+enum class Tensor { full, deviator };
+
+/// Components in the order of the field, as indices of xx, yy, zz, yz, xz, xy.
+inline std::span<const int> components(Tensor tensor) {
+  static constexpr std::array<int, 6> full{0, 1, 2, 3, 4, 5};
+  static constexpr std::array<int, 5> deviator{0, 1, 3, 4, 5};
+  return tensor == Tensor::full ? std::span<const int>(full) : std::span<const int>(deviator);
+}
+inline int count(Tensor tensor) { return tensor == Tensor::full ? 6 : 5; }
+
+/// Spectra of the components on nz layers, [ky][component][layer][kx]: all that one wavenumber ky
+/// needs lies together.
 struct VolumeSpectrum {
-  int mx, mh, nz;
+  /// Rows are padded to a multiple of this many wavenumbers, so that loops run over whole blocks.
+  static constexpr int lanes = 8;
+  static int padded(int mx) { return (mx + lanes - 1) / lanes * lanes; }
+
+  Tensor tensor;
+  int components, mx, mh, nz, pitch;
   ComplexField data;
   /// Layers that may be non-zero; the others are skipped by transforms and products.
   std::vector<char> used;
 
-  VolumeSpectrum(const fft::PaddedTransform& transform, int nz);
+  VolumeSpectrum(const fft::PaddedTransform& transform, int nz, Tensor tensor);
 
-  std::size_t stride() const { return static_cast<std::size_t>(6) * nz * mx; }
+  std::size_t stride() const { return static_cast<std::size_t>(components) * nz * pitch; }
   Complex* column(int ky, int component, int layer) {
-    return data.data() + ky * stride() + (static_cast<std::size_t>(component) * nz + layer) * mx;
+    return data.data() + ky * stride() + (static_cast<std::size_t>(component) * nz + layer) * pitch;
   }
   const Complex* column(int ky, int component, int layer) const {
     return const_cast<VolumeSpectrum*>(this)->column(ky, component, layer);
   }
 };
 
-/// tensor: [component][k][i][j]. Finds the layers that are all zero and skips them.
+/// tensor: [component][k][i][j], the spectrum's components. Finds the layers that are all zero and skips them.
 void forward(const fft::PaddedTransform& transform, const double* tensor, VolumeSpectrum& out);
 
 /// Back to real space, all layers; destroys the spectrum.

@@ -2,25 +2,36 @@
 // Anderson acceleration of a fixed point x = G(x) (Walker & Ni 2011, doi:10.1137/10078356X).
 #pragma once
 
+#include <Eigen/Core>
+#include <deque>
 #include <vector>
 
 #include "samcontact/base/aligned.hpp"
 
 namespace samcontact::simulation {
 
+/// The history is kept in single precision: it only steers the next iterate, whose residual is
+/// computed anew.
 class Anderson {
  public:
   explicit Anderson(int depth) : depth_(depth) {}
 
   void reset();
 
-  /// x: where the residual f = G(x) - x was taken; replaced by the next iterate.
+  /// x: where the residual f = G(x) - x was taken; replaced by the next iterate. From one call to
+  /// the next x may become longer: the new entries were zero before, in x and in f.
   void next(Field& x, const Field& f);
 
  private:
+  struct Step {
+    std::vector<float> dx, df;
+  };
+  void remember(const Field& x, const Field& f);
+
   int depth_;
   Field last_x_, last_f_;
-  std::vector<Field> dx_, df_;  // oldest first
+  std::deque<Step> steps_;  // oldest first
+  Eigen::MatrixXd gram_;    // of the df
 };
 
 /// Euclidean norm, the same digits for any number of threads.

@@ -5,14 +5,18 @@
 
 #include <vector>
 
+#include "samcontact/simulation/active_cells.hpp"
 #include "samcontact/simulation/simulation.hpp"
 
 namespace samcontact::simulation {
 
-/// The unknown is the plastic strain increment of all inelastic bodies, [body][component][k][i][j].
+/// The unknown is the plastic strain increment of the active cells, [cell][component]. Each
+/// inelastic body has a box that holds its plastic strain and every cell that may flow; it grows by
+/// itself.
 class PlasticIncrement {
  public:
-  PlasticIncrement(const State& from, const Target& target, Counters& counters);
+  /// scans: by body, null where nothing can yield.
+  PlasticIncrement(const State& from, const Target& target, const Scans& scans, Counters& counters);
 
   struct Result {
     contact::Solution contact;
@@ -20,34 +24,57 @@ class PlasticIncrement {
     double overshoot = 0.0;  // largest relative yield excess of the trial stress
     /// Euclidean norm over the flowing cells of the strain at yield, yield stress / 3 G.
     double yield_strain_norm = 0.0;
+    bool grown = false;  // a box was too small: evaluate again before accepting
   };
 
-  /// mapped = G(guess). contact_tol applies to load and approach.
-  Result evaluate(const Field& guess, double contact_tol, Field& mapped);
+  /// mapped = G(guess). New active cells are appended to both. contact_tol applies to load and
+  /// approach.
+  Result evaluate(Field& guess, double contact_tol, Field& mapped);
 
-  std::size_t size() const { return bodies_.size() * body_size_; }
   bool has_plastic_body() const { return !bodies_.empty(); }
 
-  /// The state after the increment `mapped` of the last evaluation.
-  State finish(const Field& mapped, const Result& result) const;
+  /// The state after the increment `mapped` of the last evaluation; ends the use of this object.
+  State finish(const Field& mapped, const Result& result);
 
  private:
-  void residual_fields(int body, const double* guess, Field& gap,
-                       operators::VolumeSpectrum& spectrum);
+  struct Body {
+    int index;
+    const YieldScan* scan;
+    Box box;
+    operators::Tensor tensor;
+    Scene::Operators operators;
+    std::vector<operators::VolumeSpectrum> spectrum;  // one, or none without a box
+    Field strain;              // before the increment plus the last guess
+    Field equivalent;          // before the increment
+    Field stress;              // deviator or all components
+    std::vector<int> active;   // per cell: its place among the active ones, or -1
+    bool strained = false;
+  };
+
+  void set_box(Body& body, const Box& box);
+  void scatter(const Field& guess);
+  void residual_displacement(Body& body, Field& gap);
   contact::Solution solve_contact(const Field& gap, double tol);
-  void return_map(int body, const double* guess, double* mapped, double* equivalent,
-                  Result& result) const;
+  Box contact_window() const;
+  /// Whether a box had to grow for the contact or, at first, for the elastic stress.
+  bool fit_boxes();
+  void stress(Body& body);
+  void activate(std::uint8_t b, Field& guess);
+  void return_map(Field& guess, Field& mapped, Result& result);
+  /// Grows the boxes whose rim flows.
+  bool grow_at_rim(const Field& mapped);
 
   const State& from_;
   const Target& target_;
   Counters& counters_;
   const Scene& scene_;
-  std::vector<int> bodies_;  // inelastic ones
-  std::size_t cells_, body_size_;
+  std::vector<Body> bodies_;  // inelastic ones
+  int components_ = 5;
   operators::Tractions tractions_;
-  Field equivalent_;  // [body][k][i][j], of the last evaluation
-  Field strain_, stress_;
-  std::vector<operators::VolumeSpectrum> spectra_;
+  bool scanned_ = false;
+  ActiveCells active_;
+  Field base_;        // plastic strain of the active cells before the increment
+  Field equivalent_;  // increment of the active cells, of the last evaluation
 };
 
 }  // namespace samcontact::simulation

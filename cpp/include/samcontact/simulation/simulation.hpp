@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "samcontact/simulation/state.hpp"
+#include "samcontact/simulation/yield_scan.hpp"
 
 namespace samcontact::simulation {
 
@@ -15,6 +16,10 @@ struct Target {
   operators::Tractions tractions;
 };
 
+/// How the residual stress is computed; automatic: exact on small grids and for a given eigenstrain
+/// of few cells, fast otherwise.
+enum class ResidualChoice { automatic, exact, fast };
+
 struct Settings {
   double tol = 1e-6;  // relative change of the plastic strain increment, and yield excess
   int max_iterations = 60;
@@ -22,7 +27,13 @@ struct Settings {
   /// Error of the division into increments, by step doubling; 0: increments as given.
   double increment_tol = 0.0;
   contact::OnBorder on_border = contact::OnBorder::error;
+  ResidualChoice residual_stress = ResidualChoice::automatic;
+  /// Fast residual stress: error due to periodic images, relative to the largest stress.
+  double image_tol = 1e-3;
 };
+
+/// By body; null where nothing can yield.
+using Scans = std::array<std::shared_ptr<const YieldScan>, 2>;
 
 /// Work done so far.
 struct Counters {
@@ -47,7 +58,7 @@ class Simulation {
   const State& step(const Target& target);
 
   /// Plastic state of body 0 or 1 to go on from: any symmetric strain, e.g. a given eigenstrain.
-  void set_plastic_state(int body, Field strain, Field equivalent);
+  void set_plastic_state(int body, const Field& strain, const Field& equivalent);
 
   /// Continues from a saved state of the same scene.
   void restore(const State& state, const Counters& counters);
@@ -68,6 +79,7 @@ class Simulation {
   Target between(const State& from, const Target& target, double fraction) const;
 
   std::shared_ptr<const Scene> scene_;
+  Scans scans_;
   Settings settings_;
   State state_;
   Counters counters_;

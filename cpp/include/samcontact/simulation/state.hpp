@@ -8,42 +8,30 @@
 #include <string>
 #include <vector>
 
-#include "samcontact/contact/contact_solver.hpp"
-#include "samcontact/operators/volume_operators.hpp"
-#include "samcontact/plasticity/material.hpp"
+#include "samcontact/simulation/scene.hpp"
 
 namespace samcontact::simulation {
 
-/// What does not change during a simulation. Bodies are indexed 0 (upper) and 1 (lower).
-struct Scene {
-  Grid grid;
-  std::array<plasticity::Material, 2> materials;
-  Field initial_gap;
-  contact::ContactSolver solver;
-  /// Null without a volume or for a rigid body; one object if the elastic constants are equal.
-  std::array<std::shared_ptr<const operators::VolumeOperators>, 2> volumes;
-
-  Scene(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
-        Field initial_gap, double friction);
-};
-
-/// Plastic history of one body, never changed once made.
+/// Plastic history of one body in the box that holds all of it; never changed once made.
 struct PlasticState {
-  Field strain;      // [component][k][i][j]
-  Field equivalent;  // [k][i][j]
+  Box box;
+  operators::Tensor tensor = operators::Tensor::deviator;
+  Field strain;      // [component][k][i][j] of the box
+  Field equivalent;  // [k][i][j] of the box
 };
 
 class State {
  public:
-  explicit State(std::shared_ptr<const Scene> scene);
+  State(std::shared_ptr<const Scene> scene, operators::ResidualMethod method);
 
   /// Tractions in the frame of body 2; on body 1 the shear is reversed. Shear arrays may be empty.
   operators::Tractions tractions;
-  /// Prescribed tractions: the separation for approach 0, h + u.
-  Field gap;
+  /// Separation under load [i][j] where it is known everywhere, else empty: see gap().
+  Field contact_gap;
   double load = 0.0;      // [N]
   double approach = 0.0;  // [m]; NaN under prescribed tractions
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
+  operators::ResidualMethod method;
 
   bool converged = true;
   int plastic_iterations = 0, contact_iterations = 0, substeps = 0;
@@ -53,6 +41,9 @@ class State {
 
   const Scene& scene() const { return *scene_; }
   const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
+
+  /// Separation of the surfaces under load [i][j] [m]; under prescribed tractions for approach 0.
+  Field gap() const;
 
   /// Fields of a body (0 or 1), layers at mid-depth: [component][k][i][j] or [k][i][j]. Throw
   /// std::invalid_argument for a grid without volume or a rigid body.
@@ -67,9 +58,13 @@ class State {
   Field surface_displacement(int body) const;
 
  private:
-  const operators::VolumeOperators& volume(int body) const;
+  Field total_stress(int body, bool with_tractions) const;
 
   std::shared_ptr<const Scene> scene_;
 };
+
+/// The part of the surface fields over a box.
+operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,
+                            const Box& box);
 
 }  // namespace samcontact::simulation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samcontact/operators/residual_stress.hpp"
+#include "samcontact/operators/cuboid_residual_stress.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -78,7 +78,7 @@ void accumulate(int count, double coefficient, const Lanes* from, int from_step,
 
 }  // namespace
 
-ResidualStress::ResidualStress(const Grid& grid, const fft::PaddedTransform& transform,
+CuboidResidualStress::CuboidResidualStress(const Grid& grid, const fft::PaddedTransform& transform,
                                const Elastic& elastic)
     : transform_(&transform),
       nz_(grid.nz),
@@ -88,7 +88,7 @@ ResidualStress::ResidualStress(const Grid& grid, const fft::PaddedTransform& tra
   build_spectra(grid);
 }
 
-void ResidualStress::build_terms(double nu, double shear_modulus) {
+void CuboidResidualStress::build_terms(double nu, double shear_modulus) {
   const double factor = shear_modulus / (8 * std::numbers::pi * (1 - nu));
   for (const auto& term : kernels::full_space_terms) {
     const double sign = real_factor(kernels::full_space_parity(term.kernel), term.out, term.in);
@@ -111,7 +111,7 @@ void ResidualStress::build_terms(double nu, double shear_modulus) {
   }
 }
 
-void ResidualStress::build_spectra(const Grid& grid) {
+void CuboidResidualStress::build_spectra(const Grid& grid) {
   const fft::ParitySpectrum spectrum(*transform_);
   const CornerLattice lattice{grid.nx, grid.ny, grid.dy / grid.dx};
   const int hx = spectrum.hx(), hy = spectrum.hy();
@@ -149,12 +149,14 @@ void ResidualStress::build_spectra(const Grid& grid) {
       });
 }
 
-void ResidualStress::load(int ky, int block, const VolumeSpectrum& strain, double* values) const {
+void CuboidResidualStress::load(int ky, int block, const VolumeSpectrum& strain, double* values) const {
   const int mx = strain.mx;
+  const auto places = components(strain.tensor);
   for (int k = 0; k < nz_; ++k) {
     if (!strain.used[k]) continue;
-    for (int c = 0; c < 6; ++c) {
-      const Complex* column = strain.column(ky, c, k);
+    for (int n = 0; n < strain.components; ++n) {
+      const int c = places[n];
+      const Complex* column = strain.column(ky, n, k);
       double* to = values + (k * 6 + c) * columns * width;
       for (int lane = 0; lane < width; ++lane) {
         const int kx = std::min(block * width + lane, mx / 2);
@@ -166,14 +168,31 @@ void ResidualStress::load(int ky, int block, const VolumeSpectrum& strain, doubl
         to[3 * width + lane] = minus.imag();
       }
     }
+    if (strain.tensor == Tensor::full) continue;
+    double* xx = values + k * 6 * columns * width;
+    const double* yy = xx + columns * width;
+    double* zz = xx + 2 * columns * width;
+    for (int n = 0; n < columns * width; ++n) zz[n] = -(xx[n] + yy[n]);
   }
 }
 
-void ResidualStress::store(int ky, int block, const double* values, VolumeSpectrum& stress) const {
+void CuboidResidualStress::store(int ky, int block, double* values, VolumeSpectrum& stress) const {
   const int mx = stress.mx;
+  const auto places = components(stress.tensor);
   for (int k = 0; k < nz_; ++k) {
-    for (int c = 0; c < 6; ++c) {
-      Complex* column = stress.column(ky, c, k);
+    if (stress.tensor == Tensor::deviator) {
+      double* xx = values + k * 6 * columns * width;
+      double* yy = xx + columns * width;
+      const double* zz = yy + columns * width;
+      for (int n = 0; n < columns * width; ++n) {
+        const double mean = (xx[n] + yy[n] + zz[n]) / 3;
+        xx[n] -= mean;
+        yy[n] -= mean;
+      }
+    }
+    for (int n = 0; n < stress.components; ++n) {
+      const int c = places[n];
+      Complex* column = stress.column(ky, n, k);
       const double* from = values + (k * 6 + c) * columns * width;
       const Complex back = std::conj(turn(c));
       for (int lane = 0; lane < width && block * width + lane <= mx / 2; ++lane) {
@@ -188,7 +207,7 @@ void ResidualStress::store(int ky, int block, const double* values, VolumeSpectr
   }
 }
 
-void ResidualStress::mode_block(int ky, int block, const VolumeSpectrum& strain, double* tensors,
+void CuboidResidualStress::mode_block(int ky, int block, const VolumeSpectrum& strain, double* tensors,
                                 double* values) const {
   const int sums = 2 * nz_ - 1;
   Lanes* full = reinterpret_cast<Lanes*>(tensors);
@@ -224,7 +243,7 @@ void ResidualStress::mode_block(int ky, int block, const VolumeSpectrum& strain,
   layer_products(nz_, dz_, strain.used.data(), full, image, in, out);
 }
 
-void ResidualStress::apply(VolumeSpectrum& spectrum) const {
+void CuboidResidualStress::apply(VolumeSpectrum& spectrum) const {
   const std::size_t value_size = static_cast<std::size_t>(nz_) * 6 * columns * width;
   const int blocks = lanes_ / width;
 #pragma omp parallel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A part of a grid: a window of the surface and the layers below it, from the surface down.
+#pragma once
+
+#include <cstddef>
+
+#include "samcontact/base/grid.hpp"
+
+namespace samcontact {
+
+struct Box {
+  int i0 = 0, j0 = 0;  // first cell of the window
+  int nx = 0, ny = 0, nz = 0;
+
+  static Box whole(const Grid& grid) { return {0, 0, grid.nx, grid.ny, grid.nz}; }
+
+  bool empty() const { return nx == 0 || ny == 0; }
+  bool operator==(const Box&) const = default;
+  std::size_t surface_size() const { return static_cast<std::size_t>(nx) * ny; }
+  std::size_t volume_size() const { return surface_size() * nz; }
+  /// The box as a grid of its own.
+  Grid grid(const Grid& of) const { return {nx, ny, of.dx, of.dy, nz, of.dz}; }
+
+  bool contains(const Box& other) const;
+  /// Smallest box that contains both; an empty one counts for its depth only.
+  Box united(const Box& other) const;
+  /// Wider by `cells` on every side and at the bottom, within the grid.
+  Box widened(int cells, const Grid& within) const;
+};
+
+/// Copies layers [k][i][j] between a box and one that contains it.
+void insert(const double* small, const Box& from, double* large, const Box& into);
+void extract(const double* large, const Box& from, double* small, const Box& into);
+
+}  // namespace samcontact

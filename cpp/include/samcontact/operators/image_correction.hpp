@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Takes the periodic images away from a residual stress that was computed with a periodic operator.
+//
+// Inside the box the field of all images is smooth: the nearest is half a period away. It is
+// therefore found from the polynomial moments of the eigenstrain on a few coarse cells, through the
+// exact influence coefficients of cuboids summed over the lattice of images, and interpolated by
+// polynomials. The error falls exponentially with the number of coarse cells.
+#pragma once
+
+#include "samcontact/base/elastic.hpp"
+#include "samcontact/base/grid.hpp"
+#include "samcontact/fft/padded_transform.hpp"
+#include "samcontact/operators/volume_spectrum.hpp"
+
+namespace samcontact::operators {
+
+class ImageCorrection {
+ public:
+  /// transform: gives the period, at least twice the grid less one cell. tol: the error that is
+  /// allowed, relative to the largest stress.
+  ImageCorrection(const Grid& grid, const fft::PaddedTransform& transform, const Elastic& elastic,
+                  double tol);
+
+  /// stress -= that of the images of `strain`, both [component][k][i][j].
+  void subtract(Tensor tensor, const double* strain, double* stress) const;
+
+  std::size_t bytes() const { return influence_.size() * sizeof(double); }
+
+ private:
+  /// Coarse cells along one axis and the polynomials through them.
+  struct Axis {
+    int fine = 0, coarse = 0;
+    double cell = 0.0;   // size of a coarse cell
+    Field moments;       // [coarse][fine]: coarse cells with the same moments as the fine ones
+    Field interpolants;  // [coarse][fine]
+  };
+  static Axis make_axis(int fine, double d, double extent, int coarse, int order);
+
+  void build_influence(const Elastic& elastic, int rings);
+  Field coarse_strain(Tensor tensor, const double* strain) const;
+  Field coarse_stress(const Field& strain) const;
+
+  double period_x_, period_y_;
+  Axis x_, y_, z_;
+  Field influence_;  // [z field][z source][y offset][x offset][out * 6 + in]
+};
+
+}  // namespace samcontact::operators

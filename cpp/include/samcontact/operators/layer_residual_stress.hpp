@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Residual stress of eigenstrain (plastic strain) in a layered box, by sweeps over the layers: per
+// wavenumber the Green operator of the half-space is exp(-q |z - z'|) times a polynomial plus the
+// response to the traction that frees the surface, so that one pass upwards and one downwards sum
+// all layers. Time and memory are proportional to the number of cells; no coefficients are stored.
+//
+// The eigenstrain is band-limited in the plane and constant in each layer; the stress is its mean
+// over each layer. The operator is then symmetric and never feeds energy into a strain pattern.
+// It is periodic: ImageCorrection removes the images.
+#pragma once
+
+#include "samcontact/base/elastic.hpp"
+#include "samcontact/base/grid.hpp"
+#include "samcontact/operators/image_correction.hpp"
+#include "samcontact/operators/residual_stress.hpp"
+
+namespace samcontact::operators {
+
+class LayerResidualStress : public ResidualStress {
+ public:
+  /// The grid's layers start at the surface. image_tol: error of the stress due to the periodic
+  /// images that is allowed, relative to the largest stress.
+  LayerResidualStress(const Grid& grid, const fft::PaddedTransform& transform,
+                      const Elastic& elastic, double image_tol);
+
+  void apply(VolumeSpectrum& strain_to_stress) const override;
+  void correct(Tensor tensor, const double* strain, double* stress) const override;
+
+  std::size_t bytes() const override;
+
+ private:
+  int mx_, my_, nz_, pitch_;
+  double nu_, lame_, shear_modulus_;
+  Field modes_;  // [ky][coefficient][kx]
+  ImageCorrection images_;
+};
+
+}  // namespace samcontact::operators

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the elastic stress under given tractions comes near the yield stress, without a volume:
+// the deeper, the smoother the stress, and the coarser the grid that finds it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "samcontact/simulation/scene.hpp"
+
+namespace samcontact::simulation {
+
+class YieldScan {
+ public:
+  /// For one body of the scene.
+  YieldScan(const Scene& scene, int body);
+
+  /// The box of all cells whose von Mises stress under the tractions exceeds `limit` [Pa]; empty
+  /// when there is none. Tractions in the body's own frame but for the sign of the shear.
+  Box box(const operators::Tractions& tractions, double shear_sign, double limit) const;
+
+  std::size_t bytes() const;
+
+ private:
+  /// One grid of the surface, coarser than the scene's by a factor, and the depths it serves.
+  struct Level {
+    int factor;
+    Grid grid;
+    std::vector<int> layers;  // of the scene's grid
+    fft::PaddedTransform transform;
+    mutable operators::TractionStress stress;
+
+    Level(const Grid& grid, int factor, std::vector<int> layers, double nu);
+  };
+  Box level_box(const Level& level, const operators::Tractions& tractions, double shear_sign,
+                double limit) const;
+
+  Grid grid_;
+  std::vector<std::unique_ptr<Level>> levels_;
+};
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/base/box.hpp"
+
+#include <algorithm>
+
+namespace samcontact {
+namespace {
+
+/// Calls use(row of the small box, row of the large one) for every row of the small box.
+template <class Use>
+void for_each_row(const Box& small, const Box& large, const Use& use) {
+  for (int k = 0; k < small.nz; ++k) {
+    for (int i = 0; i < small.nx; ++i) {
+      const std::size_t row = (static_cast<std::size_t>(k) * small.nx + i) * small.ny;
+      const std::size_t other =
+          (static_cast<std::size_t>(k) * large.nx + small.i0 + i - large.i0) * large.ny +
+          (small.j0 - large.j0);
+      use(row, other);
+    }
+  }
+}
+
+}  // namespace
+
+bool Box::contains(const Box& other) const {
+  if (other.empty()) return other.nz <= nz;
+  return i0 <= other.i0 && j0 <= other.j0 && i0 + nx >= other.i0 + other.nx &&
+         j0 + ny >= other.j0 + other.ny && nz >= other.nz;
+}
+
+Box Box::united(const Box& other) const {
+  const int depth = std::max(nz, other.nz);
+  if (empty() || other.empty()) {
+    Box box = empty() ? other : *this;
+    box.nz = depth;
+    return box;
+  }
+  const int i = std::min(i0, other.i0), j = std::min(j0, other.j0);
+  return {i, j, std::max(i0 + nx, other.i0 + other.nx) - i,
+          std::max(j0 + ny, other.j0 + other.ny) - j, depth};
+}
+
+Box Box::widened(int cells, const Grid& within) const {
+  const int i = std::max(0, i0 - cells), j = std::max(0, j0 - cells);
+  return {i, j, std::min(within.nx, i0 + nx + cells) - i, std::min(within.ny, j0 + ny + cells) - j,
+          std::min(within.nz, nz + cells)};
+}
+
+void insert(const double* small, const Box& from, double* large, const Box& into) {
+  for_each_row(from, into, [&](std::size_t row, std::size_t other) {
+    std::copy_n(small + row, from.ny, large + other);
+  });
+}
+
+void extract(const double* large, const Box& from, double* small, const Box& into) {
+  for_each_row(into, from, [&](std::size_t row, std::size_t other) {
+    std::copy_n(large + other, into.ny, small + row);
+  });
+}
+
+}  // namespace samcontact

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/image_correction.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "samcontact/kernels/eigenstrain.hpp"
+#include "samcontact/kernels/eigenstrain_terms.hpp"
+#include "samcontact/operators/influence_lattice.hpp"
+#include "samcontact/operators/layer_differences.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+/// Coarse cells over half a period, and rings of images summed one by one, for a tolerance.
+struct Effort {
+  int cells, rings;
+};
+
+/// Measured on boxes full of strain: the error is 10^-(1 + 0.42 cells) of the largest stress.
+Effort effort(double tol) {
+  const int cells = static_cast<int>(std::ceil((-std::log10(tol) - 1.0) / 0.42));
+  return {std::max(cells, 2), cells > 5 ? 2 : 1};
+}
+
+/// Chebyshev polynomials T_0..T_{n-1} at u.
+void chebyshev(double u, int n, double* values) {
+  values[0] = 1.0;
+  if (n > 1) values[1] = u;
+  for (int k = 2; k < n; ++k) values[k] = 2 * u * values[k - 1] - values[k - 2];
+}
+
+/// Means of T_0..T_{n-1} over [a, b].
+void chebyshev_means(double a, double b, int n, double* means) {
+  const auto integral = [](double u, int k) {
+    const double theta = std::acos(std::clamp(u, -1.0, 1.0));
+    if (k == 0) return u;
+    if (k == 1) return 0.5 * u * u;
+    return 0.5 * (std::cos((k + 1) * theta) / (k + 1) - std::cos((k - 1) * theta) / (k - 1));
+  };
+  for (int k = 0; k < n; ++k) means[k] = (integral(b, k) - integral(a, k)) / (b - a);
+}
+
+/// The lattice of images in units of coarse cells along x: a period is 2 cx by 2 cy cells.
+struct ImageLattice {
+  int cx, cy;
+  double aspect;         // of a coarse cell
+  int rings_x, rings_y;  // that are summed one by one
+
+  /// The same with a square three times as wide.
+  ImageLattice wider() const { return {cx, cy, aspect, 3 * rings_x + 1, 3 * rings_y + 1}; }
+  CornerLattice corners() const {
+    return {(rings_x + 1) * 2 * cx, (rings_y + 1) * 2 * cy, aspect};
+  }
+  /// Half widths of the square of summed images.
+  double width_x() const { return (rings_x + 0.5) * 2 * cx; }
+  double width_y() const { return (rings_y + 0.5) * 2 * cy * aspect; }
+
+  /// Sum over the images of a kernel at offset (i, j) of coarse cells, from its values at
+  /// non-negative offsets in rows of nx.
+  double sum(const double* quarter, int nx, kernels::Parity parity, int i, int j) const {
+    double total = 0.0;
+    for (int n = -rings_y; n <= rings_y; ++n) {
+      const int y = j + 2 * cy * n;
+      for (int m = -rings_x; m <= rings_x; ++m) {
+        if (m == 0 && n == 0) continue;
+        const int x = i + 2 * cx * m;
+        const bool negative = (parity.odd_x && x < 0) != (parity.odd_y && y < 0);
+        const double value = quarter[static_cast<std::size_t>(std::abs(y)) * nx + std::abs(x)];
+        total += negative ? -value : value;
+      }
+    }
+    return total;
+  }
+};
+
+/// Corner sums of a plate of half widths wx, wy at offset x, y, between two depths.
+template <std::size_t N, class Corner>
+std::array<double, N> plate(const Corner& corner, double x, double y, double wx, double wy,
+                            double upper, double lower) {
+  std::array<double, N> total{};
+  for (const double sx : {-1.0, 1.0}) {
+    for (const double sy : {-1.0, 1.0}) {
+      for (const double level : {upper, lower}) {
+        const auto f = corner(x + sx * wx, y + sy * wy, level);
+        const double sign = sx * sy * (level == lower ? 1.0 : -1.0);
+        for (std::size_t m = 0; m < N; ++m) total[m] += sign * f[m];
+      }
+    }
+  }
+  return total;
+}
+
+/// Lattice sums [depth][kernel][y offset][x offset] of N kernels. The images beyond the summed
+/// rings count as a uniform plate with a square hole (midpoint rule); its error falls with the cube
+/// of the hole's width, and two widths extrapolate it.
+template <std::size_t N, class Level, class Corner, class ParityOf>
+Field lattice_sums(const ImageLattice& near, int depths, const Level& level, const Corner& corner,
+                   const ParityOf& parity) {
+  const ImageLattice wide = near.wider();
+  const CornerLattice lattice = wide.corners();
+  const int cx = near.cx, cy = near.cy;
+  const std::size_t offsets = static_cast<std::size_t>(2 * cx - 1) * (2 * cy - 1);
+  const double density = 1.0 / (4.0 * cx * cy);
+  constexpr double endless = 1e7;
+  Field sums(depths * N * offsets);
+  for_each_layer_difference<N>(lattice, depths, level, corner, [&](int n, const double* values) {
+    Field quarter(static_cast<std::size_t>(lattice.nx) * lattice.ny);
+    std::vector<std::array<double, N>> near_tail, wide_tail;
+    for (int j = 0; j < cy; ++j) {
+      for (int i = 0; i < cx; ++i) {
+        const auto outside = [&](const ImageLattice& hole) {
+          const double x = i, y = j * near.aspect, upper = level(n), lower = level(n + 1);
+          auto tail = plate<N>(corner, x, y, endless, endless * near.aspect, upper, lower);
+          const auto inside =
+              plate<N>(corner, x, y, hole.width_x(), hole.width_y(), upper, lower);
+          for (std::size_t m = 0; m < N; ++m) tail[m] = density * (tail[m] - inside[m]);
+          return tail;
+        };
+        near_tail.push_back(outside(near));
+        wide_tail.push_back(outside(wide));
+      }
+    }
+    for (std::size_t m = 0; m < N; ++m) {
+      lattice.corner_sums(values + m * lattice.size(), quarter.data(), lattice.nx, lattice.ny);
+      const kernels::Parity p = parity(static_cast<int>(m));
+      double* to = sums.data() + (n * N + m) * offsets;
+      for (int j = 1 - cy; j < cy; ++j) {
+        for (int i = 1 - cx; i < cx; ++i) {
+          const bool negative = (p.odd_x && i < 0) != (p.odd_y && j < 0);
+          const double sign = negative ? -1.0 : 1.0;
+          const std::size_t at = static_cast<std::size_t>(std::abs(j)) * cx + std::abs(i);
+          const double few = near.sum(quarter.data(), lattice.nx, p, i, j) + sign * near_tail[at][m];
+          const double many = wide.sum(quarter.data(), lattice.nx, p, i, j) + sign * wide_tail[at][m];
+          *to++ = many + (many - few) / 26;
+        }
+      }
+    }
+  });
+  return sums;
+}
+
+}  // namespace
+
+ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double extent, int coarse,
+                                                 int order) {
+  Axis axis;
+  axis.fine = fine;
+  axis.coarse = coarse;
+  axis.cell = extent / coarse;
+  axis.moments.assign(static_cast<std::size_t>(coarse) * fine, 0.0);
+  axis.interpolants.assign(axis.moments.size(), 0.0);
+  // Polynomials through `order` neighbouring coarse cells; u = -1..1 over these cells.
+  Eigen::MatrixXd means(order, order), points(order, order);
+  Eigen::VectorXd row(order);
+  for (int a = 0; a < order; ++a) {
+    chebyshev_means(2.0 * a / order - 1, 2.0 * (a + 1) / order - 1, order, row.data());
+    means.row(a) = row;
+    chebyshev((2.0 * a + 1) / order - 1, order, row.data());
+    points.row(a) = row;
+  }
+  // Cells w with sum_a w_a mean_a(T) = T(x_i) d / cell for every polynomial T; and the values at
+  // x_i of the polynomials that are 1 at one cell's centre and 0 at the others'.
+  const auto moments = means.transpose().partialPivLu();
+  const auto interpolants = points.transpose().partialPivLu();
+  for (int i = 0; i < fine; ++i) {
+    const double x = (i + 0.5) * d / axis.cell;
+    const int first =
+        std::clamp(static_cast<int>(std::lround(x - 0.5 * order)), 0, coarse - order);
+    chebyshev(2 * (x - first) / order - 1, order, row.data());
+    const Eigen::VectorXd source = moments.solve(row) * (d / axis.cell);
+    const Eigen::VectorXd value = interpolants.solve(row);
+    for (int a = 0; a < order; ++a) {
+      axis.moments[(first + a) * fine + i] = source(a);
+      axis.interpolants[(first + a) * fine + i] = value(a);
+    }
+  }
+  return axis;
+}
+
+ImageCorrection::ImageCorrection(const Grid& grid, const fft::PaddedTransform& transform,
+                                 const Elastic& elastic, double tol)
+    : period_x_(transform.mx() * grid.dx), period_y_(transform.my() * grid.dy) {
+  const auto [cells, rings] = effort(tol);
+  const double shortest = 0.5 * std::min(period_x_, period_y_);
+  const auto count = [&, n = cells](double extent) {
+    return std::max(n, static_cast<int>(std::ceil(n * extent / shortest - 1e-9)));
+  };
+  const double depth = grid.nz * grid.dz;
+  const int layers = std::clamp(static_cast<int>(std::ceil(cells * depth / shortest)), 2, 4 * cells);
+  x_ = make_axis(grid.nx, grid.dx, 0.5 * period_x_, count(0.5 * period_x_), cells);
+  y_ = make_axis(grid.ny, grid.dy, 0.5 * period_y_, count(0.5 * period_y_), cells);
+  z_ = make_axis(grid.nz, grid.dz, depth, layers, std::min(layers, cells));
+  build_influence(elastic, rings);
+}
+
+void ImageCorrection::build_influence(const Elastic& elastic, int rings) {
+  // Lengths in units of the coarse cell along x.
+  const double aspect = y_.cell / x_.cell, dz = z_.cell / x_.cell;
+  const double longest = std::max(period_x_, period_y_);
+  const auto count = [&](double period) {
+    return std::max(rings, static_cast<int>(std::lround((rings + 0.5) * longest / period - 0.5)));
+  };
+  const int cx = x_.coarse, cy = y_.coarse, cz = z_.coarse;
+  const ImageLattice lattice{cx, cy, aspect, count(period_x_), count(period_y_)};
+  const int offsets = (2 * cx - 1) * (2 * cy - 1);
+  const Field full = lattice_sums<kernels::full_space_count>(
+      lattice, cz, [dz](int level) { return (level - 0.5) * dz; }, kernels::full_space_scalars,
+      kernels::full_space_parity);
+  const Field image = lattice_sums<kernels::image_count>(
+      lattice, 2 * cz - 1, [dz](int level) { return (level + 0.5) * dz; }, kernels::image_scalars,
+      kernels::image_parity);
+
+  const double nu = elastic.nu;
+  const double factor = elastic.shear_modulus() / (8 * std::numbers::pi * (1 - nu));
+  influence_.assign(static_cast<std::size_t>(cz) * cz * offsets * 36, 0.0);
+  for (int field = 0; field < cz; ++field) {
+    const double z = (field + 0.5) * dz;
+    const double powers[3] = {1.0, z, z * z};
+    for (int source = 0; source < cz; ++source) {
+      double* to = influence_.data() + static_cast<std::size_t>(field * cz + source) * offsets * 36;
+      const auto add = [&](const double* from, int pair, double coefficient) {
+        for (int n = 0; n < offsets; ++n) to[n * 36 + pair] += coefficient * from[n];
+      };
+      for (const auto& term : kernels::full_space_terms) {
+        const bool odd = kernels::full_space_parity(term.kernel).odd_z && field < source;
+        add(full.data() + (static_cast<std::size_t>(std::abs(field - source)) *
+                               kernels::full_space_count +
+                           term.kernel) *
+                              offsets,
+            term.out * 6 + term.in, (odd ? -factor : factor) * term.coefficient(nu));
+      }
+      for (const auto& term : kernels::image_terms) {
+        add(image.data() +
+                (static_cast<std::size_t>(field + source) * kernels::image_count + term.kernel) *
+                    offsets,
+            term.out * 6 + term.in, factor * powers[term.power] * term.coefficient(nu));
+      }
+    }
+  }
+}
+
+Field ImageCorrection::coarse_strain(Tensor tensor, const double* strain) const {
+  const auto places = components(tensor);
+  const int parts = static_cast<int>(places.size());
+  const int cx = x_.coarse, cy = y_.coarse, cz = z_.coarse, nz = z_.fine;
+  const std::size_t plane = static_cast<std::size_t>(x_.fine) * y_.fine;
+  const int coarse_plane = cx * cy;
+  Field layers(static_cast<std::size_t>(parts) * nz * coarse_plane, 0.0);
+#pragma omp parallel for schedule(static)
+  for (int ck = 0; ck < parts * nz; ++ck) {
+    std::vector<double> row(cy);
+    double* to = layers.data() + static_cast<std::size_t>(ck) * coarse_plane;
+    for (int i = 0; i < x_.fine; ++i) {
+      const double* from = strain + ck * plane + static_cast<std::size_t>(i) * y_.fine;
+      for (int b = 0; b < cy; ++b) {
+        const double* weight = y_.moments.data() + static_cast<std::size_t>(b) * y_.fine;
+        double sum = 0.0;
+        for (int j = 0; j < y_.fine; ++j) sum += weight[j] * from[j];
+        row[b] = sum;
+      }
+      for (int a = 0; a < cx; ++a) {
+        const double weight = x_.moments[a * x_.fine + i];
+        for (int b = 0; b < cy; ++b) to[a * cy + b] += weight * row[b];
+      }
+    }
+  }
+  // [layer][x][y][component], all six
+  Field coarse(static_cast<std::size_t>(6) * cz * coarse_plane, 0.0);
+  for (int c = 0; c < parts; ++c) {
+    const int place = places[c];
+    for (int k = 0; k < nz; ++k) {
+      const double* from = layers.data() + (static_cast<std::size_t>(c) * nz + k) * coarse_plane;
+      for (int n = 0; n < cz; ++n) {
+        const double weight = z_.moments[n * nz + k];
+        double* to = coarse.data() + static_cast<std::size_t>(n) * coarse_plane * 6 + place;
+        for (int p = 0; p < coarse_plane; ++p) to[p * 6] += weight * from[p];
+      }
+    }
+  }
+  if (tensor == Tensor::deviator) {
+    for (std::size_t n = 0; n < coarse.size(); n += 6) coarse[n + 2] = -coarse[n] - coarse[n + 1];
+  }
+  return coarse;
+}
+
+Field ImageCorrection::coarse_stress(const Field& strain) const {
+  const int cx = x_.coarse, cy = y_.coarse, cz = z_.coarse;
+  const int wide = 2 * cx - 1, offsets = wide * (2 * cy - 1);
+  Field stress(strain.size(), 0.0);
+#pragma omp parallel for schedule(static)
+  for (int target = 0; target < cz * cx; ++target) {
+    const int z = target / cx, x = target % cx;
+    for (int y = 0; y < cy; ++y) {
+      double sum[6] = {};
+      for (int source = 0; source < cz; ++source) {
+        const double* matrices =
+            influence_.data() + static_cast<std::size_t>(z * cz + source) * offsets * 36;
+        for (int from_x = 0; from_x < cx; ++from_x) {
+          const double* e = strain.data() + static_cast<std::size_t>(source * cx + from_x) * cy * 6;
+          for (int from_y = 0; from_y < cy; ++from_y, e += 6) {
+            const double* matrix =
+                matrices +
+                static_cast<std::size_t>((y - from_y + cy - 1) * wide + x - from_x + cx - 1) * 36;
+            for (int out = 0; out < 6; ++out) {
+              for (int in = 0; in < 6; ++in) sum[out] += matrix[out * 6 + in] * e[in];
+            }
+          }
+        }
+      }
+      std::copy_n(sum, 6, stress.data() + static_cast<std::size_t>(target * cy + y) * 6);
+    }
+  }
+  return stress;
+}
+
+void ImageCorrection::subtract(Tensor tensor, const double* strain, double* stress) const {
+  const auto places = components(tensor);
+  const int parts = static_cast<int>(places.size());
+  const int cx = x_.coarse, cy = y_.coarse, cz = z_.coarse, nz = z_.fine;
+  const std::size_t plane = static_cast<std::size_t>(x_.fine) * y_.fine;
+  const int coarse_plane = cx * cy;
+  Field images = coarse_stress(coarse_strain(tensor, strain));
+  if (tensor == Tensor::deviator) {
+    for (std::size_t n = 0; n < images.size(); n += 6) {
+      const double mean = (images[n] + images[n + 1] + images[n + 2]) / 3;
+      images[n] -= mean;
+      images[n + 1] -= mean;
+    }
+  }
+#pragma omp parallel for schedule(static)
+  for (int ck = 0; ck < parts * nz; ++ck) {
+    const int place = places[ck / nz], k = ck % nz;
+    std::vector<double> layer(coarse_plane, 0.0), row(cy);
+    for (int n = 0; n < cz; ++n) {
+      const double weight = z_.interpolants[n * nz + k];
+      const double* from = images.data() + static_cast<std::size_t>(n) * coarse_plane * 6 + place;
+      for (int p = 0; p < coarse_plane; ++p) layer[p] += weight * from[p * 6];
+    }
+    for (int i = 0; i < x_.fine; ++i) {
+      std::fill(row.begin(), row.end(), 0.0);
+      for (int a = 0; a < cx; ++a) {
+        const double weight = x_.interpolants[a * x_.fine + i];
+        for (int b = 0; b < cy; ++b) row[b] += weight * layer[a * cy + b];
+      }
+      double* to = stress + ck * plane + static_cast<std::size_t>(i) * y_.fine;
+      for (int b = 0; b < cy; ++b) {
+        const double* weight = y_.interpolants.data() + static_cast<std::size_t>(b) * y_.fine;
+        for (int j = 0; j < y_.fine; ++j) to[j] -= row[b] * weight[j];
+      }
+    }
+  }
+}
+
+}  // namespace samcontact::operators

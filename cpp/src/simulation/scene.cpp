@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/scene.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace samcontact::simulation {
+namespace {
+
+/// Two bodies with a box each, and the whole grid for fields on demand.
+constexpr std::size_t most_kept = 4;
+
+}  // namespace
+
+Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
+             const plasticity::Material& body2, Field initial_gap_, double friction,
+             double image_tol)
+    : grid(grid_),
+      materials{body1, body2},
+      initial_gap(std::move(initial_gap_)),
+      solver(grid_, body1.elastic, body2.elastic, friction),
+      image_tol_(image_tol) {}
+
+void Scene::require_volume(int body) const {
+  if (grid.nz == 0) {
+    throw std::invalid_argument("nz is 0: fields below the surface need a grid with nz and dz");
+  }
+  if (materials[body].elastic.is_rigid()) {
+    throw std::invalid_argument("body " + std::to_string(body + 1) +
+                                " is rigid: it has no stress or strain");
+  }
+}
+
+Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tensor,
+                               operators::ResidualMethod method) const {
+  require_volume(body);
+  if (materials[0].elastic == materials[1].elastic) body = 0;
+  const Box size{0, 0, box.nx, box.ny, box.nz};
+  const std::lock_guard lock(mutex_);
+  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) {
+    return k.body == body && k.size == size && k.tensor == tensor && k.method == method;
+  });
+  if (found != kept_.end()) {
+    kept_.splice(kept_.begin(), kept_, found);
+    return kept_.front().operators;
+  }
+  const operators::VolumeOptions options{tensor, method, image_tol_};
+  kept_.push_front({body, size, tensor, method,
+                    std::make_shared<operators::VolumeOperators>(
+                        size.grid(grid), materials[body].elastic, options)});
+  if (kept_.size() > most_kept) kept_.pop_back();
+  return kept_.front().operators;
+}
+
+std::size_t Scene::operator_bytes() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t bytes = 0;
+  for (const Kept& k : kept_) bytes += k.operators->bytes();
+  return bytes;
+}
+
+}  // namespace samcontact::simulation

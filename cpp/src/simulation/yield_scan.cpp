@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/yield_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace samcontact::simulation {
+namespace {
+
+using operators::Tensor;
+using operators::Traction;
+
+/// Cells of a level are at most this part of the depths that it serves: the stress of a uniform
+/// cell then differs by about a percent from that of the pressure it averages.
+constexpr double cells_per_depth = 8.0;
+/// Depths follow each other by at most this part of the depth, or half a cell.
+constexpr double depth_step = 0.125;
+
+Grid coarsened(const Grid& grid, int factor) {
+  const auto cells = [factor](int n) { return (n + factor - 1) / factor; };
+  return {cells(grid.nx), cells(grid.ny), factor * grid.dx, factor * grid.dy, 0, 0.0};
+}
+
+std::vector<double> depths(const Grid& grid, const std::vector<int>& layers) {
+  std::vector<double> z;
+  for (const int k : layers) z.push_back((k + 0.5) * grid.dz);
+  return z;
+}
+
+/// Means over factor x factor cells; beyond the border nothing.
+Field average(const Field& fine, const Grid& grid, const Grid& coarse, int factor) {
+  if (factor == 1) return fine;
+  Field means(coarse.surface_size(), 0.0);
+  for (int i = 0; i < grid.nx; ++i) {
+    double* row = means.data() + static_cast<std::size_t>(i / factor) * coarse.ny;
+    const double* from = fine.data() + static_cast<std::size_t>(i) * grid.ny;
+    for (int j = 0; j < grid.ny; ++j) row[j / factor] += from[j];
+  }
+  const double cells = static_cast<double>(factor) * factor;
+  for (double& mean : means) mean /= cells;
+  return means;
+}
+
+}  // namespace
+
+YieldScan::Level::Level(const Grid& fine, int factor_, std::vector<int> layers_, double nu)
+    : factor(factor_),
+      grid(coarsened(fine, factor_)),
+      layers(std::move(layers_)),
+      transform(grid.nx, grid.ny),
+      stress(grid, transform, nu, depths(fine, layers), Tensor::deviator) {}
+
+YieldScan::YieldScan(const Scene& scene, int body) : grid_(scene.grid) {
+  const double cell = std::max(grid_.dx, grid_.dy), half = 0.5 * std::min(grid_.dx, grid_.dy);
+  const int widest = std::max(grid_.nx, grid_.ny);
+  double next = 0.0;
+  std::vector<int> layers;
+  int factor = 1;
+  const auto flush = [&] {
+    if (layers.empty()) return;
+    const double nu = scene.materials[body].elastic.nu;
+    levels_.push_back(std::make_unique<Level>(grid_, factor, std::move(layers), nu));
+    layers.clear();
+  };
+  for (int k = 0; k < grid_.nz; ++k) {
+    const double z = (k + 0.5) * grid_.dz;
+    if (z < next && k + 1 < grid_.nz) continue;
+    next = z + std::max(half, depth_step * z);
+    if (z >= 2 * factor * cell * cells_per_depth && 4 * factor <= widest) {
+      flush();
+      factor *= 2;
+    }
+    layers.push_back(k);
+  }
+  flush();
+}
+
+Box YieldScan::level_box(const Level& level, const operators::Tractions& tractions,
+                         double shear_sign, double limit) const {
+  const Grid& grid = level.grid;
+  const int nz = level.stress.layers();
+  operators::VolumeSpectrum spectrum(level.transform, nz, Tensor::deviator);
+  ComplexField in(level.transform.spectrum_size());
+  const auto add = [&](Traction kind, const Field& field, double scale) {
+    if (field.empty()) return;
+    const Field coarse = average(field, grid_, grid, level.factor);
+    level.transform.forward(coarse.data(), in.data(), level.transform.mx(),
+                            fft::PaddedTransform::Threads::many);
+    level.stress.prepare(kind);
+    level.stress.add(kind, in, scale, spectrum);
+  };
+  add(Traction::pressure, tractions.pressure, 1.0);
+  add(Traction::shear_x, tractions.shear_x, shear_sign);
+  add(Traction::shear_y, tractions.shear_y, shear_sign);
+  const std::size_t plane = grid.surface_size(), n = plane * nz;
+  Field s(5 * n);
+  operators::inverse(level.transform, spectrum, s.data());
+
+  Box found;
+  const double bound = limit * limit / 3;
+  for (int k = 0; k < nz; ++k) {
+    for (int i = 0; i < grid.nx; ++i) {
+      for (int j = 0; j < grid.ny; ++j) {
+        const std::size_t at = k * plane + static_cast<std::size_t>(i) * grid.ny + j;
+        const double xx = s[at], yy = s[n + at], yz = s[2 * n + at], xz = s[3 * n + at],
+                     xy = s[4 * n + at];
+        if (xx * xx + yy * yy + xx * yy + yz * yz + xz * xz + xy * xy <= bound) continue;
+        const int i0 = i * level.factor, j0 = j * level.factor;
+        // Up to the next depth that is looked at.
+        const int below = k + 1 < nz ? level.layers[k + 1] : level.layers[k] + 1;
+        found = found.united({i0, j0, std::min(level.factor, grid_.nx - i0),
+                              std::min(level.factor, grid_.ny - j0), below});
+      }
+    }
+  }
+  return found;
+}
+
+Box YieldScan::box(const operators::Tractions& tractions, double shear_sign, double limit) const {
+  Box found;
+  for (const auto& level : levels_) {
+    found = found.united(level_box(*level, tractions, shear_sign, limit));
+  }
+  found.nz = std::min(found.nz, grid_.nz);
+  return found;
+}
+
+std::size_t YieldScan::bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& level : levels_) bytes += level->stress.bytes();
+  return bytes;
+}
+
+}  // namespace samcontact::simulation
