@@ -21,7 +21,8 @@ py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& 
     using operators::ResidualMethod;
     const operators::VolumeOperators volume(
         grid, elastic,
-        {operators::Tensor::full, exact ? ResidualMethod::exact : ResidualMethod::fast, image_tol});
+        {operators::Tensor::full, operators::Symmetry::none,
+                  exact ? ResidualMethod::exact : ResidualMethod::fast, image_tol});
     stress = volume.stress(field.data(), nullptr, 1.0);
   }
   return tensor_array(std::move(stress), grid, grid.nz);

@@ -5,8 +5,7 @@
 
 namespace samcontact::fft {
 
-ParitySpectrum::ParitySpectrum(const PaddedTransform& transform)
-    : mx_(transform.mx()), my_(transform.my()) {
+ParitySpectrum::ParitySpectrum(int mx, int my) : mx_(mx), my_(my) {
   Field quarter(size());
   const std::lock_guard lock(planner_mutex());
   for (int odd = 0; odd < 4; ++odd) {

@@ -78,7 +78,7 @@ void accumulate(int count, double coefficient, const Lanes* from, int from_step,
 
 }  // namespace
 
-CuboidResidualStress::CuboidResidualStress(const Grid& grid, const fft::PaddedTransform& transform,
+CuboidResidualStress::CuboidResidualStress(const Grid& grid, const VolumeTransform& transform,
                                const Elastic& elastic)
     : transform_(&transform),
       nz_(grid.nz),
@@ -112,7 +112,7 @@ void CuboidResidualStress::build_terms(double nu, double shear_modulus) {
 }
 
 void CuboidResidualStress::build_spectra(const Grid& grid) {
-  const fft::ParitySpectrum spectrum(*transform_);
+  const fft::ParitySpectrum spectrum(transform_->mx(), transform_->my());
   const CornerLattice lattice{grid.nx, grid.ny, grid.dy / grid.dx};
   const int hx = spectrum.hx(), hy = spectrum.hy();
   const double dz = dz_;
@@ -156,7 +156,7 @@ void CuboidResidualStress::load(int ky, int block, const VolumeSpectrum& strain,
     if (!strain.used[k]) continue;
     for (int n = 0; n < strain.components; ++n) {
       const int c = places[n];
-      const Complex* column = strain.column(ky, n, k);
+      const auto* column = reinterpret_cast<const Complex*>(strain.row(ky, n, k));
       double* to = values + (k * 6 + c) * columns * width;
       for (int lane = 0; lane < width; ++lane) {
         const int kx = std::min(block * width + lane, mx / 2);
@@ -192,7 +192,7 @@ void CuboidResidualStress::store(int ky, int block, double* values, VolumeSpectr
     }
     for (int n = 0; n < stress.components; ++n) {
       const int c = places[n];
-      Complex* column = stress.column(ky, n, k);
+      auto* column = reinterpret_cast<Complex*>(stress.row(ky, n, k));
       const double* from = values + (k * 6 + c) * columns * width;
       const Complex back = std::conj(turn(c));
       for (int lane = 0; lane < width && block * width + lane <= mx / 2; ++lane) {

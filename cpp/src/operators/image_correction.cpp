@@ -146,13 +146,15 @@ Field lattice_sums(const ImageLattice& near, int depths, const Level& level, con
 }  // namespace
 
 ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double extent, int coarse,
-                                                 int order) {
+                                                 int order, bool mirrored) {
   Axis axis;
-  axis.fine = fine;
+  axis.fine = fft::stored_cells(fine, mirrored);
   axis.coarse = coarse;
   axis.cell = extent / coarse;
-  axis.moments.assign(static_cast<std::size_t>(coarse) * fine, 0.0);
-  axis.interpolants.assign(axis.moments.size(), 0.0);
+  for (Field& moments : axis.moments) {
+    moments.assign(static_cast<std::size_t>(coarse) * axis.fine, 0.0);
+  }
+  axis.interpolants.assign(axis.moments[0].size(), 0.0);
   // Polynomials through `order` neighbouring coarse cells; u = -1..1 over these cells.
   Eigen::MatrixXd means(order, order), points(order, order);
   Eigen::VectorXd row(order);
@@ -173,15 +175,20 @@ ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double exte
     chebyshev(2 * (x - first) / order - 1, order, row.data());
     const Eigen::VectorXd source = moments.solve(row) * (d / axis.cell);
     const Eigen::VectorXd value = interpolants.solve(row);
+    const int middle = fine - axis.fine;  // the first stored cell
+    const bool stored = i >= middle;
+    const int at = stored ? i - middle : fine - 1 - i - middle;
     for (int a = 0; a < order; ++a) {
-      axis.moments[(first + a) * fine + i] = source(a);
-      axis.interpolants[(first + a) * fine + i] = value(a);
+      const std::size_t n = static_cast<std::size_t>(first + a) * axis.fine + at;
+      axis.moments[0][n] += source(a);
+      axis.moments[1][n] += stored ? source(a) : -source(a);
+      if (stored) axis.interpolants[n] = value(a);
     }
   }
   return axis;
 }
 
-ImageCorrection::ImageCorrection(const Grid& grid, const fft::PaddedTransform& transform,
+ImageCorrection::ImageCorrection(const Grid& grid, const VolumeTransform& transform,
                                  const Elastic& elastic, double tol)
     : period_x_(transform.mx() * grid.dx), period_y_(transform.my() * grid.dy) {
   const auto [cells, rings] = effort(tol);
@@ -191,9 +198,11 @@ ImageCorrection::ImageCorrection(const Grid& grid, const fft::PaddedTransform& t
   };
   const double depth = grid.nz * grid.dz;
   const int layers = std::clamp(static_cast<int>(std::ceil(cells * depth / shortest)), 2, 4 * cells);
-  x_ = make_axis(grid.nx, grid.dx, 0.5 * period_x_, count(0.5 * period_x_), cells);
-  y_ = make_axis(grid.ny, grid.dy, 0.5 * period_y_, count(0.5 * period_y_), cells);
-  z_ = make_axis(grid.nz, grid.dz, depth, layers, std::min(layers, cells));
+  x_ = make_axis(grid.nx, grid.dx, 0.5 * period_x_, count(0.5 * period_x_), cells,
+                 transform.symmetry() == Symmetry::xy);
+  y_ = make_axis(grid.ny, grid.dy, 0.5 * period_y_, count(0.5 * period_y_), cells,
+                 transform.symmetry() != Symmetry::none);
+  z_ = make_axis(grid.nz, grid.dz, depth, layers, std::min(layers, cells), false);
   build_influence(elastic, rings);
 }
 
@@ -254,16 +263,18 @@ Field ImageCorrection::coarse_strain(Tensor tensor, const double* strain) const 
   for (int ck = 0; ck < parts * nz; ++ck) {
     std::vector<double> row(cy);
     double* to = layers.data() + static_cast<std::size_t>(ck) * coarse_plane;
+    const auto parity = kernels::component_parity(places[ck / nz]);
+    const Field &along_x = x_.moments[parity.odd_x], &along_y = y_.moments[parity.odd_y];
     for (int i = 0; i < x_.fine; ++i) {
       const double* from = strain + ck * plane + static_cast<std::size_t>(i) * y_.fine;
       for (int b = 0; b < cy; ++b) {
-        const double* weight = y_.moments.data() + static_cast<std::size_t>(b) * y_.fine;
+        const double* weight = along_y.data() + static_cast<std::size_t>(b) * y_.fine;
         double sum = 0.0;
         for (int j = 0; j < y_.fine; ++j) sum += weight[j] * from[j];
         row[b] = sum;
       }
       for (int a = 0; a < cx; ++a) {
-        const double weight = x_.moments[a * x_.fine + i];
+        const double weight = along_x[a * x_.fine + i];
         for (int b = 0; b < cy; ++b) to[a * cy + b] += weight * row[b];
       }
     }
@@ -275,7 +286,7 @@ Field ImageCorrection::coarse_strain(Tensor tensor, const double* strain) const 
     for (int k = 0; k < nz; ++k) {
       const double* from = layers.data() + (static_cast<std::size_t>(c) * nz + k) * coarse_plane;
       for (int n = 0; n < cz; ++n) {
-        const double weight = z_.moments[n * nz + k];
+        const double weight = z_.moments[0][n * nz + k];
         double* to = coarse.data() + static_cast<std::size_t>(n) * coarse_plane * 6 + place;
         for (int p = 0; p < coarse_plane; ++p) to[p * 6] += weight * from[p];
       }

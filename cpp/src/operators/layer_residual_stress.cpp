@@ -7,12 +7,13 @@
 
 #include "samcontact/base/flush_denormals.hpp"
 #include "samcontact/base/multiversion.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
 
 namespace samcontact::operators {
 namespace {
 
 // Wavenumbers handled together: one AVX-512 register of doubles.
-constexpr int width = VolumeSpectrum::lanes;
+constexpr int width = VolumeTransform::lanes;
 using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = double;
 
 /// What a wavenumber q needs, x = q h with the layer thickness h, all means over a layer.
@@ -52,8 +53,6 @@ void fill_mode(double kx, double ky, double h, double* mode, int step) {
   set(surface_linear, (gone - x * e) / x);
 }
 
-constexpr int parts = 2;  // real and imaginary
-
 /// Eigenstress of a layer in the frame turned along the wavevector (1 along it, 2 across), with the
 /// 13 and 23 components multiplied by i: then everything is real.
 enum Turned { t11, t22, t33, t12, t13, t23, turned_count };
@@ -64,15 +63,33 @@ enum Side { side_c, side_d, side_linear, side_antiplane, side_count };
 struct Layout {
   int nz;
   bool deviator;
+  /// By how many quarter turns the stored xx, yy, zz, yz, xz, xy differ from the turned ones.
+  int turns[6];
   std::size_t component_step, layer_step;  // of the spectrum, in doubles
 };
 
-/// Replaces the strain of one block of wavenumbers by its stress. values: the block's column of
-/// component 0 and layer 0, re and im interleaved. turned: [layer][Turned][part], side:
+/// parts numbers (re + i im, or a real one) times i^turns.
+template <int parts>
+[[gnu::always_inline]] inline void rotate(Lanes* v, int turns) {
+  if (turns & 2) {
+    for (int p = 0; p < parts; ++p) v[p] = -v[p];
+  }
+  if constexpr (parts == 2) {
+    if (turns & 1) {
+      const Lanes re = v[0];
+      v[0] = -v[1];
+      v[1] = re;
+    }
+  }
+}
+
+/// Replaces the strain of one block of wavenumbers by its stress. values: the block's row of
+/// component 0 and layer 0, complex numbers interleaved. turned: [layer][Turned][part], side:
 /// [layer][Side][part], scratch.
-SAMCONTACT_MULTIVERSION
-void sweep(const Layout& at, const char* used, const double* mode, int mode_step, double nu,
-           double lame, double twice_mu, double* values, Lanes* turned, Lanes* side) {
+template <int parts>
+[[gnu::always_inline]] inline void sweep(const Layout& at, const char* used, const double* mode,
+                                         int mode_step, double nu, double lame, double twice_mu,
+                                         double* values, Lanes* turned, Lanes* side) {
   using Loose [[gnu::vector_size(width * sizeof(double)), gnu::may_alias, gnu::aligned(8)]] =
       double;
   Lanes of[coefficient_count];
@@ -109,14 +126,19 @@ void sweep(const Layout& at, const char* used, const double* mode, int mode_step
     Lanes v[6][parts];
     for (int m = 0; m < 6; ++m) {
       if (at.deviator && m == 2) {
-        v[m][0] = v[m][1] = Lanes{};
+        for (Lanes& part : v[m]) part = Lanes{};
         continue;
       }
       const double* from = values + places[m] * at.component_step + k * at.layer_step;
       const Loose a = *reinterpret_cast<const Loose*>(from);
-      const Loose b = *reinterpret_cast<const Loose*>(from + width);
-      v[m][0] = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
-      v[m][1] = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
+      if constexpr (parts == 1) {
+        v[m][0] = a;
+      } else {
+        const Loose b = *reinterpret_cast<const Loose*>(from + width);
+        v[m][0] = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
+        v[m][1] = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
+      }
+      rotate<parts>(v[m], at.turns[m]);
     }
     for (int p = 0; p < parts; ++p) {
       if (at.deviator) v[2][p] = -(v[0][p] + v[1][p]);
@@ -127,11 +149,8 @@ void sweep(const Layout& at, const char* used, const double* mode, int mode_step
       const Lanes a22 = trace + twice_mu * (c * yy - s * yx);
       const Lanes a12 = twice_mu * (c * xy - s * xx);
       const Lanes a33 = trace + twice_mu * v[2][p];
-      // i (re + i im) = -im + i re
-      const int q = 1 - p;
-      const double sign = p == 0 ? -twice_mu : twice_mu;
-      const Lanes a13 = sign * (c * v[4][q] + s * v[3][q]);
-      const Lanes a23 = sign * (c * v[3][q] - s * v[4][q]);
+      const Lanes a13 = twice_mu * (c * v[4][p] + s * v[3][p]);
+      const Lanes a23 = twice_mu * (c * v[3][p] - s * v[4][p]);
       t[t11 * parts + p] = a11;
       t[t22 * parts + p] = a22;
       t[t33 * parts + p] = a33;
@@ -206,11 +225,8 @@ void sweep(const Layout& at, const char* used, const double* mode, int mode_step
         v[1][p] -= mean;
       }
       v[5][p] = s * ax + c * ay;
-      // -i (re + i im) = im - i re
-      const int q = 1 - p;
-      const double sign = p == 0 ? -1.0 : 1.0;
-      v[4][q] = sign * (c * s13 - s * s23);
-      v[3][q] = sign * (s * s13 + c * s23);
+      v[4][p] = c * s13 - s * s23;
+      v[3][p] = s * s13 + c * s23;
 
       for (auto& sum : r) sum[p] *= e;
       r[side_linear][p] += r[side_d][p] - r[side_c][p];
@@ -225,36 +241,68 @@ void sweep(const Layout& at, const char* used, const double* mode, int mode_step
     for (int m = 0; m < 6; ++m) {
       if (at.deviator && m == 2) continue;
       double* to = values + places[m] * at.component_step + k * at.layer_step;
-      *reinterpret_cast<Loose*>(to) =
-          __builtin_shufflevector(v[m][0], v[m][1], 0, 8, 1, 9, 2, 10, 3, 11);
-      *reinterpret_cast<Loose*>(to + width) =
-          __builtin_shufflevector(v[m][0], v[m][1], 4, 12, 5, 13, 6, 14, 7, 15);
+      rotate<parts>(v[m], 4 - at.turns[m]);
+      if constexpr (parts == 1) {
+        *reinterpret_cast<Loose*>(to) = v[m][0];
+      } else {
+        *reinterpret_cast<Loose*>(to) =
+            __builtin_shufflevector(v[m][0], v[m][1], 0, 8, 1, 9, 2, 10, 3, 11);
+        *reinterpret_cast<Loose*>(to + width) =
+            __builtin_shufflevector(v[m][0], v[m][1], 4, 12, 5, 13, 6, 14, 7, 15);
+      }
     }
   }
 }
 
+SAMCONTACT_MULTIVERSION
+void sweep_complex(const Layout& at, const char* used, const double* mode, int mode_step,
+                   double nu, double lame, double twice_mu, double* values, Lanes* turned,
+                   Lanes* side) {
+  sweep<2>(at, used, mode, mode_step, nu, lame, twice_mu, values, turned, side);
+}
+
+SAMCONTACT_MULTIVERSION
+void sweep_real(const Layout& at, const char* used, const double* mode, int mode_step, double nu,
+                double lame, double twice_mu, double* values, Lanes* turned, Lanes* side) {
+  sweep<1>(at, used, mode, mode_step, nu, lame, twice_mu, values, turned, side);
+}
+
+/// With yz and xz multiplied by i all is real; what is stored lacks (-i) for each mirrored direction
+/// in which the component is odd.
+Layout make_layout(const VolumeSpectrum& spectrum) {
+  Layout at{spectrum.nz, spectrum.tensor == Tensor::deviator, {}, spectrum.nz * spectrum.row_size(),
+            spectrum.row_size()};
+  for (int c = 0; c < 6; ++c) {
+    const auto parity = kernels::component_parity(c);
+    const int missing = (spectrum.symmetry != Symmetry::none && parity.odd_y) +
+                        (spectrum.symmetry == Symmetry::xy && parity.odd_x);
+    at.turns[c] = ((c == 3 || c == 4) + 3 * missing) % 4;
+  }
+  return at;
+}
+
 /// At the highest wavenumber of a direction its sign is unknown: the components that are odd in
 /// that direction have no defined sign either and are left out.
-void drop_unsigned(VolumeSpectrum& spectrum, int ky, int my) {
-  const int half = spectrum.mx / 2, last = spectrum.components - 1;
+void drop_unsigned(VolumeSpectrum& spectrum, int ky) {
+  const int parts = spectrum.parts, last = spectrum.components - 1;
   const int yz = last - 2, xz = last - 1, xy = last;
   for (int k = 0; k < spectrum.nz; ++k) {
-    for (const int c : {xz, xy}) spectrum.column(ky, c, k)[half] = 0.0;
-    if (2 * ky != my) continue;
+    for (const int c : {xz, xy}) {
+      std::fill_n(spectrum.row(ky, c, k) + spectrum.mx / 2 * parts, parts, 0.0);
+    }
+    if (2 * ky != spectrum.my) continue;
     for (const int c : {yz, xy}) {
-      std::fill_n(spectrum.column(ky, c, k), spectrum.mx, Complex{});
+      std::fill_n(spectrum.row(ky, c, k), spectrum.modes * parts, 0.0);
     }
   }
 }
 
 }  // namespace
 
-LayerResidualStress::LayerResidualStress(const Grid& grid, const fft::PaddedTransform& transform,
+LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
                                          const Elastic& elastic, double image_tol)
-    : mx_(transform.mx()),
-      my_(transform.my()),
-      nz_(grid.nz),
-      pitch_(VolumeSpectrum::padded(transform.mx())),
+    : nz_(grid.nz),
+      pitch_(transform.pitch()),
       nu_(elastic.nu),
       lame_(2 * elastic.shear_modulus() * elastic.nu / (1 - 2 * elastic.nu)),
       shear_modulus_(elastic.shear_modulus()),
@@ -264,37 +312,35 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const fft::PaddedTran
   const double two_pi = 2 * std::numbers::pi;
   for (int ky = 0; ky < mh; ++ky) {
     double* row = modes_.data() + static_cast<std::size_t>(ky) * coefficient_count * pitch_;
-    for (int i = 0; i < mx_; ++i) {
-      const int kx = i <= mx_ / 2 ? i : i - mx_;
-      fill_mode(two_pi * kx / (mx_ * grid.dx), two_pi * ky / (my_ * grid.dy), grid.dz, row + i,
-                pitch_);
+    for (int i = 0; i < transform.modes(); ++i) {
+      const int kx = i <= transform.mx() / 2 ? i : i - transform.mx();
+      fill_mode(two_pi * kx / (transform.mx() * grid.dx), two_pi * ky / (transform.my() * grid.dy),
+                grid.dz, row + i, pitch_);
     }
   }
 }
 
 void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
-  const Layout at{nz_, spectrum.tensor == Tensor::deviator,
-                  2 * static_cast<std::size_t>(nz_) * spectrum.pitch,
-                  2 * static_cast<std::size_t>(spectrum.pitch)};
+  const Layout at = make_layout(spectrum);
+  const auto run = spectrum.parts == 2 ? sweep_complex : sweep_real;
   // The transform is not normalised.
-  const double unit_cell = 1.0 / (static_cast<double>(mx_) * my_);
+  const double unit_cell = 1.0 / (static_cast<double>(spectrum.mx) * spectrum.my);
   const double lame = lame_ * unit_cell, twice_mu = 2 * shear_modulus_ * unit_cell;
+  const std::size_t scratch = static_cast<std::size_t>(nz_) * spectrum.parts * width;
 #pragma omp parallel
   {
     const FlushDenormals flush;
-    Field turned(static_cast<std::size_t>(nz_) * turned_count * parts * width);
-    Field side(static_cast<std::size_t>(nz_) * side_count * parts * width);
+    Field turned(turned_count * scratch), side(side_count * scratch);
 #pragma omp for schedule(dynamic)
     for (int ky = 0; ky < spectrum.mh; ++ky) {
-      drop_unsigned(spectrum, ky, my_);
-      const double* row =
-          modes_.data() + static_cast<std::size_t>(ky) * coefficient_count * pitch_;
-      for (int kx = 0; kx < mx_; kx += width) {
-        sweep(at, spectrum.used.data(), row + kx, pitch_, nu_, lame, twice_mu,
-              reinterpret_cast<double*>(spectrum.column(ky, 0, 0) + kx),
-              reinterpret_cast<Lanes*>(turned.data()), reinterpret_cast<Lanes*>(side.data()));
+      drop_unsigned(spectrum, ky);
+      const double* row = modes_.data() + static_cast<std::size_t>(ky) * coefficient_count * pitch_;
+      for (int kx = 0; kx < spectrum.modes; kx += width) {
+        run(at, spectrum.used.data(), row + kx, pitch_, nu_, lame, twice_mu,
+            spectrum.row(ky, 0, 0) + kx * spectrum.parts,
+            reinterpret_cast<Lanes*>(turned.data()), reinterpret_cast<Lanes*>(side.data()));
       }
-      drop_unsigned(spectrum, ky, my_);
+      drop_unsigned(spectrum, ky);
     }
   }
   spectrum.used.assign(nz_, 1);

@@ -12,12 +12,18 @@ Complex times_minus_i(Complex z) {
 }
 
 template <int Turns>
-void add_product(const double* quarter, double scale, double mirrored, const Complex* in,
-                 Complex* out, int mx) {
-  const int half = mx / 2;
-  for (int k = 0; k <= half; ++k) out[k] += scale * quarter[k] * times_minus_i<Turns>(in[k]);
+void add_product(const double* quarter, double scale, const Complex* in, Complex* out, int count) {
+  for (int k = 0; k < count; ++k) out[k] += scale * quarter[k] * times_minus_i<Turns>(in[k]);
+}
+
+template <int Turns>
+void add_mirrored_product(const double* quarter, double scale, double mirrored, const Complex* in,
+                          Complex* out, int mx) {
+  add_product<Turns>(quarter, scale, in, out, mx / 2 + 1);
   const double s = scale * mirrored;
-  for (int k = half + 1; k < mx; ++k) out[k] += s * quarter[mx - k] * times_minus_i<Turns>(in[k]);
+  for (int k = mx / 2 + 1; k < mx; ++k) {
+    out[k] += s * quarter[mx - k] * times_minus_i<Turns>(in[k]);
+  }
 }
 
 }  // namespace
@@ -27,11 +33,27 @@ void add_parity_product(const double* quarter, kernels::Parity parity, double sc
   const double mirrored = parity.odd_x ? -1.0 : 1.0;
   switch (parity.odd_x + parity.odd_y) {
     case 0:
-      return add_product<0>(quarter, scale, mirrored, in, out, mx);
+      return add_mirrored_product<0>(quarter, scale, mirrored, in, out, mx);
     case 1:
-      return add_product<1>(quarter, scale, mirrored, in, out, mx);
+      return add_mirrored_product<1>(quarter, scale, mirrored, in, out, mx);
     default:
-      return add_product<2>(quarter, scale, mirrored, in, out, mx);
+      return add_mirrored_product<2>(quarter, scale, mirrored, in, out, mx);
+  }
+}
+
+void add_parity_product(const double* quarter, kernels::Parity parity, double scale,
+                        const double* in, double* out, const VolumeTransform& transform) {
+  const int modes = transform.modes();
+  const auto* from = reinterpret_cast<const Complex*>(in);
+  auto* to = reinterpret_cast<Complex*>(out);
+  switch (transform.symmetry()) {
+    case Symmetry::none:
+      return add_parity_product(quarter, parity, scale, from, to, transform.mx());
+    case Symmetry::y:
+      return parity.odd_x ? add_product<1>(quarter, scale, from, to, modes)
+                          : add_product<0>(quarter, scale, from, to, modes);
+    default:
+      for (int k = 0; k < modes; ++k) out[k] += scale * quarter[k] * in[k];
   }
 }
 

@@ -12,10 +12,10 @@
 
 namespace samcontact::operators {
 
-ResidualDisplacement::ResidualDisplacement(const Grid& grid, const fft::PaddedTransform& transform,
+ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
                                            double nu, Tensor tensor)
     : transform_(&transform), nz_(grid.nz), tensor_(tensor) {
-  const fft::ParitySpectrum spectrum(transform);
+  const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
   const CornerLattice lattice{grid.nx, grid.ny, grid.dy / grid.dx};
   const int hx = spectrum.hx(), hy = spectrum.hy();
   const double dz = grid.dz / grid.dx;
@@ -48,22 +48,27 @@ ResidualDisplacement::ResidualDisplacement(const Grid& grid, const fft::PaddedTr
 }
 
 void ResidualDisplacement::apply(const VolumeSpectrum& strain, double* displacement) const {
-  const int mx = strain.mx, hx = mx / 2 + 1;
+  const int hx = strain.mx / 2 + 1;
   const auto places = components(tensor_);
-  ComplexField sum(transform_->spectrum_size());
+  Field sum(strain.mh * strain.row_size());
 #pragma omp parallel for schedule(static)
   for (int ky = 0; ky < strain.mh; ++ky) {
-    Complex* out = sum.data() + static_cast<std::size_t>(ky) * mx;
-    const double* quarter = spectra_.data() + static_cast<std::size_t>(ky) * strain.components * nz_ * hx;
+    double* out = sum.data() + ky * strain.row_size();
+    const double* quarter =
+        spectra_.data() + static_cast<std::size_t>(ky) * strain.components * nz_ * hx;
     for (int c = 0; c < strain.components; ++c) {
+      const auto parity = kernels::component_parity(places[c]);
+      // The strain's own factor (-i) meets that of the kernel.
+      const bool negative = (strain.symmetry != Symmetry::none && parity.odd_y) !=
+                            (strain.symmetry == Symmetry::xy && parity.odd_x);
       for (int k = 0; k < nz_; ++k, quarter += hx) {
         if (!strain.used[k]) continue;
-        add_parity_product(quarter, kernels::component_parity(places[c]), 1.0, strain.column(ky, c, k), out,
-                           mx);
+        add_parity_product(quarter, parity, negative ? -1.0 : 1.0, strain.row(ky, c, k), out,
+                           *transform_);
       }
     }
   }
-  transform_->inverse(sum.data(), displacement, mx, fft::PaddedTransform::Threads::many);
+  transform_->inverse(sum, displacement);
 }
 
 }  // namespace samcontact::operators

@@ -37,14 +37,14 @@ kernels::Stress select(kernels::Stress s, Tensor tensor) {
 
 }  // namespace
 
-TractionStress::TractionStress(const Grid& grid, const fft::PaddedTransform& transform, double nu,
+TractionStress::TractionStress(const Grid& grid, const VolumeTransform& transform, double nu,
                                std::vector<double> depths, Tensor tensor)
     : grid_(grid), transform_(&transform), nu_(nu), depths_(std::move(depths)), tensor_(tensor) {}
 
 void TractionStress::prepare(Traction kind) {
   Field& spectra = spectra_[static_cast<int>(kind)];
   if (!spectra.empty()) return;
-  const fft::ParitySpectrum parity_spectrum(*transform_);
+  const fft::ParitySpectrum parity_spectrum(transform_->mx(), transform_->my());
   const CornerLattice lattice{grid_.nx, grid_.ny, grid_.dy / grid_.dx};
   const int nz = layers(), hx = parity_spectrum.hx(), hy = parity_spectrum.hy();
   const auto places = components(tensor_);
@@ -76,18 +76,19 @@ void TractionStress::prepare(Traction kind) {
   spectra = std::move(built);
 }
 
-void TractionStress::add(Traction kind, const ComplexField& traction, double scale,
+void TractionStress::add(Traction kind, const Field& traction, double scale,
                          VolumeSpectrum& out) const {
   const Field& spectra = spectra_[static_cast<int>(kind)];
-  const int mx = out.mx, nz = layers(), hx = mx / 2 + 1;
+  const int nz = layers(), hx = out.mx / 2 + 1;
   const auto places = components(tensor_);
 #pragma omp parallel for schedule(static)
   for (int ky = 0; ky < out.mh; ++ky) {
-    const Complex* in = traction.data() + static_cast<std::size_t>(ky) * mx;
+    const double* in = traction.data() + ky * transform_->row_size();
     const double* quarter = spectra.data() + static_cast<std::size_t>(ky) * out.components * nz * hx;
     for (int c = 0; c < out.components; ++c) {
       for (int k = 0; k < nz; ++k, quarter += hx) {
-        add_parity_product(quarter, parity(kind, places[c]), scale, in, out.column(ky, c, k), mx);
+        add_parity_product(quarter, parity(kind, places[c]), scale, in, out.row(ky, c, k),
+                           *transform_);
       }
     }
   }
@@ -100,7 +101,7 @@ std::size_t TractionStress::bytes() const {
 
 Field traction_stress(const Grid& grid, double nu, std::span<const double> depths,
                       const double* pressure, const double* shear_x, const double* shear_y) {
-  const fft::PaddedTransform transform(grid.nx, grid.ny);
+  const VolumeTransform transform(grid.nx, grid.ny, Symmetry::none);
   const std::array<const double*, 3> tractions{pressure, shear_x, shear_y};
   Field stress(6 * depths.size() * grid.surface_size());
   const std::size_t plane = grid.surface_size();
@@ -110,11 +111,8 @@ Field traction_stress(const Grid& grid, double nu, std::span<const double> depth
     VolumeSpectrum spectrum(transform, 1, Tensor::full);
     for (int kind = 0; kind < 3; ++kind) {
       if (tractions[kind] == nullptr) continue;
-      ComplexField in(transform.spectrum_size());
-      transform.forward(tractions[kind], in.data(), transform.mx(),
-                        fft::PaddedTransform::Threads::many);
       single.prepare(static_cast<Traction>(kind));
-      single.add(static_cast<Traction>(kind), in, 1.0, spectrum);
+      single.add(static_cast<Traction>(kind), transform.forward(tractions[kind]), 1.0, spectrum);
     }
     Field layer(6 * plane);
     inverse(transform, spectrum, layer.data());

@@ -13,14 +13,13 @@ namespace {
 /// this part of the long one.
 constexpr double shortest_period = 0.25;
 
-fft::PaddedTransform make_transform(const Grid& grid, ResidualMethod method) {
-  fft::PaddedTransform transform(grid.nx, grid.ny);
-  if (method == ResidualMethod::exact) return transform;
-  const double px = transform.mx() * grid.dx, py = transform.my() * grid.dy;
-  const int mx = static_cast<int>(std::ceil(shortest_period * py / grid.dx));
-  const int my = static_cast<int>(std::ceil(shortest_period * px / grid.dy));
-  if (mx <= transform.mx() && my <= transform.my()) return transform;
-  return fft::PaddedTransform(grid.nx, grid.ny, mx, my);
+VolumeTransform make_transform(const Grid& grid, const VolumeOptions& options) {
+  int mx = 0, my = 0;
+  if (options.method == ResidualMethod::fast) {
+    mx = static_cast<int>(std::ceil(shortest_period * (2 * grid.ny - 1) * grid.dy / grid.dx));
+    my = static_cast<int>(std::ceil(shortest_period * (2 * grid.nx - 1) * grid.dx / grid.dy));
+  }
+  return {grid.nx, grid.ny, options.symmetry, mx, my};
 }
 
 }  // namespace
@@ -30,7 +29,7 @@ VolumeOperators::VolumeOperators(const Grid& grid, const Elastic& elastic,
     : grid_(grid),
       elastic_(elastic),
       options_(options),
-      transform_(make_transform(grid, options.method)),
+      transform_(make_transform(grid, options)),
       traction_stress_(grid, transform_, elastic.nu, grid.z(), options.tensor) {}
 
 const ResidualStress& VolumeOperators::residual_stress() const {
@@ -57,16 +56,13 @@ const ResidualDisplacement& VolumeOperators::residual_displacement() const {
 
 void VolumeOperators::add_tractions(const Tractions& tractions, double shear_sign,
                                     VolumeSpectrum& out) const {
-  ComplexField spectrum(transform_.spectrum_size());
   const auto add = [&](Traction kind, const Field& field, double scale) {
     if (field.empty()) return;
     {
       const std::lock_guard lock(mutex_);
       traction_stress_.prepare(kind);
     }
-    transform_.forward(field.data(), spectrum.data(), transform_.mx(),
-                       fft::PaddedTransform::Threads::many);
-    traction_stress_.add(kind, spectrum, scale, out);
+    traction_stress_.add(kind, transform_.forward(field.data()), scale, out);
   };
   add(Traction::pressure, tractions.pressure, 1.0);
   add(Traction::shear_x, tractions.shear_x, shear_sign);
@@ -81,7 +77,7 @@ Field VolumeOperators::stress(const double* strain, const Tractions* tractions,
     residual_stress().apply(spectrum);
   }
   if (tractions != nullptr) add_tractions(*tractions, shear_sign, spectrum);
-  Field out(count(options_.tensor) * grid_.volume_size());
+  Field out(count(options_.tensor) * transform_.plane_size() * grid_.nz);
   inverse(transform_, spectrum, out.data());
   if (strain != nullptr) residual_stress().correct(options_.tensor, strain, out.data());
   return out;

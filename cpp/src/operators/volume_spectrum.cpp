@@ -4,48 +4,60 @@
 #include <algorithm>
 
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
 
 namespace samcontact::operators {
+namespace {
 
-using Threads = fft::PaddedTransform::Threads;
+/// The planes of one layer.
+std::vector<VolumeTransform::Plane> planes_of(const double* tensor, std::size_t plane_size,
+                                              VolumeSpectrum& spectrum, int layer) {
+  std::vector<VolumeTransform::Plane> planes;
+  const auto places = components(spectrum.tensor);
+  for (int c = 0; c < spectrum.components; ++c) {
+    const auto parity = kernels::component_parity(places[c]);
+    const double* values = tensor + (static_cast<std::size_t>(c) * spectrum.nz + layer) * plane_size;
+    planes.push_back({const_cast<double*>(values), spectrum.row(0, c, layer), parity.odd_x,
+                      parity.odd_y});
+  }
+  return planes;
+}
 
-VolumeSpectrum::VolumeSpectrum(const fft::PaddedTransform& transform, int nz_, Tensor tensor_)
-    : tensor(tensor_),
+}  // namespace
+
+VolumeSpectrum::VolumeSpectrum(const VolumeTransform& transform, int nz_, Tensor tensor_)
+    : symmetry(transform.symmetry()),
+      tensor(tensor_),
       components(count(tensor_)),
-      mx(transform.mx()),
-      mh(transform.mh()),
       nz(nz_),
-      pitch(padded(transform.mx())),
-      data(transform.mh() * stride()),
+      mx(transform.mx()),
+      my(transform.my()),
+      mh(transform.mh()),
+      modes(transform.modes()),
+      parts(transform.parts()),
+      pitch(transform.pitch()),
+      data(mh * stride()),
       used(nz_, 1) {}
 
-void forward(const fft::PaddedTransform& transform, const double* tensor, VolumeSpectrum& out) {
+void forward(const VolumeTransform& transform, const double* tensor, VolumeSpectrum& out) {
   check_interrupt();
-  const int nz = out.nz;
-  const std::size_t plane = static_cast<std::size_t>(transform.nx()) * transform.ny();
-  for (int k = 0; k < nz; ++k) {
+  const std::size_t plane = transform.plane_size();
+#pragma omp parallel for schedule(dynamic)
+  for (int k = 0; k < out.nz; ++k) {
     out.used[k] = 0;
     for (int c = 0; c < out.components && !out.used[k]; ++c) {
-      const double* values = tensor + (static_cast<std::size_t>(c) * nz + k) * plane;
+      const double* values = tensor + (static_cast<std::size_t>(c) * out.nz + k) * plane;
       out.used[k] = std::any_of(values, values + plane, [](double v) { return v != 0.0; });
     }
-  }
-#pragma omp parallel for schedule(dynamic)
-  for (int ck = 0; ck < out.components * nz; ++ck) {
-    if (!out.used[ck % nz]) continue;
-    transform.forward(tensor + ck * plane, out.column(0, ck / nz, ck % nz), out.stride(),
-                      Threads::one);
+    if (out.used[k]) transform.forward(planes_of(tensor, plane, out, k), out.stride());
   }
 }
 
-void inverse(const fft::PaddedTransform& transform, VolumeSpectrum& spectrum, double* tensor) {
+void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, double* tensor) {
   check_interrupt();
-  const int nz = spectrum.nz;
-  const std::size_t plane = static_cast<std::size_t>(transform.nx()) * transform.ny();
 #pragma omp parallel for schedule(dynamic)
-  for (int ck = 0; ck < spectrum.components * nz; ++ck) {
-    transform.inverse(spectrum.column(0, ck / nz, ck % nz), tensor + ck * plane, spectrum.stride(),
-                      Threads::one);
+  for (int k = 0; k < spectrum.nz; ++k) {
+    transform.inverse(planes_of(tensor, transform.plane_size(), spectrum, k), spectrum.stride());
   }
 }
 

@@ -33,25 +33,20 @@ void put(const plasticity::Tensor& t, Field& unknown, std::size_t n, int compone
 
 /// One extent of a box that holds [begin, end) of a grid of n cells, and had `before` cells: with
 /// room to grow, and a count that transforms fast.
-void fit_extent(int n, int before, int& begin, int& end) {
+void fit_extent(int n, int before, bool mirrored, int& begin, int& end) {
+  if (mirrored) {
+    begin = std::min(begin, n - end);
+    end = n - begin;
+  }
   int cells = end - begin;
   if (before > 0 && cells > before) cells = std::max(cells, before + before / 6);
   cells = std::min((fft::good_even_size(2 * cells - 1) + 1) / 2, n);
   if (cells > n - n / 8) cells = n;
-  const int extra = cells - (end - begin);
-  begin = std::clamp(begin - extra / 2, 0, n - cells);
+  int extra = cells - (end - begin);
+  if (mirrored) extra -= extra % 2;
+  begin = std::clamp(begin - extra / 2, 0, n - (end - begin + extra));
   end = begin + cells;
-}
-
-Box fit(const Box& needed, const Box& before, const Grid& grid) {
-  int i0 = needed.i0, i1 = needed.i0 + needed.nx, j0 = needed.j0, j1 = needed.j0 + needed.ny;
-  fit_extent(grid.nx, before.nx, i0, i1);
-  fit_extent(grid.ny, before.ny, j0, j1);
-  int nz = needed.nz;
-  if (before.nz > 0 && nz > before.nz) nz = std::max(nz, before.nz + before.nz / 6);
-  nz = std::min(nz, grid.nz);
-  if (nz > grid.nz - grid.nz / 8) nz = grid.nz;
-  return {i0, j0, i1 - i0, j1 - j0, nz};
+  if (mirrored) end = n - begin;
 }
 
 Box bounding_box(const Field& field, const Grid& grid) {
@@ -80,6 +75,42 @@ Field moved(const Field& field, const Box& from, const Box& to, int components) 
 
 }  // namespace
 
+/// Mirror planes of the increment: those of the scene, of the target, and of what happened before.
+fft::Symmetry PlasticIncrement::choose_symmetry() const {
+  using fft::Symmetry;
+  if (from_.method == operators::ResidualMethod::exact) return Symmetry::none;
+  Symmetry symmetry = scene_.symmetry();
+  if (target_.kind == Target::Kind::tractions) {
+    symmetry = symmetry_of(target_.tractions.pressure, scene_.grid);
+    if (!target_.tractions.shear_y.empty()) return Symmetry::none;
+    const Field& shear = target_.tractions.shear_x;
+    if (!shear.empty()) {
+      symmetry = common(symmetry, common(Symmetry::y, symmetry_of(shear, scene_.grid)));
+    }
+  }
+  for (const auto& history : from_.plastic) {
+    if (history) symmetry = common(symmetry, history->symmetry);
+  }
+  return symmetry;
+}
+
+Box PlasticIncrement::fit(const Box& needed, const Box& before) const {
+  const Grid& grid = scene_.grid;
+  const bool mirror_x = symmetry_ == fft::Symmetry::xy, mirror_y = symmetry_ != fft::Symmetry::none;
+  const Box old = before.empty() ? Box{} : whole_box(before, grid, symmetry_);
+  int i0 = needed.i0, i1 = needed.i0 + needed.nx, j0 = needed.j0, j1 = needed.j0 + needed.ny;
+  fit_extent(grid.nx, old.nx, mirror_x, i0, i1);
+  fit_extent(grid.ny, old.ny, mirror_y, j0, j1);
+  int nz = needed.nz;
+  if (before.nz > 0 && nz > before.nz) nz = std::max(nz, before.nz + before.nz / 6);
+  nz = std::min(nz, grid.nz);
+  if (nz > grid.nz - grid.nz / 8) nz = grid.nz;
+  const Box part = stored_part(grid, symmetry_);
+  i0 = std::max(i0, part.i0);
+  j0 = std::max(j0, part.j0);
+  return {i0, j0, i1 - i0, j1 - j0, nz};
+}
+
 PlasticIncrement::PlasticIncrement(const State& from, const Target& target, const Scans& scans,
                                    Counters& counters)
     : from_(from),
@@ -89,13 +120,14 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
       tractions_(target.kind == Target::Kind::tractions
                      ? target.tractions
                      : operators::Tractions{from.tractions.pressure, {}, {}}) {
+  symmetry_ = choose_symmetry();
   for (int b = 0; b < 2; ++b) {
     if (!scene_.materials[b].is_plastic()) continue;
     Body body;
     body.index = b;
     body.scan = scans[b].get();
     body.tensor = Tensor::deviator;
-    if (const auto& history = from.plastic[b]) {
+    if (const auto history = unfolded(from.plastic[b], scene_.grid, symmetry_)) {
       body.tensor = history->tensor;
       if (body.tensor == Tensor::full) components_ = 6;
       set_box(body, history->box);
@@ -120,7 +152,8 @@ void PlasticIncrement::set_box(Body& body, const Box& box) {
   }
   body.active = std::move(active);
   body.box = box;
-  body.operators = scene_.volume(body.index, box, body.tensor, from_.method);
+  body.operators = scene_.volume(body.index, whole_box(box, scene_.grid, symmetry_), body.tensor,
+                                 from_.method, symmetry_);
   body.spectrum.clear();
   body.spectrum.push_back(body.operators->make_spectrum());
 }
@@ -144,11 +177,18 @@ void PlasticIncrement::residual_displacement(Body& body, Field& gap) {
   if (!body.strained || target_.kind == Target::Kind::tractions) return;
   Field displacement(body.box.surface_size());
   body.operators->residual_displacement().apply(body.spectrum[0], displacement.data());
-  for (int i = 0; i < body.box.nx; ++i) {
-    double* row = gap.data() + static_cast<std::size_t>(body.box.i0 + i) * scene_.grid.ny +
-                  body.box.j0;
-    const double* u = displacement.data() + static_cast<std::size_t>(i) * body.box.ny;
-    for (int j = 0; j < body.box.ny; ++j) row[j] += u[j];
+  const Grid& grid = scene_.grid;
+  const bool mirror_x = symmetry_ == fft::Symmetry::xy, mirror_y = symmetry_ != fft::Symmetry::none;
+  const Box whole = whole_box(body.box, grid, symmetry_);
+  for (int i = whole.i0; i < whole.i0 + whole.nx; ++i) {
+    const int si = mirror_x && i < body.box.i0 ? grid.nx - 1 - i : i;
+    double* row = gap.data() + static_cast<std::size_t>(i) * grid.ny;
+    const double* u =
+        displacement.data() + static_cast<std::size_t>(si - body.box.i0) * body.box.ny;
+    for (int j = whole.j0; j < whole.j0 + whole.ny; ++j) {
+      const int sj = mirror_y && j < body.box.j0 ? grid.ny - 1 - j : j;
+      row[j] += u[sj - body.box.j0];
+    }
   }
 }
 
@@ -192,7 +232,8 @@ bool PlasticIncrement::fit_boxes() {
   const Box window = contact_window();
   bool grown = false;
   for (Body& body : bodies_) {
-    Box needed = body.box;
+    Box needed = body.box.empty() ? Box{} : whole_box(body.box, grid, symmetry_);
+    const Box now = needed;
     if (!scanned_) {
       const auto& hardening = scene_.materials[body.index].hardening;
       const Box near = body.scan->box(tractions_, body.index == 1 ? 1.0 : -1.0,
@@ -202,8 +243,8 @@ bool PlasticIncrement::fit_boxes() {
     if (needed.empty()) continue;
     // The stress is that of the tractions over the box: it must hold all of them.
     needed = needed.united(window);
-    if (!body.box.empty() && body.box.contains(needed)) continue;
-    set_box(body, fit(needed.widened(margin, grid).united(needed), body.box, grid));
+    if (!now.empty() && now.contains(needed)) continue;
+    set_box(body, fit(needed.united(window.widened(margin, grid)), body.box));
     grown = true;
   }
   scanned_ = true;
@@ -215,7 +256,7 @@ void PlasticIncrement::stress(Body& body) {
   if (body.strained) {
     body.operators->residual_stress().apply(spectrum);
   } else {
-    std::fill(spectrum.data.begin(), spectrum.data.end(), Complex{});
+    std::fill(spectrum.data.begin(), spectrum.data.end(), 0.0);
   }
   body.operators->add_tractions(window(tractions_, scene_.grid, body.box),
                                 body.index == 1 ? 1.0 : -1.0, spectrum);
@@ -312,28 +353,37 @@ void PlasticIncrement::return_map(Field& guess, Field& mapped, Result& result) {
       std::sqrt(ordered_dot(yield_strains.data(), yield_strains.data(), yield_strains.size()));
 }
 
-bool PlasticIncrement::grow_at_rim(const Field& mapped) {
+bool PlasticIncrement::grow_at_rim() {
   const Grid& grid = scene_.grid;
   bool grown = false;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
     const Box box = body.box;
+    const bool mirror_x = symmetry_ == fft::Symmetry::xy;
+    const bool mirror_y = symmetry_ != fft::Symmetry::none;
     Box needed = box;
     for (std::size_t n = 0; n < active_.size(); ++n) {
       if (active_.cells[n].body != b || equivalent_[n] == 0) continue;
       const std::uint32_t cell = active_.cells[n].cell;
       const int j = static_cast<int>(cell % box.ny), ki = static_cast<int>(cell / box.ny);
       const int i = ki % box.nx, k = ki / box.nx;
-      const bool rim =
-          i == 0 || j == 0 || i == box.nx - 1 || j == box.ny - 1 || k == box.nz - 1;
+      const bool rim = (i == 0 && !mirror_x) || (j == 0 && !mirror_y) || i == box.nx - 1 ||
+                       j == box.ny - 1 || k == box.nz - 1;
       if (!rim) continue;
       needed = needed.united(Box{box.i0 + i, box.j0 + j, 1, 1, k + 1}.widened(margin, grid));
     }
-    if (box.empty() || box.contains(needed)) continue;
-    set_box(body, fit(needed, box, grid));
+    if (box.empty()) continue;
+    // Widened across a mirror plane means nothing.
+    const Box part = stored_part(grid, symmetry_);
+    const int i1 = needed.i0 + needed.nx, j1 = needed.j0 + needed.ny;
+    needed.i0 = std::max(needed.i0, part.i0);
+    needed.j0 = std::max(needed.j0, part.j0);
+    needed.nx = i1 - needed.i0;
+    needed.ny = j1 - needed.j0;
+    if (box.contains(needed)) continue;
+    set_box(body, fit(whole_box(needed, grid, symmetry_), box));
     grown = true;
   }
-  (void)mapped;
   return grown;
 }
 
@@ -361,7 +411,7 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
     if (!body.box.empty()) stress(body);
   }
   return_map(guess, mapped, result);
-  result.grown = grow_at_rim(mapped);
+  result.grown = grow_at_rim();
   return result;
 }
 
@@ -384,6 +434,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
     if (!flowed) continue;
     auto plastic = std::make_shared<PlasticState>();
     plastic->box = body.box;
+    plastic->symmetry = symmetry_;
     plastic->tensor = body.tensor;
     plastic->strain = std::move(body.strain);
     plastic->equivalent = std::move(body.equivalent);
@@ -393,7 +444,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
     Box whole = Box::whole(scene_.grid);
     const bool known = std::all_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
       whole.nz = body.box.nz;
-      return !state.plastic[body.index] || body.box == whole;
+      return !state.plastic[body.index] || whole_box(body.box, scene_.grid, symmetry_) == whole;
     });
     if (known) state.contact_gap = result.contact.gap;
   }

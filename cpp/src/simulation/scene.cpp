@@ -21,7 +21,11 @@ Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
       materials{body1, body2},
       initial_gap(std::move(initial_gap_)),
       solver(grid_, body1.elastic, body2.elastic, friction),
-      image_tol_(image_tol) {}
+      image_tol_(image_tol),
+      symmetry_(symmetry_of(initial_gap, grid_)) {
+  // Sliding is along x.
+  if (friction > 0) symmetry_ = common(symmetry_, fft::Symmetry::y);
+}
 
 void Scene::require_volume(int body) const {
   if (grid.nz == 0) {
@@ -34,20 +38,22 @@ void Scene::require_volume(int body) const {
 }
 
 Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tensor,
-                               operators::ResidualMethod method) const {
+                               operators::ResidualMethod method,
+                               fft::Symmetry symmetry) const {
   require_volume(body);
   if (materials[0].elastic == materials[1].elastic) body = 0;
   const Box size{0, 0, box.nx, box.ny, box.nz};
   const std::lock_guard lock(mutex_);
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) {
-    return k.body == body && k.size == size && k.tensor == tensor && k.method == method;
+    return k.body == body && k.size == size && k.tensor == tensor && k.method == method &&
+           k.symmetry == symmetry;
   });
   if (found != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, found);
     return kept_.front().operators;
   }
-  const operators::VolumeOptions options{tensor, method, image_tol_};
-  kept_.push_front({body, size, tensor, method,
+  const operators::VolumeOptions options{tensor, symmetry, method, image_tol_};
+  kept_.push_front({body, size, tensor, method, symmetry,
                     std::make_shared<operators::VolumeOperators>(
                         size.grid(grid), materials[body].elastic, options)});
   if (kept_.size() > most_kept) kept_.pop_back();
@@ -59,6 +65,47 @@ std::size_t Scene::operator_bytes() const {
   std::size_t bytes = 0;
   for (const Kept& k : kept_) bytes += k.operators->bytes();
   return bytes;
+}
+
+fft::Symmetry symmetry_of(const Field& field, const Grid& grid) {
+  const auto at = [&](int i, int j) { return field[static_cast<std::size_t>(i) * grid.ny + j]; };
+  bool x = true, y = true;
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      y = y && at(i, j) == at(i, grid.ny - 1 - j);
+      x = x && at(i, j) == at(grid.nx - 1 - i, j);
+    }
+  }
+  if (!y) return fft::Symmetry::none;
+  return x ? fft::Symmetry::xy : fft::Symmetry::y;
+}
+
+fft::Symmetry common(fft::Symmetry a, fft::Symmetry b) { return std::min(a, b); }
+
+Box stored_part(const Grid& grid, fft::Symmetry symmetry) {
+  Box part = Box::whole(grid);
+  if (symmetry != fft::Symmetry::none) {
+    part.j0 = grid.ny / 2;
+    part.ny = grid.ny - part.j0;
+  }
+  if (symmetry == fft::Symmetry::xy) {
+    part.i0 = grid.nx / 2;
+    part.nx = grid.nx - part.i0;
+  }
+  return part;
+}
+
+Box whole_box(const Box& stored, const Grid& grid, fft::Symmetry symmetry) {
+  Box whole = stored;
+  if (symmetry != fft::Symmetry::none) {
+    whole.j0 = grid.ny - (stored.j0 + stored.ny);
+    whole.ny = grid.ny - 2 * whole.j0;
+  }
+  if (symmetry == fft::Symmetry::xy) {
+    whole.i0 = grid.nx - (stored.i0 + stored.nx);
+    whole.nx = grid.nx - 2 * whole.i0;
+  }
+  return whole;
 }
 
 }  // namespace samcontact::simulation

@@ -40,12 +40,15 @@ std::string flow_at_border(const Grid& grid, const PlasticState* before,
   const Box& box = after->box;
   Field earlier(box.volume_size(), 0.0);
   if (before != nullptr) insert(before->equivalent.data(), before->box, earlier.data(), box);
+  const bool mirror_x = after->symmetry == fft::Symmetry::xy;
+  const bool mirror_y = after->symmetry != fft::Symmetry::none;
   bool bottom = false, side = false;
   for (int k = 0; k < box.nz; ++k) {
     for (int i = 0; i < box.nx; ++i) {
       for (int j = 0; j < box.ny; ++j) {
         const int gi = box.i0 + i, gj = box.j0 + j;
-        const bool at_side = gi == 0 || gj == 0 || gi == grid.nx - 1 || gj == grid.ny - 1;
+        const bool at_side = (gi == 0 && !mirror_x) || (gj == 0 && !mirror_y) ||
+                             gi == grid.nx - 1 || gj == grid.ny - 1;
         const bool at_bottom = k == grid.nz - 1;
         if (!at_side && !at_bottom) continue;
         const std::size_t n = (static_cast<std::size_t>(k) * box.nx + i) * box.ny + j;
@@ -91,13 +94,12 @@ double increment_error(const State& one, const State& two) {
     const auto& material = two.scene().materials[b];
     const double yield_strain =
         material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
-    // One box contains the other.
-    const PlasticState *small = one.plastic[b].get(), *wide = two.plastic[b].get();
-    if (!wide->box.contains(small->box)) std::swap(small, wide);
-    Field g(wide->box.volume_size(), 0.0);
-    insert(small->equivalent.data(), small->box, g.data(), wide->box);
-    error = std::max(
-        error, difference(wide->equivalent, g) / std::max(largest(wide->equivalent), yield_strain));
+    const PlasticState &a = *one.plastic[b], &c = *two.plastic[b];
+    const Box both = a.box.united(c.box);
+    Field first(both.volume_size(), 0.0), second(both.volume_size(), 0.0);
+    insert(a.equivalent.data(), a.box, first.data(), both);
+    insert(c.equivalent.data(), c.box, second.data(), both);
+    error = std::max(error, difference(first, second) / std::max(largest(second), yield_strain));
   }
   return error;
 }
@@ -240,8 +242,9 @@ std::vector<std::string> Simulation::border_complaints(const State& reached,
   }
   for (int b = 0; b < 2; ++b) {
     if (!reached.plastic[b]) continue;
-    const auto where =
-        flow_at_border(scene_->grid, state_.plastic[b].get(), reached.plastic[b].get());
+    const auto symmetry = reached.plastic[b]->symmetry;
+    const auto before = unfolded(state_.plastic[b], scene_->grid, symmetry);
+    const auto where = flow_at_border(scene_->grid, before.get(), reached.plastic[b].get());
     if (where.empty()) continue;
     add("at " + describe(target) + " the plastic zone of body " + std::to_string(b + 1) +
         " reaches the " + where);

@@ -50,7 +50,62 @@ Field embed(const Field& field, const Box& box, const Grid& grid, int components
   return out;
 }
 
+/// One plane, given from the mirror planes on, in a box with fewer of them.
+void unfold(const double* from, const Box& stored, fft::Symmetry had, bool odd_x, bool odd_y,
+            double* to, const Box& box, const Grid& grid) {
+  for (int i = 0; i < box.nx; ++i) {
+    for (int j = 0; j < box.ny; ++j) {
+      int gi = box.i0 + i, gj = box.j0 + j;
+      bool negative = false;
+      if (gi < stored.i0 && had == fft::Symmetry::xy) {
+        gi = grid.nx - 1 - gi;
+        negative = odd_x;
+      }
+      if (gj < stored.j0) {
+        gj = grid.ny - 1 - gj;
+        negative = negative != odd_y;
+      }
+      const double value = from[static_cast<std::size_t>(gi - stored.i0) * stored.ny +
+                                (gj - stored.j0)];
+      to[static_cast<std::size_t>(i) * box.ny + j] = negative ? -value : value;
+    }
+  }
+}
+
 }  // namespace
+
+std::shared_ptr<const PlasticState> unfolded(const std::shared_ptr<const PlasticState>& history,
+                                             const Grid& grid, fft::Symmetry symmetry) {
+  if (!history || history->symmetry == symmetry) return history;
+  auto out = std::make_shared<PlasticState>();
+  out->symmetry = symmetry;
+  out->tensor = history->tensor;
+  Box whole = whole_box(history->box, grid, history->symmetry);
+  // From the planes that remain on.
+  const Box part = stored_part(grid, symmetry);
+  if (symmetry != fft::Symmetry::none) {
+    whole.ny -= part.j0 - whole.j0;
+    whole.j0 = part.j0;
+  }
+  out->box = whole;
+  const auto places = operators::components(out->tensor);
+  const std::size_t from = history->box.surface_size(), to = whole.surface_size();
+  const std::size_t layers = whole.nz;
+  out->strain.resize(places.size() * layers * to);
+  out->equivalent.resize(layers * to);
+  const auto copy = [&](const Field& old, Field& young, std::size_t plane, bool odd_x, bool odd_y) {
+    unfold(old.data() + plane * from, history->box, history->symmetry, odd_x, odd_y,
+           young.data() + plane * to, whole, grid);
+  };
+  for (std::size_t k = 0; k < layers; ++k) {
+    copy(history->equivalent, out->equivalent, k, false, false);
+    for (std::size_t c = 0; c < places.size(); ++c) {
+      const bool odd_x = places[c] == 4 || places[c] == 5, odd_y = places[c] == 3 || places[c] == 5;
+      copy(history->strain, out->strain, c * layers + k, odd_x, odd_y);
+    }
+  }
+  return out;
+}
 
 operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,
                             const Box& box) {
@@ -90,7 +145,7 @@ Field State::gap() const {
 Field State::total_stress(int body, bool with_tractions) const {
   const Grid& grid = scene_->grid;
   scene_->require_volume(body);
-  const auto& history = plastic[body];
+  const auto history = unfolded(plastic[body], grid, fft::Symmetry::none);
   const double sign = body == 1 ? 1.0 : -1.0;
   const Box whole = Box::whole(grid);
   if (!history && !with_tractions) return Field(6 * grid.volume_size(), 0.0);
@@ -128,20 +183,23 @@ Field State::hydrostatic(int body) const {
 Field State::plastic_strain(int body) const {
   scene_->require_volume(body);
   if (!plastic[body]) return Field(6 * scene_->grid.volume_size(), 0.0);
-  return embed(six_components(*plastic[body]), plastic[body]->box, scene_->grid, 6);
+  const auto history = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
+  return embed(six_components(*history), history->box, scene_->grid, 6);
 }
 
 Field State::equivalent_plastic_strain(int body) const {
   scene_->require_volume(body);
   if (!plastic[body]) return Field(scene_->grid.volume_size(), 0.0);
-  return embed(plastic[body]->equivalent, plastic[body]->box, scene_->grid, 1);
+  const auto history = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
+  return embed(history->equivalent, history->box, scene_->grid, 1);
 }
 
 Field State::residual_displacement(int body) const {
   const Grid& grid = scene_->grid;
   Field out(grid.surface_size(), 0.0);
   if (!plastic[body]) return out;
-  const PlasticState& history = *plastic[body];
+  const auto whole_history = unfolded(plastic[body], grid, fft::Symmetry::none);
+  const PlasticState& history = *whole_history;
   Box wide = Box::whole(grid);
   wide.nz = history.box.nz;
   const auto operators = scene_->volume(body, wide, history.tensor, method);

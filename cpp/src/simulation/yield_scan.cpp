@@ -47,7 +47,7 @@ YieldScan::Level::Level(const Grid& fine, int factor_, std::vector<int> layers_,
     : factor(factor_),
       grid(coarsened(fine, factor_)),
       layers(std::move(layers_)),
-      transform(grid.nx, grid.ny),
+      transform(grid.nx, grid.ny, operators::Symmetry::none),
       stress(grid, transform, nu, depths(fine, layers), Tensor::deviator) {}
 
 YieldScan::YieldScan(const Scene& scene, int body) : grid_(scene.grid) {
@@ -80,14 +80,11 @@ Box YieldScan::level_box(const Level& level, const operators::Tractions& tractio
   const Grid& grid = level.grid;
   const int nz = level.stress.layers();
   operators::VolumeSpectrum spectrum(level.transform, nz, Tensor::deviator);
-  ComplexField in(level.transform.spectrum_size());
   const auto add = [&](Traction kind, const Field& field, double scale) {
     if (field.empty()) return;
     const Field coarse = average(field, grid_, grid, level.factor);
-    level.transform.forward(coarse.data(), in.data(), level.transform.mx(),
-                            fft::PaddedTransform::Threads::many);
     level.stress.prepare(kind);
-    level.stress.add(kind, in, scale, spectrum);
+    level.stress.add(kind, level.transform.forward(coarse.data()), scale, spectrum);
   };
   add(Traction::pressure, tractions.pressure, 1.0);
   add(Traction::shear_x, tractions.shear_x, shear_sign);

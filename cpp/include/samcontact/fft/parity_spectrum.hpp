@@ -12,7 +12,9 @@ namespace samcontact::fft {
 /// Real quarter spectra of kernels sampled at offsets i >= 0, j >= 0.
 class ParitySpectrum {
  public:
-  explicit ParitySpectrum(const PaddedTransform& transform);
+  ParitySpectrum(int mx, int my);
+  explicit ParitySpectrum(const PaddedTransform& transform)
+      : ParitySpectrum(transform.mx(), transform.my()) {}
 
   /// Extents of the quarter plane [j][i] of samples and, in the same places, [ky][kx] of spectra.
   int hx() const { return mx_ / 2 + 1; }

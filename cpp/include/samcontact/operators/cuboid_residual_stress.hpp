@@ -18,8 +18,8 @@ namespace samcontact::operators {
 
 class CuboidResidualStress : public ResidualStress {
  public:
-  /// The grid's layers start at the surface.
-  CuboidResidualStress(const Grid& grid, const fft::PaddedTransform& transform, const Elastic& elastic);
+  /// The grid's layers start at the surface. The transform has no symmetry.
+  CuboidResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic);
 
   void apply(VolumeSpectrum& strain_to_stress) const override;
   void correct(Tensor, const double*, double*) const override {}
@@ -40,7 +40,7 @@ class CuboidResidualStress : public ResidualStress {
   void load(int ky, int block, const VolumeSpectrum& strain, double* values) const;
   void store(int ky, int block, double* values, VolumeSpectrum& stress) const;
 
-  const fft::PaddedTransform* transform_;
+  const VolumeTransform* transform_;
   int nz_, lanes_;  // lanes_: mx/2 + 1 rounded up to whole blocks
   double dz_;       // in units of dx
   std::vector<Term> full_terms_, image_terms_[3];

@@ -9,16 +9,15 @@
 
 #include "samcontact/base/elastic.hpp"
 #include "samcontact/base/grid.hpp"
-#include "samcontact/fft/padded_transform.hpp"
 #include "samcontact/operators/volume_spectrum.hpp"
 
 namespace samcontact::operators {
 
 class ImageCorrection {
  public:
-  /// transform: gives the period, at least twice the grid less one cell. tol: the error that is
-  /// allowed, relative to the largest stress.
-  ImageCorrection(const Grid& grid, const fft::PaddedTransform& transform, const Elastic& elastic,
+  /// transform: gives the period, at least twice the box less one cell, and the cells that are
+  /// stored; grid: the whole box. tol: the error that is allowed, relative to the largest stress.
+  ImageCorrection(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
                   double tol);
 
   /// stress -= that of the images of `strain`, both [component][k][i][j].
@@ -29,12 +28,14 @@ class ImageCorrection {
  private:
   /// Coarse cells along one axis and the polynomials through them.
   struct Axis {
-    int fine = 0, coarse = 0;
-    double cell = 0.0;   // size of a coarse cell
-    Field moments;       // [coarse][fine]: coarse cells with the same moments as the fine ones
+    int fine = 0, coarse = 0;  // fine: the stored cells
+    double cell = 0.0;         // size of a coarse cell
+    /// [coarse][fine]: coarse cells with the same moments as the fine ones, for components that are
+    /// even and odd in a mirror; without one the two are equal.
+    Field moments[2];
     Field interpolants;  // [coarse][fine]
   };
-  static Axis make_axis(int fine, double d, double extent, int coarse, int order);
+  static Axis make_axis(int fine, double d, double extent, int coarse, int order, bool mirrored);
 
   void build_influence(const Elastic& elastic, int rings);
   Field coarse_strain(Tensor tensor, const double* strain) const;

@@ -20,7 +20,7 @@ class LayerResidualStress : public ResidualStress {
  public:
   /// The grid's layers start at the surface. image_tol: error of the stress due to the periodic
   /// images that is allowed, relative to the largest stress.
-  LayerResidualStress(const Grid& grid, const fft::PaddedTransform& transform,
+  LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
                       const Elastic& elastic, double image_tol);
 
   void apply(VolumeSpectrum& strain_to_stress) const override;
@@ -29,7 +29,7 @@ class LayerResidualStress : public ResidualStress {
   std::size_t bytes() const override;
 
  private:
-  int mx_, my_, nz_, pitch_;
+  int nz_, pitch_;
   double nu_, lame_, shear_modulus_;
   Field modes_;  // [ky][coefficient][kx]
   ImageCorrection images_;

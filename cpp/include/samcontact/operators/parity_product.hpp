@@ -4,6 +4,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
+#include "samcontact/operators/volume_transform.hpp"
 
 namespace samcontact::operators {
 
@@ -11,5 +12,11 @@ namespace samcontact::operators {
 /// 0..mx/2, negative kx follow from the parity in x.
 void add_parity_product(const double* quarter, kernels::Parity parity, double scale,
                         const Complex* in, Complex* out, int mx);
+
+/// The same on one row of a VolumeTransform's spectra: parity is that of the kernel; both spectra
+/// are stored with their own factor (-i) for each mirrored direction in which the field is odd, and
+/// either input or output is even in both.
+void add_parity_product(const double* quarter, kernels::Parity parity, double scale,
+                        const double* in, double* out, const VolumeTransform& transform);
 
 }  // namespace samcontact::operators

@@ -11,7 +11,7 @@ namespace samcontact::operators {
 class ResidualDisplacement {
  public:
   /// The grid's layers start at the surface. The displacement does not depend on Young's modulus.
-  ResidualDisplacement(const Grid& grid, const fft::PaddedTransform& transform, double nu,
+  ResidualDisplacement(const Grid& grid, const VolumeTransform& transform, double nu,
                        Tensor tensor);
 
   /// displacement [i][j] [m] of the eigenstrain whose spectrum is given.
@@ -20,7 +20,7 @@ class ResidualDisplacement {
   std::size_t bytes() const { return spectra_.size() * sizeof(double); }
 
  private:
-  const fft::PaddedTransform* transform_;
+  const VolumeTransform* transform_;
   int nz_;
   Tensor tensor_;
   Field spectra_;  // [ky][component][layer][kx <= mx/2]

@@ -17,22 +17,22 @@ enum class Traction { pressure = 0, shear_x = 1, shear_y = 2 };
 /// when it is first prepared.
 class TractionStress {
  public:
-  TractionStress(const Grid& grid, const fft::PaddedTransform& transform, double nu,
+  TractionStress(const Grid& grid, const VolumeTransform& transform, double nu,
                  std::vector<double> depths, Tensor tensor);
 
   /// Builds the kernels of a kind of traction; not thread-safe against add().
   void prepare(Traction kind);
 
-  /// out += scale * stress of the traction whose spectrum [ky][kx] is given. The kind must have
-  /// been prepared. All layers of `out` then count as used.
-  void add(Traction kind, const ComplexField& traction, double scale, VolumeSpectrum& out) const;
+  /// out += scale * stress of the traction whose spectrum is given. The kind must have been
+  /// prepared. All layers of `out` then count as used.
+  void add(Traction kind, const Field& traction, double scale, VolumeSpectrum& out) const;
 
   int layers() const { return static_cast<int>(depths_.size()); }
   std::size_t bytes() const;
 
  private:
   Grid grid_;
-  const fft::PaddedTransform* transform_;
+  const VolumeTransform* transform_;
   double nu_;
   std::vector<double> depths_;
   Tensor tensor_;

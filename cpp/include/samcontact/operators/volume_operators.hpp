@@ -24,13 +24,16 @@ enum class ResidualMethod { exact, fast };
 
 struct VolumeOptions {
   Tensor tensor = Tensor::full;
+  /// Mirror planes of all fields; the exact method knows none.
+  Symmetry symmetry = Symmetry::none;
   ResidualMethod method = ResidualMethod::exact;
   /// Fast method: error due to periodic images, relative to the largest residual stress.
   double image_tol = 1e-3;
 };
 
 /// Thread-safe; shared by bodies with equal elastic constants. Strain and stress have the
-/// components of options.tensor, [component][k][i][j].
+/// components of options.tensor, [component][k][i][j] on the cells that the symmetry leaves, and so
+/// have tractions and displacement.
 class VolumeOperators {
  public:
   VolumeOperators(const Grid& grid, const Elastic& elastic, const VolumeOptions& options);
@@ -38,7 +41,7 @@ class VolumeOperators {
   const Grid& grid() const { return grid_; }
   const Elastic& elastic() const { return elastic_; }
   Tensor tensor() const { return options_.tensor; }
-  const fft::PaddedTransform& transform() const { return transform_; }
+  const VolumeTransform& transform() const { return transform_; }
   VolumeSpectrum make_spectrum() const { return {transform_, grid_.nz, options_.tensor}; }
 
   const ResidualStress& residual_stress() const;
@@ -56,7 +59,7 @@ class VolumeOperators {
   Grid grid_;
   Elastic elastic_;
   VolumeOptions options_;
-  fft::PaddedTransform transform_;
+  VolumeTransform transform_;
   mutable std::mutex mutex_;
   mutable TractionStress traction_stress_;
   mutable std::unique_ptr<ResidualStress> residual_stress_;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "samcontact/fft/padded_transform.hpp"
+#include "samcontact/operators/volume_transform.hpp"
 
 namespace samcontact::operators {
 
@@ -21,34 +21,34 @@ inline std::span<const int> components(Tensor tensor) {
 }
 inline int count(Tensor tensor) { return tensor == Tensor::full ? 6 : 5; }
 
-/// Spectra of the components on nz layers, [ky][component][layer][kx]: all that one wavenumber ky
-/// needs lies together.
+/// Spectra of the components on nz layers, [ky][component][layer][kx], as the transform stores
+/// them: all that one wavenumber ky needs lies together.
 struct VolumeSpectrum {
-  /// Rows are padded to a multiple of this many wavenumbers, so that loops run over whole blocks.
-  static constexpr int lanes = 8;
-  static int padded(int mx) { return (mx + lanes - 1) / lanes * lanes; }
-
+  Symmetry symmetry;
   Tensor tensor;
-  int components, mx, mh, nz, pitch;
-  ComplexField data;
+  int components, nz, mx, my, mh, modes, parts, pitch;
+  Field data;
   /// Layers that may be non-zero; the others are skipped by transforms and products.
   std::vector<char> used;
 
-  VolumeSpectrum(const fft::PaddedTransform& transform, int nz, Tensor tensor);
+  VolumeSpectrum(const VolumeTransform& transform, int nz, Tensor tensor);
 
-  std::size_t stride() const { return static_cast<std::size_t>(components) * nz * pitch; }
-  Complex* column(int ky, int component, int layer) {
-    return data.data() + ky * stride() + (static_cast<std::size_t>(component) * nz + layer) * pitch;
+  std::size_t row_size() const { return static_cast<std::size_t>(pitch) * parts; }
+  std::size_t stride() const { return static_cast<std::size_t>(components) * nz * row_size(); }
+  double* row(int ky, int component, int layer) {
+    return data.data() + ky * stride() +
+           (static_cast<std::size_t>(component) * nz + layer) * row_size();
   }
-  const Complex* column(int ky, int component, int layer) const {
-    return const_cast<VolumeSpectrum*>(this)->column(ky, component, layer);
+  const double* row(int ky, int component, int layer) const {
+    return const_cast<VolumeSpectrum*>(this)->row(ky, component, layer);
   }
 };
 
-/// tensor: [component][k][i][j], the spectrum's components. Finds the layers that are all zero and skips them.
-void forward(const fft::PaddedTransform& transform, const double* tensor, VolumeSpectrum& out);
+/// tensor: [component][k][i][j], the spectrum's components on the stored cells. Finds the layers
+/// that are all zero and skips them.
+void forward(const VolumeTransform& transform, const double* tensor, VolumeSpectrum& out);
 
 /// Back to real space, all layers; destroys the spectrum.
-void inverse(const fft::PaddedTransform& transform, VolumeSpectrum& spectrum, double* tensor);
+void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, double* tensor);
 
 }  // namespace samcontact::operators

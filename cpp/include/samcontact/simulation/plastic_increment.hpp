@@ -40,7 +40,7 @@ class PlasticIncrement {
   struct Body {
     int index;
     const YieldScan* scan;
-    Box box;
+    Box box;  // from the mirror planes on
     operators::Tensor tensor;
     Scene::Operators operators;
     std::vector<operators::VolumeSpectrum> spectrum;  // one, or none without a box
@@ -51,7 +51,10 @@ class PlasticIncrement {
     bool strained = false;
   };
 
+  fft::Symmetry choose_symmetry() const;
   void set_box(Body& body, const Box& box);
+  /// A stored box for what is needed, given in whole boxes.
+  Box fit(const Box& needed, const Box& before) const;
   void scatter(const Field& guess);
   void residual_displacement(Body& body, Field& gap);
   contact::Solution solve_contact(const Field& gap, double tol);
@@ -62,12 +65,13 @@ class PlasticIncrement {
   void activate(std::uint8_t b, Field& guess);
   void return_map(Field& guess, Field& mapped, Result& result);
   /// Grows the boxes whose rim flows.
-  bool grow_at_rim(const Field& mapped);
+  bool grow_at_rim();
 
   const State& from_;
   const Target& target_;
   Counters& counters_;
   const Scene& scene_;
+  fft::Symmetry symmetry_ = fft::Symmetry::none;
   std::vector<Body> bodies_;  // inelastic ones
   int components_ = 5;
   operators::Tractions tractions_;

@@ -29,10 +29,14 @@ class Scene {
   void require_volume(int body) const;
 
   using Operators = std::shared_ptr<const operators::VolumeOperators>;
-  /// Operators of a body on boxes of this size; bodies with equal elastic constants share them. The
-  /// last few are kept. Thread-safe.
+  /// Operators of a body on (whole) boxes of this size; bodies with equal elastic constants share
+  /// them. The last few are kept. Thread-safe.
   Operators volume(int body, const Box& box, operators::Tensor tensor,
-                   operators::ResidualMethod method) const;
+                   operators::ResidualMethod method,
+                   fft::Symmetry symmetry = fft::Symmetry::none) const;
+
+  /// Mirror planes that the initial gap, friction and grid leave to all fields.
+  fft::Symmetry symmetry() const { return symmetry_; }
 
   /// Memory of the operators that are kept.
   std::size_t operator_bytes() const;
@@ -43,12 +47,23 @@ class Scene {
     Box size;
     operators::Tensor tensor;
     operators::ResidualMethod method;
+    fft::Symmetry symmetry;
     Operators operators;
   };
 
   double image_tol_;
+  fft::Symmetry symmetry_;
   mutable std::mutex mutex_;
   mutable std::list<Kept> kept_;  // the latest used first
 };
+
+/// Mirror planes of a surface field, to the last bit.
+fft::Symmetry symmetry_of(const Field& field, const Grid& grid);
+/// Those that both have.
+fft::Symmetry common(fft::Symmetry a, fft::Symmetry b);
+/// The cells of the grid from the mirror planes on, all layers.
+Box stored_part(const Grid& grid, fft::Symmetry symmetry);
+/// The whole box of which `stored` is the part from the mirror planes on, and that part of a box.
+Box whole_box(const Box& stored, const Grid& grid, fft::Symmetry symmetry);
 
 }  // namespace samcontact::simulation

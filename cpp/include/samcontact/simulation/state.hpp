@@ -12,9 +12,11 @@
 
 namespace samcontact::simulation {
 
-/// Plastic history of one body in the box that holds all of it; never changed once made.
+/// Plastic history of one body in the box that holds all of it; never changed once made. With
+/// mirror planes the box is the part from them on.
 struct PlasticState {
   Box box;
+  fft::Symmetry symmetry = fft::Symmetry::none;
   operators::Tensor tensor = operators::Tensor::deviator;
   Field strain;      // [component][k][i][j] of the box
   Field equivalent;  // [k][i][j] of the box
@@ -62,6 +64,10 @@ class State {
 
   std::shared_ptr<const Scene> scene_;
 };
+
+/// The same with fewer mirror planes.
+std::shared_ptr<const PlasticState> unfolded(const std::shared_ptr<const PlasticState>& history,
+                                             const Grid& grid, fft::Symmetry symmetry);
 
 /// The part of the surface fields over a box.
 operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,

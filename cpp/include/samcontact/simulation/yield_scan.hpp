@@ -27,7 +27,7 @@ class YieldScan {
     int factor;
     Grid grid;
     std::vector<int> layers;  // of the scene's grid
-    fft::PaddedTransform transform;
+    operators::VolumeTransform transform;
     mutable operators::TractionStress stress;
 
     Level(const Grid& grid, int factor, std::vector<int> layers, double nu);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two-dimensional transforms of zero-padded planes that are even or odd about the middle of y, and
+// perhaps of x: a half or a quarter of the plane is stored and transformed.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/fft/plan.hpp"
+
+namespace samcontact::fft {
+
+/// Mirror planes of a field, in the middle of the grid.
+enum class Symmetry { none, y, xy };
+
+/// A plane of n cells mirrored in its middle stores the cells from the middle on.
+inline int stored_cells(int n, bool mirrored) { return mirrored ? n - n / 2 : n; }
+
+/// The spectrum of a plane is (-i)^(number of mirrored directions in which it is odd) times what is
+/// stored, about the plane's middle: complex for kx = 0..mx/2 with a mirror in y only, real with
+/// both. An even and an odd plane share one real transform along each mirrored direction.
+class MirroredTransform {
+ public:
+  /// nx, ny: cells of the whole plane; mx, my: padded sizes, even.
+  MirroredTransform(int nx, int ny, int mx, int my, bool mirror_x);
+
+  int rows() const { return hx_; }
+  int columns() const { return hy_; }
+
+  struct Plane {
+    double* values;    // [i][j] of the stored cells
+    double* spectrum;  // row kx of ky = 0
+    bool odd_x, odd_y;
+  };
+  /// Rows of successive ky lie `stride` doubles apart. Unnormalised. Thread-safe, one thread.
+  void forward(std::span<const Plane> planes, std::size_t stride) const;
+  void inverse(std::span<const Plane> planes, std::size_t stride) const;
+
+ private:
+  static constexpr int block = 8;
+
+  /// The mirror of one direction: n cells padded to m.
+  struct Mirror {
+    Mirror(int n, int m);
+    /// Index of the mirror image of stored cell i in the padded row.
+    int image(int i) const { return shifted ? m - 1 - i : (m - i) % m; }
+    int stored, m;
+    bool shifted;      // the middle lies between two cells
+    Field cos_, sin_;  // of k pi / m, k <= m/2
+  };
+  static std::vector<std::array<int, 2>> pairs(std::span<const Plane> planes, bool along_x);
+
+  int hx_, hy_, mx_, my_, mh_, mk_;
+  bool mirror_x_;
+  Mirror x_, y_;
+  Plan rows_forward_, rows_inverse_, columns_forward_, columns_inverse_;
+};
+
+}  // namespace samcontact::fft

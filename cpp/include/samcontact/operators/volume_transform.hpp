@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plane transforms of a box: of whole planes, or of the half or quarter that mirror planes
+// leave. What is stored of a spectrum follows from it.
+#pragma once
+
+#include <memory>
+
+#include "samcontact/fft/mirrored_transform.hpp"
+#include "samcontact/fft/padded_transform.hpp"
+
+namespace samcontact::operators {
+
+using fft::Symmetry;
+
+class VolumeTransform {
+ public:
+  /// nx, ny: cells of the whole plane, also where only a part is stored; padded sizes are at least
+  /// the given ones.
+  VolumeTransform(int nx, int ny, Symmetry symmetry, int least_mx = 0, int least_my = 0);
+
+  Symmetry symmetry() const { return symmetry_; }
+  /// Stored cells of a plane.
+  int nx() const { return fft::stored_cells(nx_, symmetry_ == Symmetry::xy); }
+  int ny() const { return fft::stored_cells(ny_, symmetry_ != Symmetry::none); }
+  std::size_t plane_size() const { return static_cast<std::size_t>(nx()) * ny(); }
+  /// Padded sizes, and the wavenumbers stored: ky = 0..my/2, kx = 0..mx-1 or 0..mx/2.
+  int mx() const { return mx_; }
+  int my() const { return my_; }
+  int mh() const { return my_ / 2 + 1; }
+  int modes() const { return symmetry_ == Symmetry::none ? mx_ : mx_ / 2 + 1; }
+  /// 2 for complex spectra, 1 for real ones.
+  int parts() const { return symmetry_ == Symmetry::xy ? 1 : 2; }
+  /// Rows of a spectrum are padded to whole blocks of `lanes` wavenumbers.
+  static constexpr int lanes = 8;
+  int pitch() const { return (modes() + lanes - 1) / lanes * lanes; }
+  std::size_t row_size() const { return static_cast<std::size_t>(pitch()) * parts(); }
+
+  /// Planes of the components of one layer. Spectra in rows `stride` doubles apart; one thread.
+  using Plane = fft::MirroredTransform::Plane;
+  void forward(std::span<const Plane> planes, std::size_t stride) const;
+  void inverse(std::span<const Plane> planes, std::size_t stride) const;
+
+  /// One plane, even in x and y; the spectrum [ky][kx] in rows of row_size(). Threaded where whole.
+  Field forward(const double* plane) const;
+  void inverse(Field& spectrum, double* plane) const;
+
+ private:
+  int nx_, ny_;
+  Symmetry symmetry_;
+  fft::PaddedTransform whole_;
+  int mx_, my_;
+  std::unique_ptr<fft::MirroredTransform> mirrored_;
+};
+
+}  // namespace samcontact::operators

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/fft/mirrored_transform.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace samcontact::fft {
+namespace {
+
+/// Buffers of one thread, kept between calls.
+struct Work {
+  Field real, middle;
+  ComplexField half;
+};
+
+Work& work() {
+  static thread_local Work w;
+  return w;
+}
+
+}  // namespace
+
+MirroredTransform::Mirror::Mirror(int n, int m_)
+    : stored(stored_cells(n, true)), m(m_), shifted(n % 2 == 0), cos_(m_ / 2 + 1), sin_(m_ / 2 + 1) {
+  for (int k = 0; k <= m / 2; ++k) {
+    const double angle = shifted ? std::numbers::pi * k / m : 0.0;
+    cos_[k] = std::cos(angle);
+    sin_[k] = std::sin(angle);
+  }
+}
+
+MirroredTransform::MirroredTransform(int nx, int ny, int mx, int my, bool mirror_x)
+    : hx_(stored_cells(nx, mirror_x)),
+      hy_(stored_cells(ny, true)),
+      mx_(mx),
+      my_(my),
+      mh_(my / 2 + 1),
+      mk_(mx / 2 + 1),
+      mirror_x_(mirror_x),
+      x_(nx, mx),
+      y_(ny, my) {
+  Field real(static_cast<std::size_t>(block) * std::max(mx_, my_));
+  ComplexField half(static_cast<std::size_t>(block) * std::max(mk_, mh_));
+  const std::lock_guard lock(planner_mutex());
+  const auto forward_plan = [&](int m) {
+    return fftw_plan_many_dft_r2c(1, &m, block, real.data(), nullptr, 1, m, raw(half.data()),
+                                  nullptr, 1, m / 2 + 1, FFTW_ESTIMATE);
+  };
+  const auto inverse_plan = [&](int m) {
+    return fftw_plan_many_dft_c2r(1, &m, block, raw(half.data()), nullptr, 1, m / 2 + 1,
+                                  real.data(), nullptr, 1, m, FFTW_ESTIMATE);
+  };
+  rows_forward_.reset(forward_plan(my_));
+  rows_inverse_.reset(inverse_plan(my_));
+  columns_forward_.reset(forward_plan(mx_));
+  columns_inverse_.reset(inverse_plan(mx_));
+}
+
+/// Each odd plane with an even one; -1 where there is no partner.
+std::vector<std::array<int, 2>> MirroredTransform::pairs(std::span<const Plane> planes,
+                                                         bool along_x) {
+  std::vector<int> even, odd;
+  for (int p = 0; p < static_cast<int>(planes.size()); ++p) {
+    ((along_x ? planes[p].odd_x : planes[p].odd_y) ? odd : even).push_back(p);
+  }
+  std::vector<std::array<int, 2>> result(std::max(even.size(), odd.size()), {-1, -1});
+  for (std::size_t n = 0; n < even.size(); ++n) result[n][0] = even[n];
+  for (std::size_t n = 0; n < odd.size(); ++n) result[n][1] = odd[n];
+  return result;
+}
+
+void MirroredTransform::forward(std::span<const Plane> planes, std::size_t stride) const {
+  Work& w = work();
+  const std::size_t plane = static_cast<std::size_t>(mh_) * hx_;
+  w.middle.resize(planes.size() * plane);  // [plane][ky][i]
+  w.half.resize(static_cast<std::size_t>(block) * std::max(mk_, mh_));
+
+  w.real.assign(static_cast<std::size_t>(block) * my_, 0.0);
+  for (const auto& [even, odd] : pairs(planes, false)) {
+    const double* e = even < 0 ? nullptr : planes[even].values;
+    const double* o = odd < 0 ? nullptr : planes[odd].values;
+    for (int i0 = 0; i0 < hx_; i0 += block) {
+      const int rows = std::min(block, hx_ - i0);
+      for (int r = 0; r < rows; ++r) {
+        double* row = w.real.data() + static_cast<std::size_t>(r) * my_;
+        const std::size_t from = static_cast<std::size_t>(i0 + r) * hy_;
+        for (int j = 0; j < hy_; ++j) {
+          const double a = e ? e[from + j] : 0.0, b = o ? o[from + j] : 0.0;
+          row[y_.image(j)] = a - b;
+          row[j] = a + b;
+        }
+        if (!y_.shifted) row[0] = e ? e[from] : 0.0;
+      }
+      fftw_execute_dft_r2c(rows_forward_.get(), w.real.data(), raw(w.half.data()));
+      for (int ky = 0; ky < mh_; ++ky) {
+        const double c = y_.cos_[ky], s = y_.sin_[ky];
+        for (int r = 0; r < rows; ++r) {
+          const Complex z = w.half[static_cast<std::size_t>(r) * mh_ + ky];
+          const std::size_t to = static_cast<std::size_t>(ky) * hx_ + i0 + r;
+          if (e) w.middle[even * plane + to] = c * z.real() + s * z.imag();
+          if (o) w.middle[odd * plane + to] = s * z.real() - c * z.imag();
+        }
+      }
+    }
+  }
+
+  w.real.assign(static_cast<std::size_t>(block) * mx_, 0.0);
+  if (!mirror_x_) {
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+      for (int ky0 = 0; ky0 < mh_; ky0 += block) {
+        const int rows = std::min(block, mh_ - ky0);
+        for (int r = 0; r < rows; ++r) {
+          std::copy_n(w.middle.data() + p * plane + static_cast<std::size_t>(ky0 + r) * hx_, hx_,
+                      w.real.data() + static_cast<std::size_t>(r) * mx_);
+        }
+        fftw_execute_dft_r2c(columns_forward_.get(), w.real.data(), raw(w.half.data()));
+        for (int r = 0; r < rows; ++r) {
+          std::copy_n(w.half.data() + static_cast<std::size_t>(r) * mk_, mk_,
+                      reinterpret_cast<Complex*>(planes[p].spectrum + (ky0 + r) * stride));
+        }
+      }
+    }
+    return;
+  }
+  for (const auto& [even, odd] : pairs(planes, true)) {
+    for (int ky0 = 0; ky0 < mh_; ky0 += block) {
+      const int rows = std::min(block, mh_ - ky0);
+      for (int r = 0; r < rows; ++r) {
+        const std::size_t from = static_cast<std::size_t>(ky0 + r) * hx_;
+        const double* e = even < 0 ? nullptr : w.middle.data() + even * plane + from;
+        const double* o = odd < 0 ? nullptr : w.middle.data() + odd * plane + from;
+        double* row = w.real.data() + static_cast<std::size_t>(r) * mx_;
+        for (int i = 0; i < hx_; ++i) {
+          const double a = e ? e[i] : 0.0, b = o ? o[i] : 0.0;
+          row[x_.image(i)] = a - b;
+          row[i] = a + b;
+        }
+        if (!x_.shifted) row[0] = e ? e[0] : 0.0;
+      }
+      fftw_execute_dft_r2c(columns_forward_.get(), w.real.data(), raw(w.half.data()));
+      for (int r = 0; r < rows; ++r) {
+        const Complex* z = w.half.data() + static_cast<std::size_t>(r) * mk_;
+        if (even >= 0) {
+          double* to = planes[even].spectrum + (ky0 + r) * stride;
+          for (int k = 0; k < mk_; ++k) {
+            to[k] = x_.cos_[k] * z[k].real() + x_.sin_[k] * z[k].imag();
+          }
+        }
+        if (odd >= 0) {
+          double* to = planes[odd].spectrum + (ky0 + r) * stride;
+          for (int k = 0; k < mk_; ++k) {
+            to[k] = x_.sin_[k] * z[k].real() - x_.cos_[k] * z[k].imag();
+          }
+        }
+      }
+    }
+  }
+}
+
+void MirroredTransform::inverse(std::span<const Plane> planes, std::size_t stride) const {
+  Work& w = work();
+  const std::size_t plane = static_cast<std::size_t>(mh_) * hx_;
+  w.middle.resize(planes.size() * plane);  // [plane][ky][i]
+  w.half.resize(static_cast<std::size_t>(block) * std::max(mk_, mh_));
+  w.real.resize(static_cast<std::size_t>(block) * std::max(mx_, my_));
+
+  if (!mirror_x_) {
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+      for (int ky0 = 0; ky0 < mh_; ky0 += block) {
+        const int rows = std::min(block, mh_ - ky0);
+        for (int r = 0; r < rows; ++r) {
+          std::copy_n(reinterpret_cast<const Complex*>(planes[p].spectrum + (ky0 + r) * stride), mk_,
+                      w.half.data() + static_cast<std::size_t>(r) * mk_);
+        }
+        fftw_execute_dft_c2r(columns_inverse_.get(), raw(w.half.data()), w.real.data());
+        for (int r = 0; r < rows; ++r) {
+          std::copy_n(w.real.data() + static_cast<std::size_t>(r) * mx_, hx_,
+                      w.middle.data() + p * plane + static_cast<std::size_t>(ky0 + r) * hx_);
+        }
+      }
+    }
+  } else {
+    for (const auto& [even, odd] : pairs(planes, true)) {
+      for (int ky0 = 0; ky0 < mh_; ky0 += block) {
+        const int rows = std::min(block, mh_ - ky0);
+        for (int r = 0; r < rows; ++r) {
+          const double* e = even < 0 ? nullptr : planes[even].spectrum + (ky0 + r) * stride;
+          const double* o = odd < 0 ? nullptr : planes[odd].spectrum + (ky0 + r) * stride;
+          Complex* z = w.half.data() + static_cast<std::size_t>(r) * mk_;
+          for (int k = 0; k < mk_; ++k) {
+            const double a = e ? e[k] : 0.0, b = o ? o[k] : 0.0;
+            z[k] = {x_.cos_[k] * a + x_.sin_[k] * b, x_.sin_[k] * a - x_.cos_[k] * b};
+          }
+        }
+        fftw_execute_dft_c2r(columns_inverse_.get(), raw(w.half.data()), w.real.data());
+        for (int r = 0; r < rows; ++r) {
+          const double* row = w.real.data() + static_cast<std::size_t>(r) * mx_;
+          const std::size_t to = static_cast<std::size_t>(ky0 + r) * hx_;
+          for (int i = 0; i < hx_; ++i) {
+            const double here = row[i], there = row[x_.image(i)];
+            if (even >= 0) w.middle[even * plane + to + i] = 0.5 * (here + there);
+            if (odd >= 0) w.middle[odd * plane + to + i] = 0.5 * (here - there);
+          }
+        }
+      }
+    }
+  }
+
+  for (const auto& [even, odd] : pairs(planes, false)) {
+    const double* e = even < 0 ? nullptr : w.middle.data() + even * plane;
+    const double* o = odd < 0 ? nullptr : w.middle.data() + odd * plane;
+    for (int i0 = 0; i0 < hx_; i0 += block) {
+      const int rows = std::min(block, hx_ - i0);
+      for (int ky = 0; ky < mh_; ++ky) {
+        const double c = y_.cos_[ky], s = y_.sin_[ky];
+        for (int r = 0; r < rows; ++r) {
+          const std::size_t from = static_cast<std::size_t>(ky) * hx_ + i0 + r;
+          const double a = e ? e[from] : 0.0, b = o ? o[from] : 0.0;
+          w.half[static_cast<std::size_t>(r) * mh_ + ky] = {c * a + s * b, s * a - c * b};
+        }
+      }
+      fftw_execute_dft_c2r(rows_inverse_.get(), raw(w.half.data()), w.real.data());
+      for (int r = 0; r < rows; ++r) {
+        const double* row = w.real.data() + static_cast<std::size_t>(r) * my_;
+        const std::size_t to = static_cast<std::size_t>(i0 + r) * hy_;
+        for (int j = 0; j < hy_; ++j) {
+          const double here = row[j], there = row[y_.image(j)];
+          if (even >= 0) planes[even].values[to + j] = 0.5 * (here + there);
+          if (odd >= 0) planes[odd].values[to + j] = 0.5 * (here - there);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace samcontact::fft
