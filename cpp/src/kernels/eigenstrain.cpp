@@ -133,8 +133,14 @@ Parity full_space_parity(int kernel) { return parity_of(full_space_indices[kerne
 Parity image_parity(int kernel) { return parity_of(image_indices[kernel]); }
 
 Parity component_parity(int component) {
-  constexpr std::array<std::string_view, 6> indices{"xx", "yy", "zz", "yz", "xz", "xy"};
-  return parity_of(indices[component]);
+  // xx, yy, zz, yz, xz, xy
+  constexpr std::array<Parity, 6> parities{{{false, false, false},
+                                            {false, false, false},
+                                            {false, false, false},
+                                            {false, true, true},
+                                            {true, false, true},
+                                            {true, true, false}}};
+  return parities[component];
 }
 
 double inside_stress(int out, int in, double nu) {

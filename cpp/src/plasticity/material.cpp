@@ -34,27 +34,21 @@ Hardening Hardening::swift(double B, double C, double n) {
   return h;
 }
 
-double Hardening::yield_stress(double g) const {
+Hardening::Point Hardening::at(double g) const {
   switch (law_) {
     case Law::linear:
-      return initial_ + modulus_ * g;
-    case Law::swift:
-      return B_ * std::pow(C_ + micro * g, n_);
+      return {initial_ + modulus_ * g, modulus_};
+    case Law::swift: {
+      const double base = C_ + micro * g, stress = B_ * std::pow(base, n_);
+      return {stress, n_ * micro * stress / base};
+    }
     default:
-      return std::numeric_limits<double>::infinity();
+      return {std::numeric_limits<double>::infinity(), 0.0};
   }
 }
 
-double Hardening::slope(double g) const {
-  switch (law_) {
-    case Law::linear:
-      return modulus_;
-    case Law::swift:
-      return B_ * n_ * micro * std::pow(C_ + micro * g, n_ - 1);
-    default:
-      return 0.0;
-  }
-}
+double Hardening::yield_stress(double g) const { return at(g).yield_stress; }
+double Hardening::slope(double g) const { return at(g).slope; }
 
 Material Material::make_elastic(double E, double nu) { return {Elastic::isotropic(E, nu)}; }
 

@@ -22,6 +22,11 @@ class Hardening {
   double yield_stress(double g) const;
   /// d yield_stress / dg [Pa].
   double slope(double g) const;
+  /// Both at once: a power costs more than all else here.
+  struct Point {
+    double yield_stress, slope;
+  };
+  Point at(double g) const;
 
  private:
   Law law_ = Law::elastic;

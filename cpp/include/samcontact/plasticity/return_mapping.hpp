@@ -16,9 +16,10 @@ using Tensor = std::array<double, 6>;
 double von_mises(const Tensor& stress);
 
 /// Equivalent plastic strain increment d >= 0 that solves trial - 3 G d = yield_stress(g + d), to
-/// rounding. trial: von Mises stress of the trial state [Pa]; g: equivalent plastic strain before.
+/// rounding. trial: von Mises stress of the trial state [Pa]; g: equivalent plastic strain before;
+/// start: an estimate of d.
 double equivalent_increment(double trial, double g, double shear_modulus,
-                            const Hardening& hardening);
+                            const Hardening& hardening, double start = 0.0);
 
 struct Return {
   Tensor increment;   // plastic strain increment (tensor components)
