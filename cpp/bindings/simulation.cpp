@@ -26,7 +26,7 @@ py::object surface_view(const py::object& self, const Field& field) {
   return view;
 }
 
-/// Plastic history as it is kept, for checkpoints: its box, strain (components, nz, nx, ny) and
+/// Plastic history as it is kept, for checkpoints: its box, how many directions are mirrored, strain (components, nz, nx, ny) and
 /// equivalent plastic strain (nz, nx, ny) of the box; None without plastic strain.
 py::object history(const State& state, int body) {
   const auto& plastic = state.plastic[body];
@@ -36,6 +36,7 @@ py::object history(const State& state, int body) {
   const py::ssize_t parts = operators::count(plastic->tensor);
   py::dict d;
   d["box"] = std::vector<int>{box.i0, box.j0, box.nx, box.ny, box.nz};
+  d["mirrored"] = static_cast<int>(plastic->symmetry);
   d["strain"] = py::array_t<double>({parts, nz, nx, ny}, plastic->strain.data());
   d["equivalent"] = py::array_t<double>({nz, nx, ny}, plastic->equivalent.data());
   return d;
@@ -51,8 +52,13 @@ std::shared_ptr<const simulation::PlasticState> to_history(const py::dict& saved
   auto plastic = std::make_shared<simulation::PlasticState>();
   Box& box = plastic->box;
   box = {extents[0], extents[1], extents[2], extents[3], extents[4]};
-  const bool inside = box.i0 >= 0 && box.j0 >= 0 && box.nx > 0 && box.ny > 0 && box.nz > 0 &&
+  bool inside = box.i0 >= 0 && box.j0 >= 0 && box.nx > 0 && box.ny > 0 && box.nz > 0 &&
                       Box::whole(grid).contains(box);
+  const int mirrored = saved["mirrored"].cast<int>();
+  if (mirrored < 0 || mirrored > 2) throw std::invalid_argument("mirrored must be 0, 1 or 2");
+  plastic->symmetry = static_cast<fft::Symmetry>(mirrored);
+  const Box part = simulation::stored_part(grid, plastic->symmetry);
+  inside = inside && (mirrored < 1 || box.j0 == part.j0) && (mirrored < 2 || box.i0 == part.i0);
   if (!inside) throw std::invalid_argument("the box of a plastic history is not in the grid");
   const auto cells = static_cast<py::ssize_t>(box.volume_size());
   plastic->tensor = strain.size() == 5 * cells ? operators::Tensor::deviator
@@ -114,6 +120,10 @@ void bind_state(py::module_& m) {
              }
              return surface_array(std::move(gap), state.scene().grid);
            })
+      .def_property_readonly("contact_gap",
+                             [](const py::object& self) {
+                               return surface_view(self, self.cast<const State&>().contact_gap);
+                             })
       .def_property_readonly(
           "exact_residual_stress",
           [](const State& s) { return s.method == operators::ResidualMethod::exact; })
@@ -178,6 +188,7 @@ void restore(Simulation& simulation, const py::dict& saved) {
                                              : ResidualMethod::fast);
   const auto field = [&](const char* name) { return to_field_or_empty(saved[name]); };
   state.tractions = {field("pressure"), field("shear_x"), field("shear_y")};
+  state.contact_gap = field("contact_gap");
   state.load = saved["load"].cast<double>();
   state.approach = saved["approach"].cast<double>();
   state.plastic_iterations = saved["iterations"].cast<int>();

@@ -66,6 +66,7 @@ class State:
     pressure: FloatArray
     shear_x: FloatArray | None
     shear_y: FloatArray | None
+    contact_gap: FloatArray | None
     exact_residual_stress: bool
     load: float
     approach: float

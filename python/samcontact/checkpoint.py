@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 _FORMAT = "samcontact checkpoint"
 _FORMAT_VERSION = 2
-_SURFACE = ("pressure", "shear_x", "shear_y")
+_SURFACE = ("pressure", "shear_x", "shear_y", "contact_gap")
 _REQUIRED = ("pressure",)
 _SCALARS = (
     "load",
@@ -86,7 +86,7 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
         history = core.history(body)
         if history is not None:
             kept = state.create_group(f"history{body + 1}")
-            kept.attrs["box"] = history["box"]
+            kept.attrs.update(box=history["box"], mirrored=history["mirrored"])
             _dataset(kept, "strain", history["strain"])
             _dataset(kept, "equivalent", history["equivalent"])
     file.create_group("counters").attrs.update(simulation.counters)
@@ -149,6 +149,7 @@ def _read_state(file: h5py.File) -> dict[str, Any]:
             kept = group[name]
             saved[name] = {
                 "box": [int(n) for n in kept.attrs["box"]],
+                "mirrored": int(kept.attrs["mirrored"]),
                 "strain": np.ascontiguousarray(kept["strain"][...]),
                 "equivalent": np.ascontiguousarray(kept["equivalent"][...]),
             }

@@ -178,7 +178,7 @@ class TestDamage:
         with pytest.raises(sc.CheckpointError, match="is damaged"):
             sc.Simulation.load(saved)
 
-    @pytest.mark.parametrize("name", ["pressure", "gap", "plastic_strain2", "equivalent2"])
+    @pytest.mark.parametrize("name", ["pressure", "history2/strain", "history2/equivalent"])
     def test_flipped_bits_in_the_numbers(self, saved, name):
         """A changed byte in the middle of a field must not become a slightly wrong start."""
         with h5py.File(saved, "r") as file:
@@ -199,7 +199,7 @@ class TestDamage:
             "state",
             "counters",
             "state/pressure",
-            "state/gap",
+            "state/history2/strain",
         ],
     )
     def test_missing_part(self, saved, name):
@@ -212,8 +212,8 @@ class TestDamage:
         "name",
         [
             "pressure",
-            "plastic_strain2",
-            "equivalent2",
+            "history2/strain",
+            "history2/equivalent",
         ],
     )
     def test_part_that_does_not_fit(self, saved, name):
@@ -232,6 +232,8 @@ class TestDamage:
             ("body2", "law", "viscous"),
             ("settings", "tol", "tight"),
             ("settings", "friction", -1.0),
+            ("state/history2", "box", [-1, 0, 3, 3, 3]),
+            ("state/history2", "mirrored", 3),
         ],
     )
     def test_impossible_values(self, saved, group, attribute, value):

@@ -16,11 +16,11 @@ import numpy as np
 import samcontact as sc
 
 soft = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)
-grid = sc.Grid(61, 61, 10e-6, 10e-6, 46, 10e-6)
+grid = sc.Grid(121, 121, 5e-6, 5e-6, 92, 5e-6)
 gap = sc.surfaces.paraboloid(grid, 7.5e-3)
 
 def scene():
-    return sc.Simulation(grid, sc.Material.rigid(), soft, gap)
+    return sc.Simulation(grid, sc.Material.rigid(), soft, gap, residual_stress="exact")
 
 sim = scene()
 
@@ -60,7 +60,7 @@ thread = threading.Thread(target=clock)
 thread.start()
 start = time.perf_counter()
 try:
-    sim.step(load=30.0)
+    sim.step(load=90.0)
 finally:
     end = time.perf_counter()
     done.set()

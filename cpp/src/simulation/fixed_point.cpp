@@ -41,6 +41,7 @@ class FixedPoint {
 
   State solve() {
     evaluate();
+    while (result_.grown && !any(mapped_)) evaluate();
     // Plastic flow only widens the contact: what is too large now will not fit later.
     if (settings_.on_border == contact::OnBorder::error &&
         target_.kind != Target::Kind::tractions) {

@@ -180,6 +180,19 @@ void PlasticIncrement::residual_displacement(Body& body, Field& gap) {
   const Grid& grid = scene_.grid;
   const bool mirror_x = symmetry_ == fft::Symmetry::xy, mirror_y = symmetry_ != fft::Symmetry::none;
   const Box whole = whole_box(body.box, grid, symmetry_);
+  // Outside it falls off.
+  body.rim_displacement = 0.0;
+  for (int i = 0; i < body.box.nx; ++i) {
+    for (int j = 0; j < body.box.ny; ++j) {
+      if (i < body.box.nx - 1 && j < body.box.ny - 1 && (i > 0 || mirror_x) &&
+          (j > 0 || mirror_y)) {
+        continue;
+      }
+      body.rim_displacement =
+          std::max(body.rim_displacement,
+                   std::fabs(displacement[static_cast<std::size_t>(i) * body.box.ny + j]));
+    }
+  }
   for (int i = whole.i0; i < whole.i0 + whole.nx; ++i) {
     const int si = mirror_x && i < body.box.i0 ? grid.nx - 1 - i : i;
     double* row = gap.data() + static_cast<std::size_t>(i) * grid.ny;
@@ -227,8 +240,27 @@ Box PlasticIncrement::contact_window() const {
   return window;
 }
 
-bool PlasticIncrement::fit_boxes() {
+bool PlasticIncrement::may_touch_outside(const Field& gap) const {
+  if (gap.empty()) return false;
   const Grid& grid = scene_.grid;
+  for (const Body& body : bodies_) {
+    if (!body.strained) continue;
+    const Box whole = whole_box(body.box, grid, symmetry_);
+    for (int i = 0; i < grid.nx; ++i) {
+      for (int j = 0; j < grid.ny; ++j) {
+        const bool inside = i >= whole.i0 && i < whole.i0 + whole.nx && j >= whole.j0 &&
+                            j < whole.j0 + whole.ny;
+        const double g = gap[static_cast<std::size_t>(i) * grid.ny + j];
+        if (!inside && g < bodies_.size() * body.rim_displacement) return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool PlasticIncrement::fit_boxes(const Field& gap) {
+  const Grid& grid = scene_.grid;
+  const bool touches = may_touch_outside(gap);
   const Box window = contact_window();
   bool grown = false;
   for (Body& body : bodies_) {
@@ -243,6 +275,7 @@ bool PlasticIncrement::fit_boxes() {
     if (needed.empty()) continue;
     // The stress is that of the tractions over the box: it must hold all of them.
     needed = needed.united(window);
+    if (touches) needed = needed.united({0, 0, grid.nx, grid.ny, needed.nz});
     if (!now.empty() && now.contains(needed)) continue;
     set_box(body, fit(needed.united(window.widened(margin, grid)), body.box));
     grown = true;
@@ -404,14 +437,16 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
   }
   Result result;
   result.contact = solve_contact(gap, contact_tol);
-  if (fit_boxes()) {
+  if (fit_boxes(result.contact.gap)) {
+    result.grown = std::any_of(bodies_.begin(), bodies_.end(),
+                               [](const Body& body) { return body.strained; });
     for (Body& body : bodies_) transform(body);
   }
   for (Body& body : bodies_) {
     if (!body.box.empty()) stress(body);
   }
   return_map(guess, mapped, result);
-  result.grown = grow_at_rim();
+  result.grown = grow_at_rim() || result.grown;
   return result;
 }
 

@@ -49,6 +49,7 @@ class PlasticIncrement {
     Field stress;              // deviator or all components
     std::vector<int> active;   // per cell: its place among the active ones, or -1
     bool strained = false;
+    double rim_displacement = 0.0;  // largest residual displacement at the rim of the window
   };
 
   fft::Symmetry choose_symmetry() const;
@@ -58,9 +59,12 @@ class PlasticIncrement {
   void scatter(const Field& guess);
   void residual_displacement(Body& body, Field& gap);
   contact::Solution solve_contact(const Field& gap, double tol);
+  /// Whether the residual displacement, which is known over the boxes only, could close the gap
+  /// somewhere else.
+  bool may_touch_outside(const Field& gap) const;
   Box contact_window() const;
   /// Whether a box had to grow for the contact or, at first, for the elastic stress.
-  bool fit_boxes();
+  bool fit_boxes(const Field& gap);
   void stress(Body& body);
   void activate(std::uint8_t b, Field& guess);
   void return_map(Field& guess, Field& mapped, Result& result);
