@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -77,6 +76,28 @@ operators::ResidualMethod choose(ResidualChoice choice, bool exact) {
   return exact ? operators::ResidualMethod::exact : operators::ResidualMethod::fast;
 }
 
+/// Both histories in one box.
+struct Pair {
+  Box box;
+  Field first, second;
+};
+
+Pair in_one_box(const PlasticState& a, const PlasticState& b, bool strain) {
+  Pair pair{a.box.united(b.box), {}, {}};
+  const int parts = strain ? operators::count(b.tensor) : 1;
+  const auto place = [&](const PlasticState& from, Field& to) {
+    const Field& field = strain ? from.strain : from.equivalent;
+    to.assign(parts * pair.box.volume_size(), 0.0);
+    for (int c = 0; c < parts; ++c) {
+      insert(field.data() + c * from.box.volume_size(), from.box,
+             to.data() + c * pair.box.volume_size(), pair.box);
+    }
+  };
+  place(a, pair.first);
+  place(b, pair.second);
+  return pair;
+}
+
 /// Largest difference between two solutions of one increment: of the pressure relative to its
 /// maximum, and of the equivalent plastic strain relative to its maximum or the strain at yield.
 double increment_error(const State& one, const State& two) {
@@ -94,14 +115,52 @@ double increment_error(const State& one, const State& two) {
     const auto& material = two.scene().materials[b];
     const double yield_strain =
         material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
-    const PlasticState &a = *one.plastic[b], &c = *two.plastic[b];
-    const Box both = a.box.united(c.box);
-    Field first(both.volume_size(), 0.0), second(both.volume_size(), 0.0);
-    insert(a.equivalent.data(), a.box, first.data(), both);
-    insert(c.equivalent.data(), c.box, second.data(), both);
-    error = std::max(error, difference(first, second) / std::max(largest(second), yield_strain));
+    const Pair g = in_one_box(*one.plastic[b], *two.plastic[b], false);
+    error = std::max(
+        error, difference(g.first, g.second) / std::max(largest(g.second), yield_strain));
   }
   return error;
+}
+
+/// The difference of one and two parts that is allowed for an error `tol` of the extrapolated
+/// result: that error is of second order where the difference is of first, and was found to be up
+/// to 400 times its square (largest pressure and plastic strain, point by point, two balls to 8 GPa).
+double allowed_difference(double tol) { return 0.05 * std::sqrt(tol); }
+
+/// Second order from two solutions of first order, of an increment in one and in two parts
+/// (Richardson): plastic strain 2 twice - once. Where a cell flows in one of them only, `twice`.
+State extrapolated(const State& start, const State& once, const State& twice) {
+  State state = twice;
+  for (int b = 0; b < 2; ++b) {
+    if (!once.plastic[b] || !twice.plastic[b] || once.plastic[b] == start.plastic[b] ||
+        twice.plastic[b] == start.plastic[b]) {
+      continue;
+    }
+    const PlasticState& last = *twice.plastic[b];
+    const Pair strain = in_one_box(*once.plastic[b], last, true);
+    const Pair g = in_one_box(*once.plastic[b], last, false);
+    const std::size_t cells = strain.box.volume_size();
+    Field before(cells, 0.0);
+    if (const auto earlier = unfolded(start.plastic[b], start.scene().grid, last.symmetry)) {
+      insert(earlier->equivalent.data(), earlier->box, before.data(), strain.box);
+    }
+    auto plastic = std::make_shared<PlasticState>();
+    plastic->box = strain.box;
+    plastic->symmetry = last.symmetry;
+    plastic->tensor = last.tensor;
+    plastic->strain = strain.second;
+    plastic->equivalent = g.second;
+    for (std::size_t i = 0; i < cells; ++i) {
+      const double correction = g.second[i] - g.first[i], flow = g.second[i] - before[i];
+      if (std::fabs(correction) > 0.5 * flow) continue;
+      plastic->equivalent[i] += correction;
+      for (std::size_t n = i; n < strain.second.size(); n += cells) {
+        plastic->strain[n] += strain.second[n] - strain.first[n];
+      }
+    }
+    state.plastic[b] = std::move(plastic);
+  }
+  return state;
 }
 
 }  // namespace
@@ -176,48 +235,50 @@ State Simulation::advance(const Target& target) {
   const double least = std::ldexp(1.0, -settings_.max_halvings);
   State moment = state_;
   int iterations = 0, substeps = 0;
-  const auto solve = [&](const State& from, double start, double end) {
+  const auto part_of = [&](const State& from, double start, double end) {
     // The remaining way from the moment reached: (end - start) of (1 - start).
-    const double fraction = end == 1.0 ? 1.0 : (end - start) / (1.0 - start);
-    State state = solve_increment(from, between(from, target, fraction), scans_, settings_, counters_);
+    return between(from, target, end == 1.0 ? 1.0 : (end - start) / (1.0 - start));
+  };
+  const auto solve = [&](const State& from, double start, double end) {
+    State state = solve_increment(from, part_of(from, start, end), scans_, settings_, counters_);
     iterations += state.plastic_iterations;
     return state;
   };
   double done = 0.0, part = 1.0;
-  std::optional<State> known;  // the state at done + part, if it was solved before
   while (done < 1.0) {
     const double goal = std::min(1.0, done + part);
     try {
-      State next = known ? std::move(*known) : solve(moment, done, goal);
-      known.reset();
-      bool widen = true;
+      State next = solve(moment, done, goal);
+      double factor = 2.0;  // by which the next part may be longer
       if (settings_.increment_tol > 0 && next.plastic != moment.plastic) {
         const double middle = done + 0.5 * (goal - done);
-        State half = solve(moment, done, middle);
-        State twice = solve(half, middle, goal);
+        const State half = solve(moment, done, middle);
+        const State twice = solve(half, middle, goal);
+        const double allowed = allowed_difference(settings_.increment_tol);
         const double error = increment_error(next, twice);
-        if (error > settings_.increment_tol) {
-          part = middle - done;
+        // The difference is of second order in the part.
+        factor = std::clamp(0.9 * std::sqrt(allowed / std::max(error, 1e-300)), 0.2, 4.0);
+        if (error > allowed) {
+          part = factor * (goal - done);
           if (part < least) {
             throw std::invalid_argument("increment_tol " + to_text(settings_.increment_tol) +
                                         " asks for parts smaller than " + to_text(least) +
                                         " of the increment to " + describe(target) +
                                         ": take smaller increments or a larger tolerance");
           }
-          known = std::move(half);
           continue;
         }
-        widen = error < 0.25 * settings_.increment_tol;
-        next = std::move(twice);
-        ++substeps;
+        // What the extrapolation leaves above the yield stress flows.
+        const State sum = extrapolated(moment, next, twice);
+        next = solve_increment(sum, part_of(moment, done, goal), scans_, settings_, counters_);
+        iterations += next.plastic_iterations;
       }
       moment = std::move(next);
-      done = goal;
       ++substeps;
-      if (widen) part = std::min(2 * part, 1.0 - done);
+      part = std::min(factor * (goal - done), 1.0 - goal);
+      done = goal;
     } catch (const ConvergenceError&) {
-      known.reset();
-      part *= 0.5;
+      part = 0.5 * (goal - done);
       ++counters_.halvings;
       const bool no_start =
           target.kind == Target::Kind::approach && !std::isfinite(moment.approach);
