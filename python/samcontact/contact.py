@@ -42,7 +42,13 @@ class ContactSolution:
     load : float
         Total load [N].
     iterations : int
-        Conjugate-gradient iterations.
+        Conjugate-gradient steps on the grid; the start from coarser grids is not counted.
+    operator_applications : int
+        Exact displacements computed on the grid, each a pair of zero-padded transforms (with
+        coupled friction, those of the shear included).
+    work : float
+        All transforms of the solve, those of the preconditioner, of its cheap displacements and of
+        coarser grids included, in units of one exact displacement [-].
     error : float
         Largest violation of p >= 0, g >= 0, p g = 0: max |min(p/max p, g/max u)| [-].
     converged : bool
@@ -54,6 +60,8 @@ class ContactSolution:
     approach: float
     load: float
     iterations: int
+    operator_applications: int
+    work: float
     error: float
     converged: bool
 
