@@ -60,6 +60,13 @@ class ActiveSet {
     ++operator_count_;
   }
 
+  template <class Change>
+  void for_each_cell(const Change& change) {
+    const std::ptrdiff_t n = n_;
+#pragma omp parallel for schedule(static) if (n >= worth_threads)
+    for (std::ptrdiff_t i = 0; i < n; ++i) change(i);
+  }
+
   /// A change of the set that raised the energy was premature.
   void watch_energy() {
     const double delta = load_driven_ ? 0.0 : approach_;
@@ -111,7 +118,7 @@ class ActiveSet {
     double residual = 0.0, lowest_gap = 0.0, lowest_p = 0.0, highest_p = 0.0, highest_u = 0.0;
     const std::ptrdiff_t n = n_;
 #pragma omp parallel for schedule(static) reduction(max : residual, highest_p, highest_u) \
-    reduction(min : lowest_gap, lowest_p)
+    reduction(min : lowest_gap, lowest_p) if (n >= worth_threads)
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       const double g = problem_.gap[i] + u_[i] - shift;
       r_[i] = working_[i] ? g : 0.0;
@@ -152,16 +159,16 @@ class ActiveSet {
       const double zr = precondition();
       const double beta = step > 1 ? zr / zr_old : 0.0;
       zr_old = zr;
-      for (std::size_t i = 0; i < n_; ++i) t_[i] = beta * t_[i] - z_[i];
+      for_each_cell([&](std::size_t i) { t_[i] = beta * t_[i] - z_[i]; });
       apply(t_, z_);  // z is free until the next step
       const double curvature = ordered_sum(n_, [&](std::size_t i) { return t_[i] * z_[i]; });
       // A working set that is already solved has no descent: then only the set has to change.
       if (!(zr > 0) || !(curvature > 0)) return step == 1 && violation_ > 0 && zr == 0;
       const double length = zr / curvature;
-      for (std::size_t i = 0; i < n_; ++i) {
+      for_each_cell([&](std::size_t i) {
         p_[i] += length * t_[i];
         u_[i] += length * z_[i];
-      }
+      });
       update_residual();
       const bool violated = violation_ > 0.5 * tol;
       if (residual_ < 0.5 * tol || iterations_ >= max_iterations ||

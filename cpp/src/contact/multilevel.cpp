@@ -25,6 +25,8 @@ constexpr double coarse_tol = 1e-3;
 /// a start is wrong at short wavelengths, which the cheap operator resolves; then as much as the
 /// exact operator is expected to confirm.
 constexpr double first_gain = 1e-3, gain = 1e-2;
+/// The last round aims below tol, so that the exact operator agrees.
+constexpr double safety = 0.5;
 constexpr int most_steps_a_round = 300;
 /// Rounds in a row that fail to halve the error before the plain iteration takes over.
 constexpr int patience = 2;
@@ -88,8 +90,7 @@ class Rounds {
       const bool grown = choose_box();
       stalled = grown || solution_.error <= 0.5 * last_error ? 0 : stalled + 1;
       if (stalled == patience) break;
-      const double asked = solution_.error * (std::isinf(last_error) ? first_gain : gain);
-      round(std::isinf(last_error), std::max(asked, 0.3 * tol),
+      round(std::isinf(last_error), tol,
             std::min(max_iterations - solution_.iterations, most_steps_a_round));
     }
     return plain(tol, max_iterations);
@@ -115,17 +116,25 @@ class Rounds {
 
   void round(bool first, double tol, int max_iterations) {
     const auto near = near_(box_.nx, box_.ny);
-    const Field exact = extract(box_, u_, grid_.ny);
-    Field pressure = extract(box_, solution_.pressure, grid_.ny), cheap(exact.size());
-    near->displacement.pressure(pressure.data(), cheap.data(), work_);
+    const bool exact = near->displacement.is_exact();
     NearProblem problem{*near, extract(box_, initial_gap_, grid_.ny), driver_, grid_.cell_area(),
                         displacement_.self_influence()};
-    for (std::size_t i = 0; i < exact.size(); ++i) problem.gap[i] += exact[i] - cheap[i];
-    const auto result = solve_active_set(problem, std::move(pressure), std::move(cheap),
-                                         first && !warm_, tol, max_iterations);
+    Field pressure = extract(box_, solution_.pressure, grid_.ny);
+    Field displacement = extract(box_, u_, grid_.ny);
+    if (!exact) {
+      Field cheap(displacement.size());
+      near->displacement.pressure(pressure.data(), cheap.data(), work_);
+      solution_.work += near->displacement.cost();
+      for (std::size_t i = 0; i < cheap.size(); ++i) problem.gap[i] += displacement[i] - cheap[i];
+      std::swap(displacement, cheap);
+    }
+    const double asked = exact ? 0.0 : solution_.error * (first ? first_gain : gain);
+    const auto result =
+        solve_active_set(problem, std::move(pressure), std::move(displacement), first && !warm_,
+                         std::max(asked, safety * tol), max_iterations);
     solution_.pressure = embed(box_, result.pressure, grid_.ny, u_.size());
     solution_.iterations += result.iterations;
-    solution_.work += near->displacement.cost() + result.operations;
+    solution_.work += result.operations;
   }
 
   Solution plain(double tol, int max_iterations) {

@@ -3,6 +3,7 @@
 // its solvers share.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "samcontact/base/aligned.hpp"
@@ -38,6 +39,9 @@ struct Solution {
   /// Which border the contact touches and the remedy; empty when it touches none.
   std::string border_complaint;
 };
+
+/// Cells below which starting the threads costs more than they save.
+constexpr std::ptrdiff_t worth_threads = 1 << 15;
 
 /// Mean of a field over the cells with pressure; 0 without any.
 double contact_mean(const Field& pressure, const Field& field);

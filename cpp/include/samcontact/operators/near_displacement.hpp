@@ -38,6 +38,9 @@ class NearDisplacement {
   int nx() const { return transform_.nx(); }
   int ny() const { return transform_.ny(); }
 
+  /// Whether padding is full, so that nothing but rounding is missed.
+  bool is_exact() const { return !far_transform_; }
+
   /// displacement [m] of pressure [Pa], both [i][j], different arrays; `work` is scratch that the
   /// caller keeps from call to call.
   void pressure(const double* pressure, double* displacement, ComplexField& work) const;
