@@ -69,8 +69,8 @@ class ContactSolution:
 class ContactSolver:
     """Contact of two elastic half-spaces with Coulomb friction, gross sliding along x.
 
-    Exact Love and Cerruti coefficients, discrete convolution by FFT, constrained conjugate
-    gradient (Polonsky & Keer 1999, doi:10.1016/S0043-1648(99)00113-1). The shear mu p acts on body
+    Exact Love and Cerruti coefficients, discrete convolution by FFT, active sets with a spectral
+    preconditioner, started from coarser grids. The shear mu p acts on body
     2 in +x and on body 1 in -x; where the elastic constants couple it to the normal displacement,
     the coupling is iterated to convergence.
 
@@ -139,7 +139,8 @@ class ContactSolver:
         approach : float
             Rigid-body approach [m]; exactly one of the two.
         initial_pressure : array_like, shape (nx, ny), optional
-            Start of the iteration [Pa].
+            Start of the iteration [Pa]; a good one, such as the solution for a similar gap or load,
+            saves the coarser grids and most steps.
 
         Raises
         ------

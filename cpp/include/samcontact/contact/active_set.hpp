@@ -23,11 +23,10 @@ struct ActiveSetResult {
   double operations = 0.0;  // of the transforms, in the unit of fft::filter_cost
 };
 
-/// Lowers the complementarity error below tol, as seen by the cheap operator. `displacement` is
-/// that of the start `pressure`. A good start keeps its contact; a rough one (`trim`) first loses
-/// the cells whose gap exceeds what their own pressure could hold. May return early, without
-/// reaching tol: after max_iterations or when rounding stops it. Never worse than useless: the
-/// caller judges.
+/// Lowers the complementarity error, as seen by the cheap operator, below tol. `displacement` is
+/// that of the start `pressure`. trim: a rough start, which first loses the cells whose gap exceeds
+/// what their own pressure makes. May end before tol, after max_iterations or when rounding leaves
+/// no descent: the caller judges the result.
 ActiveSetResult solve_active_set(const NearProblem& problem, Field pressure, Field displacement,
                                  bool trim, double tol, int max_iterations);
 
