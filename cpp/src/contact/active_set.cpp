@@ -17,6 +17,8 @@ namespace {
 constexpr double initial_patience = 3.0;
 constexpr double patience_loss = 0.3;
 constexpr int most_steps_on_a_set = 10;
+/// So many steps that do not halve the residual have met rounding.
+constexpr int most_steps_in_vain = 20;
 /// Cells are released only when the last change dropped a smaller share: releasing while many drop
 /// can cycle.
 constexpr double calm_share = 0.01;
@@ -42,12 +44,12 @@ class ActiveSet {
       watch_energy();
       if (complementarity_error(p_, u_, g_) <= tol || iterations_ >= max_iterations) break;
       if (choose_working_set(trim) == 0) break;
-      if (!minimise(tol, max_iterations)) break;
+      const bool descends = minimise(tol, max_iterations);
       drop_tension();
+      if (!descends) break;
     }
     ActiveSetResult result;
     result.pressure = std::move(p_);
-    for (double& p : result.pressure) p = std::max(p, 0.0);
     result.iterations = iterations_;
     result.operations = operator_count_ * problem_.operators.displacement.cost() +
                         preconditioner_count_ * problem_.operators.preconditioner.cost();
@@ -107,8 +109,8 @@ class ActiveSet {
     apply(p_, u_);
   }
 
-  /// r = gap on the working set, under load relative to its mean there; returns the mean.
-  double update_residual() {
+  /// r = gap on the working set, under load relative to its mean there.
+  void update_residual() {
     double shift = approach_;
     if (load_driven_) {
       shift = ordered_sum(
@@ -131,7 +133,6 @@ class ActiveSet {
     const double u_scale = highest_u > 0 ? highest_u : 1.0;
     residual_ = residual / u_scale;
     violation_ = std::max(highest_p > 0 ? -lowest_p / highest_p : 0.0, -lowest_gap / u_scale);
-    return shift;
   }
 
   /// z = P M r with P the projection on the working set and, under load, on zero sum; returns z r.
@@ -152,7 +153,8 @@ class ActiveSet {
   /// rounding leaves no descent.
   bool minimise(double tol, int max_iterations) {
     update_residual();
-    double zr_old = 0.0;
+    double zr_old = 0.0, lowest_residual = residual_;
+    int in_vain = 0;
     for (int step = 1;; ++step) {
       check_interrupt();
       ++iterations_;
@@ -170,11 +172,14 @@ class ActiveSet {
         u_[i] += length * z_[i];
       });
       update_residual();
+      in_vain = residual_ < 0.5 * lowest_residual ? 0 : in_vain + 1;
+      if (in_vain == 0) lowest_residual = residual_;
       const bool violated = violation_ > 0.5 * tol;
       if (residual_ < 0.5 * tol || iterations_ >= max_iterations ||
           (violated && (violation_ > patience_ * residual_ || step >= most_steps_on_a_set))) {
         return true;
       }
+      if (in_vain == most_steps_in_vain) return false;
     }
   }
 
