@@ -114,21 +114,25 @@ TEST_CASE("refining is linear interpolation between centres") {
 
 TEST_CASE("a box holds pressure and penetration, and gives back what it took") {
   const int nx = 300, ny = 200;
+  const contact::Box all{0, 0, nx, ny}, empty{0, 0, 0, 0};
   Field pressure(nx * ny, 0.0), gap(nx * ny, 1.0);
+  CHECK(contact::possible_contact(nx, ny, pressure, gap) == all);
   pressure[50 * ny + 190] = 1.0;
   gap[60 * ny + 199] = -1.0;
-  const contact::Box box = contact::possible_contact(nx, ny, pressure, gap);
-  CHECK(box.contains({50, 190, 11, 10}));
-  CHECK_FALSE(box.contains({0, 0, nx, ny}));
-  CHECK(box.i0 >= 0);
-  CHECK(box.j0 + box.ny <= ny);
+  const contact::Box tight = contact::possible_contact(nx, ny, pressure, gap);
+  CHECK(tight == contact::Box{50, 190, 11, 10});
+
+  const contact::Box box = contact::with_margin(nx, ny, tight, empty);
+  CHECK(box == contact::Box{24, 136, 64, 64});
+  CHECK(box.contains(tight));
   const Field part = contact::extract(box, pressure, ny);
   CHECK(largest_difference(contact::embed(box, part, ny, pressure.size()), pressure) == 0.0);
 
-  gap[299 * ny] = -1.0;
-  CHECK(contact::possible_contact(nx, ny, pressure, gap) == contact::Box{0, 0, nx, ny});
-  const Field nothing(nx * ny, 0.0);
-  CHECK(contact::possible_contact(nx, ny, nothing, nothing) == contact::Box{0, 0, nx, ny});
+  const contact::Box grown = contact::with_margin(nx, ny, {10, 150, 20, 20}, box);
+  CHECK(grown.contains(box));
+  CHECK(grown.contains({10, 150, 20, 20}));
+  CHECK_FALSE(grown == all);
+  CHECK(contact::with_margin(nx, ny, {0, 0, 250, 180}, empty) == all);
 }
 
 TEST_CASE("rounds of the active set agree with the plain conjugate gradient") {

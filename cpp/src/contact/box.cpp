@@ -10,12 +10,20 @@ namespace {
 constexpr double worthwhile_share = 0.6;
 constexpr int smallest_side = 64;
 
-/// Widens [first, last] by a margin to a multiple of 8 within [0, n).
-void widen(int first, int last, int n, int& start, int& length) {
-  const int extent = last - first + 1, margin = 4 + extent / 8;
-  length = std::max((extent + 2 * margin + 7) / 8 * 8, smallest_side);
-  start = std::clamp(first - (length - extent) / 2, 0, std::max(n - length, 0));
-  length = std::min(length, n);
+/// Widens a range of cells by a margin to a multiple of 8 within [0, n).
+void widen(int n, int& start, int& length) {
+  const int margin = 4 + length / 8;
+  const int wide = std::min(std::max((length + 2 * margin + 7) / 8 * 8, smallest_side), n);
+  start = std::clamp(start - (wide - length) / 2, 0, n - wide);
+  length = wide;
+}
+
+/// Extends a range to hold another one; an empty one changes nothing.
+void join(int other_start, int other_length, int& start, int& length) {
+  if (other_length == 0) return;
+  const int end = std::max(start + length, other_start + other_length);
+  start = std::min(start, other_start);
+  length = end - start;
 }
 
 }  // namespace
@@ -37,13 +45,18 @@ Box possible_contact(int nx, int ny, const Field& pressure, const Field& gap) {
       j1 = std::max(j1, j);
     }
   }
-  const Box all{0, 0, nx, ny};
-  if (i1 < 0) return all;
-  Box box;
-  widen(i0, i1, nx, box.i0, box.nx);
-  widen(j0, j1, ny, box.j0, box.ny);
-  const double share = static_cast<double>(box.nx) * box.ny / (static_cast<double>(nx) * ny);
-  return share < worthwhile_share ? box : all;
+  if (i1 < 0) return {0, 0, nx, ny};
+  return {i0, j0, i1 - i0 + 1, j1 - j0 + 1};
+}
+
+Box with_margin(int nx, int ny, const Box& box, const Box& present) {
+  Box wide = box;
+  widen(nx, wide.i0, wide.nx);
+  widen(ny, wide.j0, wide.ny);
+  join(present.i0, present.nx, wide.i0, wide.nx);
+  join(present.j0, present.ny, wide.j0, wide.ny);
+  const double share = static_cast<double>(wide.nx) * wide.ny / (static_cast<double>(nx) * ny);
+  return share < worthwhile_share ? wide : Box{0, 0, nx, ny};
 }
 
 Field extract(const Box& box, const Field& field, int ny) {

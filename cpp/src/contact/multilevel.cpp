@@ -86,7 +86,9 @@ class Rounds {
     for (int stalled = 0;; last_error = solution_.error) {
       evaluate();
       solution_.converged = solution_.error <= tol;
-      if (solution_.converged || solution_.iterations >= max_iterations) return solution_;
+      if (solution_.converged || solution_.iterations >= max_iterations) {
+        return std::move(solution_);
+      }
       const bool grown = choose_box();
       stalled = grown || solution_.error <= 0.5 * last_error ? 0 : stalled + 1;
       if (stalled == patience) break;
@@ -110,7 +112,7 @@ class Rounds {
   bool choose_box() {
     const Box box = possible_contact(grid_.nx, grid_.ny, solution_.pressure, solution_.gap);
     if (box_.contains(box)) return false;
-    box_ = box;
+    box_ = with_margin(grid_.nx, grid_.ny, box, box_);
     return true;
   }
 

@@ -14,10 +14,13 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-/// Where contact is possible on an nx x ny grid: the cells with pressure or penetration, and a
-/// margin around them, with sides that are multiples of 8 so that few different sizes occur. The
-/// whole grid where that saves little.
+/// The smallest box around the cells with pressure or penetration of an nx x ny grid; the whole
+/// grid if there are none.
 Box possible_contact(int nx, int ny, const Field& pressure, const Field& gap);
+
+/// The box with a margin for contact that moves, its sides multiples of 8 so that few different
+/// sizes occur, and with `present` in it; the whole grid where a box saves little.
+Box with_margin(int nx, int ny, const Box& box, const Box& present);
 
 /// The part of a field of rows of ny cells that lies in the box.
 Field extract(const Box& box, const Field& field, int ny);
