@@ -550,7 +550,7 @@ class TestWork:
         free = sc.ContactSolver(grid, RIGID, STEEL).solve(gap, load=exact.load)
         rubbed = sc.ContactSolver(grid, RIGID, STEEL, 0.3).solve(gap, load=exact.load)
         assert rubbed.operator_applications > free.operator_applications
-        # measured: 17 steps for all solves of the fixed point, 10 for the first alone
+        # measured: 18 steps for all solves of the fixed point, 10 for the first alone
         assert rubbed.iterations <= 2.5 * free.iterations
 
     def test_apart_costs_nothing(self):

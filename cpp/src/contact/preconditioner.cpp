@@ -19,17 +19,14 @@ double smallest_eigenvalue(double dx, double dy, double normal_compliance) {
 
 }  // namespace
 
-Preconditioner::Preconditioner(const operators::NearDisplacement& displacement, double floor)
-    : transform_(displacement.transform()), inverse_(displacement.spectrum()) {
+Preconditioner::Preconditioner(int nx, int ny, double dx, double dy, double normal_compliance)
+    : transform_(nx, ny, operators::short_period(nx), operators::short_period(ny)),
+      inverse_(operators::periodic_spectrum(transform_, dx, dy, normal_compliance)) {
+  const double floor = smallest_share * smallest_eigenvalue(dx, dy, normal_compliance);
   // The spectrum carries 1/(mx my) of the two transforms; so must the inverse.
   const double points = static_cast<double>(transform_.mx()) * transform_.my();
   for (double& value : inverse_) value = 1.0 / (std::max(value * points, floor) * points);
 }
-
-NearOperators::NearOperators(int nx, int ny, double dx, double dy, double normal_compliance)
-    : displacement(nx, ny, dx, dy, normal_compliance),
-      preconditioner(displacement,
-                     smallest_share * smallest_eigenvalue(dx, dy, normal_compliance)) {}
 
 void Preconditioner::apply(const double* r, double* z, ComplexField& work) const {
   transform_.filter(r, inverse_.data(), z, work);

@@ -21,7 +21,7 @@ constexpr int coarse_count = 64;
 bool padded_in_full(int nx, int ny) { return std::min(nx, ny) < shortest_side; }
 
 int period(int cells, bool full) {
-  return fft::good_even_size(full ? 2 * cells - 1 : cells + (cells + 7) / 8);
+  return full ? fft::good_even_size(2 * cells - 1) : short_period(cells);
 }
 
 int coarse_factor(int cells) { return std::max(2, cells / coarse_count); }
@@ -34,20 +34,23 @@ double influence(double x, double y, double aspect) {
   return (corner(0.5, 0.5) - corner(-0.5, 0.5)) - (corner(0.5, -0.5) - corner(-0.5, -0.5));
 }
 
-Field near_spectrum(const fft::PeriodicTransform& transform, double aspect, double factor) {
-  const CornerLattice lattice{transform.hx(), transform.hy(), aspect};
+}  // namespace
+
+int short_period(int cells) { return fft::good_even_size(cells + (cells + 7) / 8); }
+
+Field periodic_spectrum(const fft::PeriodicTransform& transform, double dx, double dy,
+                        double normal_compliance) {
+  const CornerLattice lattice{transform.hx(), transform.hy(), dy / dx};
   Field corners(lattice.size());
   lattice.evaluate<1>(
       [](double x, double y) { return std::array{kernels::pressure_displacement(x, y)}; },
       corners.data());
   Field quarter(transform.quarter_size());
   lattice.corner_sums(corners.data(), quarter.data(), transform.hx(), transform.hy());
-  for (double& value : quarter) value *= factor;
+  for (double& value : quarter) value *= normal_compliance * dx / std::numbers::pi;
   transform.spectrum(quarter.data());
   return quarter;
 }
-
-}  // namespace
 
 int CoarseAxis::lower(int i) const {
   return std::clamp((2 * i + 1 - factor) / (2 * factor), 0, coarse_cells() - 2);
@@ -64,10 +67,9 @@ int CoarseAxis::end(int I) const { return std::min((I + 2) * factor, cells); }
 
 NearDisplacement::NearDisplacement(int nx, int ny, double dx, double dy, double normal_compliance)
     : transform_(nx, ny, period(nx, padded_in_full(nx, ny)), period(ny, padded_in_full(nx, ny))),
+      near_(periodic_spectrum(transform_, dx, dy, normal_compliance)),
       x_{nx, coarse_factor(nx)},
       y_{ny, coarse_factor(ny)} {
-  const double aspect = dy / dx, factor = normal_compliance * dx / std::numbers::pi;
-  near_ = near_spectrum(transform_, aspect, factor);
   if (padded_in_full(nx, ny)) return;
 
   for (int j = 0; j < ny; ++j) {
@@ -78,6 +80,7 @@ NearDisplacement::NearDisplacement(int nx, int ny, double dx, double dy, double 
   far_transform_ = std::make_unique<fft::PeriodicTransform>(cx, cy, fft::good_even_size(2 * cx - 1),
                                                             fft::good_even_size(2 * cy - 1));
   const int hx = far_transform_->hx();
+  const double aspect = dy / dx, factor = normal_compliance * dx / std::numbers::pi;
   far_.assign(far_transform_->quarter_size(), 0.0);
   for (int J = 0; J < cy; ++J) {
     for (int I = 0; I < cx; ++I) {

@@ -7,11 +7,11 @@
 
 namespace samcontact::contact {
 
+/// On boxes of nx x ny cells with little padding. None at all costs a quarter more steps where
+/// contact touches opposite borders.
 class Preconditioner {
  public:
-  /// Keeps a reference to the transform of `displacement`. floor: smaller eigenvalues K^ are raised
-  /// to it.
-  Preconditioner(const operators::NearDisplacement& displacement, double floor);
+  Preconditioner(int nx, int ny, double dx, double dy, double normal_compliance);
 
   /// z = F^-1 (1/K^) F r; the caller restricts r and z to the working set. `work` is scratch.
   void apply(const double* r, double* z, ComplexField& work) const;
@@ -19,7 +19,7 @@ class Preconditioner {
   double cost() const { return transform_.cost(); }
 
  private:
-  const fft::PeriodicTransform& transform_;
+  fft::PeriodicTransform transform_;
   Field inverse_;  // real quarter spectrum [ky][kx]
 };
 
@@ -28,9 +28,9 @@ struct NearOperators {
   operators::NearDisplacement displacement;
   Preconditioner preconditioner;
 
-  NearOperators(int nx, int ny, double dx, double dy, double normal_compliance);
-  NearOperators(const NearOperators&) = delete;
-  NearOperators& operator=(const NearOperators&) = delete;
+  NearOperators(int nx, int ny, double dx, double dy, double normal_compliance)
+      : displacement(nx, ny, dx, dy, normal_compliance),
+        preconditioner(nx, ny, dx, dy, normal_compliance) {}
 };
 
 }  // namespace samcontact::contact

@@ -11,6 +11,14 @@
 
 namespace samcontact::operators {
 
+/// A period longer than the cells by an eighth at least.
+int short_period(int cells);
+
+/// Real quarter spectrum [ky][kx] of the displacement due to pressure on a periodic grid, at the
+/// distance of the nearest image. dx, dy: sides of a cell [m]; normal_compliance [1/Pa].
+Field periodic_spectrum(const fft::PeriodicTransform& transform, double dx, double dy,
+                        double normal_compliance);
+
 /// Linear interpolation along one axis between centres of coarse cells, each `factor` cells long,
 /// and centres of cells; extrapolation half a coarse cell at the ends.
 struct CoarseAxis {
@@ -44,10 +52,6 @@ class NearDisplacement {
   /// displacement [m] of pressure [Pa], both [i][j], different arrays; `work` is scratch that the
   /// caller keeps from call to call.
   void pressure(const double* pressure, double* displacement, ComplexField& work) const;
-
-  /// The transform and the real quarter spectrum [ky][kx] of the periodic kernel.
-  const fft::PeriodicTransform& transform() const { return transform_; }
-  const Field& spectrum() const { return near_; }
 
   /// Operations of one application, in the unit of fft::filter_cost.
   double cost() const;
