@@ -29,6 +29,8 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
   result["load"] = solution.load;
   result["error"] = solution.error;
   result["iterations"] = solution.iterations;
+  result["operator_applications"] = solution.operator_applications;
+  result["work"] = solution.work;
   result["converged"] = solution.converged;
   result["border_complaint"] = solution.border_complaint;
   return result;

@@ -2,12 +2,16 @@
 // Transforms against sums written out from the definition.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "samcontact/fft/padded_transform.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
+#include "samcontact/fft/periodic_transform.hpp"
 
 using namespace samcontact;
 using Threads = fft::PaddedTransform::Threads;
@@ -109,6 +113,32 @@ TEST_CASE("quarter spectra of kernels of any parity") {
           for (int n = odd_x + odd_y; n > 0; --n) factor *= Complex(0, 1);
           CHECK(std::abs(factor * sum - quarter[ky * parity.hx() + kx]) < 1e-13);
         }
+      }
+    }
+  }
+}
+
+TEST_CASE("a filter is the convolution with its even kernel on the periodic grid") {
+  for (const auto& [nx, ny, mx, my] :
+       {std::tuple{1, 1, 2, 2}, {5, 7, 8, 8}, {9, 4, 10, 6}, {6, 3, 6, 14}}) {
+    const fft::PeriodicTransform transform(nx, ny, mx, my);
+    const Field plane = sample(nx * ny),
+                kernel = sample(static_cast<int>(transform.quarter_size()));
+    Field spectrum = kernel, out(nx * ny);
+    transform.spectrum(spectrum.data());
+    ComplexField work;
+    transform.filter(plane.data(), spectrum.data(), out.data(), work);
+    const auto folded = [](int d, int m) { return std::min(std::abs(d), m - std::abs(d)); };
+    for (int i = 0; i < nx; ++i) {
+      for (int j = 0; j < ny; ++j) {
+        double sum = 0.0;
+        for (int k = 0; k < nx; ++k) {
+          for (int l = 0; l < ny; ++l) {
+            sum +=
+                kernel[folded(j - l, my) * transform.hx() + folded(i - k, mx)] * plane[k * ny + l];
+          }
+        }
+        CHECK(std::abs(out[i * ny + j] - sum) < 1e-12 * nx * ny);
       }
     }
   }

@@ -60,7 +60,7 @@ class ContactSolver:
         tol: float,
         max_iterations: int,
         error_on_border: bool,
-    ) -> dict[str, Any]: ...
+    ) -> dict[str, Any]: ...  # fields of ContactSolution (operator_applications, work, ...)
 
 class State:
     pressure: FloatArray

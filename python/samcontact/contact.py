@@ -42,7 +42,13 @@ class ContactSolution:
     load : float
         Total load [N].
     iterations : int
-        Conjugate-gradient iterations.
+        Conjugate-gradient steps on the grid; the start from coarser grids is not counted.
+    operator_applications : int
+        Exact displacements computed on the grid, each a pair of zero-padded transforms (with
+        coupled friction, those of the shear included).
+    work : float
+        All transforms of the solve, those of the preconditioner, of its cheap displacements and of
+        coarser grids included, in units of one exact displacement [-].
     error : float
         Largest violation of p >= 0, g >= 0, p g = 0: max |min(p/max p, g/max u)| [-].
     converged : bool
@@ -54,6 +60,8 @@ class ContactSolution:
     approach: float
     load: float
     iterations: int
+    operator_applications: int
+    work: float
     error: float
     converged: bool
 
@@ -61,8 +69,8 @@ class ContactSolution:
 class ContactSolver:
     """Contact of two elastic half-spaces with Coulomb friction, gross sliding along x.
 
-    Exact Love and Cerruti coefficients, discrete convolution by FFT, constrained conjugate
-    gradient (Polonsky & Keer 1999, doi:10.1016/S0043-1648(99)00113-1). The shear mu p acts on body
+    Exact Love and Cerruti coefficients, discrete convolution by FFT, active sets with a spectral
+    preconditioner, started from coarser grids. The shear mu p acts on body
     2 in +x and on body 1 in -x; where the elastic constants couple it to the normal displacement,
     the coupling is iterated to convergence.
 
@@ -131,7 +139,8 @@ class ContactSolver:
         approach : float
             Rigid-body approach [m]; exactly one of the two.
         initial_pressure : array_like, shape (nx, ny), optional
-            Start of the iteration [Pa].
+            Start of the iteration [Pa]; a good one, such as the solution for a similar gap or load,
+            saves the coarser grids and most steps.
 
         Raises
         ------

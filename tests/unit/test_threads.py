@@ -19,6 +19,15 @@ gap = sc.surfaces.paraboloid(grid, 5e-3) + sc.surfaces.sinusoidal(grid, 2e-8, 9e
 solution = sc.ContactSolver(grid, ceramic, steel, 0.3, tol=1e-10).solve(gap, load=1.0)
 print(solution.iterations, hashlib.sha256(solution.pressure.tobytes()).hexdigest())
 """
+ROUGH = """
+import hashlib, warnings, samcontact as sc
+warnings.simplefilter("ignore", sc.GridTooSmallWarning)
+grid = sc.Grid(320, 290, 1e-6, 1e-6)
+gap = sc.surfaces.rough_self_affine(grid, 1e-8, 0.8, wavelength_min=4e-6, roll_off=4e-5, seed=1)
+rigid, steel = sc.Material.rigid(), sc.Material.elastic(210e9, 0.3)
+solution = sc.ContactSolver(grid, rigid, steel, on_border="warn").solve(gap, load=2.0)
+print(solution.iterations, hashlib.sha256(solution.pressure.tobytes()).hexdigest())
+"""
 SIMULATION = """
 import hashlib, samcontact as sc
 soft = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)
@@ -57,7 +66,9 @@ def test_two_simulations_at_once_give_the_digits_of_each_alone():
             assert np.array_equal(one, other)
 
 
-@pytest.mark.parametrize("script", [CONTACT, SIMULATION], ids=["contact", "simulation"])
+@pytest.mark.parametrize(
+    "script", [CONTACT, ROUGH, SIMULATION], ids=["contact", "rough", "simulation"]
+)
 def test_same_digits_for_any_number_of_openmp_threads(script):
     answers = [
         subprocess.run(

@@ -61,7 +61,8 @@ ContactSolver::ContactSolver(const Grid& grid, const Elastic& body1, const Elast
       friction_(friction),
       displacement_(
           grid, body1.normal_compliance() + body2.normal_compliance(),
-          friction == 0 ? 0.0 : body2.coupling_compliance() - body1.coupling_compliance()) {
+          friction == 0 ? 0.0 : body2.coupling_compliance() - body1.coupling_compliance()),
+      multilevel_(grid, body1.normal_compliance() + body2.normal_compliance()) {
   require(std::isfinite(friction) && friction >= 0, "friction", "a finite number >= 0", friction);
   if (body1.is_rigid() && body2.is_rigid()) {
     throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
@@ -99,11 +100,10 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
   pressure.resize(gap.size(), 0.0);
   for (double& p : pressure) p = std::max(p, 0.0);
 
-  Solution solution =
-      displacement_.has_coupling()
-          ? solve_coupled(gap, driver, std::move(pressure), settings)
-          : solve_complementarity(displacement_, gap, grid_.cell_area(), driver,
-                                  std::move(pressure), settings.tol, settings.max_iterations);
+  Solution solution = displacement_.has_coupling()
+                          ? solve_coupled(gap, driver, std::move(pressure), settings)
+                          : multilevel_.solve(displacement_, gap, driver, std::move(pressure),
+                                              settings.tol, settings.max_iterations);
   if (!solution.converged) {
     throw ConvergenceError("contact did not converge at " + describe(driver) + ": error " +
                                to_text(solution.error) + " after " +
@@ -122,22 +122,27 @@ Solution ContactSolver::solve_coupled(const Field& gap, Driver driver, Field pre
                                       const ContactSettings& settings) const {
   const bool load_driven = driver.kind == Driver::Kind::load;
   Field shear(gap.size()), coupling(gap.size()), previous(gap.size()), lagged(gap.size());
+  ComplexField scratch;
+  int iterations = 0, applications = 0;
+  double work = 0.0;
   const auto update_coupling = [&](const Field& p) {
     for (std::size_t i = 0; i < p.size(); ++i) shear[i] = friction_ * p[i];
-    displacement_.shear(shear.data(), coupling.data());
+    displacement_.shear(shear.data(), coupling.data(), scratch);
+    ++applications;
+    ++work;
   };
   update_coupling(pressure);
 
   Solution solution;
-  int iterations = 0;
   double outer_error = 1.0;
   for (int n = 0; n < max_coupling_iterations; ++n) {
     for (std::size_t i = 0; i < gap.size(); ++i) lagged[i] = gap[i] + coupling[i];
     const double inner_tol = std::clamp(0.1 * outer_error, 0.3 * settings.tol, 1e-2);
-    solution =
-        solve_complementarity(displacement_, lagged, grid_.cell_area(), driver, std::move(pressure),
-                              std::max(inner_tol, 1e-13), settings.max_iterations);
+    solution = multilevel_.solve(displacement_, lagged, driver, std::move(pressure),
+                                 std::max(inner_tol, 1e-13), settings.max_iterations);
     iterations += solution.iterations;
+    applications += solution.operator_applications;
+    work += solution.work;
     if (!solution.converged) break;
     std::swap(previous, coupling);
     update_coupling(solution.pressure);
@@ -155,6 +160,8 @@ Solution ContactSolver::solve_coupled(const Field& gap, Driver driver, Field pre
     pressure = solution.pressure;
   }
   solution.iterations = iterations;
+  solution.operator_applications = applications;
+  solution.work = work;
   return solution;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "samcontact/fft/parity_spectrum.hpp"
+#include "samcontact/fft/periodic_transform.hpp"
 #include "samcontact/kernels/surface_traction.hpp"
 #include "samcontact/operators/influence_lattice.hpp"
 #include "samcontact/operators/parity_product.hpp"
@@ -24,19 +25,26 @@ Field influence(const Grid& grid, const fft::ParitySpectrum& spectrum,
   return quarter;
 }
 
+/// Coefficients below which starting the threads costs more than they save.
+constexpr std::size_t worth_threads = 1 << 15;
+
 /// out = convolution of `in` with the kernel whose real quarter spectrum is given.
 void convolve(const fft::PaddedTransform& transform, const Field& quarter, kernels::Parity parity,
-              const double* in, double* out) {
+              const double* in, double* out, ComplexField& spectrum) {
   const int mx = transform.mx(), mh = transform.mh(), hx = mx / 2 + 1;
-  ComplexField spectrum(transform.spectrum_size());
+  spectrum.resize(transform.spectrum_size());
   transform.forward(in, spectrum.data(), mx, fft::PaddedTransform::Threads::many);
-  ComplexField column(mx);
-  for (int ky = 0; ky < mh; ++ky) {
-    Complex* values = spectrum.data() + static_cast<std::size_t>(ky) * mx;
-    std::fill(column.begin(), column.end(), Complex{});
-    add_parity_product(quarter.data() + static_cast<std::size_t>(ky) * hx, parity, 1.0, values,
-                       column.data(), mx);
-    std::copy(column.begin(), column.end(), values);
+#pragma omp parallel if (spectrum.size() >= worth_threads)
+  {
+    ComplexField column(mx);
+#pragma omp for schedule(static)
+    for (int ky = 0; ky < mh; ++ky) {
+      Complex* values = spectrum.data() + static_cast<std::size_t>(ky) * mx;
+      std::fill(column.begin(), column.end(), Complex{});
+      add_parity_product(quarter.data() + static_cast<std::size_t>(ky) * hx, parity, 1.0, values,
+                         column.data(), mx);
+      std::copy(column.begin(), column.end(), values);
+    }
   }
   transform.inverse(spectrum.data(), out, mx, fft::PaddedTransform::Threads::many);
 }
@@ -62,16 +70,22 @@ SurfaceDisplacement::SurfaceDisplacement(const Grid& grid, double normal_complia
   }
 }
 
-void SurfaceDisplacement::pressure(const double* pressure, double* displacement) const {
-  convolve(transform_, normal_, even, pressure, displacement);
+void SurfaceDisplacement::pressure(const double* pressure, double* displacement,
+                                   ComplexField& work) const {
+  convolve(transform_, normal_, even, pressure, displacement, work);
 }
 
-void SurfaceDisplacement::shear(const double* shear, double* displacement) const {
+void SurfaceDisplacement::shear(const double* shear, double* displacement,
+                                ComplexField& work) const {
   if (has_coupling()) {
-    convolve(transform_, coupling_, odd_in_x, shear, displacement);
+    convolve(transform_, coupling_, odd_in_x, shear, displacement, work);
   } else {
     std::fill(displacement, displacement + transform_.nx() * transform_.ny(), 0.0);
   }
+}
+
+double SurfaceDisplacement::cost() const {
+  return fft::filter_cost(transform_.nx(), transform_.mx(), transform_.my());
 }
 
 Field surface_displacement(const Grid& grid, double normal_compliance, double coupling_compliance,
@@ -79,12 +93,13 @@ Field surface_displacement(const Grid& grid, double normal_compliance, double co
   const fft::PaddedTransform transform(grid.nx, grid.ny);
   const fft::ParitySpectrum spectrum(transform);
   Field total(grid.surface_size(), 0.0), part(grid.surface_size());
+  ComplexField work;
   const auto add = [&](const double* traction, double (*corner)(double, double), double factor,
                        kernels::Parity parity) {
     if (traction == nullptr || factor == 0) return;
     Field quarter = influence(grid, spectrum, corner, factor * grid.dx / std::numbers::pi);
     spectrum.transform(quarter.data(), parity.odd_x, parity.odd_y);
-    convolve(transform, quarter, parity, traction, part.data());
+    convolve(transform, quarter, parity, traction, part.data(), work);
     for (std::size_t i = 0; i < total.size(); ++i) total[i] += part[i];
   };
   add(pressure, kernels::pressure_displacement, normal_compliance, even);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frictionless contact problem on a grid: p >= 0, g = h + K p - delta >= 0, p g = 0.
+// The frictionless contact problem on a grid: p >= 0, g = h + K p - delta >= 0, p g = 0. What all
+// its solvers share.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "samcontact/base/aligned.hpp"
-#include "samcontact/operators/surface_displacement.hpp"
 
 namespace samcontact::contact {
 
@@ -16,6 +17,7 @@ struct Driver {
 
   static Driver load(double newton) { return {Kind::load, newton}; }
   static Driver approach(double metre) { return {Kind::approach, metre}; }
+  bool is_load() const { return kind == Kind::load; }
 };
 
 struct Solution {
@@ -26,17 +28,34 @@ struct Solution {
   /// max over cells of |min(p / max p, g / max u)|: pressure where there is a gap, and gap or
   /// penetration where there is pressure, each relative to its own scale.
   double error = 0.0;
+  /// Conjugate-gradient steps on the grid itself; those on coarser grids do not count.
   int iterations = 0;
+  /// Applications of the exact operators (pressure or shear to displacement) on the grid itself.
+  int operator_applications = 0;
+  /// Transforms of the whole solve, coarse grids and preconditioner included, in applications of
+  /// the exact operator.
+  double work = 0.0;
   bool converged = true;
   /// Which border the contact touches and the remedy; empty when it touches none.
   std::string border_complaint;
 };
 
-/// Conjugate gradient on the cells in contact with projection to p >= 0 (Polonsky & Keer 1999,
-/// doi:10.1016/S0043-1648(99)00113-1), for a given load or approach. Starts from `pressure`; stops
-/// when the error defined above is below tol. Returns converged = false after max_iterations.
-Solution solve_complementarity(const operators::SurfaceDisplacement& displacement,
-                               const Field& initial_gap, double cell_area, Driver driver,
-                               Field pressure, double tol, int max_iterations);
+/// Cells below which starting the threads costs more than they save.
+constexpr std::ptrdiff_t worth_threads = 1 << 15;
+
+/// Mean of a field over the cells with pressure; 0 without any.
+double contact_mean(const Field& pressure, const Field& field);
+
+/// The error of Solution, from pressure, displacement and gap.
+double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap);
+
+/// Multiplies the pressure so that it sums to `sum`, and returns the factor; a pressure that is
+/// zero everywhere becomes uniform.
+double scale_to_sum(Field& pressure, double sum);
+
+/// gap = initial gap + displacement - approach. Returns the approach: under load the mean of the
+/// rest over the contact, else the driver's.
+double close_gap(const Field& initial_gap, const Field& displacement, const Field& pressure,
+                 Driver driver, Field& gap);
 
 }  // namespace samcontact::contact

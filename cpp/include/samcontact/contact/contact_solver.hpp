@@ -8,6 +8,8 @@
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/grid.hpp"
 #include "samcontact/contact/complementarity.hpp"
+#include "samcontact/contact/multilevel.hpp"
+#include "samcontact/operators/surface_displacement.hpp"
 
 namespace samcontact::contact {
 
@@ -32,9 +34,9 @@ class ContactSolver {
   /// std::invalid_argument when both bodies are rigid or friction is negative or not finite.
   ContactSolver(const Grid& grid, const Elastic& body1, const Elastic& body2, double friction);
 
-  /// Without coupling one conjugate-gradient solve. With it (dissimilar bodies and friction) the
-  /// operator is not symmetric: the shear's displacement is lagged in an outer fixed point, a
-  /// contraction with factor <= mu (1 - 2 nu)/(2 (1 - nu)) in the energy norm the largest
+  /// Without coupling one solve of the complementarity problem. With it (dissimilar bodies and
+  /// friction) the operator is not symmetric: the shear's displacement is lagged in an outer fixed
+  /// point, a contraction with factor <= mu (1 - 2 nu)/(2 (1 - nu)) in the energy norm the largest
   /// ratio of the two operators' Fourier symbols. initial_pressure may be empty.
   /// Throws std::invalid_argument (load < 0, wrong shape, not finite), GridTooSmallError, and
   /// ConvergenceError.
@@ -53,6 +55,7 @@ class ContactSolver {
   Grid grid_;
   double friction_;
   operators::SurfaceDisplacement displacement_;
+  Multilevel multilevel_;
 };
 
 }  // namespace samcontact::contact

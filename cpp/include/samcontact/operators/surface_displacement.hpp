@@ -18,14 +18,17 @@ class SurfaceDisplacement {
   /// of each body's shear). A zero coupling builds no kernel for it.
   SurfaceDisplacement(const Grid& grid, double normal_compliance, double coupling_compliance);
 
-  /// displacement [m] of pressure [Pa], both [i][j]; may be the same array.
-  void pressure(const double* pressure, double* displacement) const;
+  /// displacement [m] of pressure [Pa], both [i][j]; may be the same array. `work` is scratch that
+  /// the caller keeps from call to call.
+  void pressure(const double* pressure, double* displacement, ComplexField& work) const;
   /// displacement [m] of shear s_x [Pa]; zero without coupling.
-  void shear(const double* shear, double* displacement) const;
+  void shear(const double* shear, double* displacement, ComplexField& work) const;
 
   bool has_coupling() const { return !coupling_.empty(); }
   /// u_z of a cell under its own unit pressure [m/Pa].
   double self_influence() const { return self_influence_; }
+  /// Operations of one application, in the unit of fft::filter_cost.
+  double cost() const;
 
  private:
   fft::PaddedTransform transform_;

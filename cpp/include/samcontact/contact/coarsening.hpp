@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between a grid and the one with half as many cells along x and y.
+#pragma once
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/base/grid.hpp"
+
+namespace samcontact::contact {
+
+/// Cells twice as long; with an odd number of cells the last one sticks out.
+Grid coarsened(const Grid& grid);
+
+/// Mean of each coarse cell's part of a field.
+Field coarsened(const Grid& grid, const Field& field);
+
+/// Linear interpolation of a coarse field at the cells of `grid`, constant beyond the outermost
+/// centres: positive where the coarse field is.
+Field refined(const Grid& grid, const Field& coarse);
+
+}  // namespace samcontact::contact

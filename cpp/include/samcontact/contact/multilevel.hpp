@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The elastic contact solver: a start from coarser grids, the active-set iteration with a cheap
+// operator, and the exact operator around it, which corrects and judges.
+#pragma once
+
+#include <memory>
+
+#include "samcontact/base/grid.hpp"
+#include "samcontact/contact/complementarity.hpp"
+#include "samcontact/operators/surface_displacement.hpp"
+
+namespace samcontact::contact {
+
+/// Solves p >= 0, g >= 0, p g = 0 on one grid, as often as wanted. Keeps the operators of coarser
+/// grids and the cheap operator, all made when first needed. Thread-safe.
+class Multilevel {
+ public:
+  Multilevel(const Grid& grid, double normal_compliance);
+  ~Multilevel();
+  Multilevel(Multilevel&&) noexcept;
+  Multilevel& operator=(Multilevel&&) noexcept;
+
+  /// displacement: the exact operator of the grid. Starts from `pressure`, or from a coarser grid
+  /// if that is zero everywhere. Returns converged = false after max_iterations.
+  Solution solve(const operators::SurfaceDisplacement& displacement, const Field& initial_gap,
+                 Driver driver, Field pressure, double tol, int max_iterations) const;
+
+ private:
+  class Level;
+  std::unique_ptr<Level> finest_;
+};
+
+}  // namespace samcontact::contact

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The spectral preconditioner of contact: the inverse of the periodic operator, 1/K^ ~ E* |q|/2,
+// seen from the cells of a working set.
+#pragma once
+
+#include "samcontact/operators/near_displacement.hpp"
+
+namespace samcontact::contact {
+
+/// On boxes of nx x ny cells with little padding. None at all costs a quarter more steps where
+/// contact touches opposite borders.
+class Preconditioner {
+ public:
+  Preconditioner(int nx, int ny, double dx, double dy, double normal_compliance);
+
+  /// z = F^-1 (1/K^) F r; the caller restricts r and z to the working set. `work` is scratch.
+  void apply(const double* r, double* z, ComplexField& work) const;
+
+  double cost() const { return transform_.cost(); }
+
+ private:
+  fft::PeriodicTransform transform_;
+  Field inverse_;  // real quarter spectrum [ky][kx]
+};
+
+/// A cheap operator and its preconditioner, both of one box size.
+struct NearOperators {
+  operators::NearDisplacement displacement;
+  Preconditioner preconditioner;
+
+  NearOperators(int nx, int ny, double dx, double dy, double normal_compliance)
+      : displacement(nx, ny, dx, dy, normal_compliance),
+        preconditioner(nx, ny, dx, dy, normal_compliance) {}
+};
+
+}  // namespace samcontact::contact

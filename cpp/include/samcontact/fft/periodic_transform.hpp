@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Convolution of a plane with an even kernel on a periodic grid that may be larger than the plane:
+// the filter behind operators that can do without full padding.
+#pragma once
+
+#include <cstddef>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/fft/plan.hpp"
+
+namespace samcontact::fft {
+
+/// Planes of nx x ny [i][j] at the corner of a periodic grid of mx x my (even); the rest is zero.
+/// Plans are estimated, as everywhere. Thread-safe after construction.
+class PeriodicTransform {
+ public:
+  /// mx >= nx and my >= ny, both even.
+  PeriodicTransform(int nx, int ny, int mx, int my);
+
+  int nx() const { return nx_; }
+  int ny() const { return ny_; }
+  int mx() const { return mx_; }
+  int my() const { return my_; }
+  /// Extents of the quarter plane: kernels [j][i], spectra [ky][kx].
+  int hx() const { return mx_ / 2 + 1; }
+  int hy() const { return my_ / 2 + 1; }
+  std::size_t quarter_size() const { return static_cast<std::size_t>(hx()) * hy(); }
+
+  /// In place: kernel at offsets i <= mx/2, j <= my/2 -> its real spectrum divided by mx my.
+  void spectrum(double* quarter) const;
+
+  /// out = convolution of `in` with the kernel of that spectrum; out may be in. `work` is scratch
+  /// that the caller keeps from call to call.
+  void filter(const double* in, const double* quarter, double* out, ComplexField& work) const;
+
+  /// Operations of one filter, up to a constant common to all sizes.
+  double cost() const;
+
+ private:
+  static constexpr int block = 8;  // rows at a time, as in PaddedTransform
+
+  void forward_rows(const double* in, ComplexField& work) const;
+  void filter_columns(const double* quarter, ComplexField& work) const;
+  void inverse_rows(const ComplexField& work, double* out) const;
+
+  int nx_, ny_, mx_, my_;
+  bool many_threads_;
+  Plan rows_forward_, rows_inverse_, column_forward_, column_inverse_;
+};
+
+/// The cost of filtering nx rows on a grid of mx x my points, in the unit of cost().
+double filter_cost(int nx, int mx, int my);
+
+}  // namespace samcontact::fft

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A cheap, nearly exact normal surface displacement on a box of cells: a periodic convolution with
+// little padding, and the error of the periodicity, which is smooth, on a coarse grid.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/fft/periodic_transform.hpp"
+
+namespace samcontact::operators {
+
+/// A period longer than the cells by an eighth at least.
+int short_period(int cells);
+
+/// Real quarter spectrum [ky][kx] of the displacement due to pressure on a periodic grid, at the
+/// distance of the nearest image. dx, dy: sides of a cell [m]; normal_compliance [1/Pa].
+Field periodic_spectrum(const fft::PeriodicTransform& transform, double dx, double dy,
+                        double normal_compliance);
+
+/// Linear interpolation along one axis between centres of coarse cells, each `factor` cells long,
+/// and centres of cells; extrapolation half a coarse cell at the ends.
+struct CoarseAxis {
+  int cells, factor;
+
+  int coarse_cells() const { return (cells + factor - 1) / factor; }
+  /// The first of the two coarse cells that cell i lies between.
+  int lower(int i) const;
+  /// Share of coarse cell I in cell i.
+  double weight(int i, int I) const;
+  /// Cells begin(I) <= i < end(I) hold all that have a share of I.
+  int begin(int I) const;
+  int end(int I) const;
+};
+
+/// K~ p on nx x ny cells, close to the operator of SurfaceDisplacement for pressure on these cells.
+/// The periodic grid is longer than the box by an eighth, so that cells interact across its seam
+/// only where |x| exceeds the period minus the box; there the smooth difference of exact and
+/// periodic kernel is summed on coarse cells. Small boxes are padded in full instead: exact.
+class NearDisplacement {
+ public:
+  /// normal_compliance [1/Pa], summed over the bodies. dx, dy: sides of a cell [m].
+  NearDisplacement(int nx, int ny, double dx, double dy, double normal_compliance);
+
+  int nx() const { return transform_.nx(); }
+  int ny() const { return transform_.ny(); }
+
+  /// Whether padding is full, so that nothing but rounding is missed.
+  bool is_exact() const { return !far_transform_; }
+
+  /// displacement [m] of pressure [Pa], both [i][j], different arrays; `work` is scratch that the
+  /// caller keeps from call to call.
+  void pressure(const double* pressure, double* displacement, ComplexField& work) const;
+
+  /// Operations of one application, in the unit of fft::filter_cost.
+  double cost() const;
+
+ private:
+  void add_far(const double* pressure, double* displacement, ComplexField& work) const;
+
+  fft::PeriodicTransform transform_;
+  Field near_;
+  CoarseAxis x_, y_;
+  std::vector<int> y_lower_;  // of each cell along y, and the share of the coarse cell after it
+  Field y_share_;
+  std::unique_ptr<fft::PeriodicTransform> far_transform_;  // null where padding is full
+  Field far_;
+};
+
+}  // namespace samcontact::operators

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/multilevel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <utility>
+
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/active_set.hpp"
+#include "samcontact/contact/box.hpp"
+#include "samcontact/contact/coarsening.hpp"
+#include "samcontact/contact/polonsky_keer.hpp"
+
+namespace samcontact::contact {
+namespace {
+
+/// Grids are halved while their shorter side has this many cells.
+constexpr int coarsest_side = 64;
+/// A start needs no more: finer roughness changes the contact anyway.
+constexpr double coarse_tol = 1e-3;
+/// What the cheap operator is asked to gain on the error in one round: the first time much, since
+/// a start is wrong at short wavelengths, which the cheap operator resolves; then as much as the
+/// exact operator is expected to confirm.
+constexpr double first_gain = 1e-3, gain = 1e-2;
+/// The last round aims below tol, so that the exact operator agrees.
+constexpr double safety = 0.5;
+constexpr int most_steps_a_round = 300;
+/// Rounds in a row that fail to halve the error before the plain iteration takes over.
+constexpr int patience = 2;
+
+bool is_zero(const Field& field) {
+  return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
+}
+
+}  // namespace
+
+class Multilevel::Level {
+ public:
+  Level(const Grid& grid, double normal_compliance) : grid_(grid), compliance_(normal_compliance) {}
+
+  /// The work of the solution is counted in the unit of fft::filter_cost.
+  Solution solve(const operators::SurfaceDisplacement& displacement, const Field& initial_gap,
+                 Driver driver, Field pressure, double tol, int max_iterations) const;
+
+  const Grid& grid() const { return grid_; }
+  std::shared_ptr<const NearOperators> near(int nx, int ny) const;
+
+ private:
+  Field coarse_start(const Field& gap, Driver driver, int max_iterations, double& work) const;
+
+  Grid grid_;
+  double compliance_;
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const NearOperators> near_;  // of the box size used last
+  mutable std::unique_ptr<Level> coarser_;
+  mutable std::unique_ptr<operators::SurfaceDisplacement> coarser_displacement_;
+};
+
+namespace {
+
+/// One solve on one grid: rounds of the active-set iteration between exact evaluations.
+class Rounds {
+ public:
+  using Near = std::function<std::shared_ptr<const NearOperators>(int nx, int ny)>;
+
+  Rounds(const Grid& grid, const operators::SurfaceDisplacement& displacement, Near near,
+         const Field& initial_gap, Driver driver, Field pressure, bool warm)
+      : grid_(grid),
+        displacement_(displacement),
+        near_(std::move(near)),
+        initial_gap_(initial_gap),
+        driver_(driver),
+        warm_(warm),
+        box_{0, 0, 0, 0},
+        u_(initial_gap.size()) {
+    solution_.pressure = std::move(pressure);
+    solution_.gap.resize(initial_gap.size());
+    if (driver.is_load()) scale_to_sum(solution_.pressure, driver.value / grid.cell_area());
+  }
+
+  Solution run(double tol, int max_iterations) {
+    double last_error = INFINITY;
+    for (int stalled = 0;; last_error = solution_.error) {
+      evaluate();
+      solution_.converged = solution_.error <= tol;
+      if (solution_.converged || solution_.iterations >= max_iterations) {
+        return std::move(solution_);
+      }
+      const bool grown = choose_box();
+      stalled = grown || solution_.error <= 0.5 * last_error ? 0 : stalled + 1;
+      if (stalled == patience) break;
+      round(std::isinf(last_error), tol,
+            std::min(max_iterations - solution_.iterations, most_steps_a_round));
+    }
+    return plain(tol, max_iterations);
+  }
+
+ private:
+  void evaluate() {
+    check_interrupt();
+    displacement_.pressure(solution_.pressure.data(), u_.data(), work_);
+    ++solution_.operator_applications;
+    solution_.work += displacement_.cost();
+    solution_.approach = close_gap(initial_gap_, u_, solution_.pressure, driver_, solution_.gap);
+    solution_.error = complementarity_error(solution_.pressure, u_, solution_.gap);
+  }
+
+  /// True when contact has become possible outside the box.
+  bool choose_box() {
+    const Box box = possible_contact(grid_.nx, grid_.ny, solution_.pressure, solution_.gap);
+    if (box_.contains(box)) return false;
+    box_ = with_margin(grid_.nx, grid_.ny, box, box_);
+    return true;
+  }
+
+  void round(bool first, double tol, int max_iterations) {
+    const auto near = near_(box_.nx, box_.ny);
+    const bool exact = near->displacement.is_exact();
+    NearProblem problem{*near, extract(box_, initial_gap_, grid_.ny), driver_, grid_.cell_area(),
+                        displacement_.self_influence()};
+    Field pressure = extract(box_, solution_.pressure, grid_.ny);
+    Field displacement = extract(box_, u_, grid_.ny);
+    if (!exact) {
+      Field cheap(displacement.size());
+      near->displacement.pressure(pressure.data(), cheap.data(), work_);
+      solution_.work += near->displacement.cost();
+      for (std::size_t i = 0; i < cheap.size(); ++i) problem.gap[i] += displacement[i] - cheap[i];
+      std::swap(displacement, cheap);
+    }
+    const double asked = exact ? 0.0 : solution_.error * (first ? first_gain : gain);
+    const auto result =
+        solve_active_set(problem, std::move(pressure), std::move(displacement), first && !warm_,
+                         std::max(asked, safety * tol), max_iterations);
+    solution_.pressure = embed(box_, result.pressure, grid_.ny, u_.size());
+    solution_.iterations += result.iterations;
+    solution_.work += result.operations;
+  }
+
+  Solution plain(double tol, int max_iterations) {
+    Solution end =
+        polonsky_keer(displacement_, initial_gap_, grid_.cell_area(), driver_,
+                      std::move(solution_.pressure), tol, max_iterations - solution_.iterations);
+    end.iterations += solution_.iterations;
+    end.work = end.work * displacement_.cost() + solution_.work;
+    end.operator_applications += solution_.operator_applications;
+    return end;
+  }
+
+  const Grid& grid_;
+  const operators::SurfaceDisplacement& displacement_;
+  const Near near_;
+  const Field& initial_gap_;
+  const Driver driver_;
+  const bool warm_;
+  Box box_;
+  Field u_;
+  ComplexField work_;
+  Solution solution_;
+};
+
+}  // namespace
+
+std::shared_ptr<const NearOperators> Multilevel::Level::near(int nx, int ny) const {
+  const std::lock_guard lock(mutex_);
+  if (!near_ || near_->displacement.nx() != nx || near_->displacement.ny() != ny) {
+    near_ = std::make_shared<const NearOperators>(nx, ny, grid_.dx, grid_.dy, compliance_);
+  }
+  return near_;
+}
+
+Field Multilevel::Level::coarse_start(const Field& gap, Driver driver, int max_iterations,
+                                      double& work) const {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!coarser_) {
+      const Grid coarse = coarsened(grid_);
+      coarser_ = std::make_unique<Level>(coarse, compliance_);
+      coarser_displacement_ =
+          std::make_unique<operators::SurfaceDisplacement>(coarse, compliance_, 0.0);
+    }
+  }
+  const Grid& coarse = coarser_->grid();
+  const Solution start =
+      coarser_->solve(*coarser_displacement_, coarsened(grid_, gap), driver,
+                      Field(coarse.surface_size(), 0.0), coarse_tol, max_iterations);
+  work += start.work;
+  return refined(grid_, start.pressure);
+}
+
+Solution Multilevel::Level::solve(const operators::SurfaceDisplacement& displacement,
+                                  const Field& initial_gap, Driver driver, Field pressure,
+                                  double tol, int max_iterations) const {
+  const double lowest = *std::min_element(initial_gap.begin(), initial_gap.end());
+  if (driver.is_load() ? driver.value == 0 : driver.value <= lowest) {
+    // Apart, or just touching: nothing to solve.
+    Solution solution;
+    solution.approach = driver.is_load() ? lowest : driver.value;
+    solution.pressure.assign(initial_gap.size(), 0.0);
+    solution.gap = initial_gap;
+    for (double& g : solution.gap) g -= solution.approach;
+    return solution;
+  }
+  double work = 0.0;
+  const bool warm = !is_zero(pressure);
+  if (!warm && std::min(grid_.nx, grid_.ny) >= coarsest_side) {
+    pressure = coarse_start(initial_gap, driver, max_iterations, work);
+  }
+  const auto near_of = [this](int nx, int ny) { return near(nx, ny); };
+  Solution solution =
+      Rounds(grid_, displacement, near_of, initial_gap, driver, std::move(pressure), warm)
+          .run(tol, max_iterations);
+  solution.work += work;
+  return solution;
+}
+
+Multilevel::Multilevel(const Grid& grid, double normal_compliance)
+    : finest_(std::make_unique<Level>(grid, normal_compliance)) {}
+Multilevel::~Multilevel() = default;
+Multilevel::Multilevel(Multilevel&&) noexcept = default;
+Multilevel& Multilevel::operator=(Multilevel&&) noexcept = default;
+
+Solution Multilevel::solve(const operators::SurfaceDisplacement& displacement,
+                           const Field& initial_gap, Driver driver, Field pressure, double tol,
+                           int max_iterations) const {
+  Solution solution =
+      finest_->solve(displacement, initial_gap, driver, std::move(pressure), tol, max_iterations);
+  solution.work /= displacement.cost();
+  const double area = finest_->grid().cell_area();
+  const Field& p = solution.pressure;
+  solution.load = driver.is_load()
+                      ? driver.value
+                      : area * ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
+  return solution;
+}
+
+}  // namespace samcontact::contact

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/polonsky_keer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/reduce.hpp"
+
+namespace samcontact::contact {
+namespace {
+
+/// Rounding of the incrementally updated displacement is wiped out this often.
+constexpr int refresh_interval = 30;
+
+class ConjugateGradient {
+ public:
+  ConjugateGradient(const operators::SurfaceDisplacement& displacement, const Field& initial_gap,
+                    double cell_area, Driver driver, Field pressure)
+      : displacement_(displacement),
+        initial_gap_(initial_gap),
+        size_(initial_gap.size()),
+        driver_(driver),
+        target_sum_(driver.value / cell_area),
+        p_(std::move(pressure)),
+        u_(size_),
+        g_(size_),
+        t_(size_, 0.0),
+        q_(size_) {
+    if (driver_.is_load()) scale_to_sum(p_, target_sum_);
+    refresh();
+  }
+
+  Solution run(double tol, int max_iterations) {
+    Solution solution;
+    for (int n = 0;; ++n) {
+      check_interrupt();
+      update_gap();
+      solution.error = complementarity_error(p_, u_, g_);
+      if (solution.error <= tol && since_refresh_ > 0) {
+        refresh();
+        update_gap();
+        solution.error = complementarity_error(p_, u_, g_);
+      }
+      solution.iterations = n;
+      solution.converged = solution.error <= tol;
+      if (solution.converged || n == max_iterations) break;
+      advance();
+    }
+    solution.pressure = p_;
+    solution.gap = g_;
+    solution.approach = approach_;
+    solution.operator_applications = applications_;
+    solution.work = applications_;
+    return solution;
+  }
+
+ private:
+  void apply(const Field& pressure, Field& displacement) {
+    displacement_.pressure(pressure.data(), displacement.data(), work_);
+    ++applications_;
+  }
+
+  void refresh() {
+    apply(p_, u_);
+    since_refresh_ = 0;
+  }
+
+  void update_gap() { approach_ = close_gap(initial_gap_, u_, p_, driver_, g_); }
+
+  /// One projected conjugate-gradient step from the current gap.
+  void advance() {
+    const auto active = [&](std::size_t i) { return p_[i] > 0; };
+    const double norm =
+        ordered_sum(size_, [&](std::size_t i) { return active(i) ? g_[i] * g_[i] : 0.0; });
+    const double beta = conjugate_ && norm_ > 0 ? norm / norm_ : 0.0;
+    norm_ = norm;
+    for (std::size_t i = 0; i < size_; ++i) t_[i] = active(i) ? g_[i] + beta * t_[i] : 0.0;
+
+    apply(t_, q_);
+    const double shift = driver_.is_load() ? contact_mean(p_, q_) : 0.0;
+    const double gt = ordered_sum(size_, [&](std::size_t i) { return g_[i] * t_[i]; });
+    const double qt = ordered_sum(size_, [&](std::size_t i) { return (q_[i] - shift) * t_[i]; });
+    // Without an active cell with a residual there is no curvature: use the cell's own stiffness.
+    const double step = qt > 0 ? gt / qt : 1.0 / displacement_.self_influence();
+
+    bool clipped = false, released = false;
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (active(i)) {
+        const double p = p_[i] - step * t_[i];
+        clipped |= p <= 0;
+        p_[i] = std::max(p, 0.0);
+      } else if (g_[i] < 0) {
+        released = true;
+        p_[i] = -step * g_[i];
+      }
+    }
+    conjugate_ = !released;
+    const double scale = driver_.is_load() ? scale_to_sum(p_, target_sum_) : 1.0;
+    if (clipped || released || ++since_refresh_ >= refresh_interval) {
+      refresh();
+    } else {
+      for (std::size_t i = 0; i < size_; ++i) u_[i] = scale * (u_[i] - step * q_[i]);
+    }
+  }
+
+  const operators::SurfaceDisplacement& displacement_;
+  const Field& initial_gap_;
+  std::size_t size_;
+  Driver driver_;
+  double target_sum_;
+  Field p_, u_, g_, t_, q_;
+  double approach_ = 0.0, norm_ = 0.0;
+  bool conjugate_ = false;
+  int since_refresh_ = 0, applications_ = 0;
+  ComplexField work_;
+};
+
+}  // namespace
+
+Solution polonsky_keer(const operators::SurfaceDisplacement& displacement, const Field& initial_gap,
+                       double cell_area, Driver driver, Field pressure, double tol,
+                       int max_iterations) {
+  ConjugateGradient iteration(displacement, initial_gap, cell_area, driver, std::move(pressure));
+  return iteration.run(tol, max_iterations);
+}
+
+}  // namespace samcontact::contact

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/preconditioner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace samcontact::contact {
+namespace {
+
+/// Eigenvalues of a kernel cut off by its period are raised to this share of the smallest of the
+/// half-space, so that the preconditioner is positive definite whatever the shape of the cells.
+constexpr double smallest_share = 0.1;
+
+/// 2/(E* |q|) at the shortest wave of the grid.
+double smallest_eigenvalue(double dx, double dy, double normal_compliance) {
+  return 2 * normal_compliance / (std::numbers::pi * std::hypot(1 / dx, 1 / dy));
+}
+
+}  // namespace
+
+Preconditioner::Preconditioner(int nx, int ny, double dx, double dy, double normal_compliance)
+    : transform_(nx, ny, operators::short_period(nx), operators::short_period(ny)),
+      inverse_(operators::periodic_spectrum(transform_, dx, dy, normal_compliance)) {
+  const double floor = smallest_share * smallest_eigenvalue(dx, dy, normal_compliance);
+  // The spectrum carries 1/(mx my) of the two transforms; so must the inverse.
+  const double points = static_cast<double>(transform_.mx()) * transform_.my();
+  for (double& value : inverse_) value = 1.0 / (std::max(value * points, floor) * points);
+}
+
+void Preconditioner::apply(const double* r, double* z, ComplexField& work) const {
+  transform_.filter(r, inverse_.data(), z, work);
+}
+
+}  // namespace samcontact::contact

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/near_displacement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "samcontact/kernels/surface_traction.hpp"
+#include "samcontact/operators/influence_lattice.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+/// Shorter boxes are padded in full: their coarse grid would be as fine as the box.
+constexpr int shortest_side = 64;
+/// Cells below which starting the threads costs more than they save.
+constexpr int worth_threads = 1 << 15;
+/// Coarse cells along a box; eight of them fit into the shortest distance across the seam.
+constexpr int coarse_count = 64;
+
+bool padded_in_full(int nx, int ny) { return std::min(nx, ny) < shortest_side; }
+
+int period(int cells, bool full) {
+  return full ? fft::good_even_size(2 * cells - 1) : short_period(cells);
+}
+
+int coarse_factor(int cells) { return std::max(2, cells / coarse_count); }
+
+/// Influence of a cell at the offset (x, y) cells, in units of dx.
+double influence(double x, double y, double aspect) {
+  const auto corner = [&](double s, double t) {
+    return kernels::pressure_displacement(x + s, (y + t) * aspect);
+  };
+  return (corner(0.5, 0.5) - corner(-0.5, 0.5)) - (corner(0.5, -0.5) - corner(-0.5, -0.5));
+}
+
+}  // namespace
+
+int short_period(int cells) { return fft::good_even_size(cells + (cells + 7) / 8); }
+
+Field periodic_spectrum(const fft::PeriodicTransform& transform, double dx, double dy,
+                        double normal_compliance) {
+  const CornerLattice lattice{transform.hx(), transform.hy(), dy / dx};
+  Field corners(lattice.size());
+  lattice.evaluate<1>(
+      [](double x, double y) { return std::array{kernels::pressure_displacement(x, y)}; },
+      corners.data());
+  Field quarter(transform.quarter_size());
+  lattice.corner_sums(corners.data(), quarter.data(), transform.hx(), transform.hy());
+  for (double& value : quarter) value *= normal_compliance * dx / std::numbers::pi;
+  transform.spectrum(quarter.data());
+  return quarter;
+}
+
+int CoarseAxis::lower(int i) const {
+  return std::clamp((2 * i + 1 - factor) / (2 * factor), 0, coarse_cells() - 2);
+}
+
+double CoarseAxis::weight(int i, int I) const {
+  const double beyond = (i + 0.5) / factor - 0.5 - lower(i);
+  return I == lower(i) ? 1.0 - beyond : I == lower(i) + 1 ? beyond : 0.0;
+}
+
+int CoarseAxis::begin(int I) const { return std::max((I - 1) * factor, 0); }
+
+int CoarseAxis::end(int I) const { return std::min((I + 2) * factor, cells); }
+
+NearDisplacement::NearDisplacement(int nx, int ny, double dx, double dy, double normal_compliance)
+    : transform_(nx, ny, period(nx, padded_in_full(nx, ny)), period(ny, padded_in_full(nx, ny))),
+      near_(periodic_spectrum(transform_, dx, dy, normal_compliance)),
+      x_{nx, coarse_factor(nx)},
+      y_{ny, coarse_factor(ny)} {
+  if (padded_in_full(nx, ny)) return;
+
+  for (int j = 0; j < ny; ++j) {
+    y_lower_.push_back(y_.lower(j));
+    y_share_.push_back(y_.weight(j, y_.lower(j) + 1));
+  }
+  const int cx = x_.coarse_cells(), cy = y_.coarse_cells();
+  far_transform_ = std::make_unique<fft::PeriodicTransform>(cx, cy, fft::good_even_size(2 * cx - 1),
+                                                            fft::good_even_size(2 * cy - 1));
+  const int hx = far_transform_->hx();
+  const double aspect = dy / dx, factor = normal_compliance * dx / std::numbers::pi;
+  far_.assign(far_transform_->quarter_size(), 0.0);
+  for (int J = 0; J < cy; ++J) {
+    for (int I = 0; I < cx; ++I) {
+      const double x = I * x_.factor, y = J * y_.factor;
+      const double across_x = std::min(x, transform_.mx() - x);
+      const double across_y = std::min(y, transform_.my() - y);
+      if (across_x == x && across_y == y) continue;
+      far_[static_cast<std::size_t>(J) * hx + I] =
+          factor * (influence(x, y, aspect) - influence(across_x, across_y, aspect));
+    }
+  }
+  far_transform_->spectrum(far_.data());
+}
+
+void NearDisplacement::pressure(const double* pressure, double* displacement,
+                                ComplexField& work) const {
+  transform_.filter(pressure, near_.data(), displacement, work);
+  if (far_transform_) add_far(pressure, displacement, work);
+}
+
+double NearDisplacement::cost() const {
+  return transform_.cost() + (far_transform_ ? far_transform_->cost() : 0.0);
+}
+
+void NearDisplacement::add_far(const double* pressure, double* displacement,
+                               ComplexField& work) const {
+  const int nx = x_.cells, ny = y_.cells, cx = x_.coarse_cells(), cy = y_.coarse_cells();
+  Field rows(static_cast<std::size_t>(nx) * cy), coarse(static_cast<std::size_t>(cx) * cy, 0.0);
+  // Threads gather, each row for itself, so that no sum depends on their number.
+#pragma omp parallel for schedule(static) if (nx * ny >= worth_threads)
+  for (int i = 0; i < nx; ++i) {
+    const double* p = pressure + static_cast<std::size_t>(i) * ny;
+    double* row = rows.data() + static_cast<std::size_t>(i) * cy;
+    for (int j = 0; j < ny; ++j) {
+      const int J = y_lower_[j];
+      row[J] += (1.0 - y_share_[j]) * p[j];
+      row[J + 1] += y_share_[j] * p[j];
+    }
+  }
+  for (int I = 0; I < cx; ++I) {
+    double* sum = coarse.data() + static_cast<std::size_t>(I) * cy;
+    for (int i = x_.begin(I); i < x_.end(I); ++i) {
+      const double* row = rows.data() + static_cast<std::size_t>(i) * cy;
+      const double w = x_.weight(i, I);
+      for (int J = 0; J < cy; ++J) sum[J] += w * row[J];
+    }
+  }
+  far_transform_->filter(coarse.data(), far_.data(), coarse.data(), work);
+#pragma omp parallel for schedule(static) if (nx * ny >= worth_threads)
+  for (int i = 0; i < nx; ++i) {
+    const double* from = coarse.data() + static_cast<std::size_t>(x_.lower(i)) * cy;
+    const double w0 = x_.weight(i, x_.lower(i)), w1 = 1.0 - w0;
+    double* row = rows.data() + static_cast<std::size_t>(i) * cy;
+    for (int J = 0; J < cy; ++J) row[J] = w0 * from[J] + w1 * from[J + cy];
+    double* u = displacement + static_cast<std::size_t>(i) * ny;
+    for (int j = 0; j < ny; ++j) {
+      const int J = y_lower_[j];
+      u[j] += (1.0 - y_share_[j]) * row[J] + y_share_[j] * row[J + 1];
+    }
+  }
+}
+
+}  // namespace samcontact::operators

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of the contact solver that Python does not see, each against what it stands for.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "samcontact/contact/active_set.hpp"
+#include "samcontact/contact/box.hpp"
+#include "samcontact/contact/coarsening.hpp"
+#include "samcontact/contact/multilevel.hpp"
+#include "samcontact/contact/polonsky_keer.hpp"
+
+using namespace samcontact;
+
+namespace {
+
+constexpr double compliance = 1e-9;
+
+Field sample(std::size_t n) {
+  Field f(n);
+  for (std::size_t i = 0; i < n; ++i) f[i] = 2 + std::sin(1.7 * i) + std::cos(0.01 * i);
+  return f;
+}
+
+double largest_difference(const Field& a, const Field& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::fabs(a[i] - b[i]));
+  return largest;
+}
+
+double largest(const Field& f) { return *std::max_element(f.begin(), f.end()); }
+
+/// A wavy ball on nx x ny cells.
+Field wavy_gap(const Grid& grid) {
+  Field gap;
+  for (const double x : grid.x()) {
+    for (const double y : grid.y()) {
+      gap.push_back((x * x + y * y) / 2e3 + 0.02 * std::cos(2.1 * x) * std::cos(1.3 * y));
+    }
+  }
+  return gap;
+}
+
+struct Displacements {
+  Field exact, cheap;
+};
+
+Displacements displacements(const Grid& grid, const Field& pressure) {
+  ComplexField work;
+  Displacements u{Field(pressure.size()), Field(pressure.size())};
+  operators::SurfaceDisplacement(grid, compliance, 0.0)
+      .pressure(pressure.data(), u.exact.data(), work);
+  operators::NearDisplacement(grid.nx, grid.ny, grid.dx, grid.dy, compliance)
+      .pressure(pressure.data(), u.cheap.data(), work);
+  return u;
+}
+
+}  // namespace
+
+TEST_CASE("the cheap displacement is exact on small boxes and close on large ones") {
+  for (const auto& [nx, ny, tol] :
+       {std::tuple{12, 31, 1e-14}, {63, 90, 1e-14}, {64, 64, 1e-3}, {130, 75, 1e-3}}) {
+    const Grid grid(nx, ny, 1.0, 1.3);
+    const auto u = displacements(grid, sample(grid.surface_size()));
+    CHECK(largest_difference(u.exact, u.cheap) < tol * largest(u.exact));
+  }
+}
+
+TEST_CASE("the preconditioner inverts the displacement of a wave on the periodic grid") {
+  const contact::NearOperators near(64, 64, 1.0, 1.0, compliance);
+  // In the middle of the box a packet of waves hardly feels the border.
+  Field packet, back(64 * 64), displacement(64 * 64);
+  for (int i = 0; i < 64; ++i) {
+    for (int j = 0; j < 64; ++j) {
+      const double x = i - 31.5, y = j - 31.5;
+      packet.push_back(std::cos(0.8 * x) * std::exp(-(x * x + y * y) / 100));
+    }
+  }
+  ComplexField work;
+  near.displacement.pressure(packet.data(), displacement.data(), work);
+  near.preconditioner.apply(displacement.data(), back.data(), work);
+  CHECK(largest_difference(packet, back) < 0.01);
+}
+
+TEST_CASE("fields keep their mean when coarsened, and constants when refined") {
+  const Grid grid(10, 8, 1.0, 2.0), coarse = contact::coarsened(grid);
+  CHECK(coarse.nx == 5);
+  CHECK(coarse.ny == 4);
+  CHECK(coarse.cell_area() == 4 * grid.cell_area());
+  const Field field = sample(80), half = contact::coarsened(grid, field);
+  double sum = 0.0, coarse_sum = 0.0;
+  for (const double f : field) sum += f;
+  for (const double f : half) coarse_sum += 4 * f;
+  CHECK(coarse_sum == doctest::Approx(sum));
+  const Grid odd(7, 9, 1.0, 1.0);
+  const Field constant = contact::refined(odd, contact::coarsened(odd, Field(63, 3.0)));
+  CHECK(largest_difference(constant, Field(63, 3.0)) < 1e-15);
+}
+
+TEST_CASE("refining is linear interpolation between centres") {
+  const Grid grid(12, 6, 1.0, 1.0);
+  Field linear;
+  for (int i = 0; i < 12; ++i) {
+    for (int j = 0; j < 6; ++j) linear.push_back(2.0 * i - 3.0 * j);
+  }
+  const Field refined = contact::refined(grid, contact::coarsened(grid, linear));
+  for (int i = 1; i < 11; ++i) {
+    for (int j = 1; j < 5; ++j) CHECK(refined[i * 6 + j] == doctest::Approx(linear[i * 6 + j]));
+  }
+}
+
+TEST_CASE("a box holds pressure and penetration, and gives back what it took") {
+  const int nx = 300, ny = 200;
+  const contact::Box all{0, 0, nx, ny}, empty{0, 0, 0, 0};
+  Field pressure(nx * ny, 0.0), gap(nx * ny, 1.0);
+  CHECK(contact::possible_contact(nx, ny, pressure, gap) == all);
+  pressure[50 * ny + 190] = 1.0;
+  gap[60 * ny + 199] = -1.0;
+  const contact::Box tight = contact::possible_contact(nx, ny, pressure, gap);
+  CHECK(tight == contact::Box{50, 190, 11, 10});
+
+  const contact::Box box = contact::with_margin(nx, ny, tight, empty);
+  CHECK(box == contact::Box{24, 136, 64, 64});
+  CHECK(box.contains(tight));
+  const Field part = contact::extract(box, pressure, ny);
+  CHECK(largest_difference(contact::embed(box, part, ny, pressure.size()), pressure) == 0.0);
+
+  const contact::Box grown = contact::with_margin(nx, ny, {10, 150, 20, 20}, box);
+  CHECK(grown.contains(box));
+  CHECK(grown.contains({10, 150, 20, 20}));
+  CHECK_FALSE(grown == all);
+  CHECK(contact::with_margin(nx, ny, {0, 0, 250, 180}, empty) == all);
+}
+
+TEST_CASE("rounds of the active set agree with the plain conjugate gradient") {
+  for (const auto& [nx, ny] : {std::pair{40, 30}, {90, 70}}) {
+    const Grid grid(nx, ny, 1.0, 1.0);
+    const Field gap = wavy_gap(grid);
+    const operators::SurfaceDisplacement displacement(grid, compliance, 0.0);
+    const contact::Multilevel multilevel(grid, compliance);
+    for (const auto driver : {contact::Driver::load(1e8), contact::Driver::approach(0.05)}) {
+      const Field none(gap.size(), 0.0);
+      const auto fast = multilevel.solve(displacement, gap, driver, none, 1e-10, 1000);
+      const auto plain = contact::polonsky_keer(displacement, gap, 1.0, driver, none, 1e-10, 1000);
+      CHECK(fast.converged);
+      CHECK(plain.converged);
+      CHECK(largest_difference(fast.pressure, plain.pressure) < 1e-7 * largest(plain.pressure));
+      CHECK(fast.operator_applications < plain.operator_applications / 2);
+    }
+  }
+}
+
+TEST_CASE("too few iterations are reported") {
+  const Grid grid(40, 40, 1.0, 1.0);
+  const operators::SurfaceDisplacement displacement(grid, compliance, 0.0);
+  const contact::Multilevel multilevel(grid, compliance);
+  const auto solution = multilevel.solve(displacement, wavy_gap(grid), contact::Driver::load(1e8),
+                                         Field(grid.surface_size(), 0.0), 1e-10, 2);
+  CHECK_FALSE(solution.converged);
+  CHECK(solution.iterations == 2);
+  CHECK(solution.error > 1e-10);
+}
