@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "samcontact/base/multiversion.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/kernels/eigenstrain_terms.hpp"
 #include "samcontact/operators/influence_lattice.hpp"
@@ -14,6 +15,60 @@
 
 namespace samcontact::operators {
 namespace {
+
+// Stress components handled together: 6, padded to a whole register.
+constexpr int width = 8;
+constexpr int matrix = 6 * width;  // [in][out]
+using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = double;
+
+/// sum += matrices applied to the strain of one row of sources in y. The matrix of the first source
+/// is given, that of the next lies `step` doubles further.
+SAMCONTACT_MULTIVERSION
+void add_row(const double* first, std::ptrdiff_t step, const double* strain, int count,
+             Lanes* sum) {
+  Lanes total = *sum;
+  for (int n = 0; n < count; ++n, first += step, strain += 6) {
+    const Lanes* m = reinterpret_cast<const Lanes*>(first);
+    for (int in = 0; in < 6; ++in) total += m[in] * strain[in];
+  }
+  *sum = total;
+}
+
+/// moments[a][b] = sum_ij along_x[a][i] along_y[b][j] plane[i][j].
+SAMCONTACT_MULTIVERSION
+void plane_moments(const double* plane, int nx, int ny, const double* along_x, int cx,
+                   const double* along_y, int cy, double* moments) {
+  for (int i = 0; i < nx; ++i) {
+    const double* from = plane + static_cast<std::size_t>(i) * ny;
+    for (int b = 0; b < cy; ++b) {
+      const double* weight = along_y + static_cast<std::size_t>(b) * ny;
+      double sums[width] = {};
+      int j = 0;
+      for (; j + width <= ny; j += width) {
+        for (int l = 0; l < width; ++l) sums[l] += weight[j + l] * from[j + l];
+      }
+      for (int l = 0; j < ny; ++j, ++l) sums[l] += weight[j] * from[j];
+      double sum = 0.0;
+      for (const double part : sums) sum += part;
+      for (int a = 0; a < cx; ++a) moments[a * cy + b] += along_x[a * nx + i] * sum;
+    }
+  }
+}
+
+/// plane[i][j] -= sum_ab along_x[a][i] along_y[b][j] nodes[a][b].
+SAMCONTACT_MULTIVERSION
+void subtract_plane(const double* nodes, int nx, int ny, const double* along_x, int cx,
+                    const double* along_y, int cy, double* plane) {
+  for (int i = 0; i < nx; ++i) {
+    double* to = plane + static_cast<std::size_t>(i) * ny;
+    for (int b = 0; b < cy; ++b) {
+      double value = 0.0;
+      for (int a = 0; a < cx; ++a) value += along_x[a * nx + i] * nodes[a * cy + b];
+      const double* weight = along_y + static_cast<std::size_t>(b) * ny;
+      for (int j = 0; j < ny; ++j) to[j] -= value * weight[j];
+    }
+  }
+}
 
 /// Coarse cells over half a period, and rings of images summed one by one, for a tolerance.
 struct Effort {
@@ -128,14 +183,18 @@ Field lattice_sums(const ImageLattice& near, int depths, const Level& level, con
       lattice.corner_sums(values + m * lattice.size(), quarter.data(), lattice.nx, lattice.ny);
       const kernels::Parity p = parity(static_cast<int>(m));
       double* to = sums.data() + (n * N + m) * offsets;
-      for (int j = 1 - cy; j < cy; ++j) {
-        for (int i = 1 - cx; i < cx; ++i) {
-          const bool negative = (p.odd_x && i < 0) != (p.odd_y && j < 0);
-          const double sign = negative ? -1.0 : 1.0;
-          const std::size_t at = static_cast<std::size_t>(std::abs(j)) * cx + std::abs(i);
-          const double few = near.sum(quarter.data(), lattice.nx, p, i, j) + sign * near_tail[at][m];
-          const double many = wide.sum(quarter.data(), lattice.nx, p, i, j) + sign * wide_tail[at][m];
-          *to++ = many + (many - few) / 26;
+      for (int j = 0; j < cy; ++j) {
+        for (int i = 0; i < cx; ++i) {
+          const std::size_t at = static_cast<std::size_t>(j) * cx + i;
+          const double few = near.sum(quarter.data(), lattice.nx, p, i, j) + near_tail[at][m];
+          const double many = wide.sum(quarter.data(), lattice.nx, p, i, j) + wide_tail[at][m];
+          const double sum = many + (many - few) / 26;
+          for (const int sj : {-1, 1}) {
+            for (const int si : {-1, 1}) {
+              const bool negative = (p.odd_x && si < 0) != (p.odd_y && sj < 0);
+              to[(cy - 1 + sj * j) * (2 * cx - 1) + cx - 1 + si * i] = negative ? -sum : sum;
+            }
+          }
         }
       }
     }
@@ -225,14 +284,14 @@ void ImageCorrection::build_influence(const Elastic& elastic, int rings) {
 
   const double nu = elastic.nu;
   const double factor = elastic.shear_modulus() / (8 * std::numbers::pi * (1 - nu));
-  influence_.assign(static_cast<std::size_t>(cz) * cz * offsets * 36, 0.0);
+  influence_.assign(static_cast<std::size_t>(cz) * cz * offsets * matrix, 0.0);
   for (int field = 0; field < cz; ++field) {
     const double z = (field + 0.5) * dz;
     const double powers[3] = {1.0, z, z * z};
     for (int source = 0; source < cz; ++source) {
-      double* to = influence_.data() + static_cast<std::size_t>(field * cz + source) * offsets * 36;
+      double* to = influence_.data() + static_cast<std::size_t>(field * cz + source) * offsets * matrix;
       const auto add = [&](const double* from, int pair, double coefficient) {
-        for (int n = 0; n < offsets; ++n) to[n * 36 + pair] += coefficient * from[n];
+        for (int n = 0; n < offsets; ++n) to[n * matrix + pair] += coefficient * from[n];
       };
       for (const auto& term : kernels::full_space_terms) {
         const bool odd = kernels::full_space_parity(term.kernel).odd_z && field < source;
@@ -240,13 +299,13 @@ void ImageCorrection::build_influence(const Elastic& elastic, int rings) {
                                kernels::full_space_count +
                            term.kernel) *
                               offsets,
-            term.out * 6 + term.in, (odd ? -factor : factor) * term.coefficient(nu));
+            term.in * width + term.out, (odd ? -factor : factor) * term.coefficient(nu));
       }
       for (const auto& term : kernels::image_terms) {
         add(image.data() +
                 (static_cast<std::size_t>(field + source) * kernels::image_count + term.kernel) *
                     offsets,
-            term.out * 6 + term.in, factor * powers[term.power] * term.coefficient(nu));
+            term.in * width + term.out, factor * powers[term.power] * term.coefficient(nu));
       }
     }
   }
@@ -261,23 +320,10 @@ Field ImageCorrection::coarse_strain(Tensor tensor, const double* strain) const 
   Field layers(static_cast<std::size_t>(parts) * nz * coarse_plane, 0.0);
 #pragma omp parallel for schedule(static)
   for (int ck = 0; ck < parts * nz; ++ck) {
-    std::vector<double> row(cy);
-    double* to = layers.data() + static_cast<std::size_t>(ck) * coarse_plane;
     const auto parity = kernels::component_parity(places[ck / nz]);
-    const Field &along_x = x_.moments[parity.odd_x], &along_y = y_.moments[parity.odd_y];
-    for (int i = 0; i < x_.fine; ++i) {
-      const double* from = strain + ck * plane + static_cast<std::size_t>(i) * y_.fine;
-      for (int b = 0; b < cy; ++b) {
-        const double* weight = along_y.data() + static_cast<std::size_t>(b) * y_.fine;
-        double sum = 0.0;
-        for (int j = 0; j < y_.fine; ++j) sum += weight[j] * from[j];
-        row[b] = sum;
-      }
-      for (int a = 0; a < cx; ++a) {
-        const double weight = along_x[a * x_.fine + i];
-        for (int b = 0; b < cy; ++b) to[a * cy + b] += weight * row[b];
-      }
-    }
+    plane_moments(strain + ck * plane, x_.fine, y_.fine, x_.moments[parity.odd_x].data(), cx,
+                  y_.moments[parity.odd_y].data(), cy,
+                  layers.data() + static_cast<std::size_t>(ck) * coarse_plane);
   }
   // [layer][x][y][component], all six
   Field coarse(static_cast<std::size_t>(6) * cz * coarse_plane, 0.0);
@@ -306,23 +352,20 @@ Field ImageCorrection::coarse_stress(const Field& strain) const {
   for (int target = 0; target < cz * cx; ++target) {
     const int z = target / cx, x = target % cx;
     for (int y = 0; y < cy; ++y) {
-      double sum[6] = {};
+      Lanes sum{};
       for (int source = 0; source < cz; ++source) {
         const double* matrices =
-            influence_.data() + static_cast<std::size_t>(z * cz + source) * offsets * 36;
+            influence_.data() + static_cast<std::size_t>(z * cz + source) * offsets * matrix;
         for (int from_x = 0; from_x < cx; ++from_x) {
-          const double* e = strain.data() + static_cast<std::size_t>(source * cx + from_x) * cy * 6;
-          for (int from_y = 0; from_y < cy; ++from_y, e += 6) {
-            const double* matrix =
-                matrices +
-                static_cast<std::size_t>((y - from_y + cy - 1) * wide + x - from_x + cx - 1) * 36;
-            for (int out = 0; out < 6; ++out) {
-              for (int in = 0; in < 6; ++in) sum[out] += matrix[out * 6 + in] * e[in];
-            }
-          }
+          const std::ptrdiff_t first =
+              static_cast<std::ptrdiff_t>(y + cy - 1) * wide + x - from_x + cx - 1;
+          add_row(matrices + first * matrix, -static_cast<std::ptrdiff_t>(wide) * matrix,
+                  strain.data() + static_cast<std::size_t>(source * cx + from_x) * cy * 6, cy,
+                  &sum);
         }
       }
-      std::copy_n(sum, 6, stress.data() + static_cast<std::size_t>(target * cy + y) * 6);
+      double* to = stress.data() + static_cast<std::size_t>(target * cy + y) * 6;
+      for (int c = 0; c < 6; ++c) to[c] = sum[c];
     }
   }
   return stress;
@@ -345,24 +388,14 @@ void ImageCorrection::subtract(Tensor tensor, const double* strain, double* stre
 #pragma omp parallel for schedule(static)
   for (int ck = 0; ck < parts * nz; ++ck) {
     const int place = places[ck / nz], k = ck % nz;
-    std::vector<double> layer(coarse_plane, 0.0), row(cy);
+    std::vector<double> layer(coarse_plane, 0.0);
     for (int n = 0; n < cz; ++n) {
       const double weight = z_.interpolants[n * nz + k];
       const double* from = images.data() + static_cast<std::size_t>(n) * coarse_plane * 6 + place;
       for (int p = 0; p < coarse_plane; ++p) layer[p] += weight * from[p * 6];
     }
-    for (int i = 0; i < x_.fine; ++i) {
-      std::fill(row.begin(), row.end(), 0.0);
-      for (int a = 0; a < cx; ++a) {
-        const double weight = x_.interpolants[a * x_.fine + i];
-        for (int b = 0; b < cy; ++b) row[b] += weight * layer[a * cy + b];
-      }
-      double* to = stress + ck * plane + static_cast<std::size_t>(i) * y_.fine;
-      for (int b = 0; b < cy; ++b) {
-        const double* weight = y_.interpolants.data() + static_cast<std::size_t>(b) * y_.fine;
-        for (int j = 0; j < y_.fine; ++j) to[j] -= row[b] * weight[j];
-      }
-    }
+    subtract_plane(layer.data(), x_.fine, y_.fine, x_.interpolants.data(), cx,
+                   y_.interpolants.data(), cy, stress + ck * plane);
   }
 }
 

@@ -39,7 +39,7 @@ void fit_extent(int n, int before, bool mirrored, int& begin, int& end) {
     end = n - begin;
   }
   int cells = end - begin;
-  if (before > 0 && cells > before) cells = std::max(cells, before + before / 6);
+  if (before > 0 && cells > before) cells = std::max(cells, before + before / 4);
   cells = std::min((fft::good_even_size(2 * cells - 1) + 1) / 2, n);
   if (cells > n - n / 8) cells = n;
   int extra = cells - (end - begin);
@@ -102,7 +102,7 @@ Box PlasticIncrement::fit(const Box& needed, const Box& before) const {
   fit_extent(grid.nx, old.nx, mirror_x, i0, i1);
   fit_extent(grid.ny, old.ny, mirror_y, j0, j1);
   int nz = needed.nz;
-  if (before.nz > 0 && nz > before.nz) nz = std::max(nz, before.nz + before.nz / 6);
+  if (before.nz > 0 && nz > before.nz) nz = std::max(nz, before.nz + before.nz / 4);
   nz = std::min(nz, grid.nz);
   if (nz > grid.nz - grid.nz / 8) nz = grid.nz;
   const Box part = stored_part(grid, symmetry_);

@@ -43,7 +43,7 @@ class ImageCorrection {
 
   double period_x_, period_y_;
   Axis x_, y_, z_;
-  Field influence_;  // [z field][z source][y offset][x offset][out * 6 + in]
+  Field influence_;  // [z field][z source][y offset][x offset][in][out, padded]
 };
 
 }  // namespace samcontact::operators
