@@ -213,7 +213,7 @@ ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double exte
   for (Field& moments : axis.moments) {
     moments.assign(static_cast<std::size_t>(coarse) * axis.fine, 0.0);
   }
-  axis.interpolants.assign(axis.moments[0].size(), 0.0);
+  for (Field& values : axis.interpolants) values.assign(axis.moments[0].size(), 0.0);
   // Polynomials through `order` neighbouring coarse cells; u = -1..1 over these cells.
   Eigen::MatrixXd means(order, order), points(order, order);
   Eigen::VectorXd row(order);
@@ -241,7 +241,8 @@ ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double exte
       const std::size_t n = static_cast<std::size_t>(first + a) * axis.fine + at;
       axis.moments[0][n] += source(a);
       axis.moments[1][n] += stored ? source(a) : -source(a);
-      if (stored) axis.interpolants[n] = value(a);
+      if (stored) axis.interpolants[0][n] = value(a);
+      if (stored && !(mirrored && fine % 2 == 1 && i == middle)) axis.interpolants[1][n] = value(a);
     }
   }
   return axis;
@@ -390,12 +391,13 @@ void ImageCorrection::subtract(Tensor tensor, const double* strain, double* stre
     const int place = places[ck / nz], k = ck % nz;
     std::vector<double> layer(coarse_plane, 0.0);
     for (int n = 0; n < cz; ++n) {
-      const double weight = z_.interpolants[n * nz + k];
+      const double weight = z_.interpolants[0][n * nz + k];
       const double* from = images.data() + static_cast<std::size_t>(n) * coarse_plane * 6 + place;
       for (int p = 0; p < coarse_plane; ++p) layer[p] += weight * from[p * 6];
     }
-    subtract_plane(layer.data(), x_.fine, y_.fine, x_.interpolants.data(), cx,
-                   y_.interpolants.data(), cy, stress + ck * plane);
+    const auto parity = kernels::component_parity(place);
+    subtract_plane(layer.data(), x_.fine, y_.fine, x_.interpolants[parity.odd_x].data(), cx,
+                   y_.interpolants[parity.odd_y].data(), cy, stress + ck * plane);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "samcontact/simulation/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -69,11 +70,14 @@ std::size_t Scene::operator_bytes() const {
 
 fft::Symmetry symmetry_of(const Field& field, const Grid& grid) {
   const auto at = [&](int i, int j) { return field[static_cast<std::size_t>(i) * grid.ny + j]; };
+  double largest = 0.0;
+  for (const double value : field) largest = std::max(largest, std::fabs(value));
+  const double rounding = 1e-12 * largest;
   bool x = true, y = true;
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
-      y = y && at(i, j) == at(i, grid.ny - 1 - j);
-      x = x && at(i, j) == at(grid.nx - 1 - i, j);
+      y = y && std::fabs(at(i, j) - at(i, grid.ny - 1 - j)) <= rounding;
+      x = x && std::fabs(at(i, j) - at(grid.nx - 1 - i, j)) <= rounding;
     }
   }
   if (!y) return fft::Symmetry::none;

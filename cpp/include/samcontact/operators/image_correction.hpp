@@ -33,7 +33,8 @@ class ImageCorrection {
     /// [coarse][fine]: coarse cells with the same moments as the fine ones, for components that are
     /// even and odd in a mirror; without one the two are equal.
     Field moments[2];
-    Field interpolants;  // [coarse][fine]
+    /// [coarse][fine], likewise: on the mirror itself what is odd vanishes.
+    Field interpolants[2];
   };
   static Axis make_axis(int fine, double d, double extent, int coarse, int order, bool mirrored);
 

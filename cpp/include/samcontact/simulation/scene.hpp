@@ -57,7 +57,7 @@ class Scene {
   mutable std::list<Kept> kept_;  // the latest used first
 };
 
-/// Mirror planes of a surface field, to the last bit.
+/// Mirror planes of a surface field, to 1e-12 of its largest value.
 fft::Symmetry symmetry_of(const Field& field, const Grid& grid);
 /// Those that both have.
 fft::Symmetry common(fft::Symmetry a, fft::Symmetry b);

@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Work is done only where plastic strain is or can come, and on the half or quarter that mirror
+planes leave; neither changes the result."""
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+
+E, NU = 210e9, 0.3
+ELASTIC = sc.Material.elastic(E, NU)
+STEEL = sc.Material.swift(E, NU, 945e6, 20.0, 0.121)
+RADIUS = 7.5e-3
+CELL = 40e-6
+
+
+def simulation(nx=33, ny=33, nz=20, gap=None, bodies=(ELASTIC, STEEL), **options):
+    grid = sc.Grid(nx, ny, CELL, CELL, nz, CELL)
+    if gap is None:
+        gap = sc.surfaces.paraboloid(grid, Rx=RADIUS)
+    return sc.Simulation(grid, *bodies, gap, **{"residual_stress": "fast", **options})
+
+
+def box(state, body=2):
+    return state._core.history(body - 1)["box"]
+
+
+def mirrors(state, body=2):
+    return state._core.history(body - 1)["mirrored"]
+
+
+def middle(field, like):
+    """The part of a wide field over a smaller grid."""
+    i, j = ((w - n) // 2 for w, n in zip(field.shape[-3:-1], like.shape[-3:-1], strict=True))
+    return field[..., i : i + like.shape[-3], j : j + like.shape[-2], : like.shape[-1]]
+
+
+def close(actual, expected, tol):
+    return np.abs(actual - expected).max() <= tol * np.abs(expected).max()
+
+
+class TestBox:
+    def test_is_as_small_as_the_plastic_zone(self):
+        state = simulation(65, 61, 60).step(load=600.0)
+        _, _, nx, ny, nz = box(state)
+        plastic = state.equivalent_plastic_strain() > 0
+        assert 2 * plastic.any(axis=(1, 2)).sum() > nx
+        assert nx <= 33
+        assert ny <= 31
+        assert plastic.any(axis=(0, 1)).sum() < nz < 30
+
+    def test_a_larger_grid_changes_nothing(self):
+        """But for what the fast operator's images leave."""
+        loads = (500.0, 1500.0, 700.0)
+        near, wide = simulation(), simulation(65, 61, 40)
+        for load in loads:
+            small, large = near.step(load=load), wide.step(load=load)
+            assert close(middle(large.pressure[..., None], small.pressure[..., None])[..., 0],
+                         small.pressure, 2e-4)  # fmt: skip
+            for name in ("equivalent_plastic_strain", "von_mises"):
+                field = getattr(small, name)()
+                assert close(middle(getattr(large, name)(), field), field, 2e-3)
+
+    def test_grows_with_the_load(self):
+        sim = simulation(65, 65, 40)
+        sizes = [np.prod(box(sim.step(load=load))[2:]) for load in (400.0, 900.0, 1500.0)]
+        assert sizes == sorted(sizes)
+        assert sizes[0] < 0.5 * sizes[2]
+
+    def test_one_large_increment_finds_its_box(self):
+        """The plastic zone of one increment is wider than its elastic trial foretells."""
+        options = {"bodies": (ELASTIC, sc.Material.perfect_plastic(E, NU, 1.2e9))}
+        state = simulation(49, 49, 36, **options).step(load=1500.0)
+        i0, j0, nx, ny, nz = box(state)
+        grid = state.grid
+        rim = np.zeros(grid.volume_shape, dtype=bool)
+        if mirrors(state) == 2:
+            nx, ny = grid.nx - 2 * (grid.nx - i0 - nx), grid.ny - 2 * (grid.ny - j0 - ny)
+            i0, j0 = (grid.nx - nx) // 2, (grid.ny - ny) // 2
+        rim[i0 : i0 + nx, j0 : j0 + ny, :nz] = True
+        rim[i0 + 1 : i0 + nx - 1, j0 + 1 : j0 + ny - 1, : nz - 1] = False
+        assert not state.equivalent_plastic_strain()[rim].any()
+
+    def test_fields_outside_are_there_on_demand(self):
+        state = simulation(65, 61, 60).step(load=600.0)
+        stress = state.stress()
+        assert stress.shape == (6, 65, 61, 60)
+        whole = sc.operators.surface_stress(state.grid, state.pressure, state.grid.z, NU)
+        far = np.s_[:, :, :, 45:]
+        assert close(stress[far], whole[far], 0.02)
+        assert not np.array_equal(stress[far], whole[far])
+        print_ = state.residual_displacement()
+        expected = sc.operators.residual_displacement(state.grid, state.plastic_strain(), NU)
+        assert close(print_, expected, 1e-10)
+
+    def test_separate_asperities(self):
+        """Two bumps that yield one after the other."""
+        grid = sc.Grid(81, 33, CELL, CELL, 24, CELL)
+        bumps = [((grid.x[:, None] - x) ** 2 + grid.y**2) / (2 * RADIUS) + h
+                 for x, h in ((-0.8e-3, 0.0), (0.8e-3, 6e-6))]  # fmt: skip
+        sim = simulation(81, 33, 24, gap=np.minimum(*bumps))
+        first = sim.step(load=600.0).equivalent_plastic_strain().max(axis=(1, 2))
+        assert first[:40].any()
+        assert not first[41:].any()
+        state = sim.step(load=2200.0)
+        second = state.equivalent_plastic_strain().max(axis=(1, 2))
+        assert second[:40].max() > second[41:].max() > 0
+        assert state.von_mises().max() < STEEL.yield_stress(second.max()) * (1 + 1e-5)
+
+    def test_rough_contact_equals_that_with_the_whole_grid_in_the_box(self):
+        grid = sc.Grid(48, 40, 2e-6, 2e-6, 24, 2e-6)
+        heights = sc.surfaces.rough_self_affine(grid, 60e-9, 0.8, seed=5)
+        gap = sc.surfaces.paraboloid(grid, Rx=2e-3) - heights
+        small = sc.Simulation(grid, ELASTIC, STEEL, gap, residual_stress="fast")
+        state = small.step(load=0.25)
+        assert box(state)[4] < 20
+        whole = sc.Simulation(grid, ELASTIC, STEEL, gap, residual_stress="fast")
+        # A strain too small to matter in the corners spans the box.
+        strain = np.zeros((6, *grid.volume_shape))
+        strain[5][np.ix_((0, -1), (0, -1), (0, -1))] = 1e-15
+        whole.set_plastic_strain(2, strain, np.full(grid.volume_shape, 1e-16))
+        reference = whole.step(load=0.25)
+        assert box(reference) == [0, 0, 48, 40, 24]
+        assert close(state.pressure, reference.pressure, 1e-3)
+        field = reference.equivalent_plastic_strain()
+        assert close(state.equivalent_plastic_strain(), field, 3e-3)
+
+
+class TestMirrors:
+    @pytest.mark.parametrize(("nx", "ny"), [(33, 33), (32, 34), (33, 30)])
+    def test_quarter_equals_whole(self, nx, ny):
+        sim, crooked = simulation(nx, ny), simulation(nx, ny)
+        gap = np.array(crooked.initial_gap)
+        gap[0, 0] *= 1 + 1e-9  # no longer symmetric to rounding
+        crooked = simulation(nx, ny, gap=gap)
+        for load in (900.0, 1500.0, 0.0):
+            quarter, whole = sim.step(load=load), crooked.step(load=load)
+            assert (mirrors(quarter), mirrors(whole)) == (2, 0)
+            for name in ("plastic_strain", "stress", "residual_displacement"):
+                assert close(getattr(quarter, name)(), getattr(whole, name)(), 1e-4)
+            assert abs(quarter.iterations - whole.iterations) <= 2
+
+    def test_half_with_friction(self):
+        bodies = (sc.Material.rigid(), STEEL)
+        sim = simulation(bodies=bodies, friction=0.2)
+        state = sim.step(load=900.0)
+        assert mirrors(state) == 1
+        gap = np.array(sim.initial_gap)
+        gap[0, 0] *= 1 + 1e-9
+        whole = simulation(bodies=bodies, friction=0.2, gap=gap).step(load=900.0)
+        assert mirrors(whole) == 0
+        for name in ("plastic_strain", "stress", "residual_displacement"):
+            assert close(getattr(state, name)(), getattr(whole, name)(), 1e-4)
+        strain = state.plastic_strain()
+        assert close(strain[5], -strain[5][:, ::-1], 1e-12)  # xy is odd in y
+        assert close(strain[4], strain[4][:, ::-1], 1e-12)  # xz is even
+
+    def test_fewer_mirrors_later(self):
+        """A shear along x after a symmetric indentation: a quarter becomes a half, then a whole."""
+        sim = simulation()
+        grid = sim.grid
+        state = sim.step(load=1200.0)
+        before = state.equivalent_plastic_strain()
+        pressure = np.array(state.pressure)
+        assert mirrors(state) == 2
+        state = sim.step(pressure=pressure, shear=0.3 * pressure)
+        assert mirrors(state) == 1
+        assert (state.equivalent_plastic_strain() >= before).all()
+        turned = np.stack([0.2 * pressure, 0.3 * pressure])
+        state = sim.step(pressure=pressure, shear=turned)
+        assert mirrors(state) == 0
+        assert (state.equivalent_plastic_strain() >= before).all()
+        assert state.grid == grid
+
+    def test_both_bodies(self):
+        state = simulation(bodies=(STEEL, STEEL)).step(load=1200.0)
+        for name in ("plastic_strain", "residual_displacement"):
+            assert close(getattr(state, name)(1), getattr(state, name)(2), 1e-6)
+
+
+def test_automatic_choice_of_the_operator():
+    def is_exact(sim):
+        return sim._core.state.exact_residual_stress
+
+    assert is_exact(simulation(20, 20, 20, residual_stress="auto"))
+    large = simulation(33, 33, 20, residual_stress="auto")
+    assert not is_exact(large)
+    strain = np.zeros((6, 33, 33, 20))
+    strain[:, 16, 16, 3] = [1e-3, -1e-3, 0.0, 5e-4, 0.0, 0.0]
+    large.set_plastic_strain(2, strain)
+    assert is_exact(large)
+    expected = sc.operators.residual_stress(large.grid, strain, E, NU)
+    assert close(large.state.residual_stress(), expected, 1e-10)
+    smooth = simulation(33, 33, 20, residual_stress="auto")
+    smooth.set_plastic_strain(2, np.broadcast_to(strain[:, 16:17, 16:17, 3:4], strain.shape))
+    assert not is_exact(smooth)
+
+
+def test_tolerances_of_the_fast_operator_reach_the_result():
+    coarse = simulation(image_tol=0.1).step(load=1500.0).von_mises()
+    fine = simulation(image_tol=1e-5).step(load=1500.0).von_mises()
+    assert not np.array_equal(coarse, fine)
+    assert close(coarse, fine, 5e-3)
+
+
+@pytest.mark.parametrize(
+    ("argument", "text"),
+    [({"residual_stress": "quick"}, "residual_stress must be one of"),
+     ({"image_tol": 0.2}, r"image_tol must be in \[1e-6, 0.1\], got 0.2")],
+)  # fmt: skip
+def test_bad_arguments(argument, text):
+    with pytest.raises(ValueError, match=text):
+        simulation(**argument)
