@@ -24,6 +24,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 DRIVER = "benchmarks/instructions/driver.cpp"
 WHAT_COUNTS = ("cpp/include", "cpp/src", "cmake", "CMakeLists.txt", "benchmarks/instructions")
+VALGRIND = ("valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null")
 TOLERANCE = 0.05  # relative growth that passes unannounced
 ALLOWANCE = re.compile(
     r"^Instructions:\s+(\w+)\s+\+(\d+(?:\.\d+)?)\s*%\s+because\s+\S.*$", re.MULTILINE
@@ -109,7 +110,11 @@ def find_base(revision: str) -> str:
 
 def build(source: Path, folder: Path) -> Path:
     """Build the driver of a source tree; returns the program."""
-    options = ["-DCMAKE_BUILD_TYPE=Release", "-DSAMCONTACT_PYTHON=OFF", "-DSAMCONTACT_BENCHMARKS=ON"]
+    options = [
+        "-DCMAKE_BUILD_TYPE=Release",
+        "-DSAMCONTACT_PYTHON=OFF",
+        "-DSAMCONTACT_BENCHMARKS=ON",
+    ]
     if shutil.which("ninja"):
         options += ["-G", "Ninja"]
     target = "samcontact_instructions"
@@ -127,8 +132,7 @@ def build(source: Path, folder: Path) -> Path:
 def run_once(program: Path, kernel: str, runs: int) -> int:
     """Instructions of one whole run of the driver."""
     done = subprocess.run(
-        ["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"]
-        + [str(program), kernel, str(runs)],
+        [*VALGRIND, str(program), kernel, str(runs)],
         capture_output=True,
         text=True,
         env={**os.environ, "OMP_NUM_THREADS": "1"},
