@@ -52,7 +52,7 @@ def compare(
         old, new = before.get(kernel), after.get(kernel)
         change, verdict = "", "new" if old is None else "gone"
         if old is not None and new is not None:
-            growth = new / old - 1
+            growth = (new - old) / old
             limit = max(TOLERANCE, allowed.get(kernel, 0.0))
             change = f"{100 * growth:+.2f} %"
             verdict = "ok" if growth <= TOLERANCE else "announced"
