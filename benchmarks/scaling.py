@@ -28,7 +28,7 @@ FITTED = (1e5, 5e6)  # cells
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
-    sizes = (8, 12, 18) if quick else (8, 12, 18, 26, 38, 56)
+    sizes = (8, 12, 18) if quick else (8, 12, 18, 26, 40, 64)
     return [
         Task(NAME, "given pressure", method, "solve", {"across": n, "method": method}, "exact")
         for n in sizes
