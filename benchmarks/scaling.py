@@ -23,7 +23,7 @@ TITLE = "Growth of time and memory"
 AXES = (("box_cells",), ("us_per_cell_and_application", "bytes_per_cell"))
 MAX_PRESSURE = 6.5e9  # Pa
 WIDTH, DEPTH = 1.6, 2.2  # half width and depth of the volume in contact radii
-EXACT_CELLS = 300_000  # at 1 kB a cell and more while stepping
+EXACT_CELLS = 400_000  # at 1 kB a cell and more while stepping
 FITTED = (1e5, 5e6)  # cells
 
 
