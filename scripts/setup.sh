@@ -34,7 +34,7 @@ samcontact_fingerprint() {
 # samcontact_setup EXTRAS: EXTRAS is "" or e.g. "[dev]".
 samcontact_setup() {
   local packages=(g++ libeigen3-dev libfftw3-dev) state
-  [ "$1" = "" ] || packages+=(doctest-dev)
+  [ "$1" = "" ] || packages+=(doctest-dev valgrind)
   # A Python from elsewhere brings these two itself.
   python3 -c 'import ensurepip' 2> /dev/null || packages+=(python3-venv)
   python3 -c 'import os, sysconfig as s, sys

@@ -137,7 +137,9 @@ def test_the_architecture_page_names_every_room():
         assert name in rows, name
 
 
-@pytest.mark.parametrize("folder", ["cpp", "python", "tests", "cmake", "cases", "docs", "scripts"])
+@pytest.mark.parametrize(
+    "folder", ["cpp", "python", "tests", "cmake", "cases", "docs", "scripts", "benchmarks"]
+)
 def test_files_begin_with_the_licence(folder):
     kinds = {".hpp", ".cpp", ".py", ".pyi", ".cmake", ".toml", ".md", ".sh"}
     files = [f for f in (ROOT / folder).rglob("*") if f.suffix in kinds]

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measurements, each in a fresh process: time, peak memory, and what the solver counted.
+
+A part is a module with a NAME, a TITLE, the function `tasks(quick, folder)` that lists its
+measurements, and functions `f(meter, **arguments)` that the tasks name. Such a function prepares a
+case, passes what is to be measured to the meter, and returns a dictionary: "cells", "errors" (by
+quantity) and any other numbers worth a column.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+
+T = TypeVar("T")
+ROOT = Path(__file__).resolve().parents[1]
+SHORT = 0.5  # s: what is shorter is timed three times, and the best time counts
+
+
+@dataclass(frozen=True)
+class Task:
+    """One measurement."""
+
+    part: str
+    case: str
+    method: str
+    function: str
+    """Name of a function in the part's module."""
+    arguments: dict[str, Any] = field(default_factory=dict)
+    """Keyword arguments, JSON; also what tells tasks of equal case and method apart."""
+    reference: str = ""
+    """The method whose time, in the same case with otherwise equal arguments, is 1."""
+    hidden: bool = False
+    """Only makes data for other tasks: no row in the tables."""
+
+
+def peak_memory() -> int:
+    """Largest memory of this process so far [bytes].
+
+    From /proc where there is one: ru_maxrss is inherited from the process that started this one.
+    """
+    status = Path("/proc/self/status")
+    if status.exists():
+        for line in status.read_text().splitlines():
+            if line.startswith("VmHWM:"):
+                return int(line.split()[1]) * 1024
+    import resource
+
+    unit = 1 if sys.platform == "darwin" else 1024
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
+
+
+class Meter:
+    """Times calls and takes the memory they add to that of the process before."""
+
+    def __init__(self) -> None:
+        self.time = 0.0
+        self.memory = 0
+
+    def __call__(self, work: Callable[[], T]) -> T:
+        """Do the work, more than once when it is short; time and memory go to the meter."""
+        before = peak_memory()
+        times = []
+        while len(times) < (3 if sum(times) < SHORT else 1):
+            start = time.perf_counter()
+            result = work()
+            times.append(time.perf_counter() - start)
+            if len(times) == 1:
+                self.memory = peak_memory() - before
+        self.time = min(times)
+        return result
+
+
+def largest_error(computed: Any, reference: Any) -> float:
+    """Largest difference relative to the largest reference."""
+    return float(np.abs(np.subtract(computed, reference)).max() / np.abs(reference).max())
+
+
+def rms_error(computed: Any, reference: Any) -> float:
+    """Root mean square difference relative to that of the reference."""
+    difference = np.subtract(computed, reference)
+    return float(np.sqrt(np.mean(difference**2) / np.mean(np.square(reference))))
+
+
+def relative_error(computed: float, reference: float) -> float:
+    """Of one number, without sign."""
+    return abs(float(computed) / float(reference) - 1)
+
+
+def work_of(simulation: Any) -> dict[str, int]:
+    """What a Simulation counted, as columns."""
+    counters = simulation.counters
+    found = {
+        "contact_iterations": counters["contact_iterations"],
+        "volume_applications": counters["plastic_iterations"],
+    }
+    if "operator_applications" in counters:
+        found["surface_applications"] = counters["operator_applications"]
+    return found
+
+
+def run_here(task: Task) -> dict[str, Any]:
+    """Do the measurement in this process."""
+    meter = Meter()
+    function = getattr(importlib.import_module(f"benchmarks.{task.part}"), task.function)
+    found = function(meter, **task.arguments)
+    row: dict[str, Any] = {"part": task.part, "case": task.case, "method": task.method}
+    row["options"] = options_text(task)
+    errors = found.pop("errors", {})
+    row.update(found, time_s=meter.time, memory_MB=meter.memory / 1e6)
+    row.update({f"error: {quantity}": value for quantity, value in errors.items()})
+    return row
+
+
+def options_text(task: Task) -> str:
+    """Arguments as a column; paths of files are no option."""
+    shown = {k: v for k, v in task.arguments.items() if not str(v).endswith(".npz")}
+    return ", ".join(f"{k}={v}" for k, v in shown.items())
+
+
+def measure(task: Task) -> dict[str, Any]:
+    """Do the measurement in a fresh process. One that fails becomes a row with its message."""
+    command = [sys.executable, "-m", "benchmarks.harness", json.dumps(task.__dict__)]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True)
+    if done.returncode == 0:
+        row: dict[str, Any] = json.loads(done.stdout.decode().splitlines()[-1])
+        return row
+    lines = done.stderr.decode().strip().splitlines() or [f"exit code {done.returncode}"]
+    row = {"part": task.part, "case": task.case, "method": task.method}
+    return {**row, "options": options_text(task), "failed": lines[-1]}
+
+
+def same_but_method(task: Task) -> tuple[str, str]:
+    """Key that tasks share which differ by their method alone."""
+    rest = {k: v for k, v in task.arguments.items() if k != "method"}
+    return task.case, json.dumps(rest, sort_keys=True)
+
+
+def run_tasks(
+    tasks: list[Task], report: Callable[[str], None] = lambda line: None
+) -> list[dict[str, Any]]:
+    """Measure tasks in their order and add the ratios of times."""
+    rows, times = [], {}
+    for task in tasks:
+        row = measure(task)
+        outcome = row.get("failed") or f"{row['time_s']:.3g} s"
+        report(f"{task.part}: {task.case}, {task.method}, {row['options']}: {outcome}")
+        times[(*same_but_method(task), task.method)] = row.get("time_s")
+        if not task.hidden or "failed" in row:
+            rows.append((task, row))
+    for task, row in rows:
+        reference = times.get((*same_but_method(task), task.reference))
+        if reference and "time_s" in row:
+            row["time_ratio"] = row["time_s"] / reference
+    return [row for _, row in rows]
+
+
+if __name__ == "__main__":
+    print(json.dumps(run_here(Task(**json.loads(sys.argv[1])))))

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A self-affine surface that is a sum of waves, so that every grid samples the same surface.
+
+`samcontact.surfaces.rough_self_affine` filters noise of the grid itself: another grid is another
+surface.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def wave_amplitudes(highest: int, hurst: float, seed: int, lowest: int = 1) -> np.ndarray:
+    """Complex amplitudes [kx, ky] of waves of kx and ky periods over the side, kx = -highest ..
+    highest, ky = 0 .. highest, isotropic: the power falls as k^(-2 (1 + hurst)) for lowest <= k <=
+    highest and is zero elsewhere."""
+    rng = np.random.default_rng(seed)
+    kx, ky = np.arange(-highest, highest + 1)[:, None], np.arange(highest + 1)[None, :]
+    k = np.hypot(kx, ky)
+    inside = (k >= lowest) & (k <= highest)
+    phase = np.exp(2j * np.pi * rng.random(k.shape))
+    return np.where(inside, np.maximum(k, 1.0) ** -(1.0 + hurst), 0.0) * phase
+
+
+def heights(n: int, amplitudes: np.ndarray, rms: float) -> np.ndarray:
+    """Heights at the centres of n x n cells, zero mean, with the given rms over the surface.
+
+    n must be more than twice the highest number of periods.
+    """
+    highest = amplitudes.shape[1] - 1
+    if n <= 2 * highest:
+        raise ValueError(f"n must be > {2 * highest}, got {n}")
+    kx, ky = np.arange(-highest, highest + 1), np.arange(highest + 1)
+    # Cell centres lie half a cell from where the inverse transform samples.
+    shift = np.exp(1j * np.pi / n * (kx[:, None] + ky[None, :]))
+    spectrum = np.zeros((n, n), complex)
+    spectrum[kx[:, None], ky[None, :]] = amplitudes * shift
+    # Real part of waves: half their mean square, except that on ky = 0 opposite waves interfere.
+    surface = n * n * np.fft.ifft2(spectrum).real
+    return rms / surface_rms(amplitudes) * surface
+
+
+def surface_rms(amplitudes: np.ndarray) -> float:
+    """Root mean square of the real part of the sum of waves, over the whole surface."""
+    on_axis = 0.5 * (amplitudes[:, 0] + np.conj(amplitudes[::-1, 0]))
+    return float(
+        np.sqrt(np.sum(np.abs(on_axis) ** 2) + 0.5 * np.sum(np.abs(amplitudes[:, 1:]) ** 2))
+    )
+
+
+def block_means(field: np.ndarray, n: int) -> np.ndarray:
+    """Means over the n x n blocks of a square field."""
+    m = field.shape[0] // n
+    return field.reshape(n, m, n, m).mean(axis=(1, 3))

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The benchmarks in small: what they generate, fit, measure and print."""
+
+import importlib
+import subprocess
+import sys
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from benchmarks import elastic_smooth, harness, images, operators, plots, roughness, scaling, tables
+from benchmarks.__main__ import PARTS, arguments
+
+
+class TestRoughness:
+    def test_every_grid_samples_the_same_surface(self):
+        waves = roughness.wave_amplitudes(6, 0.8, seed=2)
+        coarse, fine = (roughness.heights(n, waves, 1e-6) for n in (20, 60))
+        # each coarse cell centre is the centre of the middle one of three fine cells
+        np.testing.assert_allclose(fine[1::3, 1::3], coarse, atol=1e-20)
+        assert np.sqrt(np.mean(coarse**2)) == pytest.approx(1e-6, rel=1e-12)
+        assert np.mean(coarse) == pytest.approx(0.0, abs=1e-20)
+
+    def test_spectrum_is_self_affine(self):
+        highest, hurst, n = 24, 0.8, 64
+        surface = roughness.heights(n, roughness.wave_amplitudes(highest, hurst, seed=1), 1.0)
+        power = np.abs(np.fft.fft2(surface)) ** 2
+        k = n * np.hypot(*np.meshgrid(*[np.fft.fftfreq(n)] * 2, indexing="ij"))
+        assert power[k > highest + 1e-9].max() < 1e-20 * power.max()
+        off_axis = (k <= highest) & (k > 0)
+        off_axis[:, 0] = False  # opposite waves interfere there
+        slope, _ = np.polyfit(np.log(k[off_axis]), np.log(power[off_axis]), 1)
+        assert slope == pytest.approx(-2 * (1 + hurst), abs=1e-9)
+
+    def test_seeds(self):
+        one, same, other = (roughness.wave_amplitudes(5, 0.8, seed=s) for s in (1, 1, 2))
+        assert np.array_equal(one, same)
+        assert not np.array_equal(one, other)
+
+    def test_waves_need_cells(self):
+        with pytest.raises(ValueError, match="n must be > 12"):
+            roughness.heights(12, roughness.wave_amplitudes(6, 0.8, seed=1), 1.0)
+
+    def test_block_means(self):
+        field = np.arange(36.0).reshape(6, 6)
+        assert roughness.block_means(field, 2)[0, 0] == field[:3, :3].mean()
+        assert roughness.block_means(field, 3).mean() == field.mean()
+
+
+def test_exponent_of_a_power():
+    cells = np.array([1e5, 3e5, 1e6])
+    assert scaling.exponent(cells, 7e-6 * cells**1.25) == pytest.approx(1.25)
+    rows = [
+        {"method": "fast", "box_cells": n, "time_s": n**1.5, "memory_MB": n, **applied}
+        for n, applied in zip((1e3, 2e5, 1e6), [{"volume_applications": 10}] * 3, strict=True)
+    ]
+    assert scaling.exponents(rows)["time per application"] == pytest.approx(1.5)
+    assert scaling.exponents(rows)["peak memory"] == pytest.approx(1.0)
+    assert scaling.exponents(rows[:2]) == {}
+
+
+def test_sampled_strain_is_axisymmetric():
+    """A known field in cylindrical components, sampled off the axis."""
+    r, z = np.linspace(0, 1, 41), np.linspace(0.01, 0.99, 30)
+    rr, tt, rz = 1 + r[:, None] * z, 1 - r[:, None] * z, r[:, None] * (1 + z)
+    strain = np.zeros((6, r.size, z.size))
+    strain[0], strain[1], strain[2], strain[4] = rr, tt, -rr - tt, rz
+    grid = operators.sc.Grid(9, 9, 0.1, 0.1, 4, 0.2)
+    found = operators.sample({"r": r, "z": z, "strain": strain}, grid)
+    np.testing.assert_allclose(found[:3].sum(axis=0), 0, atol=1e-12)
+    i, j, k = 7, 6, 2  # x = 0.3, y = 0.2
+    np.testing.assert_allclose(found[4, i, j, k], 0.3 * (1 + grid.z[k]), rtol=1e-3)
+    np.testing.assert_allclose(found[3, i, j, k], 0.2 * (1 + grid.z[k]), rtol=1e-3)
+    rho = np.hypot(0.3, 0.2)
+    expected = 2 * rho * grid.z[k] * 0.3 * 0.2 / rho**2
+    np.testing.assert_allclose(found[5, i, j, k], expected, rtol=1e-3)
+
+
+def test_meter_repeats_what_is_short():
+    calls = []
+    meter = harness.Meter()
+    assert meter(lambda: calls.append(1) or len(calls)) == 3
+    assert 0 <= meter.time < harness.SHORT
+
+
+def test_meter_sees_memory():
+    # in a fresh process: this one may have been larger before
+    code = (
+        "import numpy as np; from benchmarks.harness import Meter\n"
+        "meter = Meter(); kept = meter(lambda: np.ones(3_000_000)); print(meter.memory)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=harness.ROOT, capture_output=True, text=True, check=True
+    )
+    assert 23e6 < int(done.stdout) < 30e6
+
+
+@pytest.fixture(scope="module")
+def rows(tmp_path_factory):
+    tasks = elastic_smooth.tasks(True, tmp_path_factory.mktemp("data"))
+    return harness.run_tasks([task for task in tasks if task.arguments["n"] <= 64])
+
+
+def test_measurement_in_a_process_of_its_own(rows):
+    assert len(rows) == 2 * len(elastic_smooth.METHODS)
+    for row in rows:
+        assert "failed" not in row
+        assert row["time_s"] > 0
+        assert row["memory_MB"] >= 0
+        assert row["contact_iterations"] > 5
+        assert row["time_ratio"] > 0
+        assert row["error: largest pressure"] < 5e-3
+    assert rows[0]["time_ratio"] == 1.0
+
+
+def test_table(rows):
+    table = tables.frame(rows)
+    assert list(table.columns[:6]) == list(tables.FIRST)
+    assert {"time_s", "time_ratio", "memory_MB", "contact_iterations"} <= set(table.columns)
+    text = tables.report(table, [elastic_smooth])
+    header = next(line for line in text.splitlines() if line.startswith("| case"))
+    assert "| error: largest pressure |" in header
+    assert "| time_s | time_ratio | memory_MB |" in header
+    assert text.count("\n| Hertz |") == len(rows)
+    for_docs = tables.report(table, [elastic_smooth], times=False)
+    assert "time_s" not in for_docs
+    assert "time_ratio" in for_docs
+
+
+@pytest.mark.parametrize(
+    ("value", "text"), [(1024.0, "1024"), (0.0012345, "0.00123"), (float("nan"), ""), ("a", "a")]
+)
+def test_cell(value, text):
+    assert tables.cell(value) == text
+
+
+def test_tables_go_between_the_markers_of_the_documentation():
+    page = (harness.ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
+    once = tables.between_markers(page, "new tables")
+    assert "\nnew tables\n" in once
+    assert tables.between_markers(once, "new tables") == once
+    with pytest.raises(ValueError, match="measured: begin"):
+        tables.between_markers("a page without", "text")
+
+
+def test_diagram(rows):
+    figure = plots.diagram(pd.DataFrame(rows), elastic_smooth)
+    labels = {axes.get_xlabel() for axes in figure.axes}
+    assert {"time [s]", "peak memory [MB]"} < labels
+    assert all(axes.get_xscale() == axes.get_yscale() == "log" for axes in figure.axes)
+    assert plots.diagram(pd.DataFrame(rows[:1]), elastic_smooth) is None
+    plots.plt.close(figure)
+
+
+def test_a_failure_is_a_row():
+    task = harness.Task("images", "none", "image_tol 1", "apply", {"box": "no such box"})
+    (row,) = harness.run_tasks([task])
+    assert "TypeError" in row["failed"]
+    assert "time_ratio" not in row
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_parts_are_complete(name, tmp_path):
+    part = importlib.import_module(f"benchmarks.{name}")
+    assert name == part.NAME
+    for quick in (True, False):
+        tasks = part.tasks(quick, tmp_path)
+        assert tasks
+        for task in tasks:
+            assert task.part == name
+            assert callable(getattr(part, task.function))
+            assert task.reference in {"", *(other.method for other in tasks)}
+    assert f"`{name}`" in (harness.ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
+
+
+def test_choice_of_parts():
+    assert arguments([]).parts == list(PARTS)
+    assert arguments(["images", "--quick"]).parts == [images.NAME]
+    with pytest.raises(SystemExit):
+        arguments(["nothing"])
