@@ -109,17 +109,17 @@ class TestBox:
 
     def test_rough_contact_equals_that_with_the_whole_grid_in_the_box(self):
         grid = sc.Grid(48, 40, 2e-6, 2e-6, 24, 2e-6)
-        heights = sc.surfaces.rough_self_affine(grid, 60e-9, 0.8, seed=5)
-        gap = sc.surfaces.paraboloid(grid, Rx=2e-3) - heights
+        heights = sc.surfaces.rough_self_affine(grid, 120e-9, 0.8, seed=5)
+        gap = sc.surfaces.paraboloid(grid, Rx=4e-4) - heights
         small = sc.Simulation(grid, ELASTIC, STEEL, gap, residual_stress="fast")
-        state = small.step(load=0.25)
+        state = small.step(load=1.5)
         assert box(state)[4] < 20
         whole = sc.Simulation(grid, ELASTIC, STEEL, gap, residual_stress="fast")
         # A strain too small to matter in the corners spans the box.
         strain = np.zeros((6, *grid.volume_shape))
         strain[5][np.ix_((0, -1), (0, -1), (0, -1))] = 1e-15
         whole.set_plastic_strain(2, strain, np.full(grid.volume_shape, 1e-16))
-        reference = whole.step(load=0.25)
+        reference = whole.step(load=1.5)
         assert box(reference) == [0, 0, 48, 40, 24]
         assert close(state.pressure, reference.pressure, 1e-3)
         field = reference.equivalent_plastic_strain()

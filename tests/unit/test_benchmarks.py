@@ -108,7 +108,7 @@ def test_measurement_in_a_process_of_its_own(rows):
         assert "failed" not in row
         assert row["time_s"] > 0
         assert row["memory_MB"] >= 0
-        assert row["contact_iterations"] > 5
+        assert row["contact_iterations"] > 0
         assert row["time_ratio"] > 0
         assert row["error: largest pressure"] < 5e-3
     assert rows[0]["time_ratio"] == 1.0

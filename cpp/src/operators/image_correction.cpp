@@ -205,7 +205,7 @@ Field lattice_sums(const ImageLattice& near, int depths, const Level& level, con
 }  // namespace
 
 ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double extent, int coarse,
-                                                 int order, bool mirrored) {
+                                                 int order, bool mirrored, bool means) {
   Axis axis;
   axis.fine = fft::stored_cells(fine, mirrored);
   axis.coarse = coarse;
@@ -215,23 +215,28 @@ ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double exte
   }
   for (Field& values : axis.interpolants) values.assign(axis.moments[0].size(), 0.0);
   // Polynomials through `order` neighbouring coarse cells; u = -1..1 over these cells.
-  Eigen::MatrixXd means(order, order), points(order, order);
+  Eigen::MatrixXd cell_means(order, order), points(order, order);
   Eigen::VectorXd row(order);
   for (int a = 0; a < order; ++a) {
     chebyshev_means(2.0 * a / order - 1, 2.0 * (a + 1) / order - 1, order, row.data());
-    means.row(a) = row;
+    cell_means.row(a) = row;
     chebyshev((2.0 * a + 1) / order - 1, order, row.data());
     points.row(a) = row;
   }
   // Cells w with sum_a w_a mean_a(T) = T(x_i) d / cell for every polynomial T; and the values at
   // x_i of the polynomials that are 1 at one cell's centre and 0 at the others'.
-  const auto moments = means.transpose().partialPivLu();
+  const auto moments = cell_means.transpose().partialPivLu();
   const auto interpolants = points.transpose().partialPivLu();
   for (int i = 0; i < fine; ++i) {
     const double x = (i + 0.5) * d / axis.cell;
     const int first =
         std::clamp(static_cast<int>(std::lround(x - 0.5 * order)), 0, coarse - order);
-    chebyshev(2 * (x - first) / order - 1, order, row.data());
+    const double u = 2 * (x - first) / order - 1, half = d / axis.cell / order;
+    if (means) {
+      chebyshev_means(u - half, u + half, order, row.data());
+    } else {
+      chebyshev(u, order, row.data());
+    }
     const Eigen::VectorXd source = moments.solve(row) * (d / axis.cell);
     const Eigen::VectorXd value = interpolants.solve(row);
     const int middle = fine - axis.fine;  // the first stored cell
@@ -259,10 +264,10 @@ ImageCorrection::ImageCorrection(const Grid& grid, const VolumeTransform& transf
   const double depth = grid.nz * grid.dz;
   const int layers = std::clamp(static_cast<int>(std::ceil(cells * depth / shortest)), 2, 4 * cells);
   x_ = make_axis(grid.nx, grid.dx, 0.5 * period_x_, count(0.5 * period_x_), cells,
-                 transform.symmetry() == Symmetry::xy);
+                 transform.symmetry() == Symmetry::xy, false);
   y_ = make_axis(grid.ny, grid.dy, 0.5 * period_y_, count(0.5 * period_y_), cells,
-                 transform.symmetry() != Symmetry::none);
-  z_ = make_axis(grid.nz, grid.dz, depth, layers, std::min(layers, cells), false);
+                 transform.symmetry() != Symmetry::none, false);
+  z_ = make_axis(grid.nz, grid.dz, depth, layers, std::min(layers, cells), false, true);
   build_influence(elastic, rings);
 }
 

@@ -36,7 +36,9 @@ class ImageCorrection {
     /// [coarse][fine], likewise: on the mirror itself what is odd vanishes.
     Field interpolants[2];
   };
-  static Axis make_axis(int fine, double d, double extent, int coarse, int order, bool mirrored);
+  /// means: of the polynomials over each fine cell, else their values at its centre.
+  static Axis make_axis(int fine, double d, double extent, int coarse, int order, bool mirrored,
+                        bool means);
 
   void build_influence(const Elastic& elastic, int rings);
   Field coarse_strain(Tensor tensor, const double* strain) const;
