@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "samcontact/fft/padded_transform.hpp"
 #include "samcontact/operators/layer_residual_stress.hpp"
 #include "samcontact/operators/volume_spectrum.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
@@ -33,16 +32,16 @@ const Grid box(64, 64, 1e-6, 1e-6, 32, 1e-6);
 
 /// Residual stress of all wavenumbers of a box, without transforms and without images.
 std::function<double()> layer_sweep() {
-  const fft::PaddedTransform transform(box.nx, box.ny);
+  const operators::VolumeTransform transform(box.nx, box.ny, operators::Symmetry::none);
   const operators::LayerResidualStress stress(box, transform, Elastic::isotropic(210e9, 0.3), 0.1);
   operators::VolumeSpectrum spectrum(transform, box.nz, operators::Tensor::deviator);
   for (std::size_t n = 0; n < spectrum.data.size(); ++n) {
-    spectrum.data[n] = 1e-3 * Complex(number(2 * n), number(2 * n + 1));
+    spectrum.data[n] = 1e-3 * number(n);
   }
   // In place: a copy would count as well.
   return [stress, spectrum]() mutable {
     stress.apply(spectrum);
-    return spectrum.data[spectrum.data.size() / 2].real();
+    return spectrum.data[spectrum.data.size() / 2];
   };
 }
 
@@ -68,13 +67,14 @@ std::function<double()> radial_return() {
 }
 
 /// A deviator of a box to wavenumbers and back.
-std::function<double()> padded_transforms() {
+std::function<double()> transforms(operators::Symmetry symmetry) {
   struct Data {
-    fft::PaddedTransform transform{box.nx, box.ny};
+    explicit Data(operators::Symmetry symmetry) : transform(box.nx, box.ny, symmetry) {}
+    operators::VolumeTransform transform;
     operators::VolumeSpectrum spectrum{transform, box.nz, operators::Tensor::deviator};
-    Field field = Field(5 * box.volume_size());
+    Field field = Field(5 * transform.plane_size() * box.nz);
   };
-  const auto data = std::make_shared<Data>();
+  const auto data = std::make_shared<Data>(symmetry);
   for (std::size_t n = 0; n < data->field.size(); ++n) data->field[n] = number(n);
   return [data]() {
     operators::forward(data->transform, data->field.data(), data->spectrum);
@@ -86,9 +86,13 @@ std::function<double()> padded_transforms() {
   };
 }
 
+std::function<double()> padded_transforms() { return transforms(operators::Symmetry::none); }
+std::function<double()> mirrored_transforms() { return transforms(operators::Symmetry::xy); }
+
 const std::map<std::string, Prepare> kernels{{"layer_sweep", layer_sweep},
                                              {"radial_return", radial_return},
-                                             {"padded_transforms", padded_transforms}};
+                                             {"padded_transforms", padded_transforms},
+                                             {"mirrored_transforms", mirrored_transforms}};
 
 }  // namespace
 

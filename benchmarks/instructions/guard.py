@@ -108,6 +108,10 @@ def find_base(revision: str) -> str:
     return base
 
 
+class BuildError(Exception):
+    """The output of a failed build."""
+
+
 def build(source: Path, folder: Path) -> Path:
     """Build the driver of a source tree; returns the program."""
     options = [
@@ -125,7 +129,7 @@ def build(source: Path, folder: Path) -> Path:
     ):
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode:
-            sys.exit(f"{done.stdout}{done.stderr}{' '.join(command)} failed")
+            raise BuildError(f"{done.stdout}{done.stderr}{' '.join(command)} failed")
     return folder / target
 
 
@@ -163,6 +167,8 @@ def compare_with(revision: str) -> int:
         git("worktree", "add", "--quiet", "--detach", str(folder / "base"), base)
         try:
             before = count(build(folder / "base", folder / "base-build"))
+        except BuildError:
+            raise Skip(f"{revision} does not build") from None
         finally:
             git("worktree", "remove", "--force", str(folder / "base"))
         after = count(build(ROOT, folder / "build"))
@@ -184,6 +190,8 @@ def main() -> int:
     except Skip as reason:
         print(f"Instruction counts skipped: {reason}.")
         return 0
+    except BuildError as error:
+        sys.exit(str(error))
 
 
 if __name__ == "__main__":
