@@ -22,7 +22,7 @@ py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& 
     const operators::VolumeOperators volume(
         grid, elastic,
         {operators::Tensor::full, operators::Symmetry::none,
-                  exact ? ResidualMethod::exact : ResidualMethod::fast, image_tol});
+         exact ? ResidualMethod::exact : ResidualMethod::fast, image_tol});
     stress = volume.stress(field.data(), nullptr, 1.0);
   }
   return tensor_array(std::move(stress), grid, grid.nz);
@@ -72,8 +72,8 @@ py::array surface_stress(const Grid& grid, double nu, const std::vector<double>&
 
 void bind_operators(py::module_& parent) {
   auto m = parent.def_submodule("operators");
-  m.def("residual_stress", &residual_stress, py::arg("grid"), py::arg("strain"),
-        py::arg("elastic"), py::arg("exact"), py::arg("image_tol"));
+  m.def("residual_stress", &residual_stress, py::arg("grid"), py::arg("strain"), py::arg("elastic"),
+        py::arg("exact"), py::arg("image_tol"));
   m.def("residual_displacement", &residual_displacement, py::arg("grid"), py::arg("strain"),
         py::arg("nu"));
   m.def("surface_displacement", &surface_displacement, py::arg("grid"), py::arg("elastic"),

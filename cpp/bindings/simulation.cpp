@@ -26,8 +26,9 @@ py::object surface_view(const py::object& self, const Field& field) {
   return view;
 }
 
-/// Plastic history as it is kept, for checkpoints: its box, how many directions are mirrored, strain (components, nz, nx, ny) and
-/// equivalent plastic strain (nz, nx, ny) of the box; None without plastic strain.
+/// Plastic history as it is kept, for checkpoints: its box, how many directions are mirrored,
+/// strain (components, nz, nx, ny) and equivalent plastic strain (nz, nx, ny) of the box; None
+/// without plastic strain.
 py::object history(const State& state, int body) {
   const auto& plastic = state.plastic[body];
   if (!plastic) return py::none();
@@ -53,7 +54,7 @@ std::shared_ptr<const simulation::PlasticState> to_history(const py::dict& saved
   Box& box = plastic->box;
   box = {extents[0], extents[1], extents[2], extents[3], extents[4]};
   bool inside = box.i0 >= 0 && box.j0 >= 0 && box.nx > 0 && box.ny > 0 && box.nz > 0 &&
-                      Box::whole(grid).contains(box);
+                Box::whole(grid).contains(box);
   const int mirrored = saved["mirrored"].cast<int>();
   if (mirrored < 0 || mirrored > 2) throw std::invalid_argument("mirrored must be 0, 1 or 2");
   plastic->symmetry = static_cast<fft::Symmetry>(mirrored);
@@ -61,8 +62,8 @@ std::shared_ptr<const simulation::PlasticState> to_history(const py::dict& saved
   inside = inside && (mirrored < 1 || box.j0 == part.j0) && (mirrored < 2 || box.i0 == part.i0);
   if (!inside) throw std::invalid_argument("the box of a plastic history is not in the grid");
   const auto cells = static_cast<py::ssize_t>(box.volume_size());
-  plastic->tensor = strain.size() == 5 * cells ? operators::Tensor::deviator
-                                                : operators::Tensor::full;
+  plastic->tensor =
+      strain.size() == 5 * cells ? operators::Tensor::deviator : operators::Tensor::full;
   if (strain.size() != operators::count(plastic->tensor) * cells || equivalent.size() != cells) {
     throw std::invalid_argument("the arrays of a plastic history do not fit its box");
   }

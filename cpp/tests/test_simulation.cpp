@@ -34,6 +34,7 @@ Target load(double newton) { return {Target::Kind::load, newton, {}}; }
 }  // namespace
 
 TEST_CASE("Anderson mixing solves a linear problem of size n in n + 1 residuals") {
+  // To the single precision of its history; the next ones take it to rounding.
   // x = A x + b with a contraction that plain iteration needs hundreds of steps for.
   constexpr int n = 5;
   const auto residual = [](const Field& x) {
@@ -46,7 +47,9 @@ TEST_CASE("Anderson mixing solves a linear problem of size n in n + 1 residuals"
   Anderson anderson(n);
   Field x(n, 0.0);
   for (int k = 0; k <= n; ++k) anderson.next(x, residual(x));
-  CHECK(norm(residual(x)) < 1e-8);
+  CHECK(norm(residual(x)) < 1e-6 * norm(x));
+  for (int k = 0; k < 3; ++k) anderson.next(x, residual(x));
+  CHECK(norm(residual(x)) < 1e-12 * norm(x));
 }
 
 TEST_CASE("the ordered sum does not lose or repeat terms") {

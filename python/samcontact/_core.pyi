@@ -154,7 +154,9 @@ class kernels:
 
 class operators:
     @staticmethod
-    def residual_stress(grid: Grid, strain: FloatArray, elastic: Elastic) -> FloatArray: ...
+    def residual_stress(
+        grid: Grid, strain: FloatArray, elastic: Elastic, exact: bool, image_tol: float
+    ) -> FloatArray: ...
     @staticmethod
     def residual_displacement(grid: Grid, strain: FloatArray, nu: float) -> FloatArray: ...
     @staticmethod

@@ -9,20 +9,20 @@ namespace {
 // Several running sums: one would wait for the latency of each addition.
 constexpr std::size_t lanes = 16;
 
-#define SAMCONTACT_DOT(A, B)                                                          \
-  SAMCONTACT_MULTIVERSION                                                             \
-  double dot(const A* a, const B* b, std::size_t n) {                                 \
-    double sums[lanes] = {};                                                          \
-    std::size_t i = 0;                                                                \
-    for (; i + lanes <= n; i += lanes) {                                              \
-      for (std::size_t l = 0; l < lanes; ++l) {                                       \
-        sums[l] += static_cast<double>(a[i + l]) * static_cast<double>(b[i + l]);     \
-      }                                                                               \
-    }                                                                                 \
+#define SAMCONTACT_DOT(A, B)                                                              \
+  SAMCONTACT_MULTIVERSION                                                                 \
+  double dot(const A* a, const B* b, std::size_t n) {                                     \
+    double sums[lanes] = {};                                                              \
+    std::size_t i = 0;                                                                    \
+    for (; i + lanes <= n; i += lanes) {                                                  \
+      for (std::size_t l = 0; l < lanes; ++l) {                                           \
+        sums[l] += static_cast<double>(a[i + l]) * static_cast<double>(b[i + l]);         \
+      }                                                                                   \
+    }                                                                                     \
     for (std::size_t l = 0; i < n; ++i, ++l) sums[l] += static_cast<double>(a[i]) * b[i]; \
-    double total = 0.0;                                                               \
-    for (const double sum : sums) total += sum;                                       \
-    return total;                                                                     \
+    double total = 0.0;                                                                   \
+    for (const double sum : sums) total += sum;                                           \
+    return total;                                                                         \
   }
 
 SAMCONTACT_DOT(double, double)

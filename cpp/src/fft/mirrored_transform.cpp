@@ -22,7 +22,11 @@ Work& work() {
 }  // namespace
 
 MirroredTransform::Mirror::Mirror(int n, int m_)
-    : stored(stored_cells(n, true)), m(m_), shifted(n % 2 == 0), cos_(m_ / 2 + 1), sin_(m_ / 2 + 1) {
+    : stored(stored_cells(n, true)),
+      m(m_),
+      shifted(n % 2 == 0),
+      cos_(m_ / 2 + 1),
+      sin_(m_ / 2 + 1) {
   for (int k = 0; k <= m / 2; ++k) {
     const double angle = shifted ? std::numbers::pi * k / m : 0.0;
     cos_[k] = std::cos(angle);
@@ -170,8 +174,8 @@ void MirroredTransform::inverse(std::span<const Plane> planes, std::size_t strid
       for (int ky0 = 0; ky0 < mh_; ky0 += block) {
         const int rows = std::min(block, mh_ - ky0);
         for (int r = 0; r < rows; ++r) {
-          std::copy_n(reinterpret_cast<const Complex*>(planes[p].spectrum + (ky0 + r) * stride), mk_,
-                      w.half.data() + static_cast<std::size_t>(r) * mk_);
+          std::copy_n(reinterpret_cast<const Complex*>(planes[p].spectrum + (ky0 + r) * stride),
+                      mk_, w.half.data() + static_cast<std::size_t>(r) * mk_);
         }
         fftw_execute_dft_c2r(columns_inverse_.get(), raw(w.half.data()), w.real.data());
         for (int r = 0; r < rows; ++r) {

@@ -79,7 +79,7 @@ void accumulate(int count, double coefficient, const Lanes* from, int from_step,
 }  // namespace
 
 CuboidResidualStress::CuboidResidualStress(const Grid& grid, const VolumeTransform& transform,
-                               const Elastic& elastic)
+                                           const Elastic& elastic)
     : transform_(&transform),
       nz_(grid.nz),
       lanes_((transform.mx() / 2 + width) / width * width),
@@ -149,7 +149,8 @@ void CuboidResidualStress::build_spectra(const Grid& grid) {
       });
 }
 
-void CuboidResidualStress::load(int ky, int block, const VolumeSpectrum& strain, double* values) const {
+void CuboidResidualStress::load(int ky, int block, const VolumeSpectrum& strain,
+                                double* values) const {
   const int mx = strain.mx;
   const auto places = components(strain.tensor);
   for (int k = 0; k < nz_; ++k) {
@@ -207,8 +208,8 @@ void CuboidResidualStress::store(int ky, int block, double* values, VolumeSpectr
   }
 }
 
-void CuboidResidualStress::mode_block(int ky, int block, const VolumeSpectrum& strain, double* tensors,
-                                double* values) const {
+void CuboidResidualStress::mode_block(int ky, int block, const VolumeSpectrum& strain,
+                                      double* tensors, double* values) const {
   const int sums = 2 * nz_ - 1;
   Lanes* full = reinterpret_cast<Lanes*>(tensors);
   Lanes* image = full + sums * pairs;

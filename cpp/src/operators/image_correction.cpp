@@ -107,9 +107,7 @@ struct ImageLattice {
 
   /// The same with a square three times as wide.
   ImageLattice wider() const { return {cx, cy, aspect, 3 * rings_x + 1, 3 * rings_y + 1}; }
-  CornerLattice corners() const {
-    return {(rings_x + 1) * 2 * cx, (rings_y + 1) * 2 * cy, aspect};
-  }
+  CornerLattice corners() const { return {(rings_x + 1) * 2 * cx, (rings_y + 1) * 2 * cy, aspect}; }
   /// Half widths of the square of summed images.
   double width_x() const { return (rings_x + 0.5) * 2 * cx; }
   double width_y() const { return (rings_y + 0.5) * 2 * cy * aspect; }
@@ -170,8 +168,7 @@ Field lattice_sums(const ImageLattice& near, int depths, const Level& level, con
         const auto outside = [&](const ImageLattice& hole) {
           const double x = i, y = j * near.aspect, upper = level(n), lower = level(n + 1);
           auto tail = plate<N>(corner, x, y, endless, endless * near.aspect, upper, lower);
-          const auto inside =
-              plate<N>(corner, x, y, hole.width_x(), hole.width_y(), upper, lower);
+          const auto inside = plate<N>(corner, x, y, hole.width_x(), hole.width_y(), upper, lower);
           for (std::size_t m = 0; m < N; ++m) tail[m] = density * (tail[m] - inside[m]);
           return tail;
         };
@@ -229,8 +226,7 @@ ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double exte
   const auto interpolants = points.transpose().partialPivLu();
   for (int i = 0; i < fine; ++i) {
     const double x = (i + 0.5) * d / axis.cell;
-    const int first =
-        std::clamp(static_cast<int>(std::lround(x - 0.5 * order)), 0, coarse - order);
+    const int first = std::clamp(static_cast<int>(std::lround(x - 0.5 * order)), 0, coarse - order);
     const double u = 2 * (x - first) / order - 1, half = d / axis.cell / order;
     if (means) {
       chebyshev_means(u - half, u + half, order, row.data());
@@ -262,7 +258,8 @@ ImageCorrection::ImageCorrection(const Grid& grid, const VolumeTransform& transf
     return std::max(n, static_cast<int>(std::ceil(n * extent / shortest - 1e-9)));
   };
   const double depth = grid.nz * grid.dz;
-  const int layers = std::clamp(static_cast<int>(std::ceil(cells * depth / shortest)), 2, 4 * cells);
+  const int layers =
+      std::clamp(static_cast<int>(std::ceil(cells * depth / shortest)), 2, 4 * cells);
   x_ = make_axis(grid.nx, grid.dx, 0.5 * period_x_, count(0.5 * period_x_), cells,
                  transform.symmetry() == Symmetry::xy, false);
   y_ = make_axis(grid.ny, grid.dy, 0.5 * period_y_, count(0.5 * period_y_), cells,
@@ -295,16 +292,17 @@ void ImageCorrection::build_influence(const Elastic& elastic, int rings) {
     const double z = (field + 0.5) * dz;
     const double powers[3] = {1.0, z, z * z};
     for (int source = 0; source < cz; ++source) {
-      double* to = influence_.data() + static_cast<std::size_t>(field * cz + source) * offsets * matrix;
+      double* to =
+          influence_.data() + static_cast<std::size_t>(field * cz + source) * offsets * matrix;
       const auto add = [&](const double* from, int pair, double coefficient) {
         for (int n = 0; n < offsets; ++n) to[n * matrix + pair] += coefficient * from[n];
       };
       for (const auto& term : kernels::full_space_terms) {
         const bool odd = kernels::full_space_parity(term.kernel).odd_z && field < source;
-        add(full.data() + (static_cast<std::size_t>(std::abs(field - source)) *
-                               kernels::full_space_count +
-                           term.kernel) *
-                              offsets,
+        add(full.data() +
+                (static_cast<std::size_t>(std::abs(field - source)) * kernels::full_space_count +
+                 term.kernel) *
+                    offsets,
             term.in * width + term.out, (odd ? -factor : factor) * term.coefficient(nu));
       }
       for (const auto& term : kernels::image_terms) {

@@ -18,16 +18,16 @@ using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = doubl
 
 /// What a wavenumber q needs, x = q h with the layer thickness h, all means over a layer.
 enum Coefficient {
-  direction_x,    // kx / q
-  direction_y,    // ky / q
-  thickness,      // x
-  decay,          // exp(-x)
-  own,            // (q/2) exp(-q r) over the half of the own layer above or below
-  own_linear,     // the same of q r exp(-q r)
-  other,          // (q/2) exp(-q r) over a neighbouring layer
-  other_shift,    // what q r exp(-q r) lacks of distance in layers times x, in units of other
-  surface,        // exp(-q z) in the first layer
-  surface_linear, // q z exp(-q z) in the first layer
+  direction_x,     // kx / q
+  direction_y,     // ky / q
+  thickness,       // x
+  decay,           // exp(-x)
+  own,             // (q/2) exp(-q r) over the half of the own layer above or below
+  own_linear,      // the same of q r exp(-q r)
+  other,           // (q/2) exp(-q r) over a neighbouring layer
+  other_shift,     // what q r exp(-q r) lacks of distance in layers times x, in units of other
+  surface,         // exp(-q z) in the first layer
+  surface_linear,  // q z exp(-q z) in the first layer
   coefficient_count
 };
 
@@ -171,8 +171,7 @@ template <int parts>
     const Lanes gone = 1.0 - e;
     const Lanes sc = 0.5 * gone * r[side_c][p], sd = 0.5 * gone * r[side_d][p];
     const Lanes w = r[side_d][p] - r[side_c][p];
-    const Lanes linear =
-        0.5 * (x * gone * (r[side_linear][p] - w) + (gone - x * e) * w);
+    const Lanes linear = 0.5 * (x * gone * (r[side_linear][p] - w) + (gone - x * e) * w);
     t3[p] = (1 - kappa) * (sc + sd) + kappa * linear;
     s1[p] = -(sc + sd) + kappa * (2.0 * sd - linear);
     s2[p] = -0.5 * gone * r[side_antiplane][p];
@@ -255,9 +254,8 @@ template <int parts>
 }
 
 SAMCONTACT_MULTIVERSION
-void sweep_complex(const Layout& at, const char* used, const double* mode, int mode_step,
-                   double nu, double lame, double twice_mu, double* values, Lanes* turned,
-                   Lanes* side) {
+void sweep_complex(const Layout& at, const char* used, const double* mode, int mode_step, double nu,
+                   double lame, double twice_mu, double* values, Lanes* turned, Lanes* side) {
   sweep<2>(at, used, mode, mode_step, nu, lame, twice_mu, values, turned, side);
 }
 
@@ -267,10 +265,13 @@ void sweep_real(const Layout& at, const char* used, const double* mode, int mode
   sweep<1>(at, used, mode, mode_step, nu, lame, twice_mu, values, turned, side);
 }
 
-/// With yz and xz multiplied by i all is real; what is stored lacks (-i) for each mirrored direction
-/// in which the component is odd.
+/// With yz and xz multiplied by i all is real; what is stored lacks (-i) for each mirrored
+/// direction in which the component is odd.
 Layout make_layout(const VolumeSpectrum& spectrum) {
-  Layout at{spectrum.nz, spectrum.tensor == Tensor::deviator, {}, spectrum.nz * spectrum.row_size(),
+  Layout at{spectrum.nz,
+            spectrum.tensor == Tensor::deviator,
+            {},
+            spectrum.nz * spectrum.row_size(),
             spectrum.row_size()};
   for (int c = 0; c < 6; ++c) {
     const auto parity = kernels::component_parity(c);
@@ -337,8 +338,8 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
       const double* row = modes_.data() + static_cast<std::size_t>(ky) * coefficient_count * pitch_;
       for (int kx = 0; kx < spectrum.modes; kx += width) {
         run(at, spectrum.used.data(), row + kx, pitch_, nu_, lame, twice_mu,
-            spectrum.row(ky, 0, 0) + kx * spectrum.parts,
-            reinterpret_cast<Lanes*>(turned.data()), reinterpret_cast<Lanes*>(side.data()));
+            spectrum.row(ky, 0, 0) + kx * spectrum.parts, reinterpret_cast<Lanes*>(turned.data()),
+            reinterpret_cast<Lanes*>(side.data()));
       }
       drop_unsigned(spectrum, ky);
     }

@@ -31,15 +31,16 @@ ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransfo
   };
   spectra_.resize(spectrum.size() * count * nz_);
   for_each_layer_difference<6>(
-      lattice, nz_, [dz](int level) { return level * dz; },
-      corner, [&](int k, const double* differences) {
+      lattice, nz_, [dz](int level) { return level * dz; }, corner,
+      [&](int k, const double* differences) {
         Field quarter(spectrum.size());
         for (int c = 0; c < count; ++c) {
           lattice.corner_sums(differences + c * lattice.size(), quarter.data(), hx, hy);
           const auto parity = kernels::component_parity(places[c]);
           spectrum.transform(quarter.data(), parity.odd_x, parity.odd_y);
           for (int ky = 0; ky < hy; ++ky) {
-            double* to = spectra_.data() + ((static_cast<std::size_t>(ky) * count + c) * nz_ + k) * hx;
+            double* to =
+                spectra_.data() + ((static_cast<std::size_t>(ky) * count + c) * nz_ + k) * hx;
             const double* from = quarter.data() + static_cast<std::size_t>(ky) * hx;
             std::transform(from, from + hx, to, [factor](double v) { return factor * v; });
           }

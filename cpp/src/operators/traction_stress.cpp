@@ -84,7 +84,8 @@ void TractionStress::add(Traction kind, const Field& traction, double scale,
 #pragma omp parallel for schedule(static)
   for (int ky = 0; ky < out.mh; ++ky) {
     const double* in = traction.data() + ky * transform_->row_size();
-    const double* quarter = spectra.data() + static_cast<std::size_t>(ky) * out.components * nz * hx;
+    const double* quarter =
+        spectra.data() + static_cast<std::size_t>(ky) * out.components * nz * hx;
     for (int c = 0; c < out.components; ++c) {
       for (int k = 0; k < nz; ++k, quarter += hx) {
         add_parity_product(quarter, parity(kind, places[c]), scale, in, out.row(ky, c, k),

@@ -48,8 +48,8 @@ const ResidualStress& VolumeOperators::residual_stress() const {
 const ResidualDisplacement& VolumeOperators::residual_displacement() const {
   const std::lock_guard lock(mutex_);
   if (!residual_displacement_) {
-    residual_displacement_ = std::make_unique<ResidualDisplacement>(grid_, transform_, elastic_.nu,
-                                                                    options_.tensor);
+    residual_displacement_ =
+        std::make_unique<ResidualDisplacement>(grid_, transform_, elastic_.nu, options_.tensor);
   }
   return *residual_displacement_;
 }

@@ -16,9 +16,10 @@ std::vector<VolumeTransform::Plane> planes_of(const double* tensor, std::size_t 
   const auto places = components(spectrum.tensor);
   for (int c = 0; c < spectrum.components; ++c) {
     const auto parity = kernels::component_parity(places[c]);
-    const double* values = tensor + (static_cast<std::size_t>(c) * spectrum.nz + layer) * plane_size;
-    planes.push_back({const_cast<double*>(values), spectrum.row(0, c, layer), parity.odd_x,
-                      parity.odd_y});
+    const double* values =
+        tensor + (static_cast<std::size_t>(c) * spectrum.nz + layer) * plane_size;
+    planes.push_back(
+        {const_cast<double*>(values), spectrum.row(0, c, layer), parity.odd_x, parity.odd_y});
   }
   return planes;
 }

@@ -13,8 +13,8 @@ VolumeTransform::VolumeTransform(int nx, int ny, Symmetry symmetry, int least_mx
       mx_(whole_.mx()),
       my_(whole_.my()) {
   if (symmetry != Symmetry::none) {
-    mirrored_ = std::make_unique<fft::MirroredTransform>(nx, ny, mx_, my_,
-                                                         symmetry == Symmetry::xy);
+    mirrored_ =
+        std::make_unique<fft::MirroredTransform>(nx, ny, mx_, my_, symmetry == Symmetry::xy);
   }
 }
 

@@ -30,8 +30,8 @@ bool any(const Field& field) {
 
 class FixedPoint {
  public:
-  FixedPoint(const State& from, const Target& target, const Scans& scans,
-             const Settings& settings, Counters& counters)
+  FixedPoint(const State& from, const Target& target, const Scans& scans, const Settings& settings,
+             Counters& counters)
       : grid_(from.scene().grid),
         target_(target),
         settings_(settings),

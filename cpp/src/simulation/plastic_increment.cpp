@@ -248,8 +248,8 @@ bool PlasticIncrement::may_touch_outside(const Field& gap) const {
     const Box whole = whole_box(body.box, grid, symmetry_);
     for (int i = 0; i < grid.nx; ++i) {
       for (int j = 0; j < grid.ny; ++j) {
-        const bool inside = i >= whole.i0 && i < whole.i0 + whole.nx && j >= whole.j0 &&
-                            j < whole.j0 + whole.ny;
+        const bool inside =
+            i >= whole.i0 && i < whole.i0 + whole.nx && j >= whole.j0 && j < whole.j0 + whole.ny;
         const double g = gap[static_cast<std::size_t>(i) * grid.ny + j];
         if (!inside && g < bodies_.size() * body.rim_displacement) return true;
       }
@@ -324,8 +324,8 @@ void PlasticIncrement::activate(std::uint8_t b, Field& guess) {
         xx -= mean;
         yy -= mean;
       }
-      const double second = xx * xx + yy * yy + xx * yy + s[3][i] * s[3][i] + s[4][i] * s[4][i] +
-                            s[5][i] * s[5][i];
+      const double second =
+          xx * xx + yy * yy + xx * yy + s[3][i] * s[3][i] + s[4][i] * s[4][i] + s[5][i] * s[5][i];
       if (second <= bound || body.active[i] >= 0) continue;
       const double g = body.equivalent[i];
       if (g > 0 && std::sqrt(3 * second) <= hardening.yield_stress(g)) continue;
@@ -370,9 +370,9 @@ void PlasticIncrement::return_map(Field& guess, Field& mapped, Result& result) {
     const auto places = operators::components(body.tensor);
     for (std::size_t c = 0; c < places.size(); ++c) s[places[c]] = body.stress[c * cells + cell];
     if (body.tensor == Tensor::deviator) s[2] = -(s[0] + s[1]);
-    const auto r = plasticity::radial_return(s, tensor_of(guess, n, components_),
-                                             body.equivalent[cell], shear_modulus,
-                                             material.hardening);
+    const auto r =
+        plasticity::radial_return(s, tensor_of(guess, n, components_), body.equivalent[cell],
+                                  shear_modulus, material.hardening);
     put(r.increment, mapped, n, components_);
     equivalent_[n] = r.equivalent;
     excess = std::max(excess, r.excess);
@@ -438,8 +438,8 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
   Result result;
   result.contact = solve_contact(gap, contact_tol);
   if (fit_boxes(result.contact.gap)) {
-    result.grown = std::any_of(bodies_.begin(), bodies_.end(),
-                               [](const Body& body) { return body.strained; });
+    result.grown =
+        std::any_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.strained; });
     for (Body& body : bodies_) transform(body);
   }
   for (Body& body : bodies_) {

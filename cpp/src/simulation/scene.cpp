@@ -39,8 +39,7 @@ void Scene::require_volume(int body) const {
 }
 
 Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tensor,
-                               operators::ResidualMethod method,
-                               fft::Symmetry symmetry) const {
+                               operators::ResidualMethod method, fft::Symmetry symmetry) const {
   require_volume(body);
   if (materials[0].elastic == materials[1].elastic) body = 0;
   const Box size{0, 0, box.nx, box.ny, box.nz};

@@ -116,15 +116,16 @@ double increment_error(const State& one, const State& two) {
     const double yield_strain =
         material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
     const Pair g = in_one_box(*one.plastic[b], *two.plastic[b], false);
-    error = std::max(
-        error, difference(g.first, g.second) / std::max(largest(g.second), yield_strain));
+    error =
+        std::max(error, difference(g.first, g.second) / std::max(largest(g.second), yield_strain));
   }
   return error;
 }
 
 /// The difference of one and two parts that is allowed for an error `tol` of the extrapolated
 /// result: that error is of second order where the difference is of first, and was found to be up
-/// to 400 times its square (largest pressure and plastic strain, point by point, two balls to 8 GPa).
+/// to 400 times its square (largest pressure and plastic strain, point by point, two balls to 8
+/// GPa).
 double allowed_difference(double tol) { return 0.05 * std::sqrt(tol); }
 
 /// Second order from two solutions of first order, of an increment in one and in two parts

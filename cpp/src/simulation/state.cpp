@@ -65,8 +65,8 @@ void unfold(const double* from, const Box& stored, fft::Symmetry had, bool odd_x
         gj = grid.ny - 1 - gj;
         negative = negative != odd_y;
       }
-      const double value = from[static_cast<std::size_t>(gi - stored.i0) * stored.ny +
-                                (gj - stored.j0)];
+      const double value =
+          from[static_cast<std::size_t>(gi - stored.i0) * stored.ny + (gj - stored.j0)];
       to[static_cast<std::size_t>(i) * box.ny + j] = negative ? -value : value;
     }
   }

@@ -20,8 +20,8 @@ class LayerResidualStress : public ResidualStress {
  public:
   /// The grid's layers start at the surface. image_tol: error of the stress due to the periodic
   /// images that is allowed, relative to the largest stress.
-  LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
-                      const Elastic& elastic, double image_tol);
+  LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
+                      double image_tol);
 
   void apply(VolumeSpectrum& strain_to_stress) const override;
   void correct(Tensor tensor, const double* strain, double* stress) const override;

@@ -13,7 +13,7 @@ std::string describe(const Target& target);
 
 /// The state after one increment. Throws ConvergenceError when the fixed point does not reach
 /// settings.tol in settings.max_iterations evaluations.
-State solve_increment(const State& from, const Target& target, const Scans& scans, const Settings& settings,
-                      Counters& counters);
+State solve_increment(const State& from, const Target& target, const Scans& scans,
+                      const Settings& settings, Counters& counters);
 
 }  // namespace samcontact::simulation

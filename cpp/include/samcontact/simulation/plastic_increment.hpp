@@ -44,10 +44,10 @@ class PlasticIncrement {
     operators::Tensor tensor;
     Scene::Operators operators;
     std::vector<operators::VolumeSpectrum> spectrum;  // one, or none without a box
-    Field strain;              // before the increment plus the last guess
-    Field equivalent;          // before the increment
-    Field stress;              // deviator or all components
-    std::vector<int> active;   // per cell: its place among the active ones, or -1
+    Field strain;                                     // before the increment plus the last guess
+    Field equivalent;                                 // before the increment
+    Field stress;                                     // deviator or all components
+    std::vector<int> active;  // per cell: its place among the active ones, or -1
     bool strained = false;
     double rim_displacement = 0.0;  // largest residual displacement at the rim of the window
   };

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Transforms of mirrored planes, operators on them, and boxes.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "samcontact/base/box.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
+#include "samcontact/operators/volume_operators.hpp"
+
+using namespace samcontact;
+using namespace samcontact::operators;
+
+namespace {
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+double number(std::size_t n) { return std::sin(1.7 * static_cast<double>(n) + 0.3); }
+
+/// A strain with the mirror planes of `symmetry`, on the whole box [component][k][i][j].
+Field symmetric_strain(const Grid& grid, Symmetry symmetry, Tensor tensor) {
+  Field strain(count(tensor) * grid.volume_size());
+  const auto places = components(tensor);
+  for (int c = 0; c < count(tensor); ++c) {
+    const auto parity = kernels::component_parity(places[c]);
+    for (int k = 0; k < grid.nz; ++k) {
+      for (int i = 0; i < grid.nx; ++i) {
+        for (int j = 0; j < grid.ny; ++j) {
+          int x = 2 * i - grid.nx + 1, y = 2 * j - grid.ny + 1;
+          double sign = 1.0;
+          if (symmetry != Symmetry::none && parity.odd_y) sign *= y > 0 ? 1 : (y < 0 ? -1 : 0);
+          if (symmetry == Symmetry::xy && parity.odd_x) sign *= x > 0 ? 1 : (x < 0 ? -1 : 0);
+          if (symmetry != Symmetry::none) y = std::abs(y);
+          if (symmetry == Symmetry::xy) x = std::abs(x);
+          const std::size_t at = ((c * 7 + k) * 101 + x + 50) * 103 + y + 50;
+          strain[((static_cast<std::size_t>(c) * grid.nz + k) * grid.nx + i) * grid.ny + j] =
+              1e-3 * sign * number(at);
+        }
+      }
+    }
+  }
+  return strain;
+}
+
+/// The stored part of planes [n][i][j].
+Field stored(const Field& whole, const Grid& grid, const VolumeTransform& transform) {
+  const std::size_t planes = whole.size() / grid.surface_size();
+  const int i0 = grid.nx - transform.nx(), j0 = grid.ny - transform.ny();
+  Field part;
+  for (std::size_t n = 0; n < planes; ++n) {
+    for (int i = i0; i < grid.nx; ++i) {
+      for (int j = j0; j < grid.ny; ++j) {
+        part.push_back(whole[(n * grid.nx + i) * grid.ny + j]);
+      }
+    }
+  }
+  return part;
+}
+
+double largest_difference(const Field& a, const Field& b) {
+  REQUIRE(a.size() == b.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::fabs(a[i] - b[i]));
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("mirrored operators give the stored part of what whole ones give") {
+  const Elastic steel{210e9, 0.3};
+  for (const auto& [nx, ny] : {std::array{12, 10}, std::array{11, 9}, std::array{8, 13}}) {
+    const Grid grid(nx, ny, 1.0, 1.3, 5, 0.8);
+    for (const Symmetry symmetry : {Symmetry::y, Symmetry::xy}) {
+      for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
+        const VolumeOperators whole(grid, steel,
+                                    {tensor, Symmetry::none, ResidualMethod::fast, 1e-5});
+        const VolumeOperators part(grid, steel, {tensor, symmetry, ResidualMethod::fast, 1e-5});
+        const Field strain = symmetric_strain(grid, symmetry, tensor);
+        const Field half = stored(strain, grid, part.transform());
+
+        // A pressure with both mirrors, from a component that has them.
+        Tractions tractions, traction_part;
+        tractions.pressure.assign(strain.begin(), strain.begin() + grid.surface_size());
+        traction_part.pressure = stored(tractions.pressure, grid, part.transform());
+        if (symmetry == Symmetry::y) {
+          tractions.shear_x = tractions.pressure;
+          traction_part.shear_x = traction_part.pressure;
+        }
+        const Field expected =
+            stored(whole.stress(strain.data(), &tractions, 1.0), grid, part.transform());
+        const Field found = part.stress(half.data(), &traction_part, 1.0);
+        // On the mirror the interpolated images of the whole are not exactly odd.
+        CHECK(largest_difference(found, expected) < 1e-7 * steel.E * 1e-3);
+
+        const auto displacement = [](const VolumeOperators& operators, const Field& field) {
+          VolumeSpectrum spectrum = operators.make_spectrum();
+          forward(operators.transform(), field.data(), spectrum);
+          Field u(operators.transform().plane_size());
+          operators.residual_displacement().apply(spectrum, u.data());
+          return u;
+        };
+        const Field u = stored(displacement(whole, strain), grid, part.transform());
+        CHECK(largest_difference(displacement(part, half), u) < 1e-13);
+      }
+    }
+  }
+}
+
+TEST_CASE("a transform and its inverse give the planes back") {
+  const int nx = 9, ny = 14;
+  for (const Symmetry symmetry : {Symmetry::none, Symmetry::y, Symmetry::xy}) {
+    const VolumeTransform transform(nx, ny, symmetry);
+    const Grid grid(nx, ny, 1.0, 1.0, 3, 1.0);
+    const Field start = stored(symmetric_strain(grid, symmetry, Tensor::full), grid, transform);
+    VolumeSpectrum spectrum(transform, grid.nz, Tensor::full);
+    forward(transform, start.data(), spectrum);
+    Field back(start.size(), nan_value);
+    inverse(transform, spectrum, back.data());
+    for (double& value : back) value /= transform.mx() * transform.my();
+    CHECK(largest_difference(back, start) < 1e-17);
+  }
+}
+
+TEST_CASE("the five components of a deviator are those of the six") {
+  const Grid grid(8, 7, 1.0, 1.0, 6, 1.0);
+  const Elastic steel{210e9, 0.3};
+  for (const ResidualMethod method : {ResidualMethod::exact, ResidualMethod::fast}) {
+    const VolumeOperators five(grid, steel, {Tensor::deviator, Symmetry::none, method, 1e-3});
+    const VolumeOperators six(grid, steel, {Tensor::full, Symmetry::none, method, 1e-3});
+    const Field strain = symmetric_strain(grid, Symmetry::none, Tensor::deviator);
+    const std::size_t n = grid.volume_size();
+    Field full(6 * n);
+    const auto places = components(Tensor::deviator);
+    for (int c = 0; c < 5; ++c) {
+      std::copy_n(strain.begin() + c * n, n, full.begin() + places[c] * n);
+    }
+    for (std::size_t i = 0; i < n; ++i) full[2 * n + i] = -full[i] - full[n + i];
+    Tractions tractions;
+    tractions.pressure.assign(strain.begin(), strain.begin() + grid.surface_size());
+    Field all = six.stress(full.data(), &tractions, 1.0);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double mean = (all[i] + all[n + i] + all[2 * n + i]) / 3;
+      all[i] -= mean;
+      all[n + i] -= mean;
+    }
+    Field expected(5 * n);
+    for (int c = 0; c < 5; ++c) {
+      std::copy_n(all.begin() + places[c] * n, n, expected.begin() + c * n);
+    }
+    const Field found = five.stress(strain.data(), &tractions, 1.0);
+    CHECK(largest_difference(found, expected) < 1e-11 * steel.E * 1e-3);
+  }
+}
+
+TEST_CASE("boxes") {
+  const Grid grid(10, 8, 1.0, 1.0, 6, 1.0);
+  const Box a{2, 3, 2, 1, 2}, b{5, 1, 1, 3, 4};
+  CHECK(a.united(b) == Box{2, 1, 4, 3, 4});
+  CHECK(a.united(Box{}) == a);
+  CHECK(a.united(b).contains(a));
+  CHECK_FALSE(a.contains(b));
+  CHECK(Box{8, 0, 2, 2, 5}.widened(2, grid) == Box{6, 0, 4, 4, 6});
+  Field values(a.volume_size());
+  for (std::size_t n = 0; n < values.size(); ++n) values[n] = number(n);
+  Field wide(grid.volume_size(), 0.0), back(values.size());
+  insert(values.data(), a, wide.data(), Box::whole(grid));
+  CHECK(wide[(1 * 10 + 3) * 8 + 3] == values[3]);
+  extract(wide.data(), Box::whole(grid), back.data(), a);
+  CHECK(back == values);
+}
