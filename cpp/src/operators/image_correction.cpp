@@ -375,12 +375,7 @@ Field ImageCorrection::coarse_stress(const Field& strain) const {
   return stress;
 }
 
-void ImageCorrection::subtract(Tensor tensor, const double* strain, double* stress) const {
-  const auto places = components(tensor);
-  const int parts = static_cast<int>(places.size());
-  const int cx = x_.coarse, cy = y_.coarse, cz = z_.coarse, nz = z_.fine;
-  const std::size_t plane = static_cast<std::size_t>(x_.fine) * y_.fine;
-  const int coarse_plane = cx * cy;
+Field ImageCorrection::stress(Tensor tensor, const double* strain) const {
   Field images = coarse_stress(coarse_strain(tensor, strain));
   if (tensor == Tensor::deviator) {
     for (std::size_t n = 0; n < images.size(); n += 6) {
@@ -389,18 +384,27 @@ void ImageCorrection::subtract(Tensor tensor, const double* strain, double* stre
       images[n + 1] -= mean;
     }
   }
-#pragma omp parallel for schedule(static)
-  for (int ck = 0; ck < parts * nz; ++ck) {
-    const int place = places[ck / nz], k = ck % nz;
-    std::vector<double> layer(coarse_plane, 0.0);
+  return images;
+}
+
+void ImageCorrection::subtract(Tensor tensor, const Field& images, int layer,
+                               double* stress) const {
+  const auto places = components(tensor);
+  const int cx = x_.coarse, cy = y_.coarse, cz = z_.coarse;
+  const int coarse_plane = cx * cy;
+  std::vector<double> nodes(coarse_plane);
+  for (std::size_t c = 0; c < places.size(); ++c) {
+    std::fill(nodes.begin(), nodes.end(), 0.0);
     for (int n = 0; n < cz; ++n) {
-      const double weight = z_.interpolants[0][n * nz + k];
-      const double* from = images.data() + static_cast<std::size_t>(n) * coarse_plane * 6 + place;
-      for (int p = 0; p < coarse_plane; ++p) layer[p] += weight * from[p * 6];
+      const double weight = z_.interpolants[0][n * z_.fine + layer];
+      const double* from =
+          images.data() + static_cast<std::size_t>(n) * coarse_plane * 6 + places[c];
+      for (int p = 0; p < coarse_plane; ++p) nodes[p] += weight * from[p * 6];
     }
-    const auto parity = kernels::component_parity(place);
-    subtract_plane(layer.data(), x_.fine, y_.fine, x_.interpolants[parity.odd_x].data(), cx,
-                   y_.interpolants[parity.odd_y].data(), cy, stress + ck * plane);
+    const auto parity = kernels::component_parity(places[c]);
+    subtract_plane(nodes.data(), x_.fine, y_.fine, x_.interpolants[parity.odd_x].data(), cx,
+                   y_.interpolants[parity.odd_y].data(), cy,
+                   stress + c * static_cast<std::size_t>(x_.fine) * y_.fine);
   }
 }
 

@@ -347,8 +347,13 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
   spectrum.used.assign(nz_, 1);
 }
 
-void LayerResidualStress::correct(Tensor tensor, const double* strain, double* stress) const {
-  images_.subtract(tensor, strain, stress);
+Field LayerResidualStress::far_field(Tensor tensor, const double* strain) const {
+  return images_.stress(tensor, strain);
+}
+
+void LayerResidualStress::correct(Tensor tensor, const Field& far_field, int layer,
+                                  double* stress) const {
+  images_.subtract(tensor, far_field, layer, stress);
 }
 
 std::size_t LayerResidualStress::bytes() const {

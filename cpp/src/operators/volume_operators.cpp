@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/volume_operators.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "samcontact/base/interrupt.hpp"
 #include "samcontact/operators/cuboid_residual_stress.hpp"
 #include "samcontact/operators/layer_residual_stress.hpp"
 
@@ -69,17 +71,41 @@ void VolumeOperators::add_tractions(const Tractions& tractions, double shear_sig
   add(Traction::shear_y, tractions.shear_y, shear_sign);
 }
 
+void VolumeOperators::for_each_layer(
+    VolumeSpectrum& spectrum, const double* strain, const Tractions* tractions, double shear_sign,
+    const std::function<void(int layer, const double* stress)>& use) const {
+  check_interrupt();
+  Field far_field;
+  if (strain != nullptr) {
+    residual_stress().apply(spectrum);
+    far_field = residual_stress().far_field(options_.tensor, strain);
+  }
+  if (tractions != nullptr) add_tractions(*tractions, shear_sign, spectrum);
+  const std::size_t layer_size = count(options_.tensor) * transform_.plane_size();
+#pragma omp parallel
+  {
+    Field layer(layer_size);
+#pragma omp for schedule(dynamic)
+    for (int k = 0; k < grid_.nz; ++k) {
+      inverse(transform_, spectrum, k, layer.data());
+      if (strain != nullptr) residual_stress_->correct(options_.tensor, far_field, k, layer.data());
+      use(k, layer.data());
+    }
+  }
+}
+
 Field VolumeOperators::stress(const double* strain, const Tractions* tractions,
                               double shear_sign) const {
   VolumeSpectrum spectrum = make_spectrum();
-  if (strain != nullptr) {
-    forward(transform_, strain, spectrum);
-    residual_stress().apply(spectrum);
-  }
-  if (tractions != nullptr) add_tractions(*tractions, shear_sign, spectrum);
-  Field out(count(options_.tensor) * transform_.plane_size() * grid_.nz);
-  inverse(transform_, spectrum, out.data());
-  if (strain != nullptr) residual_stress().correct(options_.tensor, strain, out.data());
+  if (strain != nullptr) forward(transform_, strain, spectrum);
+  const std::size_t plane = transform_.plane_size(), volume = plane * grid_.nz;
+  const int parts = count(options_.tensor);
+  Field out(parts * volume);
+  for_each_layer(spectrum, strain, tractions, shear_sign, [&](int k, const double* layer) {
+    for (int c = 0; c < parts; ++c) {
+      std::copy_n(layer + c * plane, plane, out.data() + c * volume + k * plane);
+    }
+  });
   return out;
 }
 

@@ -9,15 +9,14 @@
 namespace samcontact::operators {
 namespace {
 
-/// The planes of one layer.
-std::vector<VolumeTransform::Plane> planes_of(const double* tensor, std::size_t plane_size,
+/// The planes of one layer; those of two components lie `step` apart.
+std::vector<VolumeTransform::Plane> planes_of(const double* tensor, std::size_t step,
                                               VolumeSpectrum& spectrum, int layer) {
   std::vector<VolumeTransform::Plane> planes;
   const auto places = components(spectrum.tensor);
   for (int c = 0; c < spectrum.components; ++c) {
     const auto parity = kernels::component_parity(places[c]);
-    const double* values =
-        tensor + (static_cast<std::size_t>(c) * spectrum.nz + layer) * plane_size;
+    const double* values = tensor + c * step;
     planes.push_back(
         {const_cast<double*>(values), spectrum.row(0, c, layer), parity.odd_x, parity.odd_y});
   }
@@ -50,15 +49,23 @@ void forward(const VolumeTransform& transform, const double* tensor, VolumeSpect
       const double* values = tensor + (static_cast<std::size_t>(c) * out.nz + k) * plane;
       out.used[k] = std::any_of(values, values + plane, [](double v) { return v != 0.0; });
     }
-    if (out.used[k]) transform.forward(planes_of(tensor, plane, out, k), out.stride());
+    if (out.used[k])
+      transform.forward(planes_of(tensor + k * plane, out.nz * plane, out, k), out.stride());
   }
+}
+
+void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, int layer,
+             double* tensor) {
+  transform.inverse(planes_of(tensor, transform.plane_size(), spectrum, layer), spectrum.stride());
 }
 
 void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, double* tensor) {
   check_interrupt();
+  const std::size_t plane = transform.plane_size();
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < spectrum.nz; ++k) {
-    transform.inverse(planes_of(tensor, transform.plane_size(), spectrum, k), spectrum.stride());
+    transform.inverse(planes_of(tensor + k * plane, spectrum.nz * plane, spectrum, k),
+                      spectrum.stride());
   }
 }
 

@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/volume_transform.hpp"
 
+#include <algorithm>
+
 namespace samcontact::operators {
 
 using Threads = fft::PaddedTransform::Threads;
+
+namespace {
+
+/// A plane's spectrum, one for each thread, kept between calls.
+ComplexField& plane_buffer(const fft::PaddedTransform& transform) {
+  static thread_local ComplexField buffer;
+  buffer.resize(transform.spectrum_size());
+  return buffer;
+}
+
+}  // namespace
 
 VolumeTransform::VolumeTransform(int nx, int ny, Symmetry symmetry, int least_mx, int least_my)
     : nx_(nx),
@@ -20,17 +33,27 @@ VolumeTransform::VolumeTransform(int nx, int ny, Symmetry symmetry, int least_mx
 
 void VolumeTransform::forward(std::span<const Plane> planes, std::size_t stride) const {
   if (mirrored_) return mirrored_->forward(planes, stride);
+  // In a plane of its own: the volume's rows lie far apart, and what is transposed into them one
+  // piece at a time misses the address cache each time.
+  ComplexField& one = plane_buffer(whole_);
   for (const Plane& plane : planes) {
-    whole_.forward(plane.values, reinterpret_cast<Complex*>(plane.spectrum), stride / 2,
-                   Threads::one);
+    whole_.forward(plane.values, one.data(), mx_, Threads::one);
+    for (int ky = 0; ky < mh(); ++ky) {
+      std::copy_n(one.data() + static_cast<std::size_t>(ky) * mx_, mx_,
+                  reinterpret_cast<Complex*>(plane.spectrum + ky * stride));
+    }
   }
 }
 
 void VolumeTransform::inverse(std::span<const Plane> planes, std::size_t stride) const {
   if (mirrored_) return mirrored_->inverse(planes, stride);
+  ComplexField& one = plane_buffer(whole_);
   for (const Plane& plane : planes) {
-    whole_.inverse(reinterpret_cast<Complex*>(plane.spectrum), plane.values, stride / 2,
-                   Threads::one);
+    for (int ky = 0; ky < mh(); ++ky) {
+      std::copy_n(reinterpret_cast<const Complex*>(plane.spectrum + ky * stride), mx_,
+                  one.data() + static_cast<std::size_t>(ky) * mx_);
+    }
+    whole_.inverse(one.data(), plane.values, mx_, Threads::one);
   }
 }
 

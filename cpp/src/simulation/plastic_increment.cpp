@@ -144,7 +144,6 @@ void PlasticIncrement::set_box(Body& body, const Box& box) {
   std::vector<int> active(box.volume_size(), -1);
   body.strain = moved(body.strain, body.box, box, parts);
   body.equivalent = moved(body.equivalent, body.box, box, 1);
-  body.stress.resize(parts * box.volume_size());
   const auto number = static_cast<std::uint8_t>(&body - bodies_.data());
   if (!body.box.empty() && !body.active.empty()) active_.move(number, body.box, box);
   for (std::size_t n = 0; n < active_.size(); ++n) {
@@ -152,9 +151,11 @@ void PlasticIncrement::set_box(Body& body, const Box& box) {
   }
   body.active = std::move(active);
   body.box = box;
+  // The old ones first: the two together may not fit.
+  body.spectrum.clear();
+  body.operators.reset();
   body.operators = scene_.volume(body.index, whole_box(box, scene_.grid, symmetry_), body.tensor,
                                  from_.method, symmetry_);
-  body.spectrum.clear();
   body.spectrum.push_back(body.operators->make_spectrum());
 }
 
@@ -284,40 +285,39 @@ bool PlasticIncrement::fit_boxes(const Field& gap) {
   return grown;
 }
 
-void PlasticIncrement::stress(Body& body) {
-  auto& spectrum = body.spectrum[0];
-  if (body.strained) {
-    body.operators->residual_stress().apply(spectrum);
-  } else {
-    std::fill(spectrum.data.begin(), spectrum.data.end(), 0.0);
+void PlasticIncrement::activate(std::uint8_t b, std::uint32_t cell,
+                                const plasticity::Tensor& stress) {
+  Body& body = bodies_[b];
+  const std::size_t n = active_.size(), cells = body.box.volume_size();
+  body.active[cell] = static_cast<int>(n);
+  active_.cells.push_back({b, cell});
+  stress_.push_back(stress);
+  plasticity::Tensor before{};
+  const auto places = operators::components(body.tensor);
+  for (std::size_t c = 0; c < places.size(); ++c) {
+    before[places[c]] = body.strain[c * cells + cell];
   }
-  body.operators->add_tractions(window(tractions_, scene_.grid, body.box),
-                                body.index == 1 ? 1.0 : -1.0, spectrum);
-  operators::inverse(body.operators->transform(), spectrum, body.stress.data());
-  if (body.strained) {
-    body.operators->residual_stress().correct(body.tensor, body.strain.data(), body.stress.data());
-  }
+  if (body.tensor == Tensor::deviator) before[2] = -(before[0] + before[1]);
+  base_.resize((n + 1) * components_);
+  put(before, base_, n, components_);
 }
 
-/// Finds the cells that yield and are not active yet.
-void PlasticIncrement::activate(std::uint8_t b, Field& guess) {
+void PlasticIncrement::stress(std::uint8_t b, Field& guess) {
   Body& body = bodies_[b];
+  auto& spectrum = body.spectrum[0];
+  if (!body.strained) std::fill(spectrum.data.begin(), spectrum.data.end(), 0.0);
   const auto& hardening = scene_.materials[body.index].hardening;
-  const std::ptrdiff_t cells = body.box.volume_size();
+  const std::size_t plane = body.box.surface_size();
   const bool deviator = body.tensor == Tensor::deviator;
-  const double* s[6];
-  for (int c = 0; c < 6; ++c) {
-    const int place = deviator ? (c < 3 ? c : c - 1) : c;
-    s[c] = body.stress.data() + place * cells;
-  }
   const double first = hardening.yield_stress(0.0), bound = first * first / 3;
-  constexpr std::ptrdiff_t chunk = 8192;
-  const std::ptrdiff_t chunks = (cells + chunk - 1) / chunk;
-  std::vector<std::vector<std::uint32_t>> found(chunks);
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t c = 0; c < chunks; ++c) {
-    const std::ptrdiff_t end = std::min(cells, (c + 1) * chunk);
-    for (std::ptrdiff_t i = c * chunk; i < end; ++i) {
+
+  using Found = std::pair<std::uint32_t, plasticity::Tensor>;
+  std::vector<std::vector<Found>> found(body.box.nz);
+  const auto look = [&](int k, const double* layer) {
+    const double* s[6];
+    for (int c = 0; c < 6; ++c) s[c] = layer + (deviator ? (c < 3 ? c : c - 1) : c) * plane;
+    for (std::size_t i = 0; i < plane; ++i) {
+      const std::size_t cell = k * plane + i;
       double xx = s[0][i], yy = s[1][i];
       if (!deviator) {
         const double mean = (xx + yy + s[2][i]) / 3;
@@ -326,34 +326,30 @@ void PlasticIncrement::activate(std::uint8_t b, Field& guess) {
       }
       const double second =
           xx * xx + yy * yy + xx * yy + s[3][i] * s[3][i] + s[4][i] * s[4][i] + s[5][i] * s[5][i];
-      if (second <= bound || body.active[i] >= 0) continue;
-      const double g = body.equivalent[i];
-      if (g > 0 && std::sqrt(3 * second) <= hardening.yield_stress(g)) continue;
-      found[c].push_back(static_cast<std::uint32_t>(i));
-    }
-  }
-  const auto places = operators::components(body.tensor);
-  for (const auto& part : found) {
-    for (const std::uint32_t i : part) {
-      const std::size_t n = active_.size();
-      body.active[i] = static_cast<int>(n);
-      active_.cells.push_back({b, i});
-      plasticity::Tensor before{};
-      for (std::size_t c = 0; c < places.size(); ++c) {
-        before[places[c]] = body.strain[c * cells + i];
+      const int active = body.active[cell];
+      if (active < 0) {
+        if (second <= bound) continue;
+        const double g = body.equivalent[cell];
+        if (g > 0 && std::sqrt(3 * second) <= hardening.yield_stress(g)) continue;
       }
-      if (deviator) before[2] = -(before[0] + before[1]);
-      base_.resize((n + 1) * components_);
-      put(before, base_, n, components_);
+      const plasticity::Tensor t{xx, yy, -(xx + yy), s[3][i], s[4][i], s[5][i]};
+      if (active >= 0) {
+        stress_[active] = t;
+      } else {
+        found[k].emplace_back(static_cast<std::uint32_t>(cell), t);
+      }
     }
+  };
+  const operators::Tractions here = window(tractions_, scene_.grid, body.box);
+  body.operators->for_each_layer(spectrum, body.strained ? body.strain.data() : nullptr, &here,
+                                 body.index == 1 ? 1.0 : -1.0, look);
+  for (const auto& layer : found) {
+    for (const auto& [cell, t] : layer) activate(b, cell, t);
   }
   guess.resize(active_.size() * components_, 0.0);
 }
 
-void PlasticIncrement::return_map(Field& guess, Field& mapped, Result& result) {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (!bodies_[b].box.empty()) activate(static_cast<std::uint8_t>(b), guess);
-  }
+void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& result) {
   const std::ptrdiff_t count = active_.size();
   mapped.resize(count * components_);
   equivalent_.resize(count);
@@ -365,14 +361,9 @@ void PlasticIncrement::return_map(Field& guess, Field& mapped, Result& result) {
     const Body& body = bodies_[b];
     const auto& material = scene_.materials[body.index];
     const double shear_modulus = material.elastic.shear_modulus();
-    const std::size_t cells = body.box.volume_size();
-    plasticity::Tensor s{};
-    const auto places = operators::components(body.tensor);
-    for (std::size_t c = 0; c < places.size(); ++c) s[places[c]] = body.stress[c * cells + cell];
-    if (body.tensor == Tensor::deviator) s[2] = -(s[0] + s[1]);
     const auto r =
-        plasticity::radial_return(s, tensor_of(guess, n, components_), body.equivalent[cell],
-                                  shear_modulus, material.hardening);
+        plasticity::radial_return(stress_[n], tensor_of(guess, n, components_),
+                                  body.equivalent[cell], shear_modulus, material.hardening);
     put(r.increment, mapped, n, components_);
     equivalent_[n] = r.equivalent;
     excess = std::max(excess, r.excess);
@@ -442,8 +433,8 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
         std::any_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.strained; });
     for (Body& body : bodies_) transform(body);
   }
-  for (Body& body : bodies_) {
-    if (!body.box.empty()) stress(body);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (!bodies_[b].box.empty()) stress(static_cast<std::uint8_t>(b), guess);
   }
   return_map(guess, mapped, result);
   result.grown = grow_at_rim() || result.grown;

@@ -12,6 +12,8 @@ namespace {
 
 /// Two bodies with a box each, and the whole grid for fields on demand.
 constexpr std::size_t most_kept = 4;
+/// Cells beyond which the operators of a box that was outgrown are not kept.
+constexpr std::size_t large_box = 1'000'000;
 
 }  // namespace
 
@@ -52,6 +54,10 @@ Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tenso
     kept_.splice(kept_.begin(), kept_, found);
     return kept_.front().operators;
   }
+  kept_.remove_if([&](const Kept& k) {
+    return k.body == body && k.tensor == tensor && k.operators.use_count() == 1 &&
+           k.size.volume_size() > large_box && size.contains(k.size);
+  });
   const operators::VolumeOptions options{tensor, symmetry, method, image_tol_};
   kept_.push_front({body, size, tensor, method, symmetry,
                     std::make_shared<operators::VolumeOperators>(

@@ -22,7 +22,8 @@ class CuboidResidualStress : public ResidualStress {
   CuboidResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic);
 
   void apply(VolumeSpectrum& strain_to_stress) const override;
-  void correct(Tensor, const double*, double*) const override {}
+  Field far_field(Tensor, const double*) const override { return {}; }
+  void correct(Tensor, const Field&, int, double*) const override {}
 
   std::size_t bytes() const override { return (full_.size() + image_.size()) * sizeof(double); }
 

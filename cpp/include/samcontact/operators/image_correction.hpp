@@ -20,8 +20,10 @@ class ImageCorrection {
   ImageCorrection(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
                   double tol);
 
-  /// stress -= that of the images of `strain`, both [component][k][i][j].
-  void subtract(Tensor tensor, const double* strain, double* stress) const;
+  /// Stress of the images of `strain` [component][k][i][j] on the coarse cells.
+  Field stress(Tensor tensor, const double* strain) const;
+  /// Takes it from one layer of the stress, [component][i][j].
+  void subtract(Tensor tensor, const Field& images, int layer, double* stress) const;
 
   std::size_t bytes() const { return influence_.size() * sizeof(double); }
 

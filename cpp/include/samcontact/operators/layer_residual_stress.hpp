@@ -24,7 +24,8 @@ class LayerResidualStress : public ResidualStress {
                       double image_tol);
 
   void apply(VolumeSpectrum& strain_to_stress) const override;
-  void correct(Tensor tensor, const double* strain, double* stress) const override;
+  Field far_field(Tensor tensor, const double* strain) const override;
+  void correct(Tensor tensor, const Field& far_field, int layer, double* stress) const override;
 
   std::size_t bytes() const override;
 

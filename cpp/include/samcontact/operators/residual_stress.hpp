@@ -13,9 +13,11 @@ class ResidualStress {
   /// Replaces the eigenstrain's spectrum by that of the stress [Pa], all layers.
   virtual void apply(VolumeSpectrum& strain_to_stress) const = 0;
 
-  /// Adds to the stress [component][k][i][j] what its spectrum does not contain; the strain
-  /// likewise.
-  virtual void correct(Tensor tensor, const double* strain, double* stress) const = 0;
+  /// What the spectrum of the stress does not contain, from the strain [component][k][i][j]: opaque
+  /// data for correct().
+  virtual Field far_field(Tensor tensor, const double* strain) const = 0;
+  /// Adds it to one layer of the stress, [component][i][j].
+  virtual void correct(Tensor tensor, const Field& far_field, int layer, double* stress) const = 0;
 
   /// Memory of what is stored.
   virtual std::size_t bytes() const = 0;

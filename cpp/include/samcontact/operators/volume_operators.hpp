@@ -2,6 +2,7 @@
 // All operators of one body's volume, each built when it is first needed.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 
@@ -51,6 +52,11 @@ class VolumeOperators {
 
   /// Stress of an eigenstrain and of tractions; either pointer may be null.
   Field stress(const double* strain, const Tractions* tractions, double shear_sign) const;
+  /// The same layer by layer, in any order and several at once: calls use(layer, stress
+  /// [component][i][j]). spectrum: that of the eigenstrain on entry, zero without one; destroyed.
+  void for_each_layer(VolumeSpectrum& spectrum, const double* strain, const Tractions* tractions,
+                      double shear_sign,
+                      const std::function<void(int layer, const double* stress)>& use) const;
 
   /// Memory of the kernels built so far.
   std::size_t bytes() const;

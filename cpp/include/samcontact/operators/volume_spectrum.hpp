@@ -48,7 +48,10 @@ struct VolumeSpectrum {
 /// that are all zero and skips them.
 void forward(const VolumeTransform& transform, const double* tensor, VolumeSpectrum& out);
 
-/// Back to real space, all layers; destroys the spectrum.
+/// One layer back to real space, [component][i][j]; destroys it in the spectrum. Thread-safe for
+/// different layers.
+void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, int layer, double* tensor);
+/// All layers, [component][k][i][j].
 void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, double* tensor);
 
 }  // namespace samcontact::operators

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "samcontact/plasticity/return_mapping.hpp"
 #include "samcontact/simulation/active_cells.hpp"
 #include "samcontact/simulation/simulation.hpp"
 
@@ -46,7 +47,6 @@ class PlasticIncrement {
     std::vector<operators::VolumeSpectrum> spectrum;  // one, or none without a box
     Field strain;                                     // before the increment plus the last guess
     Field equivalent;                                 // before the increment
-    Field stress;                                     // deviator or all components
     std::vector<int> active;  // per cell: its place among the active ones, or -1
     bool strained = false;
     double rim_displacement = 0.0;  // largest residual displacement at the rim of the window
@@ -65,9 +65,10 @@ class PlasticIncrement {
   Box contact_window() const;
   /// Whether a box had to grow for the contact or, at first, for the elastic stress.
   bool fit_boxes(const Field& gap);
-  void stress(Body& body);
-  void activate(std::uint8_t b, Field& guess);
-  void return_map(Field& guess, Field& mapped, Result& result);
+  /// Stress of the active cells, and the cells that yield and were not active: now they are.
+  void stress(std::uint8_t b, Field& guess);
+  void activate(std::uint8_t b, std::uint32_t cell, const plasticity::Tensor& stress);
+  void return_map(const Field& guess, Field& mapped, Result& result);
   /// Grows the boxes whose rim flows.
   bool grow_at_rim();
 
@@ -81,6 +82,7 @@ class PlasticIncrement {
   operators::Tractions tractions_;
   bool scanned_ = false;
   ActiveCells active_;
+  std::vector<plasticity::Tensor> stress_;  // of the active cells
   Field base_;        // plastic strain of the active cells before the increment
   Field equivalent_;  // increment of the active cells, of the last evaluation
 };
