@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "samcontact/contact/active_set.hpp"
-#include "samcontact/contact/box.hpp"
+#include "samcontact/contact/window.hpp"
 #include "samcontact/contact/coarsening.hpp"
 #include "samcontact/contact/multilevel.hpp"
 #include "samcontact/contact/polonsky_keer.hpp"
@@ -112,27 +112,25 @@ TEST_CASE("refining is linear interpolation between centres") {
   }
 }
 
-TEST_CASE("a box holds pressure and penetration, and gives back what it took") {
-  const int nx = 300, ny = 200;
-  const contact::Box all{0, 0, nx, ny}, empty{0, 0, 0, 0};
-  Field pressure(nx * ny, 0.0), gap(nx * ny, 1.0);
-  CHECK(contact::possible_contact(nx, ny, pressure, gap) == all);
-  pressure[50 * ny + 190] = 1.0;
-  gap[60 * ny + 199] = -1.0;
-  const contact::Box tight = contact::possible_contact(nx, ny, pressure, gap);
-  CHECK(tight == contact::Box{50, 190, 11, 10});
+TEST_CASE("a window holds pressure and penetration, and grows with room") {
+  const Grid grid(300, 200, 1.0, 1.0);
+  const Box all = Box::surface(grid);
+  Field pressure(grid.surface_size(), 0.0), gap(grid.surface_size(), 1.0);
+  CHECK(contact::possible_contact(grid, pressure, gap) == all);
+  pressure[50 * grid.ny + 190] = 1.0;
+  gap[60 * grid.ny + 199] = -1.0;
+  const Box tight = contact::possible_contact(grid, pressure, gap);
+  CHECK(tight == Box{50, 190, 11, 10, 1});
 
-  const contact::Box box = contact::with_margin(nx, ny, tight, empty);
-  CHECK(box == contact::Box{24, 136, 64, 64});
-  CHECK(box.contains(tight));
-  const Field part = contact::extract(box, pressure, ny);
-  CHECK(largest_difference(contact::embed(box, part, ny, pressure.size()), pressure) == 0.0);
+  const Box window = contact::with_margin(grid, tight, {});
+  CHECK(window == Box{24, 136, 64, 64, 1});
+  CHECK(window.contains(tight));
 
-  const contact::Box grown = contact::with_margin(nx, ny, {10, 150, 20, 20}, box);
-  CHECK(grown.contains(box));
-  CHECK(grown.contains({10, 150, 20, 20}));
+  const Box grown = contact::with_margin(grid, {10, 150, 20, 20, 1}, window);
+  CHECK(grown.contains(window));
+  CHECK(grown.contains({10, 150, 20, 20, 1}));
   CHECK_FALSE(grown == all);
-  CHECK(contact::with_margin(nx, ny, {0, 0, 250, 180}, empty) == all);
+  CHECK(contact::with_margin(grid, {0, 0, 250, 180, 1}, {}) == all);
 }
 
 TEST_CASE("rounds of the active set agree with the plain conjugate gradient") {

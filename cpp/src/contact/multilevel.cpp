@@ -10,7 +10,7 @@
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/active_set.hpp"
-#include "samcontact/contact/box.hpp"
+#include "samcontact/contact/window.hpp"
 #include "samcontact/contact/coarsening.hpp"
 #include "samcontact/contact/polonsky_keer.hpp"
 
@@ -74,7 +74,7 @@ class Rounds {
         initial_gap_(initial_gap),
         driver_(driver),
         warm_(warm),
-        box_{0, 0, 0, 0},
+        box_{},
         u_(initial_gap.size()) {
     solution_.pressure = std::move(pressure);
     solution_.gap.resize(initial_gap.size());
@@ -108,21 +108,28 @@ class Rounds {
     solution_.error = complementarity_error(solution_.pressure, u_, solution_.gap);
   }
 
+  /// A surface field over the box.
+  Field part(const Field& field) const {
+    Field over(box_.surface_size());
+    extract(field.data(), Box::surface(grid_), over.data(), box_);
+    return over;
+  }
+
   /// True when contact has become possible outside the box.
   bool choose_box() {
-    const Box box = possible_contact(grid_.nx, grid_.ny, solution_.pressure, solution_.gap);
+    const Box box = possible_contact(grid_, solution_.pressure, solution_.gap);
     if (box_.contains(box)) return false;
-    box_ = with_margin(grid_.nx, grid_.ny, box, box_);
+    box_ = with_margin(grid_, box, box_);
     return true;
   }
 
   void round(bool first, double tol, int max_iterations) {
     const auto near = near_(box_.nx, box_.ny);
     const bool exact = near->displacement.is_exact();
-    NearProblem problem{*near, extract(box_, initial_gap_, grid_.ny), driver_, grid_.cell_area(),
+    NearProblem problem{*near, part(initial_gap_), driver_, grid_.cell_area(),
                         displacement_.self_influence()};
-    Field pressure = extract(box_, solution_.pressure, grid_.ny);
-    Field displacement = extract(box_, u_, grid_.ny);
+    Field pressure = part(solution_.pressure);
+    Field displacement = part(u_);
     if (!exact) {
       Field cheap(displacement.size());
       near->displacement.pressure(pressure.data(), cheap.data(), work_);
@@ -134,7 +141,8 @@ class Rounds {
     const auto result =
         solve_active_set(problem, std::move(pressure), std::move(displacement), first && !warm_,
                          std::max(asked, safety * tol), max_iterations);
-    solution_.pressure = embed(box_, result.pressure, grid_.ny, u_.size());
+    std::fill(solution_.pressure.begin(), solution_.pressure.end(), 0.0);
+    insert(result.pressure.data(), box_, solution_.pressure.data(), Box::surface(grid_));
     solution_.iterations += result.iterations;
     solution_.work += result.operations;
   }

@@ -49,19 +49,11 @@ void fit_extent(int n, int before, bool mirrored, int& begin, int& end) {
   if (mirrored) end = n - begin;
 }
 
+/// Of the cells where a traction acts, for its window only.
 Box bounding_box(const Field& field, const Grid& grid) {
-  int i0 = grid.nx, i1 = -1, j0 = grid.ny, j1 = -1;
-  for (int i = 0; i < grid.nx; ++i) {
-    for (int j = 0; j < grid.ny; ++j) {
-      if (field[static_cast<std::size_t>(i) * grid.ny + j] == 0) continue;
-      i0 = std::min(i0, i);
-      i1 = std::max(i1, i);
-      j0 = std::min(j0, j);
-      j1 = std::max(j1, j);
-    }
-  }
-  if (i1 < 0) return {};
-  return {i0, j0, i1 - i0 + 1, j1 - j0 + 1, 0};
+  Box box = samcontact::bounding_box(grid, [&](std::size_t at) { return field[at] != 0; });
+  box.nz = 0;
+  return box;
 }
 
 /// Components of a field moved into a larger box, zero where it was not.

@@ -109,8 +109,9 @@ std::shared_ptr<const PlasticState> unfolded(const std::shared_ptr<const Plastic
 
 operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,
                             const Box& box) {
-  Box surface = Box::whole(grid), part = box;
-  surface.nz = part.nz = 1;
+  const Box surface = Box::surface(grid);
+  Box part = box;
+  part.nz = 1;
   if (part == surface) return tractions;
   operators::Tractions out;
   const auto cut = [&](const Field& from, Field& to) {

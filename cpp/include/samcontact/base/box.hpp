@@ -2,6 +2,7 @@
 // A part of a grid: a window of the surface and the layers below it, from the surface down.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "samcontact/base/grid.hpp"
@@ -13,6 +14,8 @@ struct Box {
   int nx = 0, ny = 0, nz = 0;
 
   static Box whole(const Grid& grid) { return {0, 0, grid.nx, grid.ny, grid.nz}; }
+  /// All of the surface, as one layer.
+  static Box surface(const Grid& grid) { return {0, 0, grid.nx, grid.ny, 1}; }
 
   bool empty() const { return nx == 0 || ny == 0; }
   bool operator==(const Box&) const = default;
@@ -27,6 +30,23 @@ struct Box {
   /// Wider by `cells` on every side and at the bottom, within the grid.
   Box widened(int cells, const Grid& within) const;
 };
+
+/// The smallest box of one layer around the surface cells that a predicate of their index picks.
+template <class Pick>
+Box bounding_box(const Grid& grid, const Pick& pick) {
+  int i0 = grid.nx, i1 = -1, j0 = grid.ny, j1 = -1;
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      if (!pick(static_cast<std::size_t>(i) * grid.ny + j)) continue;
+      i0 = std::min(i0, i);
+      i1 = std::max(i1, i);
+      j0 = std::min(j0, j);
+      j1 = std::max(j1, j);
+    }
+  }
+  if (i1 < 0) return {};
+  return {i0, j0, i1 - i0 + 1, j1 - j0 + 1, 1};
+}
 
 /// Copies layers [k][i][j] between a box and one that contains it.
 void insert(const double* small, const Box& from, double* large, const Box& into);
