@@ -246,6 +246,8 @@ class ContactSection(Section):
     tol: Annotated[float, Field(ge=1e-11, lt=1.0)] = 1e-6
     increment_tol: Annotated[float, Field(gt=0.0, lt=1.0)] | None = None
     on_border: Literal["error", "warn"] = "error"
+    residual_stress: Literal["auto", "exact", "fast"] = "auto"
+    image_tol: Annotated[float, Field(ge=1e-6, le=0.1)] = 1e-3
 
 
 class Segment(Section):

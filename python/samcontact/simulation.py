@@ -45,10 +45,11 @@ class Simulation:
         An increment is accepted when the relative change of the plastic strain increment and the
         relative yield excess are below; in [1e-11, 1).
     increment_tol : float, optional
-        In [10 tol, 1): divide increments in which a body yields until solving them in one and in
-        two parts differs by less than this, in pressure and equivalent plastic strain relative to
-        their maxima (step doubling: about three times the work). By default increments are taken
-        as given; the error of backward Euler is of first order in them.
+        In [10 tol, 1): divide increments in which a body yields so that the error of their
+        division stays below this, in pressure and equivalent plastic strain relative to their
+        maxima. Each part is solved as a whole and in halves, which are extrapolated to second
+        order. By default increments are taken as given; the error of backward Euler is of first
+        order in them.
     on_border : {"error", "warn"}, optional
         What to do when the contact or the plastic zone reaches the border of the grid.
     max_iterations : int, optional

@@ -69,6 +69,8 @@ def test_defaults_and_steps(write):
         "tol": 1e-6,
         "increment_tol": None,
         "on_border": "error",
+        "residual_stress": "auto",
+        "image_tol": 1e-3,
     }
     assert (case.output.body, case.output.volume, case.output.figures) == (2, "peak_and_last", True)
     assert case.output_directory == Path("results/scene")

@@ -101,20 +101,72 @@ def test_the_load_may_come_at_once_or_in_many_increments():
     assert np.all(np.abs(at_once / fine - 1) < 2e-2)
 
 
-def test_increment_tolerance_bounds_the_error_of_one_increment():
-    # At p0 = 8 GPa a single increment is several per cent off in pressure; the division that the
-    # tolerance asks for must bring it near the finely divided path.
-    load = 11179.0
-    scene = {"load": load, "size": (1.8, 2.4)}
-    reference = two_balls(6, **scene).run(sc.paths.ramp(load=load, increments=24), progress=False)[
-        -1
-    ]
-    single = two_balls(6, **scene).step(load=load)
-    divided = two_balls(6, **scene, increment_tol=5e-3).step(load=load)
-    error = [abs(s.pressure.max() / reference.pressure.max() - 1) for s in (single, divided)]
-    assert error[0] > 0.02
-    assert error[1] < 0.012
-    assert divided.substeps > 4
+class TestWork:
+    """Evaluations of the plastic fixed point, each with one residual stress, to tol 1e-6."""
+
+    @staticmethod
+    def contact_iterations_per_evaluation(simulation):
+        return simulation.counters["contact_iterations"] / simulation.counters["contact_solves"]
+
+    def test_increments_of_five_per_cent(self):
+        simulation = two_balls(16)
+        states = simulation.run(sc.paths.ramp(load=1500.0, increments=20), progress=False)
+        assert max(state.iterations for state in states) <= 8
+        assert self.contact_iterations_per_evaluation(simulation) <= 5
+
+    def test_the_whole_load_at_once(self):
+        simulation = two_balls(16)
+        assert simulation.step(load=1500.0).iterations <= 10
+        assert self.contact_iterations_per_evaluation(simulation) <= 5
+
+    def test_8_GPa_at_once(self):
+        simulation = two_balls(16, load=11179.0, size=(1.8, 2.4))
+        state = simulation.step(load=11179.0)
+        assert state.iterations <= 14
+        assert state.substeps == 1
+        assert self.contact_iterations_per_evaluation(simulation) <= 5
+
+
+@pytest.fixture(scope="module")
+def many():
+    """8 GPa and back in 200 increments: at the peak, and unloaded."""
+    load = TestIncrementTolerance.LOAD
+    simulation = two_balls(8, load=load, size=(1.8, 2.4), body1=STEEL_52100)
+    path = sc.paths.load_unload(load=load, increments=100)
+    states = simulation.run(path, progress=False)
+    assert len(states) == 200
+    return states[99], states[-1]
+
+
+class TestIncrementTolerance:
+    """Two inelastic balls to a Hertz pressure of 8 GPa and back."""
+
+    LOAD = 11179.0
+    TOL = 2e-3
+
+    def divided(self, **options):
+        simulation = two_balls(8, load=self.LOAD, size=(1.8, 2.4), body1=STEEL_52100, **options)
+        return [simulation.step(load=self.LOAD), simulation.step(load=0.0)]
+
+    def errors(self, found, expected):
+        loaded = found[0].pressure.max() / expected[0].pressure.max() - 1
+        strains = [f.equivalent_plastic_strain().max() / e.equivalent_plastic_strain().max() - 1
+                   for f, e in zip(found, expected, strict=True)]  # fmt: skip
+        return np.abs([loaded, *strains])
+
+    def test_is_met_in_few_parts(self, many):
+        states = self.divided(increment_tol=self.TOL)
+        assert (self.errors(states, many) < self.TOL).all()
+        assert sum(state.substeps for state in states) <= 14
+        for state in states:
+            assert state.yield_excess <= 1e-6
+
+    def test_one_increment_is_far_off(self, many):
+        assert (self.errors(self.divided(), many)[:1] > 0.02).all()
+
+    def test_a_looser_one_takes_fewer_parts(self):
+        parts = [sum(s.substeps for s in self.divided(increment_tol=tol)) for tol in (0.05, 2e-3)]
+        assert parts[0] < parts[1]
 
 
 class TestNanoIndentation:
