@@ -105,8 +105,8 @@ struct ImageLattice {
   double aspect;         // of a coarse cell
   int rings_x, rings_y;  // that are summed one by one
 
-  /// The same with a square three times as wide.
-  ImageLattice wider() const { return {cx, cy, aspect, 3 * rings_x + 1, 3 * rings_y + 1}; }
+  /// The same with a wider square.
+  ImageLattice wider() const { return {cx, cy, aspect, 2 * rings_x, 2 * rings_y}; }
   CornerLattice corners() const { return {(rings_x + 1) * 2 * cx, (rings_y + 1) * 2 * cy, aspect}; }
   /// Half widths of the square of summed images.
   double width_x() const { return (rings_x + 0.5) * 2 * cx; }
@@ -158,6 +158,7 @@ Field lattice_sums(const ImageLattice& near, int depths, const Level& level, con
   const int cx = near.cx, cy = near.cy;
   const std::size_t offsets = static_cast<std::size_t>(2 * cx - 1) * (2 * cy - 1);
   const double density = 1.0 / (4.0 * cx * cy);
+  const double gain = std::pow(wide.width_x() / near.width_x(), 3) - 1;
   constexpr double endless = 1e7;
   Field sums(depths * N * offsets);
   for_each_layer_difference<N>(lattice, depths, level, corner, [&](int n, const double* values) {
@@ -185,7 +186,7 @@ Field lattice_sums(const ImageLattice& near, int depths, const Level& level, con
           const std::size_t at = static_cast<std::size_t>(j) * cx + i;
           const double few = near.sum(quarter.data(), lattice.nx, p, i, j) + near_tail[at][m];
           const double many = wide.sum(quarter.data(), lattice.nx, p, i, j) + wide_tail[at][m];
-          const double sum = many + (many - few) / 26;
+          const double sum = many + (many - few) / gain;
           for (const int sj : {-1, 1}) {
             for (const int si : {-1, 1}) {
               const bool negative = (p.odd_x && si < 0) != (p.odd_y && sj < 0);
