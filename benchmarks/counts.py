@@ -37,7 +37,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
     stored = str(folder / f"{NAME}-{across}-{finest}.npz")
     base = f"{finest} increments"
     methods = {base: "make_reference", "2 increments": "cycle", "20 increments": "cycle"}
-    for tol in (3e-2, 1e-2, 3e-3):
+    for tol in (2e-2, 5e-3, 2e-3):
         methods[f"increment_tol {tol:g}"] = "cycle"
     for method, function in methods.items():
         arguments = {"across": across, "method": method, "file": stored}

@@ -10,9 +10,9 @@
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/active_set.hpp"
-#include "samcontact/contact/window.hpp"
 #include "samcontact/contact/coarsening.hpp"
 #include "samcontact/contact/polonsky_keer.hpp"
+#include "samcontact/contact/window.hpp"
 
 namespace samcontact::contact {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "samcontact/base/multiversion.hpp"
+#include "samcontact/base/threads.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/kernels/eigenstrain_terms.hpp"
 #include "samcontact/operators/influence_lattice.hpp"
@@ -323,7 +324,7 @@ Field ImageCorrection::coarse_strain(Tensor tensor, const double* strain) const 
   const std::size_t plane = static_cast<std::size_t>(x_.fine) * y_.fine;
   const int coarse_plane = cx * cy;
   Field layers(static_cast<std::size_t>(parts) * nz * coarse_plane, 0.0);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (2.0 * parts * nz * cy * plane > worth_threads)
   for (int ck = 0; ck < parts * nz; ++ck) {
     const auto parity = kernels::component_parity(places[ck / nz]);
     plane_moments(strain + ck * plane, x_.fine, y_.fine, x_.moments[parity.odd_x].data(), cx,
@@ -353,7 +354,8 @@ Field ImageCorrection::coarse_stress(const Field& strain) const {
   const int cx = x_.coarse, cy = y_.coarse, cz = z_.coarse;
   const int wide = 2 * cx - 1, offsets = wide * (2 * cy - 1);
   Field stress(strain.size(), 0.0);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (12.0 * strain.size() * strain.size() / 6 > \
+                                                  worth_threads)
   for (int target = 0; target < cz * cx; ++target) {
     const int z = target / cx, x = target % cx;
     for (int y = 0; y < cy; ++y) {

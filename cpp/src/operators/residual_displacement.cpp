@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "samcontact/base/threads.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/operators/influence_lattice.hpp"
@@ -52,7 +53,7 @@ void ResidualDisplacement::apply(const VolumeSpectrum& strain, double* displacem
   const int hx = strain.mx / 2 + 1;
   const auto places = components(tensor_);
   Field sum(strain.mh * strain.row_size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (2.0 * strain.data.size() > worth_threads)
   for (int ky = 0; ky < strain.mh; ++ky) {
     double* out = sum.data() + ky * strain.row_size();
     const double* quarter =

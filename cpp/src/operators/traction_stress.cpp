@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/threads.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/kernels/surface_traction.hpp"
@@ -81,7 +82,7 @@ void TractionStress::add(Traction kind, const Field& traction, double scale,
   const Field& spectra = spectra_[static_cast<int>(kind)];
   const int nz = layers(), hx = out.mx / 2 + 1;
   const auto places = components(tensor_);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (2.0 * out.data.size() > worth_threads)
   for (int ky = 0; ky < out.mh; ++ky) {
     const double* in = traction.data() + ky * transform_->row_size();
     const double* quarter =

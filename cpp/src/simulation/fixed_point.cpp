@@ -21,6 +21,8 @@ constexpr double loosest = 1e-6, tightest = 1e-12;
 /// Plastic strain increments below this part of the strain at yield are not resolved further: the
 /// relative change is taken of the larger of the two.
 constexpr double negligible = 1e-3;
+/// With this much below yield everywhere the loosest contact tolerance decides that all is elastic.
+constexpr double safe_headroom = 1e-3;
 /// A residual this much larger than the best one means that the acceleration went astray.
 constexpr double astray = 10.0;
 
@@ -52,7 +54,11 @@ class FixedPoint {
     if (problem_.has_plastic_body()) ++counters_.yield_checks;
     if (!any(mapped_) && contact_tol_ > contact_share * settings_.tol) {
       contact_tol_ = std::max(contact_share * settings_.tol, tightest);
-      evaluate();
+      if (result_.headroom > safe_headroom) {
+        problem_.refine_contact(contact_tol_, result_);
+      } else {
+        evaluate();
+      }
     }
     if (!any(mapped_)) return finish(0);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
 
 namespace samcontact::simulation {
@@ -153,7 +154,7 @@ void PlasticIncrement::set_box(Body& body, const Box& box) {
 
 void PlasticIncrement::scatter(const Field& guess) {
   const std::ptrdiff_t count = active_.size();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (30.0 * count > worth_threads)
   for (std::ptrdiff_t n = 0; n < count; ++n) {
     const auto [b, cell] = active_.cells[n];
     Body& body = bodies_[b];
@@ -294,7 +295,7 @@ void PlasticIncrement::activate(std::uint8_t b, std::uint32_t cell,
   put(before, base_, n, components_);
 }
 
-void PlasticIncrement::stress(std::uint8_t b, Field& guess) {
+void PlasticIncrement::stress(std::uint8_t b, Field& guess, Result& result) {
   Body& body = bodies_[b];
   auto& spectrum = body.spectrum[0];
   if (!body.strained) std::fill(spectrum.data.begin(), spectrum.data.end(), 0.0);
@@ -305,8 +306,10 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess) {
 
   using Found = std::pair<std::uint32_t, plasticity::Tensor>;
   std::vector<std::vector<Found>> found(body.box.nz);
+  std::vector<double> largest(body.box.nz, 0.0);  // (von Mises / yield stress)^2
   const auto look = [&](int k, const double* layer) {
     const double* s[6];
+    double highest = 0.0;
     for (int c = 0; c < 6; ++c) s[c] = layer + (deviator ? (c < 3 ? c : c - 1) : c) * plane;
     for (std::size_t i = 0; i < plane; ++i) {
       const std::size_t cell = k * plane + i;
@@ -320,9 +323,13 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess) {
           xx * xx + yy * yy + xx * yy + s[3][i] * s[3][i] + s[4][i] * s[4][i] + s[5][i] * s[5][i];
       const int active = body.active[cell];
       if (active < 0) {
-        if (second <= bound) continue;
-        const double g = body.equivalent[cell];
-        if (g > 0 && std::sqrt(3 * second) <= hardening.yield_stress(g)) continue;
+        double limit = bound;
+        if (second > bound && body.equivalent[cell] > 0) {
+          const double yield_stress = hardening.yield_stress(body.equivalent[cell]);
+          limit = yield_stress * yield_stress / 3;
+        }
+        highest = std::max(highest, second / limit);
+        if (second <= limit) continue;
       }
       const plasticity::Tensor t{xx, yy, -(xx + yy), s[3][i], s[4][i], s[5][i]};
       if (active >= 0) {
@@ -331,6 +338,7 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess) {
         found[k].emplace_back(static_cast<std::uint32_t>(cell), t);
       }
     }
+    largest[k] = highest;
   };
   const operators::Tractions here = window(tractions_, scene_.grid, body.box);
   body.operators->for_each_layer(spectrum, body.strained ? body.strain.data() : nullptr, &here,
@@ -338,6 +346,8 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess) {
   for (const auto& layer : found) {
     for (const auto& [cell, t] : layer) activate(b, cell, t);
   }
+  const double highest = *std::max_element(largest.begin(), largest.end());
+  result.headroom = std::min(result.headroom, 1 - std::sqrt(highest));
   guess.resize(active_.size() * components_, 0.0);
 }
 
@@ -347,7 +357,8 @@ void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& res
   equivalent_.resize(count);
   double excess = 0.0, overshoot = 0.0;
   Field yield_strains(count);
-#pragma omp parallel for schedule(static) reduction(max : excess, overshoot)
+#pragma omp parallel for schedule(static) \
+    reduction(max : excess, overshoot) if (400.0 * count > worth_threads)
   for (std::ptrdiff_t n = 0; n < count; ++n) {
     const auto [b, cell] = active_.cells[n];
     const Body& body = bodies_[b];
@@ -406,7 +417,7 @@ bool PlasticIncrement::grow_at_rim() {
 PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact_tol,
                                                     Field& mapped) {
   scatter(guess);
-  Field gap = scene_.initial_gap;
+  gap_ = scene_.initial_gap;
   const auto transform = [](Body& body) {
     if (body.strained) {
       operators::forward(body.operators->transform(), body.strain.data(), body.spectrum[0]);
@@ -416,21 +427,25 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
     body.strained = body.strained || !active_.cells.empty();
     if (body.box.empty()) body.strained = false;
     transform(body);
-    residual_displacement(body, gap);
+    residual_displacement(body, gap_);
   }
   Result result;
-  result.contact = solve_contact(gap, contact_tol);
+  result.contact = solve_contact(gap_, contact_tol);
   if (fit_boxes(result.contact.gap)) {
     result.grown =
         std::any_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.strained; });
     for (Body& body : bodies_) transform(body);
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (!bodies_[b].box.empty()) stress(static_cast<std::uint8_t>(b), guess);
+    if (!bodies_[b].box.empty()) stress(static_cast<std::uint8_t>(b), guess, result);
   }
   return_map(guess, mapped, result);
   result.grown = grow_at_rim() || result.grown;
   return result;
+}
+
+void PlasticIncrement::refine_contact(double contact_tol, Result& result) {
+  result.contact = solve_contact(gap_, contact_tol);
 }
 
 State PlasticIncrement::finish(const Field& mapped, const Result& result) {

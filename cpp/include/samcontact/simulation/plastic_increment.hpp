@@ -25,12 +25,17 @@ class PlasticIncrement {
     double overshoot = 0.0;  // largest relative yield excess of the trial stress
     /// Euclidean norm over the flowing cells of the strain at yield, yield stress / 3 G.
     double yield_strain_norm = 0.0;
+    /// Smallest (yield stress - von Mises)/yield stress of the cells that are not active.
+    double headroom = 1.0;
     bool grown = false;  // a box was too small: evaluate again before accepting
   };
 
   /// mapped = G(guess). New active cells are appended to both. contact_tol applies to load and
   /// approach.
   Result evaluate(Field& guess, double contact_tol, Field& mapped);
+
+  /// The contact of the last evaluation to a finer tolerance; all else stays.
+  void refine_contact(double contact_tol, Result& result);
 
   bool has_plastic_body() const { return !bodies_.empty(); }
 
@@ -66,7 +71,7 @@ class PlasticIncrement {
   /// Whether a box had to grow for the contact or, at first, for the elastic stress.
   bool fit_boxes(const Field& gap);
   /// Stress of the active cells, and the cells that yield and were not active: now they are.
-  void stress(std::uint8_t b, Field& guess);
+  void stress(std::uint8_t b, Field& guess, Result& result);
   void activate(std::uint8_t b, std::uint32_t cell, const plasticity::Tensor& stress);
   void return_map(const Field& guess, Field& mapped, Result& result);
   /// Grows the boxes whose rim flows.
@@ -80,6 +85,7 @@ class PlasticIncrement {
   std::vector<Body> bodies_;  // inelastic ones
   int components_ = 5;
   operators::Tractions tractions_;
+  Field gap_;  // without the elastic displacement, of the last evaluation
   bool scanned_ = false;
   ActiveCells active_;
   std::vector<plasticity::Tensor> stress_;  // of the active cells
