@@ -8,6 +8,7 @@
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -65,7 +66,7 @@ class ActiveSet {
   template <class Change>
   void for_each_cell(const Change& change) {
     const std::ptrdiff_t n = n_;
-#pragma omp parallel for schedule(static) if (n >= worth_threads)
+#pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
     for (std::ptrdiff_t i = 0; i < n; ++i) change(i);
   }
 
@@ -120,7 +121,7 @@ class ActiveSet {
     double residual = 0.0, lowest_gap = 0.0, lowest_p = 0.0, highest_p = 0.0, highest_u = 0.0;
     const std::ptrdiff_t n = n_;
 #pragma omp parallel for schedule(static) reduction(max : residual, highest_p, highest_u) \
-    reduction(min : lowest_gap, lowest_p) if (n >= worth_threads)
+    reduction(min : lowest_gap, lowest_p) if (n >= worth_threads_cells)
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       const double g = problem_.gap[i] + u_[i] - shift;
       r_[i] = working_[i] ? g : 0.0;

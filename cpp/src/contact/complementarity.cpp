@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
 
 namespace samcontact::contact {
 
@@ -24,7 +25,7 @@ double complementarity_error(const Field& pressure, const Field& displacement, c
   }
   double largest = 0.0;
   const std::ptrdiff_t n = gap.size();
-#pragma omp parallel for schedule(static) reduction(max : largest) if (n >= worth_threads)
+#pragma omp parallel for schedule(static) reduction(max : largest) if (n >= worth_threads_cells)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     largest = std::max(largest, std::fabs(std::min(pressure[i] / p_max, gap[i] / u_max)));
   }
@@ -46,7 +47,7 @@ double scale_to_sum(Field& pressure, double sum) {
 double close_gap(const Field& initial_gap, const Field& displacement, const Field& pressure,
                  Driver driver, Field& gap) {
   const std::ptrdiff_t n = initial_gap.size();
-#pragma omp parallel for schedule(static) if (n >= worth_threads)
+#pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
   for (std::ptrdiff_t i = 0; i < n; ++i) gap[i] = initial_gap[i] + displacement[i];
   const double approach = driver.is_load() ? contact_mean(pressure, gap) : driver.value;
   for (double& g : gap) g -= approach;

@@ -3,13 +3,9 @@
 
 #include <algorithm>
 
+#include "samcontact/base/threads.hpp"
+
 namespace samcontact::fft {
-namespace {
-
-/// Padded points below which starting the threads costs more than they save.
-constexpr std::size_t worth_threads = 1 << 15;
-
-}  // namespace
 
 PaddedTransform::PaddedTransform(int nx, int ny, int least_mx, int least_my)
     : nx_(nx),
@@ -33,7 +29,7 @@ PaddedTransform::PaddedTransform(int nx, int ny, int least_mx, int least_my)
 void PaddedTransform::forward(const double* plane, Complex* spectrum, std::size_t stride,
                               Threads threads) const {
   const int h = mh();
-#pragma omp parallel if (threads == Threads::many && spectrum_size() >= worth_threads)
+#pragma omp parallel if (threads == Threads::many && spectrum_size() >= worth_threads_cells)
   {
     Field real(static_cast<std::size_t>(block) * my_);
     ComplexField half(static_cast<std::size_t>(block) * h);
@@ -62,7 +58,7 @@ void PaddedTransform::forward(const double* plane, Complex* spectrum, std::size_
 void PaddedTransform::inverse(Complex* spectrum, double* plane, std::size_t stride,
                               Threads threads) const {
   const int h = mh();
-#pragma omp parallel if (threads == Threads::many && spectrum_size() >= worth_threads)
+#pragma omp parallel if (threads == Threads::many && spectrum_size() >= worth_threads_cells)
   {
     Field real(static_cast<std::size_t>(block) * my_);
     ComplexField half(static_cast<std::size_t>(block) * h);

@@ -4,13 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "samcontact/base/threads.hpp"
+
 namespace samcontact::fft {
-namespace {
-
-/// Points below which starting the threads costs more than they save.
-constexpr std::size_t worth_threads = 1 << 15;
-
-}  // namespace
 
 double filter_cost(int nx, int mx, int my) {
   return 0.5 * nx * my * std::log2(my) + (0.5 * my + 1) * mx * std::log2(mx);
@@ -21,7 +17,7 @@ PeriodicTransform::PeriodicTransform(int nx, int ny, int mx, int my)
       ny_(ny),
       mx_(mx),
       my_(my),
-      many_threads_(static_cast<std::size_t>(mx) * (my / 2 + 1) >= worth_threads) {
+      many_threads_(static_cast<std::size_t>(mx) * (my / 2 + 1) >= worth_threads_cells) {
   Field real(static_cast<std::size_t>(block) * my_);
   ComplexField half(static_cast<std::size_t>(block) * hy());
   ComplexField column(mx_);

@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 
+#include "samcontact/base/threads.hpp"
 #include "samcontact/kernels/surface_traction.hpp"
 #include "samcontact/operators/influence_lattice.hpp"
 
@@ -13,8 +14,6 @@ namespace {
 
 /// Shorter boxes are padded in full: their coarse grid would be as fine as the box.
 constexpr int shortest_side = 64;
-/// Cells below which starting the threads costs more than they save.
-constexpr int worth_threads = 1 << 15;
 /// Coarse cells along a box; eight of them fit into the shortest distance across the seam.
 constexpr int coarse_count = 64;
 
@@ -110,7 +109,7 @@ void NearDisplacement::add_far(const double* pressure, double* displacement,
   const int nx = x_.cells, ny = y_.cells, cx = x_.coarse_cells(), cy = y_.coarse_cells();
   Field rows(static_cast<std::size_t>(nx) * cy), coarse(static_cast<std::size_t>(cx) * cy, 0.0);
   // Threads gather, each row for itself, so that no sum depends on their number.
-#pragma omp parallel for schedule(static) if (nx * ny >= worth_threads)
+#pragma omp parallel for schedule(static) if (nx * ny >= worth_threads_cells)
   for (int i = 0; i < nx; ++i) {
     const double* p = pressure + static_cast<std::size_t>(i) * ny;
     double* row = rows.data() + static_cast<std::size_t>(i) * cy;
@@ -129,7 +128,7 @@ void NearDisplacement::add_far(const double* pressure, double* displacement,
     }
   }
   far_transform_->filter(coarse.data(), far_.data(), coarse.data(), work);
-#pragma omp parallel for schedule(static) if (nx * ny >= worth_threads)
+#pragma omp parallel for schedule(static) if (nx * ny >= worth_threads_cells)
   for (int i = 0; i < nx; ++i) {
     const double* from = coarse.data() + static_cast<std::size_t>(x_.lower(i)) * cy;
     const double w0 = x_.weight(i, x_.lower(i)), w1 = 1.0 - w0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "samcontact/base/threads.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
 #include "samcontact/fft/periodic_transform.hpp"
 #include "samcontact/kernels/surface_traction.hpp"
@@ -25,16 +26,13 @@ Field influence(const Grid& grid, const fft::ParitySpectrum& spectrum,
   return quarter;
 }
 
-/// Coefficients below which starting the threads costs more than they save.
-constexpr std::size_t worth_threads = 1 << 15;
-
 /// out = convolution of `in` with the kernel whose real quarter spectrum is given.
 void convolve(const fft::PaddedTransform& transform, const Field& quarter, kernels::Parity parity,
               const double* in, double* out, ComplexField& spectrum) {
   const int mx = transform.mx(), mh = transform.mh(), hx = mx / 2 + 1;
   spectrum.resize(transform.spectrum_size());
   transform.forward(in, spectrum.data(), mx, fft::PaddedTransform::Threads::many);
-#pragma omp parallel if (spectrum.size() >= worth_threads)
+#pragma omp parallel if (spectrum.size() >= worth_threads_cells)
   {
     ComplexField column(mx);
 #pragma omp for schedule(static)

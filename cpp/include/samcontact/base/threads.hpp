@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// When threads pay: below these sizes waking them costs more than they save. Digits do not depend
+// on it.
 #pragma once
+
+#include <cstddef>
 
 namespace samcontact {
 
-/// Floating-point operations (a power counts as a hundred) below which waking the threads costs
-/// more than they save. The digits do not depend on it.
+/// Floating-point operations of a loop, a power counting as a hundred.
 constexpr double worth_threads = 1e5;
+/// Cells of a loop with a few operations each, or of a transform.
+constexpr std::ptrdiff_t worth_threads_cells = 1 << 15;
 
 }  // namespace samcontact

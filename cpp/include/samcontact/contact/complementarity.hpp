@@ -40,9 +40,6 @@ struct Solution {
   std::string border_complaint;
 };
 
-/// Cells below which starting the threads costs more than they save.
-constexpr std::ptrdiff_t worth_threads = 1 << 15;
-
 /// Mean of a field over the cells with pressure; 0 without any.
 double contact_mean(const Field& pressure, const Field& field);
 
