@@ -20,7 +20,7 @@ constexpr double contact_share = 1e-2;
 constexpr double loosest = 1e-6, tightest = 1e-12;
 /// Plastic strain increments below this part of the strain at yield are not resolved further: the
 /// relative change is taken of the larger of the two.
-constexpr double negligible = 1e-3;
+constexpr double negligible = 1e-2;
 /// With this much below yield everywhere the loosest contact tolerance decides that all is elastic.
 constexpr double safe_headroom = 1e-3;
 /// A residual this much larger than the best one means that the acceleration went astray.

@@ -74,12 +74,7 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
   if (from_.method == operators::ResidualMethod::exact) return Symmetry::none;
   Symmetry symmetry = scene_.symmetry();
   if (target_.kind == Target::Kind::tractions) {
-    symmetry = symmetry_of(target_.tractions.pressure, scene_.grid);
-    if (!target_.tractions.shear_y.empty()) return Symmetry::none;
-    const Field& shear = target_.tractions.shear_x;
-    if (!shear.empty()) {
-      symmetry = common(symmetry, common(Symmetry::y, symmetry_of(shear, scene_.grid)));
-    }
+    symmetry = symmetry_of(target_.tractions, scene_.grid);
   }
   for (const auto& history : from_.plastic) {
     if (history) symmetry = common(symmetry, history->symmetry);
@@ -364,15 +359,15 @@ void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& res
     const Body& body = bodies_[b];
     const auto& material = scene_.materials[body.index];
     const double shear_modulus = material.elastic.shear_modulus();
-    const auto r =
-        plasticity::radial_return(stress_[n], tensor_of(guess, n, components_),
-                                  body.equivalent[cell], shear_modulus, material.hardening);
+    const auto present = tensor_of(guess, n, components_);
+    const auto r = plasticity::radial_return(stress_[n], present, body.equivalent[cell],
+                                             shear_modulus, material.hardening);
     put(r.increment, mapped, n, components_);
     equivalent_[n] = r.equivalent;
     excess = std::max(excess, r.excess);
     overshoot = std::max(overshoot, r.overshoot);
-    yield_strains[n] =
-        r.equivalent > 0 ? material.hardening.yield_stress(0.0) / (3 * shear_modulus) : 0.0;
+    const bool flows = r.equivalent > 0 || present != plasticity::Tensor{};
+    yield_strains[n] = flows ? material.hardening.yield_stress(0.0) / (3 * shear_modulus) : 0.0;
   }
   result.excess = excess;
   result.overshoot = overshoot;

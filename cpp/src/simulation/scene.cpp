@@ -77,7 +77,7 @@ fft::Symmetry symmetry_of(const Field& field, const Grid& grid) {
   const auto at = [&](int i, int j) { return field[static_cast<std::size_t>(i) * grid.ny + j]; };
   double largest = 0.0;
   for (const double value : field) largest = std::max(largest, std::fabs(value));
-  const double rounding = 1e-12 * largest;
+  const double rounding = 1e-10 * largest;
   bool x = true, y = true;
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
@@ -87,6 +87,15 @@ fft::Symmetry symmetry_of(const Field& field, const Grid& grid) {
   }
   if (!y) return fft::Symmetry::none;
   return x ? fft::Symmetry::xy : fft::Symmetry::y;
+}
+
+fft::Symmetry symmetry_of(const operators::Tractions& tractions, const Grid& grid) {
+  if (!tractions.shear_y.empty()) return fft::Symmetry::none;
+  fft::Symmetry symmetry = symmetry_of(tractions.pressure, grid);
+  if (!tractions.shear_x.empty()) {
+    symmetry = common(symmetry, common(fft::Symmetry::y, symmetry_of(tractions.shear_x, grid)));
+  }
+  return symmetry;
 }
 
 fft::Symmetry common(fft::Symmetry a, fft::Symmetry b) { return std::min(a, b); }

@@ -146,24 +146,44 @@ Field State::gap() const {
 Field State::total_stress(int body, bool with_tractions) const {
   const Grid& grid = scene_->grid;
   scene_->require_volume(body);
-  const auto history = unfolded(plastic[body], grid, fft::Symmetry::none);
   const double sign = body == 1 ? 1.0 : -1.0;
   const Box whole = Box::whole(grid);
-  if (!history && !with_tractions) return Field(6 * grid.volume_size(), 0.0);
-  const auto everywhere = scene_->volume(body, whole, Tensor::full, method);
-  if (!history) return everywhere->stress(nullptr, &tractions, sign);
-  const Field strain = six_components(*history);
-  Field out = everywhere->stress(embed(strain, history->box, grid, 6).data(),
-                                 with_tractions ? &tractions : nullptr, sign);
-  if (history->box == whole || method == operators::ResidualMethod::exact) return out;
-  // In the box itself the very stress that the flow was computed with: the two differ by what the
-  // fast operator's period changes.
-  const auto inside = scene_->volume(body, history->box, Tensor::full, method);
+  if (!plastic[body] && !with_tractions) return Field(6 * grid.volume_size(), 0.0);
+
+  // In the box the very stress that the flow was computed with: the fast operator depends a little
+  // on period and mirrors.
+  const bool exact = method == operators::ResidualMethod::exact;
+  auto symmetry = fft::Symmetry::none;
+  if (plastic[body] && !exact) {
+    symmetry = plastic[body]->symmetry;
+    if (with_tractions) symmetry = common(symmetry, symmetry_of(tractions, grid));
+  }
+  const auto history = unfolded(plastic[body], grid, symmetry);
+  const Box box = history ? whole_box(history->box, grid, symmetry) : Box{};
+
+  Field out;
+  if (exact || box != whole) {
+    const auto all = unfolded(history, grid, fft::Symmetry::none);
+    const Field strain = all ? embed(six_components(*all), box, grid, 6) : Field{};
+    out = scene_->volume(body, whole, Tensor::full, method)
+              ->stress(all ? strain.data() : nullptr, with_tractions ? &tractions : nullptr, sign);
+    if (!history || exact) return out;
+  } else {
+    out.resize(6 * grid.volume_size());
+  }
+  const auto operators = scene_->volume(body, box, Tensor::full, method, symmetry);
   const operators::Tractions here = window(tractions, grid, history->box);
-  const Field part = inside->stress(strain.data(), with_tractions ? &here : nullptr, sign);
+  const Field part =
+      operators->stress(six_components(*history).data(), with_tractions ? &here : nullptr, sign);
+  Field plane(box.surface_size());
+  Box layer = box, surface = Box::surface(grid);
+  layer.nz = 1;
   for (int c = 0; c < 6; ++c) {
-    insert(part.data() + c * history->box.volume_size(), history->box,
-           out.data() + c * grid.volume_size(), whole);
+    for (int k = 0; k < box.nz; ++k) {
+      unfold(part.data() + (c * box.nz + k) * history->box.surface_size(), history->box, symmetry,
+             c == 4 || c == 5, c == 3 || c == 5, plane.data(), box, grid);
+      insert(plane.data(), layer, out.data() + (c * grid.nz + k) * grid.surface_size(), surface);
+    }
   }
   return out;
 }

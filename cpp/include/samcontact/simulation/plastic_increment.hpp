@@ -23,7 +23,8 @@ class PlasticIncrement {
     contact::Solution contact;
     double excess = 0.0;     // largest relative yield excess of the stress
     double overshoot = 0.0;  // largest relative yield excess of the trial stress
-    /// Euclidean norm over the flowing cells of the strain at yield, yield stress / 3 G.
+    /// Euclidean norm, over the cells that flow now or in the guess, of the strain at yield, yield
+    /// stress / 3 G.
     double yield_strain_norm = 0.0;
     /// Smallest (yield stress - von Mises)/yield stress of the cells that are not active.
     double headroom = 1.0;

@@ -57,8 +57,10 @@ class Scene {
   mutable std::list<Kept> kept_;  // the latest used first
 };
 
-/// Mirror planes of a surface field, to 1e-12 of its largest value.
+/// Mirror planes of a surface field, to 1e-10 of its largest value.
 fft::Symmetry symmetry_of(const Field& field, const Grid& grid);
+/// Those of tractions, which are along x and y.
+fft::Symmetry symmetry_of(const operators::Tractions& tractions, const Grid& grid);
 /// Those that both have.
 fft::Symmetry common(fft::Symmetry a, fft::Symmetry b);
 /// The cells of the grid from the mirror planes on, all layers.
