@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "samcontact/contact/active_set.hpp"
-#include "samcontact/contact/window.hpp"
 #include "samcontact/contact/coarsening.hpp"
 #include "samcontact/contact/multilevel.hpp"
 #include "samcontact/contact/polonsky_keer.hpp"
+#include "samcontact/contact/window.hpp"
 
 using namespace samcontact;
 
