@@ -15,6 +15,7 @@ namespace {
 // Wavenumbers handled together: one AVX-512 register of doubles.
 constexpr int width = VolumeTransform::lanes;
 using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = double;
+using Loose [[gnu::vector_size(width * sizeof(double)), gnu::may_alias, gnu::aligned(8)]] = double;
 
 /// What a wavenumber q needs, x = q h with the layer thickness h, all means over a layer.
 enum Coefficient {
@@ -53,12 +54,145 @@ void fill_mode(double kx, double ky, double h, double* mode, int step) {
   set(surface_linear, (gone - x * e) / x);
 }
 
-/// Eigenstress of a layer in the frame turned along the wavevector (1 along it, 2 across), with the
-/// 13 and 23 components multiplied by i: then everything is real.
-enum Turned { t11, t22, t33, t12, t13, t23, turned_count };
-/// Sums over the layers on one side: of the combinations that act through exp(-q r), and of the one
-/// that acts through q r exp(-q r).
-enum Side { side_c, side_d, side_linear, side_antiplane, side_count };
+#define SAMCONTACT_INLINE [[gnu::always_inline]] inline
+
+/// One block of wavenumbers.
+struct Mode {
+  Lanes of[coefficient_count];
+
+  SAMCONTACT_INLINE Mode(const double* row, int step) {
+    for (int n = 0; n < coefficient_count; ++n) {
+      of[n] = *reinterpret_cast<const Loose*>(row + n * step);
+    }
+  }
+  SAMCONTACT_INLINE const Lanes& operator[](Coefficient c) const { return of[c]; }
+};
+
+/// What depends on the material; lame and twice_mu carry the normalisation of the transforms.
+struct Constants {
+  double nu, kappa, ratio, lame, twice_mu;
+};
+
+/// A symmetric tensor in the frame turned along the wavevector (1 along it, 2 across), with 13 and
+/// 23 multiplied by i: then everything is real.
+struct Turned {
+  Lanes t11, t22, t33, t12, t13, t23;
+};
+
+/// v: xx, yy, zz, yz, xz, xy of the strain.
+SAMCONTACT_INLINE void eigenstress(const Mode& mode, const Constants& k, const Lanes* v,
+                                   Turned& t) {
+  const Lanes c = mode[direction_x], s = mode[direction_y];
+  const Lanes trace = k.lame * (v[0] + v[1] + v[2]);
+  const Lanes xx = c * v[0] + s * v[5], xy = c * v[5] + s * v[1];
+  const Lanes yx = c * v[5] - s * v[0], yy = c * v[1] - s * v[5];
+  t.t11 = trace + k.twice_mu * (c * xx + s * xy);
+  t.t22 = trace + k.twice_mu * (c * yy - s * yx);
+  t.t33 = trace + k.twice_mu * v[2];
+  t.t12 = k.twice_mu * (c * xy - s * xx);
+  t.t13 = k.twice_mu * (c * v[4] + s * v[3]);
+  t.t23 = k.twice_mu * (c * v[3] - s * v[4]);
+}
+
+/// Back to xx, yy, zz, yz, xz, xy.
+SAMCONTACT_INLINE void turn_back(const Mode& mode, const Turned& t, bool deviator, Lanes* v) {
+  const Lanes c = mode[direction_x], s = mode[direction_y];
+  const Lanes ax = c * t.t11 - s * t.t12, ay = c * t.t12 - s * t.t22;
+  const Lanes bx = s * t.t11 + c * t.t12, by = s * t.t12 + c * t.t22;
+  v[0] = c * ax - s * ay;
+  v[1] = s * bx + c * by;
+  v[2] = t.t33;
+  v[3] = s * t.t13 + c * t.t23;
+  v[4] = c * t.t13 - s * t.t23;
+  v[5] = s * ax + c * ay;
+  if (deviator) {
+    const Lanes mean = (t.t11 + t.t22 + t.t33) * (1.0 / 3);
+    v[0] -= mean;
+    v[1] -= mean;
+  }
+}
+
+/// The sums over the layers on one side: c, d and o act through exp(-q r), w through q r exp(-q r).
+struct Sums {
+  Lanes c{}, d{}, w{}, o{};
+
+  /// All layers are one further away.
+  SAMCONTACT_INLINE void recede(const Lanes& decay_) {
+    c *= decay_;
+    d *= decay_;
+    w *= decay_;
+    o *= decay_;
+    w += d - c;
+  }
+  /// One more layer next to the receiver, above it (sign 1) or below (-1).
+  SAMCONTACT_INLINE void add(const Turned& t, double sign) {
+    c += t.t11 + sign * t.t13;
+    d += t.t33 - sign * t.t13;
+    w += t.t33 - t.t11 - 2 * sign * t.t13;
+    o += t.t12 + sign * t.t23;
+  }
+  /// Their integrals, eq. (23) of docs/theory.md, as means over the receiving layer.
+  SAMCONTACT_INLINE Sums integrals(const Mode& mode) const {
+    const Lanes g = mode[other];
+    Sums i;
+    i.c = g * c;
+    i.d = g * d;
+    i.w = g * (mode[thickness] * w - mode[other_shift] * (d - c));
+    i.o = g * o;
+    return i;
+  }
+  /// Adds the half of the receiving layer itself that lies on this side.
+  SAMCONTACT_INLINE void add_own(const Mode& mode, const Turned& t, double sign) {
+    const Lanes g0 = mode[own], g1 = mode[own_linear];
+    c += g0 * (t.t11 + sign * t.t13);
+    d += g0 * (t.t33 - sign * t.t13);
+    w += g1 * (t.t33 - t.t11 - 2 * sign * t.t13);
+    o += g0 * (t.t12 + sign * t.t23);
+  }
+};
+
+/// Stress of the infinite space from the integrals above and below, eq. (24).
+SAMCONTACT_INLINE void infinite_space(const Constants& k, const Sums& above, const Sums& below,
+                                      const Turned& t, Turned& s) {
+  const Lanes c = above.c + below.c, d = above.d + below.d;
+  const Lanes trace = k.ratio * (d - c - t.t33);
+  const Lanes bulk = k.kappa * (above.w + below.w - c - d);
+  s.t11 = 2.0 * c - trace + bulk - t.t11;
+  s.t22 = -trace - t.t22;
+  s.t33 = -c - d - bulk;
+  s.t13 = (below.c + below.d) - (above.c + above.d) +
+          k.kappa * ((2.0 * above.d - above.w) - (2.0 * below.d - below.w));
+  s.t12 = above.o + below.o - t.t12;
+  s.t23 = below.o - above.o;
+}
+
+/// The traction that frees the surface: normal, along and across.
+struct Traction {
+  Lanes normal{}, along{}, across{};
+
+  /// Opposite to that of the infinite space; r: sums over all layers as seen from one layer above
+  /// the surface.
+  SAMCONTACT_INLINE void cancel(const Mode& mode, const Constants& k, const Sums& r) {
+    const Lanes x = mode[thickness], gone = 1.0 - mode[decay];
+    const Lanes c = 0.5 * gone * r.c, d = 0.5 * gone * r.d, step = r.d - r.c;
+    const Lanes w = 0.5 * (x * gone * (r.w - step) + (gone - x * mode[decay]) * step);
+    normal = (1 - k.kappa) * (c + d) + k.kappa * w;
+    along = -(c + d) + k.kappa * (2.0 * d - w);
+    across = -0.5 * gone * r.o;
+  }
+  /// Adds the stress of the half-space under it, eq. (25); mean over a layer of exp(-q z) and of
+  /// q z exp(-q z).
+  SAMCONTACT_INLINE void add(const Constants& k, const Lanes& e, const Lanes& linear,
+                             Turned& s) const {
+    const Lanes f = normal - along, deep = f * linear;
+    s.t11 += (normal - 2.0 * along) * e - deep;
+    s.t22 += 2 * k.nu * f * e;
+    s.t33 += normal * e + deep;
+    s.t13 += along * e + deep;
+    s.t12 -= across * e;
+    s.t23 += across * e;
+  }
+};
 
 struct Layout {
   int nz;
@@ -66,11 +200,17 @@ struct Layout {
   /// By how many quarter turns the stored xx, yy, zz, yz, xz, xy differ from the turned ones.
   int turns[6];
   std::size_t component_step, layer_step;  // of the spectrum, in doubles
+
+  /// Place of component m in the spectrum; a deviator has no zz.
+  SAMCONTACT_INLINE double* at(double* values, int m, int layer) const {
+    const int place = deviator && m > 2 ? m - 1 : m;
+    return values + place * component_step + layer * layer_step;
+  }
 };
 
 /// parts numbers (re + i im, or a real one) times i^turns.
 template <int parts>
-[[gnu::always_inline]] inline void rotate(Lanes* v, int turns) {
+SAMCONTACT_INLINE void rotate(Lanes* v, int turns) {
   if (turns & 2) {
     for (int p = 0; p < parts; ++p) v[p] = -v[p];
   }
@@ -83,186 +223,112 @@ template <int parts>
   }
 }
 
-/// Replaces the strain of one block of wavenumbers by its stress. values: the block's row of
-/// component 0 and layer 0, complex numbers interleaved. turned: [layer][Turned][part], side:
-/// [layer][Side][part], scratch.
+/// Components of one layer, v[part][component], from the spectrum (complex numbers interleaved).
 template <int parts>
-[[gnu::always_inline]] inline void sweep(const Layout& at, const char* used, const double* mode,
-                                         int mode_step, double nu, double lame, double twice_mu,
-                                         double* values, Lanes* turned, Lanes* side) {
-  using Loose [[gnu::vector_size(width * sizeof(double)), gnu::may_alias, gnu::aligned(8)]] =
-      double;
-  Lanes of[coefficient_count];
-  for (int n = 0; n < coefficient_count; ++n) {
-    of[n] = *reinterpret_cast<const Loose*>(mode + n * mode_step);
+SAMCONTACT_INLINE void load(const Layout& layout, double* values, int layer, Lanes v[][6]) {
+  for (int m = 0; m < 6; ++m) {
+    if (layout.deviator && m == 2) continue;
+    const double* from = layout.at(values, m, layer);
+    Lanes number[parts];
+    const Loose a = *reinterpret_cast<const Loose*>(from);
+    if constexpr (parts == 1) {
+      number[0] = a;
+    } else {
+      const Loose b = *reinterpret_cast<const Loose*>(from + width);
+      number[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
+      number[1] = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
+    }
+    rotate<parts>(number, layout.turns[m]);
+    for (int p = 0; p < parts; ++p) v[p][m] = number[p];
   }
-  const Lanes c = of[direction_x], s = of[direction_y], x = of[thickness], e = of[decay];
-  const Lanes g0 = of[own], g1 = of[own_linear], g = of[other], shift = of[other_shift];
-  const double kappa = 1 / (2 * (1 - nu)), ratio = nu / (1 - nu);
-  const int nz = at.nz;
-  constexpr int last = turned_count * parts;
-  // Places of xx, yy, zz, yz, xz, xy in the spectrum; a deviator has no zz.
-  const int after = at.deviator ? 0 : 1;
-  const int places[6] = {0, 1, 2, 2 + after, 3 + after, 4 + after};
-
-  // Eigenstress in the turned frame; the sums over the layers below, from the bottom upwards.
-  Lanes r[side_count][parts] = {};
-  for (int k = nz - 1; k >= 0; --k) {
-    Lanes* t = turned + k * last;
-    Lanes* below = side + k * side_count * parts;
-    for (int p = 0; p < parts; ++p) {
-      const Lanes linear = x * r[side_linear][p] - shift * (r[side_d][p] - r[side_c][p]);
-      below[side_c * parts + p] = g * r[side_c][p];
-      below[side_d * parts + p] = g * r[side_d][p];
-      below[side_linear * parts + p] = g * linear;
-      below[side_antiplane * parts + p] = g * r[side_antiplane][p];
-      for (auto& sum : r) sum[p] *= e;
-      r[side_linear][p] += r[side_d][p] - r[side_c][p];
-    }
-    if (!used[k]) {
-      for (int n = 0; n < last; ++n) t[n] = Lanes{};
-      continue;
-    }
-    Lanes v[6][parts];
-    for (int m = 0; m < 6; ++m) {
-      if (at.deviator && m == 2) {
-        for (Lanes& part : v[m]) part = Lanes{};
-        continue;
-      }
-      const double* from = values + places[m] * at.component_step + k * at.layer_step;
-      const Loose a = *reinterpret_cast<const Loose*>(from);
-      if constexpr (parts == 1) {
-        v[m][0] = a;
-      } else {
-        const Loose b = *reinterpret_cast<const Loose*>(from + width);
-        v[m][0] = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
-        v[m][1] = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
-      }
-      rotate<parts>(v[m], at.turns[m]);
-    }
-    for (int p = 0; p < parts; ++p) {
-      if (at.deviator) v[2][p] = -(v[0][p] + v[1][p]);
-      const Lanes trace = lame * (v[0][p] + v[1][p] + v[2][p]);
-      const Lanes xx = c * v[0][p] + s * v[5][p], xy = c * v[5][p] + s * v[1][p];
-      const Lanes yx = c * v[5][p] - s * v[0][p], yy = c * v[1][p] - s * v[5][p];
-      const Lanes a11 = trace + twice_mu * (c * xx + s * xy);
-      const Lanes a22 = trace + twice_mu * (c * yy - s * yx);
-      const Lanes a12 = twice_mu * (c * xy - s * xx);
-      const Lanes a33 = trace + twice_mu * v[2][p];
-      const Lanes a13 = twice_mu * (c * v[4][p] + s * v[3][p]);
-      const Lanes a23 = twice_mu * (c * v[3][p] - s * v[4][p]);
-      t[t11 * parts + p] = a11;
-      t[t22 * parts + p] = a22;
-      t[t33 * parts + p] = a33;
-      t[t12 * parts + p] = a12;
-      t[t13 * parts + p] = a13;
-      t[t23 * parts + p] = a23;
-      const Lanes cc = a11 - a13, dd = a33 + a13;
-      r[side_c][p] += cc;
-      r[side_d][p] += dd;
-      r[side_linear][p] += dd - cc;
-      r[side_antiplane][p] += a12 - a23;
-    }
+  if (layout.deviator) {
+    for (int p = 0; p < parts; ++p) v[p][2] = -(v[p][0] + v[p][1]);
   }
+}
 
-  // The traction of the unbounded body on the surface is taken away: normal, along, across.
-  Lanes t3[parts], s1[parts], s2[parts];
-  for (int p = 0; p < parts; ++p) {
-    const Lanes gone = 1.0 - e;
-    const Lanes sc = 0.5 * gone * r[side_c][p], sd = 0.5 * gone * r[side_d][p];
-    const Lanes w = r[side_d][p] - r[side_c][p];
-    const Lanes linear = 0.5 * (x * gone * (r[side_linear][p] - w) + (gone - x * e) * w);
-    t3[p] = (1 - kappa) * (sc + sd) + kappa * linear;
-    s1[p] = -(sc + sd) + kappa * (2.0 * sd - linear);
-    s2[p] = -0.5 * gone * r[side_antiplane][p];
-  }
-
-  // The sums over the layers above, downwards, and the stress.
-  for (auto& sums : r) {
-    for (auto& sum : sums) sum = Lanes{};
-  }
-  Lanes depth{};  // q z at the layer's top
-  Lanes e0 = of[surface], e1 = of[surface_linear];
-  for (int k = 0; k < nz; ++k) {
-    const Lanes* t = turned + k * last;
-    const Lanes* below = side + k * side_count * parts;
-    Lanes v[6][parts];
-    for (int p = 0; p < parts; ++p) {
-      const Lanes a11 = t[t11 * parts + p], a22 = t[t22 * parts + p], a33 = t[t33 * parts + p];
-      const Lanes a12 = t[t12 * parts + p], a13 = t[t13 * parts + p], a23 = t[t23 * parts + p];
-      const Lanes linear = x * r[side_linear][p] - shift * (r[side_d][p] - r[side_c][p]);
-      const Lanes c_down = g * r[side_c][p] + g0 * (a11 + a13);
-      const Lanes d_down = g * r[side_d][p] + g0 * (a33 - a13);
-      const Lanes w_down = g * linear + g1 * (a33 - a11 - 2.0 * a13);
-      const Lanes o_down = g * r[side_antiplane][p] + g0 * (a12 + a23);
-      const Lanes c_up = below[side_c * parts + p] + g0 * (a11 - a13);
-      const Lanes d_up = below[side_d * parts + p] + g0 * (a33 + a13);
-      const Lanes w_up = below[side_linear * parts + p] + g1 * (a33 - a11 + 2.0 * a13);
-      const Lanes o_up = below[side_antiplane * parts + p] + g0 * (a12 - a23);
-
-      const Lanes c_sum = c_down + c_up, d_sum = d_down + d_up;
-      const Lanes trace = ratio * (d_sum - c_sum - a33);
-      const Lanes bulk = kappa * (w_down + w_up - c_sum - d_sum);
-      // The half-space under the opposite traction.
-      const Lanes f = t3[p] - s1[p], deep = f * (depth * e0 + e1);
-      const Lanes s11 = 2.0 * c_sum - trace + bulk - a11 + (t3[p] - 2.0 * s1[p]) * e0 - deep;
-      const Lanes s22 = -trace - a22 + 2 * nu * f * e0;
-      const Lanes s33 = t3[p] * e0 + deep - c_sum - d_sum - bulk;
-      const Lanes s13 = s1[p] * e0 + deep - (c_down + d_down) + (c_up + d_up) +
-                        kappa * ((2.0 * d_down - w_down) - (2.0 * d_up - w_up));
-      const Lanes s12 = o_down + o_up - a12 - s2[p] * e0;
-      const Lanes s23 = o_up - o_down + s2[p] * e0;
-
-      const Lanes ax = c * s11 - s * s12, ay = c * s12 - s * s22;
-      const Lanes bx = s * s11 + c * s12, by = s * s12 + c * s22;
-      v[0][p] = c * ax - s * ay;
-      v[1][p] = s * bx + c * by;
-      v[2][p] = s33;
-      if (at.deviator) {
-        const Lanes mean = (s11 + s22 + s33) * (1.0 / 3);
-        v[0][p] -= mean;
-        v[1][p] -= mean;
-      }
-      v[5][p] = s * ax + c * ay;
-      v[4][p] = c * s13 - s * s23;
-      v[3][p] = s * s13 + c * s23;
-
-      for (auto& sum : r) sum[p] *= e;
-      r[side_linear][p] += r[side_d][p] - r[side_c][p];
-      r[side_c][p] += a11 + a13;
-      r[side_d][p] += a33 - a13;
-      r[side_linear][p] += a33 - a11 - 2.0 * a13;
-      r[side_antiplane][p] += a12 + a23;
-    }
-    depth += x;
-    e0 *= e;
-    e1 *= e;
-    for (int m = 0; m < 6; ++m) {
-      if (at.deviator && m == 2) continue;
-      double* to = values + places[m] * at.component_step + k * at.layer_step;
-      rotate<parts>(v[m], 4 - at.turns[m]);
-      if constexpr (parts == 1) {
-        *reinterpret_cast<Loose*>(to) = v[m][0];
-      } else {
-        *reinterpret_cast<Loose*>(to) =
-            __builtin_shufflevector(v[m][0], v[m][1], 0, 8, 1, 9, 2, 10, 3, 11);
-        *reinterpret_cast<Loose*>(to + width) =
-            __builtin_shufflevector(v[m][0], v[m][1], 4, 12, 5, 13, 6, 14, 7, 15);
-      }
+/// The reverse.
+template <int parts>
+SAMCONTACT_INLINE void store(const Layout& layout, const Lanes v[][6], int layer, double* values) {
+  for (int m = 0; m < 6; ++m) {
+    if (layout.deviator && m == 2) continue;
+    double* to = layout.at(values, m, layer);
+    Lanes number[parts];
+    for (int p = 0; p < parts; ++p) number[p] = v[p][m];
+    rotate<parts>(number, 4 - layout.turns[m]);
+    if constexpr (parts == 1) {
+      *reinterpret_cast<Loose*>(to) = number[0];
+    } else {
+      *reinterpret_cast<Loose*>(to) =
+          __builtin_shufflevector(number[0], number[1], 0, 8, 1, 9, 2, 10, 3, 11);
+      *reinterpret_cast<Loose*>(to + width) =
+          __builtin_shufflevector(number[0], number[1], 4, 12, 5, 13, 6, 14, 7, 15);
     }
   }
 }
 
-SAMCONTACT_MULTIVERSION
-void sweep_complex(const Layout& at, const char* used, const double* mode, int mode_step, double nu,
-                   double lame, double twice_mu, double* values, Lanes* turned, Lanes* side) {
-  sweep<2>(at, used, mode, mode_step, nu, lame, twice_mu, values, turned, side);
+/// Replaces the strain of one block of wavenumbers by its stress. values: the block's row of
+/// component 0 and layer 0; turned, below: [layer][part], scratch.
+template <int parts>
+SAMCONTACT_INLINE void sweep(const Layout& layout, const char* used, const double* row, int step,
+                             const Constants& constants, double* values, Turned* turned,
+                             Sums* below) {
+  const Mode mode(row, step);
+  Lanes v[parts][6];
+
+  // Upwards: eigenstress of each layer, and the integrals over the layers below it.
+  Sums sums[parts];
+  for (int k = layout.nz - 1; k >= 0; --k) {
+    for (int p = 0; p < parts; ++p) {
+      below[k * parts + p] = sums[p].integrals(mode);
+      sums[p].recede(mode[decay]);
+    }
+    if (used[k]) load<parts>(layout, values, k, v);
+    for (int p = 0; p < parts; ++p) {
+      Turned& t = turned[k * parts + p];
+      if (used[k]) {
+        eigenstress(mode, constants, v[p], t);
+        sums[p].add(t, -1.0);
+      } else {
+        t = Turned{};
+      }
+    }
+  }
+
+  // Downwards: the integrals over the layers above, and the stress.
+  Lanes depth{}, e0 = mode[surface], e1 = mode[surface_linear];  // depth: q z at the layer's top
+  Sums above[parts];
+  Traction free[parts];
+  for (int p = 0; p < parts; ++p) free[p].cancel(mode, constants, sums[p]);
+  for (int k = 0; k < layout.nz; ++k) {
+    for (int p = 0; p < parts; ++p) {
+      const Turned& t = turned[k * parts + p];
+      Sums up = above[p].integrals(mode), down = below[k * parts + p];
+      up.add_own(mode, t, 1.0);
+      down.add_own(mode, t, -1.0);
+      Turned stress;
+      infinite_space(constants, up, down, t, stress);
+      free[p].add(constants, e0, depth * e0 + e1, stress);
+      turn_back(mode, stress, layout.deviator, v[p]);
+      above[p].recede(mode[decay]);
+      above[p].add(t, 1.0);
+    }
+    depth += mode[thickness];
+    e0 *= mode[decay];
+    e1 *= mode[decay];
+    store<parts>(layout, v, k, values);
+  }
 }
 
 SAMCONTACT_MULTIVERSION
-void sweep_real(const Layout& at, const char* used, const double* mode, int mode_step, double nu,
-                double lame, double twice_mu, double* values, Lanes* turned, Lanes* side) {
-  sweep<1>(at, used, mode, mode_step, nu, lame, twice_mu, values, turned, side);
+void sweep_complex(const Layout& layout, const char* used, const double* row, int step,
+                   const Constants& constants, double* values, Turned* turned, Sums* below) {
+  sweep<2>(layout, used, row, step, constants, values, turned, below);
+}
+
+SAMCONTACT_MULTIVERSION
+void sweep_real(const Layout& layout, const char* used, const double* row, int step,
+                const Constants& constants, double* values, Turned* turned, Sums* below) {
+  sweep<1>(layout, used, row, step, constants, values, turned, below);
 }
 
 /// With yz and xz multiplied by i all is real; what is stored lacks (-i) for each mirrored
@@ -322,24 +388,26 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
 }
 
 void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
-  const Layout at = make_layout(spectrum);
+  const Layout layout = make_layout(spectrum);
   const auto run = spectrum.parts == 2 ? sweep_complex : sweep_real;
   // The transform is not normalised.
   const double unit_cell = 1.0 / (static_cast<double>(spectrum.mx) * spectrum.my);
-  const double lame = lame_ * unit_cell, twice_mu = 2 * shear_modulus_ * unit_cell;
-  const std::size_t scratch = static_cast<std::size_t>(nz_) * spectrum.parts * width;
+  const Constants constants{nu_, 1 / (2 * (1 - nu_)), nu_ / (1 - nu_), lame_ * unit_cell,
+                            2 * shear_modulus_ * unit_cell};
+  const std::size_t blocks = static_cast<std::size_t>(nz_) * spectrum.parts;
 #pragma omp parallel
   {
     const FlushDenormals flush;
-    Field turned(turned_count * scratch), side(side_count * scratch);
+    Field turned(blocks * sizeof(Turned) / sizeof(double));
+    Field below(blocks * sizeof(Sums) / sizeof(double));
 #pragma omp for schedule(dynamic)
     for (int ky = 0; ky < spectrum.mh; ++ky) {
       drop_unsigned(spectrum, ky);
       const double* row = modes_.data() + static_cast<std::size_t>(ky) * coefficient_count * pitch_;
       for (int kx = 0; kx < spectrum.modes; kx += width) {
-        run(at, spectrum.used.data(), row + kx, pitch_, nu_, lame, twice_mu,
-            spectrum.row(ky, 0, 0) + kx * spectrum.parts, reinterpret_cast<Lanes*>(turned.data()),
-            reinterpret_cast<Lanes*>(side.data()));
+        run(layout, spectrum.used.data(), row + kx, pitch_, constants,
+            spectrum.row(ky, 0, 0) + kx * spectrum.parts, reinterpret_cast<Turned*>(turned.data()),
+            reinterpret_cast<Sums*>(below.data()));
       }
       drop_unsigned(spectrum, ky);
     }
