@@ -57,8 +57,8 @@ class Simulation:
     residual_stress : {"auto", "exact", "fast"}, optional
         "exact": influence coefficients of cuboids; time grows with the square of the layers, 1 kB
         of memory a cell. "fast": sweeps over the layers; time and memory grow with the cells.
-        "auto": exact on grids of up to 8192 cells and for a given plastic strain of up to 64
-        cells, otherwise fast. See docs/theory.md for their errors.
+        "auto": exact on grids of up to 8192 cells, and on up to a million for a plastic strain set
+        in up to 64 cells, otherwise fast. See docs/theory.md for their errors.
     image_tol : float, optional
         With "fast": error due to the periodicity of the transforms, relative to the largest
         residual stress; in [1e-6, 0.1].

@@ -69,6 +69,8 @@ std::string flow_at_border(const Grid& grid, const PlasticState* before,
 constexpr std::size_t small_volume = 8192;
 /// A given eigenstrain in at most this many cells counts as one of cuboids, not as a smooth field.
 constexpr long few_cells = 64;
+/// Cells of the grid beyond which even these are left to the fast one: the exact takes 1 kB a cell.
+constexpr std::size_t large_volume = 1'000'000;
 
 operators::ResidualMethod choose(ResidualChoice choice, bool exact) {
   if (choice == ResidualChoice::exact) return operators::ResidualMethod::exact;
@@ -371,7 +373,8 @@ void Simulation::set_plastic_state(int body, const Field& strain, const Field& e
   }
   plastic->equivalent.assign(box.volume_size(), 0.0);
   if (!equivalent.empty()) cut(equivalent.data(), plastic->equivalent.data());
-  if (settings_.residual_stress == ResidualChoice::automatic && strained <= few_cells) {
+  if (settings_.residual_stress == ResidualChoice::automatic && strained <= few_cells &&
+      cells <= large_volume) {
     state_.method = operators::ResidualMethod::exact;
   }
   state_.plastic[body] = std::move(plastic);
