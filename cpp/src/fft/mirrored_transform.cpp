@@ -43,23 +43,11 @@ MirroredTransform::MirroredTransform(int nx, int ny, int mx, int my, bool mirror
       mk_(mx / 2 + 1),
       mirror_x_(mirror_x),
       x_(nx, mx),
-      y_(ny, my) {
-  Field real(static_cast<std::size_t>(block) * std::max(mx_, my_));
-  ComplexField half(static_cast<std::size_t>(block) * std::max(mk_, mh_));
-  const std::lock_guard lock(planner_mutex());
-  const auto forward_plan = [&](int m) {
-    return fftw_plan_many_dft_r2c(1, &m, block, real.data(), nullptr, 1, m, raw(half.data()),
-                                  nullptr, 1, m / 2 + 1, FFTW_ESTIMATE);
-  };
-  const auto inverse_plan = [&](int m) {
-    return fftw_plan_many_dft_c2r(1, &m, block, raw(half.data()), nullptr, 1, m / 2 + 1,
-                                  real.data(), nullptr, 1, m, FFTW_ESTIMATE);
-  };
-  rows_forward_.reset(forward_plan(my_));
-  rows_inverse_.reset(inverse_plan(my_));
-  columns_forward_.reset(forward_plan(mx_));
-  columns_inverse_.reset(inverse_plan(mx_));
-}
+      y_(ny, my),
+      rows_forward_(plan_real_lines(my, block)),
+      rows_inverse_(plan_half_spectra(my, block)),
+      columns_forward_(plan_real_lines(mx, block)),
+      columns_inverse_(plan_half_spectra(mx, block)) {}
 
 /// Each odd plane with an even one; -1 where there is no partner.
 std::vector<std::array<int, 2>> MirroredTransform::pairs(std::span<const Plane> planes,

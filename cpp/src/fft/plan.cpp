@@ -8,6 +8,28 @@ std::mutex& planner_mutex() {
   return mutex;
 }
 
+Plan plan_real_lines(int m, int count) {
+  Field real(static_cast<std::size_t>(count) * m);
+  ComplexField half(static_cast<std::size_t>(count) * (m / 2 + 1));
+  const std::lock_guard lock(planner_mutex());
+  return Plan(fftw_plan_many_dft_r2c(1, &m, count, real.data(), nullptr, 1, m, raw(half.data()),
+                                     nullptr, 1, m / 2 + 1, FFTW_ESTIMATE));
+}
+
+Plan plan_half_spectra(int m, int count) {
+  Field real(static_cast<std::size_t>(count) * m);
+  ComplexField half(static_cast<std::size_t>(count) * (m / 2 + 1));
+  const std::lock_guard lock(planner_mutex());
+  return Plan(fftw_plan_many_dft_c2r(1, &m, count, raw(half.data()), nullptr, 1, m / 2 + 1,
+                                     real.data(), nullptr, 1, m, FFTW_ESTIMATE));
+}
+
+Plan plan_line(int m, int sign) {
+  ComplexField line(m);
+  const std::lock_guard lock(planner_mutex());
+  return Plan(fftw_plan_dft_1d(m, raw(line.data()), raw(line.data()), sign, FFTW_ESTIMATE));
+}
+
 int good_even_size(int n) {
   for (int m = n + n % 2;; m += 2) {
     int rest = m;

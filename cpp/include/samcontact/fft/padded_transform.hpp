@@ -7,6 +7,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/fft/plan.hpp"
+#include "samcontact/fft/rows.hpp"
 
 namespace samcontact::fft {
 
@@ -34,10 +35,9 @@ class PaddedTransform {
   void inverse(Complex* spectrum, double* plane, std::size_t stride, Threads threads) const;
 
  private:
-  static constexpr int block = 8;  // rows at a time: one 128-byte run per ky when transposing
-
   int nx_, ny_, mx_, my_;
-  Plan rows_forward_, rows_inverse_, column_forward_, column_inverse_;
+  Rows rows_;
+  Plan column_forward_, column_inverse_;
 };
 
 }  // namespace samcontact::fft

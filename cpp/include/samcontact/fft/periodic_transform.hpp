@@ -7,6 +7,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/fft/plan.hpp"
+#include "samcontact/fft/rows.hpp"
 
 namespace samcontact::fft {
 
@@ -37,15 +38,12 @@ class PeriodicTransform {
   double cost() const;
 
  private:
-  static constexpr int block = 8;  // rows at a time, as in PaddedTransform
-
-  void forward_rows(const double* in, ComplexField& work) const;
   void filter_columns(const double* quarter, ComplexField& work) const;
-  void inverse_rows(const ComplexField& work, double* out) const;
 
   int nx_, ny_, mx_, my_;
   bool many_threads_;
-  Plan rows_forward_, rows_inverse_, column_forward_, column_inverse_;
+  Rows rows_;
+  Plan column_forward_, column_inverse_;
 };
 
 /// The cost of filtering nx rows on a grid of mx x my points, in the unit of cost().

@@ -26,6 +26,13 @@ using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDeleter>;
 
 inline fftw_complex* raw(Complex* z) { return reinterpret_cast<fftw_complex*>(z); }
 
+/// Plans, estimated, of `count` real lines of length m one after the other into their half spectra
+/// of m/2 + 1 numbers, back, and of one complex line in place (sign FFTW_FORWARD or FFTW_BACKWARD).
+/// Made on aligned buffers: run them on such.
+Plan plan_real_lines(int m, int count);
+Plan plan_half_spectra(int m, int count);
+Plan plan_line(int m, int sign);
+
 /// Smallest even length >= n with prime factors 2, 3, 5 and 7 only: lengths FFTW does fast, and
 /// even so that a symmetric sequence has a self-mirrored middle.
 int good_even_size(int n);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first and last pass of a two-dimensional real transform: rows along y, padded with zeros,
+// into columns along x and back.
+#pragma once
+
+#include <cstddef>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/fft/plan.hpp"
+
+namespace samcontact::fft {
+
+/// Rows of n cells padded to m. Within a parallel region its threads share the rows; outside, one
+/// thread does all.
+class Rows {
+ public:
+  Rows(int n, int m);
+
+  /// plane [i][j] of `count` rows into columns [ky][i], ky = 0..m/2, `stride` numbers apart.
+  void forward(const double* plane, int count, Complex* columns, std::size_t stride) const;
+  void inverse(const Complex* columns, std::size_t stride, int count, double* plane) const;
+
+ private:
+  static constexpr int block = 8;  // rows at a time: one 128-byte run per ky when transposing
+
+  int n_, m_;
+  Plan forward_, inverse_;
+};
+
+}  // namespace samcontact::fft
