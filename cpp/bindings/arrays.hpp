@@ -57,4 +57,13 @@ inline py::array tensor_array(Field field, const Grid& grid, py::ssize_t layers)
              {item * plane * layers, item * grid.ny, item, item * plane});
 }
 
+/// Depth-major [term][component][k][i][j] seen as (terms, 6, nx, ny, layers).
+inline py::array tensors_array(Field field, const Grid& grid, py::ssize_t layers) {
+  const py::ssize_t plane = static_cast<py::ssize_t>(grid.surface_size());
+  const auto terms = static_cast<py::ssize_t>(field.size()) / (6 * plane * layers);
+  return own(
+      std::move(field), {terms, py::ssize_t(6), py::ssize_t(grid.nx), py::ssize_t(grid.ny), layers},
+      {6 * item * plane * layers, item * plane * layers, item * grid.ny, item, item * plane});
+}
+
 }  // namespace samcontact::bindings

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/plasticity/material.hpp"
@@ -22,6 +24,16 @@ void bind_plasticity(py::module_& m) {
                   py::arg("yield_stress"), py::arg("tangent_modulus"))
       .def_static("swift", &Material::make_swift, py::arg("E"), py::arg("nu"), py::arg("B"),
                   py::arg("C"), py::arg("n"))
+      .def(
+          "with_backstresses",
+          [](const Material& s, const std::vector<std::pair<double, double>>& terms) {
+            std::vector<plasticity::Backstress> backstresses;
+            for (const auto& [modulus, recovery] : terms) {
+              backstresses.push_back({modulus, recovery});
+            }
+            return s.with_backstresses(backstresses);
+          },
+          py::arg("terms"))
       .def_property_readonly("elastic_constants", [](const Material& s) { return s.elastic; })
       .def_property_readonly("is_plastic", &Material::is_plastic)
       .def(
@@ -35,6 +47,25 @@ void bind_plasticity(py::module_& m) {
             return out;
           },
           py::arg("g"))
+      .def(
+          "uniaxial_stress",
+          [](const Material& s, const std::vector<double>& strain) {
+            return plasticity::uniaxial_stress(s, strain);
+          },
+          py::arg("strain"))
+      .def(
+          "radial_return",
+          [](const Material& s, const plasticity::Tensor& stress, double g,
+             const std::vector<plasticity::Tensor>& backstresses) {
+            const auto r = plasticity::radial_return(stress, {}, g, s, backstresses);
+            std::vector<plasticity::Tensor> after;
+            for (std::size_t n = 0; n < backstresses.size(); ++n) {
+              after.push_back(plasticity::advanced(backstresses[n], s.backstresses[n], r.increment,
+                                                   r.equivalent));
+            }
+            return py::make_tuple(r.increment, r.equivalent, after);
+          },
+          py::arg("stress"), py::arg("g"), py::arg("backstresses"))
       .def(
           "equivalent_increment",
           [](const Material& s, double trial, double g) {

@@ -27,8 +27,8 @@ py::object surface_view(const py::object& self, const Field& field) {
 }
 
 /// Plastic history as it is kept, for checkpoints: its box, how many directions are mirrored,
-/// strain (components, nz, nx, ny) and equivalent plastic strain (nz, nx, ny) of the box; None
-/// without plastic strain.
+/// strain (components, nz, nx, ny), equivalent plastic strain (nz, nx, ny) and backstresses (terms,
+/// 5, nz, nx, ny) of the box; None without plastic strain.
 py::object history(const State& state, int body) {
   const auto& plastic = state.plastic[body];
   if (!plastic) return py::none();
@@ -40,12 +40,15 @@ py::object history(const State& state, int body) {
   d["mirrored"] = static_cast<int>(plastic->symmetry);
   d["strain"] = py::array_t<double>({parts, nz, nx, ny}, plastic->strain.data());
   d["equivalent"] = py::array_t<double>({nz, nx, ny}, plastic->equivalent.data());
+  const auto terms = static_cast<py::ssize_t>(state.scene().materials[body].backstresses.size());
+  d["backstress"] =
+      py::array_t<double>({terms, py::ssize_t(5), nz, nx, ny}, plastic->backstress.data());
   return d;
 }
 
 /// The reverse; throws std::invalid_argument for a history that does not fit the grid.
-std::shared_ptr<const simulation::PlasticState> to_history(const py::dict& saved,
-                                                           const Grid& grid) {
+std::shared_ptr<const simulation::PlasticState> to_history(const py::dict& saved, const Grid& grid,
+                                                           std::size_t terms) {
   const auto extents = saved["box"].cast<std::vector<int>>();
   const auto strain = saved["strain"].cast<Array>();
   const auto equivalent = saved["equivalent"].cast<Array>();
@@ -67,12 +70,17 @@ std::shared_ptr<const simulation::PlasticState> to_history(const py::dict& saved
   if (strain.size() != operators::count(plastic->tensor) * cells || equivalent.size() != cells) {
     throw std::invalid_argument("the arrays of a plastic history do not fit its box");
   }
+  const auto backstress = saved["backstress"].cast<Array>();
+  if (backstress.size() != 5 * static_cast<py::ssize_t>(terms) * cells) {
+    throw std::invalid_argument("the backstress of a plastic history does not fit its box");
+  }
+  plastic->backstress = to_field(backstress);
   plastic->strain = to_field(strain);
   plastic->equivalent = to_field(equivalent);
   const auto finite = [](const Field& f) {
     return std::all_of(f.begin(), f.end(), [](double v) { return std::isfinite(v); });
   };
-  if (!finite(plastic->strain) || !finite(plastic->equivalent)) {
+  if (!finite(plastic->strain) || !finite(plastic->equivalent) || !finite(plastic->backstress)) {
     throw std::invalid_argument("a plastic history must be finite everywhere");
   }
   return plastic;
@@ -140,6 +148,18 @@ void bind_state(py::module_& m) {
       .def_readonly("warnings", &State::warnings)
       .def("stress", field_method<Rank::tensor>(&State::stress), py::arg("body"))
       .def("residual_stress", field_method<Rank::tensor>(&State::residual_stress), py::arg("body"))
+      .def(
+          "backstress",
+          [](const State& state, int body) -> py::array {
+            Field field;
+            {
+              py::gil_scoped_release release;
+              field = state.backstress(body);
+            }
+            const Grid& grid = state.scene().grid;
+            return tensors_array(std::move(field), grid, grid.nz);
+          },
+          py::arg("body"))
       .def("plastic_strain", field_method<Rank::tensor>(&State::plastic_strain), py::arg("body"))
       .def("von_mises", field_method<Rank::scalar>(&State::von_mises), py::arg("body"))
       .def("hydrostatic", field_method<Rank::scalar>(&State::hydrostatic), py::arg("body"))
@@ -208,7 +228,9 @@ void restore(Simulation& simulation, const py::dict& saved) {
   for (int body = 0; body < 2; ++body) {
     const py::object history = saved[("history" + std::to_string(body + 1)).c_str()];
     if (!history.is_none()) {
-      state.plastic[body] = to_history(history, simulation.scene().grid);
+      const auto& material = simulation.scene().materials[body];
+      state.plastic[body] =
+          to_history(history, simulation.scene().grid, material.backstresses.size());
     }
   }
   simulation.restore(state, c);
@@ -244,10 +266,12 @@ void bind_simulation(py::module_& m) {
            py::arg("shear_x"), py::arg("shear_y"))
       .def(
           "set_plastic_state",
-          [](Simulation& s, int body, const Array& strain, const py::object& equivalent) {
-            s.set_plastic_state(body, to_field(strain), to_field_or_empty(equivalent));
+          [](Simulation& s, int body, const Array& strain, const py::object& equivalent,
+             const py::object& backstress) {
+            s.set_plastic_state(body, to_field(strain), to_field_or_empty(equivalent),
+                                to_field_or_empty(backstress));
           },
-          py::arg("body"), py::arg("strain"), py::arg("equivalent"))
+          py::arg("body"), py::arg("strain"), py::arg("equivalent"), py::arg("backstress"))
       .def_property_readonly("state", [](const Simulation& s) { return s.state(); })
       .def_property_readonly("counters", &counters)
       .def("restore", &restore, py::arg("saved"));

@@ -49,13 +49,37 @@ class GridSection(Section):
         return Grid(self.nx, self.ny, self.dx, self.dy, self.nz, self.dz)
 
 
+class KinematicHardening(Section):
+    """Moves the yield surface with the plastic strain, see `Material.with_kinematic_hardening`."""
+
+    modulus: Positive | list[Positive]
+    recovery: NonNegative | list[NonNegative] = 0.0
+
+    @model_validator(mode="after")
+    def _as_many(self) -> KinematicHardening:
+        moduli = self.modulus if isinstance(self.modulus, list) else [self.modulus]
+        if not 1 <= len(moduli) <= 4:
+            raise ValueError(f"modulus must have from 1 to 4 values, got {len(moduli)}")
+        if isinstance(self.recovery, list) and len(self.recovery) != len(moduli):
+            raise ValueError(
+                f"recovery must have as many values as modulus, {len(moduli)}, "
+                f"got {len(self.recovery)}"
+            )
+        return self
+
+
 class _Body(Section):
     def build(self) -> Material:
         from .material import Material
 
         parameters = self.model_dump()
+        kinematic = parameters.pop("kinematic", None)
         material: Material = getattr(Material, parameters.pop("law"))(**parameters)
-        return material
+        return material if kinematic is None else material.with_kinematic_hardening(**kinematic)
+
+
+class _PlasticBody(_Body):
+    kinematic: KinematicHardening | None = None
 
 
 class RigidBody(_Body):
@@ -72,7 +96,7 @@ class ElasticBody(_Body):
     nu: Poisson
 
 
-class PerfectPlasticBody(_Body):
+class PerfectPlasticBody(_PlasticBody):
     """Elastic, perfectly plastic."""
 
     law: Literal["perfect_plastic"]
@@ -81,7 +105,7 @@ class PerfectPlasticBody(_Body):
     yield_stress: Positive
 
 
-class LinearHardeningBody(_Body):
+class LinearHardeningBody(_PlasticBody):
     """Linear isotropic hardening; tangent modulus of the uniaxial curve."""
 
     law: Literal["linear_hardening"]
@@ -99,7 +123,7 @@ class LinearHardeningBody(_Body):
         return self
 
 
-class SwiftBody(_Body):
+class SwiftBody(_PlasticBody):
     """Swift hardening B (C + 1e6 g)^n."""
 
     law: Literal["swift"]

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from .simulation import Simulation
 
 _FORMAT = "samcontact checkpoint"
-_FORMAT_VERSION = 2
+_FORMAT_VERSION = 3
 _SURFACE = ("pressure", "shear_x", "shear_y", "contact_gap")
 _REQUIRED = ("pressure",)
 _SCALARS = (
@@ -65,6 +65,8 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
     for name in ("body1", "body2"):
         body = getattr(simulation, name)
         file.create_group(name).attrs.update(law=body.law, **body.parameters)
+        if body.kinematic:
+            file[name].attrs["kinematic"] = np.array(body.kinematic)
     file.create_group("settings").attrs.update(
         friction=simulation.friction,
         tol=simulation.tol,
@@ -82,14 +84,25 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
     for name in _SURFACE:
         if getattr(core, name) is not None:
             _dataset(state, name, getattr(core, name))
-    for body in (0, 1):
-        history = core.history(body)
-        if history is not None:
+    histories = [core.history(body) for body in (0, 1)]
+    for body, history in enumerate(histories):
+        if body == 1 and _equal(histories[0], history):
+            # Two identical bodies: one group under both names.
+            state["history2"] = state["history1"]
+        elif history is not None:
             kept = state.create_group(f"history{body + 1}")
             kept.attrs.update(box=history["box"], mirrored=history["mirrored"])
             _dataset(kept, "strain", history["strain"])
             _dataset(kept, "equivalent", history["equivalent"])
+            if history["backstress"].size:
+                _dataset(kept, "backstress", history["backstress"])
     file.create_group("counters").attrs.update(simulation.counters)
+
+
+def _equal(first: dict[str, Any] | None, second: dict[str, Any] | None) -> bool:
+    if first is None or second is None:
+        return False
+    return all(np.array_equal(first[name], second[name]) for name in first)
 
 
 def _dataset(group: h5py.Group, name: str, values: Any) -> None:
@@ -127,7 +140,8 @@ def _read_scene(file: h5py.File) -> dict[str, Any]:
     arguments["grid"] = Grid(**{k: _plain(v) for k, v in file["grid"].attrs.items()})
     for name in ("body1", "body2"):
         parameters = {k: _plain(v) for k, v in file[name].attrs.items()}
-        arguments[name] = Material(parameters.pop("law"), parameters)
+        kinematic = tuple(map(tuple, parameters.pop("kinematic", ())))
+        arguments[name] = Material(parameters.pop("law"), parameters, kinematic)
     arguments["gap"] = file["initial_gap"][...]
     return arguments
 
@@ -152,6 +166,9 @@ def _read_state(file: h5py.File) -> dict[str, Any]:
                 "mirrored": int(kept.attrs["mirrored"]),
                 "strain": np.ascontiguousarray(kept["strain"][...]),
                 "equivalent": np.ascontiguousarray(kept["equivalent"][...]),
+                "backstress": np.ascontiguousarray(
+                    kept["backstress"][...] if "backstress" in kept else np.zeros(0)
+                ),
             }
     saved["counters"] = {k: _plain(v) for k, v in file["counters"].attrs.items()}
     return saved

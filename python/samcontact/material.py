@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Materials: isotropic elasticity with an isotropic hardening law (J2 plasticity)."""
+"""Materials: isotropic elasticity; J2 plasticity with isotropic and kinematic hardening."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -24,14 +25,22 @@ class Material:
         "elastic", "rigid", "perfect_plastic", "linear_hardening" or "swift".
     parameters : dict
         The factory's arguments, SI units.
+    kinematic : tuple of (float, float)
+        Modulus [Pa] and recovery [-] of each backstress, see `with_kinematic_hardening`.
     """
 
     law: str
     parameters: dict[str, float]
+    kinematic: tuple[tuple[float, float], ...] = ()
 
     def __post_init__(self) -> None:
         checked = {name: number(name, value) for name, value in self.parameters.items()}
         object.__setattr__(self, "parameters", checked)
+        terms = tuple(
+            (number("modulus", modulus), number("recovery", recovery))
+            for modulus, recovery in self.kinematic
+        )
+        object.__setattr__(self, "kinematic", terms)
         _ = self._core
 
     @classmethod
@@ -73,12 +82,55 @@ class Material:
         """
         return cls("swift", {"E": E, "nu": nu, "B": B, "C": C, "n": n})
 
+    def with_kinematic_hardening(
+        self, modulus: float | Sequence[float], recovery: float | Sequence[float] = 0.0
+    ) -> Material:
+        """The same material with a yield surface that also moves with the plastic strain.
+
+        Each backstress X follows the plastic strain e and its equivalent g by
+        dX = 2/3 modulus de - recovery X dg; several add up. The isotropic law of this material goes
+        on beside: with `perfect_plastic` the hardening is purely kinematic.
+
+        Parameters
+        ----------
+        modulus : float or sequence of up to 4 floats
+            Slope of the uniaxial stress against plastic strain that each adds [Pa], > 0. A tangent
+            modulus Et of the uniaxial curve needs the sum E Et/(E - Et).
+        recovery : float or sequence of floats, optional
+            >= 0 [-]. 0: linear (Prager 1949). Otherwise X saturates at modulus/recovery
+            (Armstrong and Frederick 1966); several: Chaboche (1986),
+            doi:10.1016/0749-6419(86)90010-0.
+
+        Returns
+        -------
+        Material
+            In place of any kinematic hardening it had.
+
+        Raises
+        ------
+        ValueError
+            The body does not yield, there are more than 4 backstresses, modulus and recovery differ
+            in number, or one is outside its range.
+        TypeError
+            One is not a number.
+        """
+        moduli = list(modulus) if isinstance(modulus, Sequence) else [modulus]
+        recoveries = list(recovery) if isinstance(recovery, Sequence) else [recovery] * len(moduli)
+        if len(moduli) != len(recoveries) or not moduli:
+            raise ValueError(
+                f"modulus and recovery must be as many, at least one each, got {len(moduli)} and "
+                f"{len(recoveries)}"
+            )
+        terms = tuple(zip(moduli, recoveries, strict=True))
+        return Material(self.law, dict(self.parameters), terms)
+
     @cached_property
     def _core(self) -> Any:
         factories = ("elastic", "rigid", "perfect_plastic", "linear_hardening", "swift")
         if self.law not in factories:
             raise ValueError(f"law must be one of {', '.join(factories)}, got {self.law!r}")
-        return getattr(_core.Material, self.law)(**self.parameters)
+        isotropic = getattr(_core.Material, self.law)(**self.parameters)
+        return isotropic.with_backstresses(list(self.kinematic)) if self.kinematic else isotropic
 
     @property
     def E(self) -> float:
@@ -103,7 +155,8 @@ class Material:
     def yield_stress(self, g: ArrayLike) -> float | FloatArray:
         """Yield stress [Pa] at equivalent plastic strain g [-], scalar or array (same shape).
 
-        Infinite for an elastic or rigid body. Raises ValueError where g is negative or not finite.
+        With kinematic hardening the radius of the yield surface, without its backstress. Infinite
+        for an elastic or rigid body. Raises ValueError where g is negative or not finite.
         """
         strain = np.asarray(g, dtype=np.float64)
         bad = ~(np.isfinite(strain) & (strain >= 0))
@@ -112,11 +165,38 @@ class Material:
         values = self._core.yield_stress(np.ascontiguousarray(strain).ravel())
         return float(values[0]) if strain.ndim == 0 else values.reshape(strain.shape)
 
+    def uniaxial_stress(self, strain: ArrayLike) -> FloatArray:
+        """Axial stress in a bar of this material that is stretched and compressed.
+
+        Parameters
+        ----------
+        strain : array_like, shape (n,)
+            History of the total axial strain [-], tension positive, from the virgin state. Each
+            value is one increment (backward Euler: exact for straight hardening, of first order in
+            the steps otherwise).
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            Axial stress [Pa]; the lateral stresses are zero.
+
+        Raises
+        ------
+        ValueError
+            Not one-dimensional, not finite, or a rigid body.
+        """
+        if self.is_rigid:
+            raise ValueError("a rigid body has no uniaxial stress")
+        history = np.asarray(strain, dtype=np.float64)
+        if history.ndim != 1 or not np.isfinite(history).all():
+            raise ValueError("strain must be one-dimensional and finite everywhere")
+        return np.asarray(self._core.uniaxial_stress(history.tolist()), dtype=np.float64)
+
     def __hash__(self) -> int:
-        return hash((self.law, tuple(sorted(self.parameters.items()))))
+        return hash((self.law, tuple(sorted(self.parameters.items())), self.kinematic))
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"law": self.law, "parameters": self.parameters}
+        return {"law": self.law, "parameters": self.parameters, "kinematic": self.kinematic}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)

@@ -233,6 +233,10 @@ def _attributes(simulation: Simulation, case: Case | None) -> dict[str, Any]:
         attributes[f"body{body}_law"] = material.law
         for name, value in material.parameters.items():
             attributes[f"body{body}_{name}"] = value
+        if material.kinematic:
+            modulus, recovery = zip(*material.kinematic, strict=True)
+            attributes[f"body{body}_kinematic_modulus"] = list(modulus)
+            attributes[f"body{body}_kinematic_recovery"] = list(recovery)
     if case is not None:
         attributes["description"] = case.description
         attributes["case"] = case.text

@@ -211,7 +211,11 @@ class Simulation:
         return dict(self._core.counters)
 
     def set_plastic_strain(
-        self, body: int, strain: ArrayLike, equivalent: ArrayLike | None = None
+        self,
+        body: int,
+        strain: ArrayLike,
+        equivalent: ArrayLike | None = None,
+        backstress: ArrayLike | None = None,
     ) -> None:
         """Set the plastic strain (or any eigenstrain) of an inelastic body to go on from.
 
@@ -222,13 +226,22 @@ class Simulation:
             Any symmetric strain, tensor components xx, yy, zz, yz, xz, xy [-].
         equivalent : array_like, shape (nx, ny, nz), optional
             Accumulated equivalent plastic strain [-], >= 0; default 0.
+        backstress : array_like, shape (terms, 6, nx, ny, nz), optional
+            For a material with kinematic hardening: a deviator [Pa] for each of its backstresses,
+            as `State.backstress` returns them; default 0.
         """
         index = choice("body", body, (1, 2)) - 1
         history: FloatArray | None = None
         if equivalent is not None:
             checked = finite_array("equivalent", equivalent, self.grid.volume_shape)
             history = np.ascontiguousarray(np.moveaxis(checked, 2, 0))
-        self._core.set_plastic_state(index, depth_major(self.grid, "strain", strain), history)
+        centre: FloatArray | None = None
+        if backstress is not None:
+            terms = len((self.body1, self.body2)[index].kinematic)
+            checked = finite_array("backstress", backstress, (terms, 6, *self.grid.volume_shape))
+            centre = np.ascontiguousarray(np.moveaxis(checked, 4, 2))
+        depthwise = depth_major(self.grid, "strain", strain)
+        self._core.set_plastic_state(index, depthwise, history, centre)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a checkpoint (HDF5), replacing an old one only when the new one is complete."""

@@ -108,6 +108,13 @@ class State:
         """Accumulated equivalent plastic strain [-], shape (nx, ny, nz)."""
         return self._field("equivalent_plastic_strain", body)
 
+    def backstress(self, body: int = 2) -> FloatArray:
+        """Each backstress of kinematic hardening [Pa], shape (terms, 6, nx, ny, nz).
+
+        Their sum is the centre of the yield surface; no terms without kinematic hardening.
+        """
+        return self._field("backstress", body)
+
     def residual_displacement(self, body: int = 2) -> FloatArray:
         """Permanent print [m], shape (nx, ny): u_z of the plastic strain, positive inwards."""
         return self._field("residual_displacement", body)

@@ -7,19 +7,11 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from samcontact import hertz
+from samcontact import Material, hertz
 
-ELASTIC = SimpleNamespace(
-    E=210e9, nu=0.3, law="elastic", is_plastic=False, parameters={"E": 210e9, "nu": 0.3}
-)
-RIGID = SimpleNamespace(E=np.inf, nu=0.0, law="rigid", is_plastic=False, parameters={})
-SWIFT = SimpleNamespace(
-    E=210e9,
-    nu=0.3,
-    law="swift",
-    is_plastic=True,
-    parameters={"E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121},
-)
+ELASTIC = Material.elastic(210e9, 0.3)
+RIGID = Material.rigid()
+SWIFT = Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 
 
 def make_grid(nx=11, ny=9, dx=1e-4, dy=1.2e-4, nz=0, dz=None):

@@ -106,7 +106,11 @@ def test_every_law_and_shape_is_accepted(write):
         ("dx = 60e-6\n", "", r"grid\.dx: required field is missing"),
         ("dz = 60e-6\n", "", r"grid: nz and dz go together"),
         ("nz = 12\ndz = 60e-6", "", r"body2 is inelastic \(swift\): \[grid\] needs nz and dz"),
-        ("C = 20", "C = 20\nK = 1", r"body2\.K: unknown field; allowed here: law, E, nu, B, C, n"),
+        (
+            "C = 20",
+            "C = 20\nK = 1",
+            r"body2\.K: unknown field; allowed here: kinematic, law, E, nu, B, C, n",
+        ),
         ('"swift"', '"ludwik"', r"body2\.law: must be one of 'rigid', .*'swift', got 'ludwik'"),
         ('law = "swift"\n', "", r"body2\.law: required field is missing"),
         ("n = 0.121", "n = -1.0", r"body2\.n: input should be greater than or equal to 0"),

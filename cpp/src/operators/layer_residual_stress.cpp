@@ -131,7 +131,7 @@ struct Sums {
     w += t.t33 - t.t11 - 2 * sign * t.t13;
     o += t.t12 + sign * t.t23;
   }
-  /// Their integrals, eq. (23) of docs/theory.md, as means over the receiving layer.
+  /// Their integrals, eq. (25) of docs/theory.md, as means over the receiving layer.
   SAMCONTACT_INLINE Sums integrals(const Mode& mode) const {
     const Lanes g = mode[other];
     Sums i;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "samcontact/base/errors.hpp"
 
@@ -75,6 +77,23 @@ Material Material::make_swift(double E, double nu, double B, double C, double n)
   require_positive("C", C, "a finite number > 0 [microstrain]");
   require(n >= 0 && n <= 1, "n", "in [0, 1]", n);
   return {elastic, Hardening::swift(B, C, n)};
+}
+
+Material Material::with_backstresses(const std::vector<Backstress>& terms) const {
+  if (!is_plastic()) {
+    throw std::invalid_argument("kinematic hardening needs a body that yields, not an elastic one");
+  }
+  const auto count = static_cast<double>(terms.size());
+  require(count >= 1 && count <= max_backstresses, "number of backstresses",
+          "from 1 to " + std::to_string(max_backstresses), count);
+  for (const Backstress& term : terms) {
+    require_positive("modulus", term.modulus, "a finite number > 0 [Pa]");
+    require(std::isfinite(term.recovery) && term.recovery >= 0, "recovery", "a finite number >= 0",
+            term.recovery);
+  }
+  Material material = *this;
+  material.backstresses = terms;
+  return material;
 }
 
 }  // namespace samcontact::plasticity

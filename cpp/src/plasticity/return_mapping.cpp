@@ -19,6 +19,153 @@ Tensor deviator(const Tensor& stress) {
   return {stress[0] - mean, stress[1] - mean, stress[2] - mean, stress[3], stress[4], stress[5]};
 }
 
+/// Components of a + factor b.
+Tensor plus(const Tensor& a, double factor, const Tensor& b) {
+  Tensor sum;
+  for (int c = 0; c < 6; ++c) sum[c] = a[c] + factor * b[c];
+  return sum;
+}
+
+/// The scalar equation of the return with backstresses: what is left of the trial stress when they
+/// have recovered, |trial - sum X/(1 + recovery d)|, equals (stiffness + sum modulus/(1 + recovery
+/// d)) d + yield stress(g + d). The norm needs their inner products only.
+class KinematicEquation {
+ public:
+  /// product(a, b): inner product of number a and b of the trial stress (0) and the backstresses.
+  template <class Product>
+  KinematicEquation(const Material& material, double stiffness, double g, const Product& product)
+      : material_(material), stiffness_(stiffness), g_(g) {
+    const int count = static_cast<int>(material.backstresses.size()) + 1;
+    for (int a = 0; a < count; ++a) {
+      for (int b = 0; b <= a; ++b) gram_[a][b] = gram_[b][a] = product(a, b);
+    }
+  }
+
+  /// The norm on the left, and its derivative.
+  struct Left {
+    double value, slope;
+  };
+  Left left(double d) const {
+    std::array<double, max_backstresses + 1> factor{1.0}, slope{};
+    const int count = static_cast<int>(material_.backstresses.size()) + 1;
+    for (int a = 1; a < count; ++a) {
+      const double recovery = material_.backstresses[a - 1].recovery;
+      factor[a] = -1 / (1 + recovery * d);
+      slope[a] = recovery * factor[a] * factor[a];
+    }
+    double square = 0.0, half_slope = 0.0;
+    for (int a = 0; a < count; ++a) {
+      for (int b = 0; b < count; ++b) {
+        square += factor[a] * gram_[a][b] * factor[b];
+        half_slope += slope[a] * gram_[a][b] * factor[b];
+      }
+    }
+    const double value = std::sqrt(std::max(0.0, square));
+    return {value, value > 0 ? half_slope / value : 0.0};
+  }
+
+  /// 3 G d and what the backstresses take up.
+  double taken_up(double d) const {
+    double stiffness = stiffness_;
+    for (const Backstress& x : material_.backstresses)
+      stiffness += x.modulus / (1 + x.recovery * d);
+    return stiffness * d;
+  }
+
+  /// 0 inside the yield surface. The difference of the sides falls monotonically as long as no
+  /// backstress exceeds its limit modulus/recovery: Newton between bounds.
+  double solve(double start) const {
+    const auto& hardening = material_.hardening;
+    double low = 0.0, high = left(0.0).value, d = start;
+    if (high <= hardening.yield_stress(g_)) return 0.0;
+    for (const Backstress& x : material_.backstresses) {
+      if (x.recovery > 0) high += x.modulus / x.recovery;
+    }
+    high /= stiffness_;
+    if (!(d > low && d < high)) d = 0.0;
+    for (int n = 0; n < 200; ++n) {
+      const auto [value, value_slope] = left(d);
+      const auto [yield_stress, yield_slope] = hardening.at(g_ + d);
+      const double difference = value - taken_up(d) - yield_stress;
+      double slope = value_slope - stiffness_ - yield_slope;
+      for (const Backstress& x : material_.backstresses) {
+        const double recovered = 1 + x.recovery * d;
+        slope -= x.modulus / (recovered * recovered);
+      }
+      (difference > 0 ? low : high) = d;
+      double next = d - difference / slope;
+      const bool newton = next >= low && next <= high;
+      if (!newton) next = 0.5 * (low + high);
+      const double step = std::fabs(next - d);
+      d = next;
+      // The step after one of Newton's is of the order of its square.
+      if (step <= (newton ? 1e-8 : 1e-16) * d) break;
+    }
+    return d;
+  }
+
+ private:
+  const Material& material_;
+  double stiffness_, g_;
+  std::array<std::array<double, max_backstresses + 1>, max_backstresses + 1> gram_;
+};
+
+/// 3/2 a:b.
+double inner(const Tensor& a, const Tensor& b) {
+  return 1.5 * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) +
+         3.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+}
+
+Return isotropic_return(const Tensor& stress, const Tensor& guess, double g, double shear_modulus,
+                        const Hardening& hardening) {
+  const Tensor s = deviator(stress);
+  Tensor trial = s;
+  for (int c = 0; c < 6; ++c) trial[c] += 2 * shear_modulus * guess[c];
+  const double q = equivalent(trial), yield_before = hardening.yield_stress(g);
+  Return result{};
+  double yield = yield_before;
+  if (q > yield_before) {
+    // For a plastic strain sqrt(2/3 e:e) is 2/3 of what `equivalent` makes of it.
+    const double estimate = 2.0 / 3 * equivalent(guess);
+    result.equivalent = equivalent_increment(q, g, shear_modulus, hardening, estimate);
+    const double scale = 1.5 * result.equivalent / q;
+    for (int c = 0; c < 6; ++c) result.increment[c] = scale * trial[c];
+    yield = q - 3 * shear_modulus * result.equivalent;
+  }
+  result.overshoot = std::max(0.0, q / yield_before - 1.0);
+  result.excess = std::max(0.0, equivalent(s) / yield - 1.0);
+  return result;
+}
+
+Return kinematic_return(const Tensor& stress, const Tensor& guess, double g,
+                        const Material& material, std::span<const Tensor> before) {
+  const double shear_modulus = material.elastic.shear_modulus();
+  const Tensor s = deviator(stress), trial = plus(s, 2 * shear_modulus, guess);
+  const double yield_before = material.hardening.yield_stress(g);
+  const auto tensor = [&](int a) -> const Tensor& { return a == 0 ? trial : before[a - 1]; };
+  const KinematicEquation equation(material, 3 * shear_modulus, g,
+                                   [&](int a, int b) { return inner(tensor(a), tensor(b)); });
+  const auto& laws = material.backstresses;
+  Return result{};
+  result.overshoot = std::max(0.0, equation.left(0.0).value / yield_before - 1.0);
+  const double d = equation.solve(2.0 / 3 * equivalent(guess));
+  Tensor direction = trial, centred = s;
+  if (d > 0) {
+    for (std::size_t n = 0; n < laws.size(); ++n) {
+      direction = plus(direction, -1 / (1 + laws[n].recovery * d), before[n]);
+    }
+    const double scale = 1.5 * d / equivalent(direction);
+    for (int c = 0; c < 6; ++c) result.increment[c] = scale * direction[c];
+    result.equivalent = d;
+  }
+  for (std::size_t n = 0; n < laws.size(); ++n) {
+    centred = plus(centred, -1.0, advanced(before[n], laws[n], result.increment, d));
+  }
+  const double yield = d > 0 ? equivalent(direction) - equation.taken_up(d) : yield_before;
+  result.excess = std::max(0.0, equivalent(centred) / yield - 1.0);
+  return result;
+}
+
 }  // namespace
 
 double von_mises(const Tensor& stress) { return equivalent(deviator(stress)); }
@@ -41,25 +188,42 @@ double equivalent_increment(double trial, double g, double shear_modulus,
   return d;
 }
 
-Return radial_return(const Tensor& stress, const Tensor& guess, double g, double shear_modulus,
-                     const Hardening& hardening) {
-  const Tensor s = deviator(stress);
-  Tensor trial = s;
-  for (int c = 0; c < 6; ++c) trial[c] += 2 * shear_modulus * guess[c];
-  const double q = equivalent(trial), yield_before = hardening.yield_stress(g);
-  Return result{};
-  double yield = yield_before;
-  if (q > yield_before) {
-    // For a plastic strain sqrt(2/3 e:e) is 2/3 of what `equivalent` makes of it.
-    const double estimate = 2.0 / 3 * equivalent(guess);
-    result.equivalent = equivalent_increment(q, g, shear_modulus, hardening, estimate);
-    const double scale = 1.5 * result.equivalent / q;
-    for (int c = 0; c < 6; ++c) result.increment[c] = scale * trial[c];
-    yield = q - 3 * shear_modulus * result.equivalent;
+Tensor advanced(const Tensor& backstress, const Backstress& law, const Tensor& increment,
+                double equivalent) {
+  Tensor after = plus(backstress, 2.0 / 3 * law.modulus, increment);
+  for (double& v : after) v /= 1 + law.recovery * equivalent;
+  return after;
+}
+
+Return radial_return(const Tensor& stress, const Tensor& guess, double g, const Material& material,
+                     std::span<const Tensor> before) {
+  return before.empty() ? isotropic_return(stress, guess, g, material.elastic.shear_modulus(),
+                                           material.hardening)
+                        : kinematic_return(stress, guess, g, material, before);
+}
+
+std::vector<double> uniaxial_stress(const Material& material, std::span<const double> strain) {
+  const double E = material.elastic.E;
+  const auto& laws = material.backstresses;
+  std::vector<double> stress, x(laws.size(), 0.0);
+  double plastic = 0.0, g = 0.0;
+  for (const double total : strain) {
+    const double trial = E * (total - plastic);
+    const auto value = [&](int a) { return a == 0 ? trial : x[a - 1]; };
+    const KinematicEquation equation(material, E, g,
+                                     [&](int a, int b) { return value(a) * value(b); });
+    const double d = equation.solve(0.0);
+    double left = trial;
+    for (std::size_t n = 0; n < laws.size(); ++n) left -= x[n] / (1 + laws[n].recovery * d);
+    const double flow = std::copysign(d, left);
+    for (std::size_t n = 0; n < laws.size(); ++n) {
+      x[n] = (x[n] + laws[n].modulus * flow) / (1 + laws[n].recovery * d);
+    }
+    plastic += flow;
+    g += d;
+    stress.push_back(E * (total - plastic));
   }
-  result.overshoot = std::max(0.0, q / yield_before - 1.0);
-  result.excess = std::max(0.0, equivalent(s) / yield - 1.0);
-  return result;
+  return stress;
 }
 
 }  // namespace samcontact::plasticity

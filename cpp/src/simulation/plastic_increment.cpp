@@ -2,6 +2,7 @@
 #include "samcontact/simulation/plastic_increment.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -57,6 +58,19 @@ Box bounding_box(const Field& field, const Grid& grid) {
   return box;
 }
 
+/// Half the square of a deviator xx, yy, yz, xz, xy.
+double second_invariant(const std::array<double, 5>& s) {
+  return s[0] * s[0] + s[1] * s[1] + s[0] * s[1] + s[2] * s[2] + s[3] * s[3] + s[4] * s[4];
+}
+
+/// Sum of the backstresses of a cell: xx, yy, yz, xz, xy.
+std::array<double, 5> centre(const Field& backstress, std::size_t cells, std::size_t cell) {
+  std::array<double, 5> sum{};
+  int c = 0;
+  for (std::size_t at = cell; at < backstress.size(); at += cells) sum[c++ % 5] += backstress[at];
+  return sum;
+}
+
 /// Components of a field moved into a larger box, zero where it was not.
 Field moved(const Field& field, const Box& from, const Box& to, int components) {
   Field out(components * to.volume_size(), 0.0);
@@ -80,6 +94,14 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
     if (history) symmetry = common(symmetry, history->symmetry);
   }
   return symmetry;
+}
+
+bool PlasticIncrement::twins() const {
+  const auto& [upper, lower] = scene_.materials;
+  if (!upper.is_plastic() || upper != lower || scene_.solver.friction() > 0) return false;
+  // Shear acts on the two in opposite directions.
+  if (!target_.tractions.shear_x.empty() || !target_.tractions.shear_y.empty()) return false;
+  return same(from_.plastic[0], from_.plastic[1]);
 }
 
 Box PlasticIncrement::fit(const Box& needed, const Box& before) const {
@@ -109,10 +131,12 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
                      ? target.tractions
                      : operators::Tractions{from.tractions.pressure, {}, {}}) {
   symmetry_ = choose_symmetry();
-  for (int b = 0; b < 2; ++b) {
+  const bool one_for_both = twins();
+  for (int b = one_for_both ? 1 : 0; b < 2; ++b) {
     if (!scene_.materials[b].is_plastic()) continue;
     Body body;
     body.index = b;
+    body.copies = one_for_both ? 2 : 1;
     body.scan = scans[b].get();
     body.tensor = Tensor::deviator;
     if (const auto history = unfolded(from.plastic[b], scene_.grid, symmetry_)) {
@@ -121,6 +145,7 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
       set_box(body, history->box);
       body.strain = history->strain;
       body.equivalent = history->equivalent;
+      body.backstress = history->backstress;
       body.strained = true;
     }
     bodies_.push_back(std::move(body));
@@ -132,6 +157,8 @@ void PlasticIncrement::set_box(Body& body, const Box& box) {
   std::vector<int> active(box.volume_size(), -1);
   body.strain = moved(body.strain, body.box, box, parts);
   body.equivalent = moved(body.equivalent, body.box, box, 1);
+  const auto terms = static_cast<int>(scene_.materials[body.index].backstresses.size());
+  if (terms > 0) body.backstress = moved(body.backstress, body.box, box, 5 * terms);
   const auto number = static_cast<std::uint8_t>(&body - bodies_.data());
   if (!body.box.empty() && !body.active.empty()) active_.move(number, body.box, box);
   for (std::size_t n = 0; n < active_.size(); ++n) {
@@ -189,7 +216,7 @@ void PlasticIncrement::residual_displacement(Body& body, Field& gap) {
         displacement.data() + static_cast<std::size_t>(si - body.box.i0) * body.box.ny;
     for (int j = whole.j0; j < whole.j0 + whole.ny; ++j) {
       const int sj = mirror_y && j < body.box.j0 ? grid.ny - 1 - j : j;
-      row[j] += u[sj - body.box.j0];
+      row[j] += body.copies * u[sj - body.box.j0];
     }
   }
 }
@@ -232,6 +259,10 @@ Box PlasticIncrement::contact_window() const {
 bool PlasticIncrement::may_touch_outside(const Field& gap) const {
   if (gap.empty()) return false;
   const Grid& grid = scene_.grid;
+  double reach = 0.0;
+  for (const Body& body : bodies_) {
+    if (body.strained) reach += body.copies * body.rim_displacement;
+  }
   for (const Body& body : bodies_) {
     if (!body.strained) continue;
     const Box whole = whole_box(body.box, grid, symmetry_);
@@ -240,7 +271,7 @@ bool PlasticIncrement::may_touch_outside(const Field& gap) const {
         const bool inside =
             i >= whole.i0 && i < whole.i0 + whole.nx && j >= whole.j0 && j < whole.j0 + whole.ny;
         const double g = gap[static_cast<std::size_t>(i) * grid.ny + j];
-        if (!inside && g < bodies_.size() * body.rim_displacement) return true;
+        if (!inside && g < reach) return true;
       }
     }
   }
@@ -299,6 +330,13 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess, Result& result) {
   const bool deviator = body.tensor == Tensor::deviator;
   const double first = hardening.yield_stress(0.0), bound = first * first / 3;
 
+  const bool kinematic = !body.backstress.empty();
+  const auto centred = [&](std::size_t cell, std::array<double, 5> s) {
+    const auto x = centre(body.backstress, body.box.volume_size(), cell);
+    for (int c = 0; c < 5; ++c) s[c] -= x[c];
+    return second_invariant(s);
+  };
+
   using Found = std::pair<std::uint32_t, plasticity::Tensor>;
   std::vector<std::vector<Found>> found(body.box.nz);
   std::vector<double> largest(body.box.nz, 0.0);  // (von Mises / yield stress)^2
@@ -314,10 +352,10 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess, Result& result) {
         xx -= mean;
         yy -= mean;
       }
-      const double second =
-          xx * xx + yy * yy + xx * yy + s[3][i] * s[3][i] + s[4][i] * s[4][i] + s[5][i] * s[5][i];
       const int active = body.active[cell];
       if (active < 0) {
+        const double second = kinematic ? centred(cell, {xx, yy, s[3][i], s[4][i], s[5][i]})
+                                        : second_invariant({xx, yy, s[3][i], s[4][i], s[5][i]});
         double limit = bound;
         if (second > bound && body.equivalent[cell] > 0) {
           const double yield_stress = hardening.yield_stress(body.equivalent[cell]);
@@ -346,6 +384,16 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess, Result& result) {
   guess.resize(active_.size() * components_, 0.0);
 }
 
+std::span<const plasticity::Tensor> PlasticIncrement::backstresses(
+    const Body& body, std::uint32_t cell, plasticity::Tensors& place) const {
+  const std::size_t cells = body.box.volume_size(), terms = body.backstress.size() / (5 * cells);
+  for (std::size_t n = 0; n < terms; ++n) {
+    const double* x = body.backstress.data() + 5 * n * cells + cell;
+    place[n] = {x[0], x[cells], -(x[0] + x[cells]), x[2 * cells], x[3 * cells], x[4 * cells]};
+  }
+  return {place.data(), terms};
+}
+
 void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& result) {
   const std::ptrdiff_t count = active_.size();
   mapped.resize(count * components_);
@@ -358,16 +406,17 @@ void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& res
     const auto [b, cell] = active_.cells[n];
     const Body& body = bodies_[b];
     const auto& material = scene_.materials[body.index];
-    const double shear_modulus = material.elastic.shear_modulus();
     const auto present = tensor_of(guess, n, components_);
-    const auto r = plasticity::radial_return(stress_[n], present, body.equivalent[cell],
-                                             shear_modulus, material.hardening);
+    plasticity::Tensors place;
+    const auto r = plasticity::radial_return(stress_[n], present, body.equivalent[cell], material,
+                                             backstresses(body, cell, place));
     put(r.increment, mapped, n, components_);
     equivalent_[n] = r.equivalent;
     excess = std::max(excess, r.excess);
     overshoot = std::max(overshoot, r.overshoot);
     const bool flows = r.equivalent > 0 || present != plasticity::Tensor{};
-    yield_strains[n] = flows ? material.hardening.yield_stress(0.0) / (3 * shear_modulus) : 0.0;
+    yield_strains[n] =
+        flows ? material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus()) : 0.0;
   }
   result.excess = excess;
   result.overshoot = overshoot;
@@ -456,7 +505,19 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
     bool flowed = false;
     for (std::size_t n = 0; n < active_.size(); ++n) {
       if (active_.cells[n].body != b || equivalent_[n] == 0) continue;
-      body.equivalent[active_.cells[n].cell] += equivalent_[n];
+      const std::uint32_t cell = active_.cells[n].cell;
+      body.equivalent[cell] += equivalent_[n];
+      plasticity::Tensors place;
+      std::size_t to = cell;
+      const auto laws = scene_.materials[body.index].backstresses.begin();
+      for (const auto& before : backstresses(body, cell, place)) {
+        const auto x = plasticity::advanced(before, laws[&before - place.data()],
+                                            tensor_of(mapped, n, components_), equivalent_[n]);
+        for (const int c : {0, 1, 3, 4, 5}) {
+          body.backstress[to] = x[c];
+          to += body.box.volume_size();
+        }
+      }
       flowed = true;
     }
     if (!flowed) continue;
@@ -466,6 +527,8 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
     plastic->tensor = body.tensor;
     plastic->strain = std::move(body.strain);
     plastic->equivalent = std::move(body.equivalent);
+    plastic->backstress = std::move(body.backstress);
+    if (body.copies == 2) state.plastic[0] = plastic;
     state.plastic[body.index] = std::move(plastic);
   }
   if (target_.kind != Target::Kind::tractions) {

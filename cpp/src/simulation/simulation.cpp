@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "samcontact/base/errors.hpp"
+#include "samcontact/plasticity/return_mapping.hpp"
 #include "samcontact/simulation/fixed_point.hpp"
 
 namespace samcontact::simulation {
@@ -78,17 +79,39 @@ operators::ResidualMethod choose(ResidualChoice choice, bool exact) {
   return exact ? operators::ResidualMethod::exact : operators::ResidualMethod::fast;
 }
 
+/// Throws std::invalid_argument unless there is one deviator for each law, within its limit.
+void check_backstress(const std::vector<plasticity::Backstress>& laws, const Field& backstress,
+                      const Grid& grid) {
+  const std::size_t cells = grid.volume_size();
+  const int terms = static_cast<int>(laws.size());
+  require_field(backstress, 6 * terms * cells, "backstress",
+                shape_text({terms, 6, grid.nx, grid.ny, grid.nz}));
+  for (std::size_t t = 0; t < laws.size(); ++t) {
+    const double limit = laws[t].recovery > 0 ? laws[t].modulus / laws[t].recovery : INFINITY;
+    for (std::size_t n = 0; n < cells; ++n) {
+      plasticity::Tensor x;
+      for (int c = 0; c < 6; ++c) x[c] = backstress[(6 * t + c) * cells + n];
+      const double size = plasticity::von_mises(x), trace = x[0] + x[1] + x[2];
+      require(size <= limit * (1 + 1e-9), "backstress",
+              "at most modulus/recovery = " + to_text(limit) + " Pa (von Mises)", size);
+      const double largest = std::max({std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])});
+      require(std::fabs(trace) <= 1e-9 * largest, "backstress", "a deviator, with trace 0 Pa",
+              trace);
+    }
+  }
+}
+
 /// Both histories in one box.
 struct Pair {
   Box box;
   Field first, second;
 };
 
-Pair in_one_box(const PlasticState& a, const PlasticState& b, bool strain) {
+Pair in_one_box(const PlasticState& a, const PlasticState& b, Field PlasticState::* quantity) {
   Pair pair{a.box.united(b.box), {}, {}};
-  const int parts = strain ? operators::count(b.tensor) : 1;
+  const auto parts = static_cast<int>((b.*quantity).size() / b.box.volume_size());
   const auto place = [&](const PlasticState& from, Field& to) {
-    const Field& field = strain ? from.strain : from.equivalent;
+    const Field& field = from.*quantity;
     to.assign(parts * pair.box.volume_size(), 0.0);
     for (int c = 0; c < parts; ++c) {
       insert(field.data() + c * from.box.volume_size(), from.box,
@@ -117,7 +140,7 @@ double increment_error(const State& one, const State& two) {
     const auto& material = two.scene().materials[b];
     const double yield_strain =
         material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
-    const Pair g = in_one_box(*one.plastic[b], *two.plastic[b], false);
+    const Pair g = in_one_box(*one.plastic[b], *two.plastic[b], &PlasticState::equivalent);
     error =
         std::max(error, difference(g.first, g.second) / std::max(largest(g.second), yield_strain));
   }
@@ -135,13 +158,17 @@ double allowed_difference(double tol) { return 0.05 * std::sqrt(tol); }
 State extrapolated(const State& start, const State& once, const State& twice) {
   State state = twice;
   for (int b = 0; b < 2; ++b) {
-    if (!once.plastic[b] || !twice.plastic[b] || once.plastic[b] == start.plastic[b] ||
+    const bool shared =
+        b == 1 && once.plastic[0] == once.plastic[1] && twice.plastic[0] == twice.plastic[1];
+    if (shared) state.plastic[1] = state.plastic[0];
+    if (shared || !once.plastic[b] || !twice.plastic[b] || once.plastic[b] == start.plastic[b] ||
         twice.plastic[b] == start.plastic[b]) {
       continue;
     }
     const PlasticState& last = *twice.plastic[b];
-    const Pair strain = in_one_box(*once.plastic[b], last, true);
-    const Pair g = in_one_box(*once.plastic[b], last, false);
+    const Pair strain = in_one_box(*once.plastic[b], last, &PlasticState::strain);
+    const Pair g = in_one_box(*once.plastic[b], last, &PlasticState::equivalent);
+    const Pair x = in_one_box(*once.plastic[b], last, &PlasticState::backstress);
     const std::size_t cells = strain.box.volume_size();
     Field before(cells, 0.0);
     if (const auto earlier = unfolded(start.plastic[b], start.scene().grid, last.symmetry)) {
@@ -153,12 +180,16 @@ State extrapolated(const State& start, const State& once, const State& twice) {
     plastic->tensor = last.tensor;
     plastic->strain = strain.second;
     plastic->equivalent = g.second;
+    plastic->backstress = x.second;
     for (std::size_t i = 0; i < cells; ++i) {
       const double correction = g.second[i] - g.first[i], flow = g.second[i] - before[i];
       if (std::fabs(correction) > 0.5 * flow) continue;
       plastic->equivalent[i] += correction;
       for (std::size_t n = i; n < strain.second.size(); n += cells) {
         plastic->strain[n] += strain.second[n] - strain.first[n];
+      }
+      for (std::size_t n = i; n < x.second.size(); n += cells) {
+        plastic->backstress[n] += x.second[n] - x.first[n];
       }
     }
     state.plastic[b] = std::move(plastic);
@@ -326,7 +357,8 @@ const State& Simulation::step(const Target& target) {
   return state_;
 }
 
-void Simulation::set_plastic_state(int body, const Field& strain, const Field& equivalent) {
+void Simulation::set_plastic_state(int body, const Field& strain, const Field& equivalent,
+                                   const Field& backstress) {
   const Grid& grid = scene_->grid;
   if (!scene_->materials[body].is_plastic()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
@@ -339,6 +371,8 @@ void Simulation::set_plastic_state(int body, const Field& strain, const Field& e
     const double lowest = *std::min_element(equivalent.begin(), equivalent.end());
     require(lowest >= 0, "equivalent", ">= 0 everywhere", lowest);
   }
+  const auto& laws = scene_->materials[body].backstresses;
+  if (!backstress.empty()) check_backstress(laws, backstress, grid);
   // The box of all cells with a history.
   Box box;
   long strained = 0;
@@ -349,7 +383,9 @@ void Simulation::set_plastic_state(int body, const Field& strain, const Field& e
     largest = std::max(largest, size);
     trace = std::max(trace, std::fabs(strain[n] + strain[cells + n] + strain[2 * cells + n]));
     strained += size > 0;
-    if (size == 0 && (equivalent.empty() || equivalent[n] == 0)) continue;
+    bool empty = size == 0 && (equivalent.empty() || equivalent[n] == 0);
+    for (std::size_t c = n; c < backstress.size(); c += cells) empty &= backstress[c] == 0;
+    if (empty) continue;
     const int j = static_cast<int>(n % grid.ny), i = static_cast<int>(n / grid.ny % grid.nx);
     const int k = static_cast<int>(n / grid.ny / grid.nx);
     box = box.united({i, j, 1, 1, k + 1});
@@ -373,6 +409,14 @@ void Simulation::set_plastic_state(int body, const Field& strain, const Field& e
   }
   plastic->equivalent.assign(box.volume_size(), 0.0);
   if (!equivalent.empty()) cut(equivalent.data(), plastic->equivalent.data());
+  plastic->backstress.assign(5 * laws.size() * box.volume_size(), 0.0);
+  if (!backstress.empty()) {
+    const auto five = operators::components(operators::Tensor::deviator);
+    for (std::size_t c = 0; c < 5 * laws.size(); ++c) {
+      cut(backstress.data() + (c / 5 * 6 + five[c % 5]) * cells,
+          plastic->backstress.data() + c * box.volume_size());
+    }
+  }
   if (settings_.residual_stress == ResidualChoice::automatic && strained <= few_cells &&
       cells <= large_volume) {
     state_.method = operators::ResidualMethod::exact;
@@ -382,6 +426,7 @@ void Simulation::set_plastic_state(int body, const Field& strain, const Field& e
 
 void Simulation::restore(const State& state, const Counters& counters) {
   state_ = state;
+  if (same(state_.plastic[0], state_.plastic[1])) state_.plastic[1] = state_.plastic[0];
   counters_ = counters;
 }
 
@@ -389,7 +434,9 @@ std::size_t Simulation::volume_bytes() const {
   std::size_t bytes = scene_->operator_bytes();
   for (int b = 0; b < 2; ++b) {
     if (const auto& plastic = state_.plastic[b]) {
-      bytes += (plastic->strain.size() + plastic->equivalent.size()) * sizeof(double);
+      if (b == 1 && plastic == state_.plastic[0]) continue;
+      bytes += (plastic->strain.size() + plastic->equivalent.size() + plastic->backstress.size()) *
+               sizeof(double);
     }
     if (scans_[b] && (b == 0 || scans_[b] != scans_[0])) bytes += scans_[b]->bytes();
   }

@@ -26,16 +26,21 @@ Field reduce_tensor(const Field& tensor, const F& f) {
   return scalar;
 }
 
+/// All six components of the deviator of n cells.
+void complete(const double* deviator, std::size_t n, double* full) {
+  int place = 0;
+  for (const int c : operators::components(Tensor::deviator)) {
+    std::copy_n(deviator + place++ * n, n, full + c * n);
+  }
+  for (std::size_t i = 0; i < n; ++i) full[2 * n + i] = -(full[i] + full[n + i]);
+}
+
 /// All six components of the plastic strain in its box.
 Field six_components(const PlasticState& plastic) {
   if (plastic.tensor == Tensor::full) return plastic.strain;
   const std::size_t n = plastic.box.volume_size();
   Field full(6 * n);
-  int place = 0;
-  for (const int c : operators::components(plastic.tensor)) {
-    std::copy_n(plastic.strain.data() + place++ * n, n, full.data() + c * n);
-  }
-  for (std::size_t i = 0; i < n; ++i) full[2 * n + i] = -(full[i] + full[n + i]);
+  complete(plastic.strain.data(), n, full.data());
   return full;
 }
 
@@ -74,6 +79,11 @@ void unfold(const double* from, const Box& stored, fft::Symmetry had, bool odd_x
 
 }  // namespace
 
+bool same(const std::shared_ptr<const PlasticState>& a,
+          const std::shared_ptr<const PlasticState>& b) {
+  return a == b || (a && b && *a == *b);
+}
+
 std::shared_ptr<const PlasticState> unfolded(const std::shared_ptr<const PlasticState>& history,
                                              const Grid& grid, fft::Symmetry symmetry) {
   if (!history || history->symmetry == symmetry) return history;
@@ -93,6 +103,8 @@ std::shared_ptr<const PlasticState> unfolded(const std::shared_ptr<const Plastic
   const std::size_t layers = whole.nz;
   out->strain.resize(places.size() * layers * to);
   out->equivalent.resize(layers * to);
+  const std::size_t terms = history->backstress.size() / (5 * layers * from);
+  out->backstress.resize(5 * terms * layers * to);
   const auto copy = [&](const Field& old, Field& young, std::size_t plane, bool odd_x, bool odd_y) {
     unfold(old.data() + plane * from, history->box, history->symmetry, odd_x, odd_y,
            young.data() + plane * to, whole, grid);
@@ -102,6 +114,12 @@ std::shared_ptr<const PlasticState> unfolded(const std::shared_ptr<const Plastic
     for (std::size_t c = 0; c < places.size(); ++c) {
       const bool odd_x = places[c] == 4 || places[c] == 5, odd_y = places[c] == 3 || places[c] == 5;
       copy(history->strain, out->strain, c * layers + k, odd_x, odd_y);
+    }
+    const auto five = operators::components(Tensor::deviator);
+    for (std::size_t c = 0; c < 5 * terms; ++c) {
+      const int place = five[c % 5];
+      copy(history->backstress, out->backstress, c * layers + k, place == 4 || place == 5,
+           place == 3 || place == 5);
     }
   }
   return out;
@@ -213,6 +231,21 @@ Field State::equivalent_plastic_strain(int body) const {
   if (!plastic[body]) return Field(scene_->grid.volume_size(), 0.0);
   const auto history = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
   return embed(history->equivalent, history->box, scene_->grid, 1);
+}
+
+Field State::backstress(int body) const {
+  const Grid& grid = scene_->grid;
+  scene_->require_volume(body);
+  const std::size_t terms = scene_->materials[body].backstresses.size();
+  Field out(6 * terms * grid.volume_size(), 0.0);
+  const auto history = unfolded(plastic[body], grid, fft::Symmetry::none);
+  if (!history) return out;
+  const std::size_t cells = history->box.volume_size();
+  Field full(6 * terms * cells);
+  for (std::size_t n = 0; n < terms; ++n) {
+    complete(history->backstress.data() + 5 * n * cells, cells, full.data() + 6 * n * cells);
+  }
+  return embed(full, history->box, grid, static_cast<int>(6 * terms));
 }
 
 Field State::residual_displacement(int body) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Materials: isotropic elasticity with an isotropic hardening law for J2 plasticity.
+// Materials: isotropic elasticity; J2 plasticity with isotropic and kinematic hardening.
 #pragma once
+
+#include <vector>
 
 #include "samcontact/base/elastic.hpp"
 
@@ -28,15 +30,30 @@ class Hardening {
   };
   Point at(double g) const;
 
+  bool operator==(const Hardening&) const = default;
+
  private:
   Law law_ = Law::elastic;
   double initial_ = 0.0, modulus_ = 0.0;
   double B_ = 0.0, C_ = 0.0, n_ = 0.0;
 };
 
+/// Kinematic hardening: a backstress X, which moves the yield surface with the plastic strain e,
+/// dX = 2/3 modulus de - recovery X dg (Armstrong & Frederick 1966; without recovery Prager 1949).
+struct Backstress {
+  double modulus = 0.0;   // [Pa]
+  double recovery = 0.0;  // [-]
+
+  bool operator==(const Backstress&) const = default;
+};
+
+/// As many may add up (Chaboche 1986).
+constexpr int max_backstresses = 4;
+
 struct Material {
   Elastic elastic;
   Hardening hardening = Hardening::none();
+  std::vector<Backstress> backstresses = {};
 
   /// Factories throw std::invalid_argument naming the parameter, its value and what is allowed.
   static Material make_elastic(double E, double nu);
@@ -47,6 +64,10 @@ struct Material {
                                         double tangent_modulus);
   static Material make_swift(double E, double nu, double B, double C, double n);
 
+  /// The same with kinematic hardening beside its isotropic hardening, instead of what it had.
+  Material with_backstresses(const std::vector<Backstress>& terms) const;
+
+  bool operator==(const Material&) const = default;
   bool is_plastic() const { return hardening.law() != Hardening::Law::elastic; }
 };
 

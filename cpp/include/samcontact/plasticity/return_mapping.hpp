@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Radial return for J2 plasticity with isotropic hardening, backward Euler (Simo & Hughes 1998,
-// Computational Inelasticity, box 3.2). Pointwise: knows no grid.
+// Radial return for J2 plasticity with isotropic and kinematic hardening, backward Euler (Simo &
+// Hughes 1998, Computational Inelasticity, boxes 3.1 and 3.2). Pointwise: knows no grid.
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "samcontact/plasticity/material.hpp"
 
@@ -11,6 +12,9 @@ namespace samcontact::plasticity {
 
 /// Components xx, yy, zz, yz, xz, xy of a symmetric tensor.
 using Tensor = std::array<double, 6>;
+
+/// Backstresses of a point, as many as its material has.
+using Tensors = std::array<Tensor, max_backstresses>;
 
 /// sqrt(3/2 s:s), s the deviator [Pa].
 double von_mises(const Tensor& stress);
@@ -30,8 +34,15 @@ struct Return {
 
 /// Returns to the yield surface. stress: the stress with `guess`, the present estimate of the
 /// plastic strain increment, in place; the trial state takes that guess back: dev(stress) + 2 G
-/// guess.
-Return radial_return(const Tensor& stress, const Tensor& guess, double g, double shear_modulus,
-                     const Hardening& hardening);
+/// guess. before: one backstress for each of the material's, as they were before the increment.
+Return radial_return(const Tensor& stress, const Tensor& guess, double g, const Material& material,
+                     std::span<const Tensor> before = {});
+
+/// A backstress after a plastic strain increment and its equivalent.
+Tensor advanced(const Tensor& backstress, const Backstress& law, const Tensor& increment,
+                double equivalent);
+
+/// Response to a history of total axial strain under uniaxial stress, from the virgin state.
+std::vector<double> uniaxial_stress(const Material& material, std::span<const double> strain);
 
 }  // namespace samcontact::plasticity

@@ -3,6 +3,7 @@
 // plastic strain increment.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "samcontact/plasticity/return_mapping.hpp"
@@ -53,12 +54,16 @@ class PlasticIncrement {
     std::vector<operators::VolumeSpectrum> spectrum;  // one, or none without a box
     Field strain;                                     // before the increment plus the last guess
     Field equivalent;                                 // before the increment
+    Field backstress;         // before the increment, [term][component][cell]
     std::vector<int> active;  // per cell: its place among the active ones, or -1
     bool strained = false;
     double rim_displacement = 0.0;  // largest residual displacement at the rim of the window
+    int copies = 1;                 // 2: the other body is its mirror image in the contact plane
   };
 
   fft::Symmetry choose_symmetry() const;
+  /// Whether both bodies are made of the same, and have gone and go through the same.
+  bool twins() const;
   void set_box(Body& body, const Box& box);
   /// A stored box for what is needed, given in whole boxes.
   Box fit(const Box& needed, const Box& before) const;
@@ -75,6 +80,9 @@ class PlasticIncrement {
   void stress(std::uint8_t b, Field& guess, Result& result);
   void activate(std::uint8_t b, std::uint32_t cell, const plasticity::Tensor& stress);
   void return_map(const Field& guess, Field& mapped, Result& result);
+  /// Those of one cell before the increment, into the first places; how many.
+  std::span<const plasticity::Tensor> backstresses(const Body& body, std::uint32_t cell,
+                                                   plasticity::Tensors& place) const;
   /// Grows the boxes whose rim flows.
   bool grow_at_rim();
 

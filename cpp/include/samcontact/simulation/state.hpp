@@ -20,6 +20,10 @@ struct PlasticState {
   operators::Tensor tensor = operators::Tensor::deviator;
   Field strain;      // [component][k][i][j] of the box
   Field equivalent;  // [k][i][j] of the box
+  Field backstress;  // [term][component][k][i][j] of the box: deviators; empty: no kinematic
+                     // hardening
+
+  bool operator==(const PlasticState&) const = default;
 };
 
 class State {
@@ -55,6 +59,8 @@ class State {
   Field hydrostatic(int body) const;
   Field plastic_strain(int body) const;
   Field equivalent_plastic_strain(int body) const;
+  /// [term][component][k][i][j], as many terms as the material has backstresses.
+  Field backstress(int body) const;
   /// Surface fields [i][j] [m], positive into the body: of the plastic strain, and of all.
   Field residual_displacement(int body) const;
   Field surface_displacement(int body) const;
@@ -64,6 +70,10 @@ class State {
 
   std::shared_ptr<const Scene> scene_;
 };
+
+/// Whether two histories, or their absence, are the same.
+bool same(const std::shared_ptr<const PlasticState>& a,
+          const std::shared_ptr<const PlasticState>& b);
 
 /// The same with fewer mirror planes.
 std::shared_ptr<const PlasticState> unfolded(const std::shared_ptr<const PlasticState>& history,
