@@ -58,9 +58,7 @@ std::function<double()> radial_return() {
   return [steel, stress, strain]() {
     double sum = 0.0;
     for (std::size_t n = 0; n < stress.size(); ++n) {
-      sum += plasticity::radial_return(stress[n], {}, strain[n], steel.elastic.shear_modulus(),
-                                       steel.hardening)
-                 .equivalent;
+      sum += plasticity::radial_return(stress[n], {}, strain[n], steel).equivalent;
     }
     return sum;
   };
