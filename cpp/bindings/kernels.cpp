@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/base/elastic.hpp"
 #include "samcontact/kernels/corners.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
+#include "samcontact/kernels/heat_displacement.hpp"
+#include "samcontact/kernels/heat_steady.hpp"
+#include "samcontact/kernels/heat_stress.hpp"
+#include "samcontact/kernels/heat_temperature.hpp"
 #include "samcontact/kernels/surface_traction.hpp"
 
 namespace samcontact::bindings {
@@ -26,6 +34,101 @@ py::array evaluate(const Array& X, const F& f) {
     for (std::size_t n = 0; n < N; ++n) to[n * points + i] = values[n];
   }
   return out;
+}
+
+/// A table of a heat source in units of its width 2 a; `table(source, points, unit)`.
+template <class Table>
+py::array heat_table(const Array& x, const Array& y, double a, double b, double heated,
+                     std::pair<double, double> speed, int components, double scale,
+                     const Table& table) {
+  const double unit = 2 * a;
+  const auto scaled = [unit](const Array& array) {
+    std::vector<double> values(array.data(), array.data() + array.size());
+    for (double& v : values) v /= unit;
+    return values;
+  };
+  const k::HeatSource source{0.5, b / unit, heated / (unit * unit), speed.first * unit,
+                             speed.second * unit};
+  const k::HeatPoints points{scaled(x), scaled(y)};
+  Field values;
+  {
+    py::gil_scoped_release release;
+    values = table(source, points, unit);
+    for (double& v : values) v *= scale;
+  }
+  const py::ssize_t nx = x.size(), ny = y.size();
+  return own(std::move(values), {py::ssize_t(components), nx, ny},
+             {item * nx * ny, item * ny, item});
+}
+
+void bind_heat(py::module_& m) {
+  m.def(
+      "steady_heat_temperature",
+      [](const Array& X, const Array& Y, const Array& z, double a, double b) {
+        const double unit = 2 * a;
+        return evaluate<1>(X, [&](py::ssize_t i) {
+          return std::array{unit * k::steady_heat_temperature(
+                                       X.data()[i] / unit, Y.data()[i] / unit, z.data()[i] / unit,
+                                       a / unit, b / unit)};
+        });
+      },
+      py::arg("X"), py::arg("Y"), py::arg("z"), py::arg("a"), py::arg("b"));
+  m.def(
+      "steady_heat_stress",
+      [](const Array& X, const Array& Y, const Array& z, double a, double b) {
+        const double unit = 2 * a;
+        return evaluate<3>(X, [&](py::ssize_t i) {
+          auto s = k::steady_heat_stress(X.data()[i] / unit, Y.data()[i] / unit,
+                                         z.data()[i] / unit, a / unit, b / unit);
+          for (double& v : s) v *= unit;
+          return s;
+        });
+      },
+      py::arg("X"), py::arg("Y"), py::arg("z"), py::arg("a"), py::arg("b"));
+  m.def(
+      "steady_heat_displacement",
+      [](const Array& X, const Array& Y, double a, double b, double r0) {
+        const double unit = 2 * a;
+        return evaluate<1>(X, [&](py::ssize_t i) {
+          return std::array{unit * unit * k::steady_heat_displacement(
+                                              X.data()[i] / unit, Y.data()[i] / unit, a / unit,
+                                              b / unit, r0 / unit)};
+        });
+      },
+      py::arg("X"), py::arg("Y"), py::arg("a"), py::arg("b"), py::arg("r0"));
+  m.def(
+      "heat_temperature",
+      [](const Array& x, const Array& y, double z, double a, double b, double heated,
+         std::pair<double, double> speed, double tol) {
+        return heat_table(x, y, a, b, heated, speed, 1, 2 * a,
+                          [&](const auto& source, const auto& points, double unit) {
+                            return k::heat_temperature(source, points, z / unit, tol);
+                          });
+      },
+      py::arg("x"), py::arg("y"), py::arg("z"), py::arg("a"), py::arg("b"), py::arg("heated"),
+      py::arg("speed"), py::arg("tol"));
+  m.def(
+      "heat_displacement",
+      [](const Array& x, const Array& y, double a, double b, double heated,
+         std::pair<double, double> speed, double tol) {
+        return heat_table(x, y, a, b, heated, speed, 1, 4 * a * a,
+                          [&](const auto& source, const auto& points, double) {
+                            return k::heat_displacement(source, points, tol);
+                          });
+      },
+      py::arg("x"), py::arg("y"), py::arg("a"), py::arg("b"), py::arg("heated"), py::arg("speed"),
+      py::arg("tol"));
+  m.def(
+      "heat_stress",
+      [](const Array& x, const Array& y, double z, double a, double b, double nu, double heated,
+         std::pair<double, double> speed, double tol) {
+        return heat_table(x, y, a, b, heated, speed, 6, 2 * a,
+                          [&](const auto& source, const auto& points, double unit) {
+                            return k::heat_stress(source, points, z / unit, nu, tol);
+                          });
+      },
+      py::arg("x"), py::arg("y"), py::arg("z"), py::arg("a"), py::arg("b"), py::arg("nu"),
+      py::arg("heated"), py::arg("speed"), py::arg("tol"));
 }
 
 }  // namespace
@@ -109,6 +212,7 @@ void bind_kernels(py::module_& parent) {
       },
       py::arg("X"), py::arg("Y"), py::arg("z"), py::arg("zc"), py::arg("a"), py::arg("b"),
       py::arg("c"), py::arg("E"), py::arg("nu"));
+  bind_heat(m);
 }
 
 }  // namespace samcontact::bindings

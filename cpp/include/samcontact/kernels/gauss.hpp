@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gauss-Legendre quadrature on the unit interval.
+#pragma once
+
+#include <vector>
+
+namespace samcontact::kernels {
+
+/// One node: where, and its weight.
+struct QuadratureNode {
+  double at, weight;
+};
+
+/// The n nodes on (0, 1), ascending; exact for polynomials of degree 2 n - 1.
+std::vector<QuadratureNode> gauss_legendre(int n);
+
+}  // namespace samcontact::kernels

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables as sums of separable terms: a rectangle convolved with a Gaussian of width v, shifted by
+// what the body has moved, is a product f_a(x) f_b(y), and every field of a heat source is an
+// integral over such products.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/kernels/heat_source.hpp"
+
+namespace samcontact::kernels {
+
+/// f(x; v) = 1/2 [erf((x + a)/(2 v)) - erf((x - a)/(2 v))] and its first two derivatives at the
+/// points of one direction.
+class HeatProfile {
+ public:
+  HeatProfile(const std::vector<double>& x, double a);
+
+  struct Range {
+    int first, last;
+    bool empty() const { return first >= last; }
+  };
+  /// Points where a profile shifted by between `low` and `high` is not negligible when it has
+  /// decayed at the distance `reach` from its edges.
+  Range support(double low, double high, double reach) const;
+  /// out[m][i - first] = m-th derivative of f at x[i] - shift, m = 0..orders - 1.
+  void evaluate(double shift, double v, Range range, int orders, double* const* out);
+  /// Smallest distance of a point from an edge, those on an edge left out; infinity without any.
+  double edge_distance() const { return edge_distance_; }
+  double min() const { return x_.front(); }
+  double max() const { return x_.back(); }
+  double half_size() const { return a_; }
+
+ private:
+  std::vector<double> x_;
+  double a_;
+  double edge_distance_;
+  // Points of a lattice share their edges: x + a of one is x - a of another.
+  std::vector<double> edges_;
+  std::vector<int> low_edge_, high_edge_;  // of x - a, x + a
+  std::vector<double> erf_, gauss_;
+};
+
+/// One table: weight number `weight` of every term times derivatives of its two profiles.
+struct HeatProduct {
+  int order_x, order_y, weight;
+};
+
+/// Adds up terms for several tables at once. Terms are kept and added a few at a time, so that a
+/// table is read and written once for all of them.
+class HeatSum {
+ public:
+  static constexpr int max_weights = 3;
+  /// Terms decay `reach` widths from the edges of the rectangle.
+  HeatSum(const HeatSource& source, const HeatPoints& points, std::vector<HeatProduct> products,
+          double reach);
+
+  /// A Gaussian of width v after the body has moved for `age` = kappa tau.
+  void add(double age, double v, const std::array<double, max_weights>& weights);
+  /// Adds what is kept; asks whether to stop (base/interrupt.hpp).
+  void flush();
+  /// The age from which on no point is reached by terms of width v; infinity for a source at rest.
+  double last_age(double v) const;
+
+  const HeatProfile& along_x() const { return profile_x_; }
+  const HeatProfile& along_y() const { return profile_y_; }
+  /// Table of a product, [i][j].
+  const Field& table(int product) const { return tables_[product]; }
+
+ private:
+  static constexpr int batch = 16;
+  struct Term {
+    double age, v;
+    std::array<double, max_weights> weights;
+  };
+
+  double speed_x_, speed_y_, reach_;
+  HeatProfile profile_x_, profile_y_;
+  std::vector<HeatProduct> products_;
+  int orders_ = 1;
+  std::size_t nx_, ny_;
+  std::vector<Term> terms_;
+  std::vector<Field> tables_;
+  Field f_, g_, weighted_;  // [order][term][point]
+};
+
+}  // namespace samcontact::kernels

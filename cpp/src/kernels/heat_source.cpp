@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/kernels/heat_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "samcontact/base/errors.hpp"
+
+namespace samcontact::kernels {
+namespace {
+
+void check_ascending(const std::vector<double>& x, const char* name) {
+  if (x.empty()) throw std::invalid_argument(std::string(name) + " must not be empty");
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    require(std::isfinite(x[i]) && (i == 0 || x[i] > x[i - 1]), name, "finite and strictly ascending",
+            x[i]);
+  }
+}
+
+}  // namespace
+
+bool HeatSource::is_steady() const { return std::isinf(heated); }
+double HeatSource::speed() const { return std::hypot(speed_x, speed_y); }
+
+void check_heat_arguments(const HeatSource& source, const HeatPoints& points, double z,
+                          double tol) {
+  require(source.a > 0 && std::isfinite(source.a), "a", "finite and > 0", source.a);
+  require(source.b > 0 && std::isfinite(source.b), "b", "finite and > 0", source.b);
+  require(source.heated >= 0, "heated", ">= 0", source.heated);
+  require(std::isfinite(source.speed_x), "speed_x", "finite", source.speed_x);
+  require(std::isfinite(source.speed_y), "speed_y", "finite", source.speed_y);
+  require(z >= 0 && std::isfinite(z), "z", "finite and >= 0", z);
+  require(tol >= 1e-12 && tol <= 1e-2, "tol", "in [1e-12, 1e-2]", tol);
+  check_ascending(points.x, "x");
+  check_ascending(points.y, "y");
+}
+
+}  // namespace samcontact::kernels

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/kernels/heat_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/multiversion.hpp"
+
+namespace samcontact::kernels {
+namespace {
+
+/// out[i][j] += sum_t f[t][i] g[t][j], four terms at a time; `terms` is a multiple of four.
+SAMCONTACT_MULTIVERSION void add_products(const double* f, std::size_t f_stride, const double* g,
+                                          std::size_t g_stride, int terms, int rows, int columns,
+                                          double* out, std::size_t out_stride) {
+  for (int i = 0; i < rows; ++i) {
+    double* row = out + i * out_stride;
+    for (int t = 0; t < terms; t += 4) {
+      const double f0 = f[t * f_stride + i], f1 = f[(t + 1) * f_stride + i],
+                   f2 = f[(t + 2) * f_stride + i], f3 = f[(t + 3) * f_stride + i];
+      const double* g0 = g + t * g_stride;
+      const double *g1 = g0 + g_stride, *g2 = g1 + g_stride, *g3 = g2 + g_stride;
+#pragma GCC ivdep
+      for (int j = 0; j < columns; ++j) {
+        row[j] += (f0 * g0[j] + f1 * g1[j]) + (f2 * g2[j] + f3 * g3[j]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+HeatProfile::HeatProfile(const std::vector<double>& x, double a)
+    : x_(x), a_(a), edge_distance_(std::numeric_limits<double>::infinity()) {
+  const double largest = std::max(std::fabs(x_.front()), std::fabs(x_.back())) + a;
+  const double rounding = 1e-14 * largest;
+  std::vector<double> all;
+  for (const double point : x_) {
+    all.push_back(point - a);
+    all.push_back(point + a);
+  }
+  std::sort(all.begin(), all.end());
+  for (const double edge : all) {
+    if (edges_.empty() || edge - edges_.back() > rounding) edges_.push_back(edge);
+  }
+  // The last edge that is not above, up to rounding.
+  const auto index = [&](double edge) {
+    return static_cast<int>(std::upper_bound(edges_.begin(), edges_.end(), edge) - edges_.begin()) -
+           1;
+  };
+  for (const double point : x_) {
+    low_edge_.push_back(index(point - a));
+    high_edge_.push_back(index(point + a));
+  }
+  for (const double edge : edges_) {
+    if (std::fabs(edge) > rounding) edge_distance_ = std::min(edge_distance_, std::fabs(edge));
+  }
+  erf_.resize(edges_.size());
+  gauss_.resize(edges_.size());
+}
+
+HeatProfile::Range HeatProfile::support(double low, double high, double reach) const {
+  const auto first = std::lower_bound(x_.begin(), x_.end(), low - a_ - reach);
+  const auto last = std::upper_bound(x_.begin(), x_.end(), high + a_ + reach);
+  return {static_cast<int>(first - x_.begin()), static_cast<int>(last - x_.begin())};
+}
+
+void HeatProfile::evaluate(double shift, double v, Range range, int orders, double* const* out) {
+  const double unit = 1 / (2 * v);
+  for (int e = low_edge_[range.first]; e <= high_edge_[range.last - 1]; ++e) {
+    const double u = (edges_[e] - shift) * unit;
+    erf_[e] = std::erf(u);
+    if (orders > 1) gauss_[e] = std::exp(-u * u);
+  }
+  const double slope = unit * std::numbers::inv_sqrtpi;
+  for (int i = range.first; i < range.last; ++i) {
+    const int low = low_edge_[i], high = high_edge_[i], to = i - range.first;
+    out[0][to] = 0.5 * (erf_[high] - erf_[low]);
+    if (orders > 1) out[1][to] = slope * (gauss_[high] - gauss_[low]);
+    if (orders > 2) {
+      out[2][to] = -2 * slope * unit * unit *
+                   ((edges_[high] - shift) * gauss_[high] - (edges_[low] - shift) * gauss_[low]);
+    }
+  }
+}
+
+HeatSum::HeatSum(const HeatSource& source, const HeatPoints& points,
+                 std::vector<HeatProduct> products, double reach)
+    : speed_x_(source.speed_x),
+      speed_y_(source.speed_y),
+      reach_(reach),
+      profile_x_(points.x, source.a),
+      profile_y_(points.y, source.b),
+      products_(std::move(products)),
+      nx_(points.x.size()),
+      ny_(points.y.size()),
+      tables_(products_.size(), Field(nx_ * ny_)) {
+  for (const auto& p : products_) orders_ = std::max({orders_, p.order_x + 1, p.order_y + 1});
+  f_.resize(orders_ * batch * nx_);
+  g_.resize(orders_ * batch * ny_);
+  weighted_.resize(batch * nx_);
+  terms_.reserve(batch);
+}
+
+void HeatSum::add(double age, double v, const std::array<double, max_weights>& weights) {
+  terms_.push_back({age, v, weights});
+  if (terms_.size() == batch) flush();
+}
+
+void HeatSum::flush() {
+  check_interrupt();
+  if (terms_.empty()) return;
+  double youngest = terms_[0].age, oldest = youngest, widest = 0;
+  for (const Term& term : terms_) {
+    youngest = std::min(youngest, term.age);
+    oldest = std::max(oldest, term.age);
+    widest = std::max(widest, term.v);
+  }
+  const auto range = [&](const HeatProfile& profile, double speed) {
+    const double from = speed * youngest, to = speed * oldest;
+    return profile.support(std::min(from, to), std::max(from, to), reach_ * widest);
+  };
+  const auto rows = range(profile_x_, speed_x_), columns = range(profile_y_, speed_y_);
+  if (rows.empty() || columns.empty()) return terms_.clear();
+
+  // Terms without weight fill the last four.
+  while (terms_.size() % 4 != 0) terms_.push_back({terms_.back().age, terms_.back().v, {}});
+  const int count = static_cast<int>(terms_.size());
+  for (int t = 0; t < count; ++t) {
+    double *to_f[3], *to_g[3];
+    for (int m = 0; m < orders_; ++m) {
+      to_f[m] = &f_[(m * batch + t) * nx_];
+      to_g[m] = &g_[(m * batch + t) * ny_];
+    }
+    profile_x_.evaluate(speed_x_ * terms_[t].age, terms_[t].v, rows, orders_, to_f);
+    profile_y_.evaluate(speed_y_ * terms_[t].age, terms_[t].v, columns, orders_, to_g);
+  }
+  const int height = rows.last - rows.first, width = columns.last - columns.first;
+  for (std::size_t p = 0; p < products_.size(); ++p) {
+    const auto [order_x, order_y, weight] = products_[p];
+    for (int t = 0; t < count; ++t) {
+      const double* f = &f_[(order_x * batch + t) * nx_];
+      for (int i = 0; i < height; ++i) weighted_[t * nx_ + i] = terms_[t].weights[weight] * f[i];
+    }
+    add_products(weighted_.data(), nx_, &g_[order_y * batch * ny_], ny_, count, height, width,
+                 &tables_[p][rows.first * ny_ + columns.first], ny_);
+  }
+  terms_.clear();
+}
+
+double HeatSum::last_age(double v) const {
+  const auto passed = [&](const HeatProfile& profile, double speed) {
+    if (speed == 0) return std::numeric_limits<double>::infinity();
+    const double way = (speed > 0 ? profile.max() : -profile.min()) + profile.half_size();
+    return std::max(0.0, way + reach_ * v) / std::fabs(speed);
+  };
+  return std::min(passed(profile_x_, speed_x_), passed(profile_y_, speed_y_));
+}
+
+}  // namespace samcontact::kernels
