@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/contact/contact_solver.hpp"
@@ -40,8 +42,10 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
 
 void bind_contact(py::module_& m) {
   py::class_<ContactSolver>(m, "ContactSolver")
-      .def(py::init<const Grid&, const Elastic&, const Elastic&, double>(), py::arg("grid"),
-           py::arg("body1"), py::arg("body2"), py::arg("friction"))
+      .def(py::init<const Grid&, const Elastic&, const Elastic&, double,
+                    const operators::HeatingPair&>(),
+           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
+           py::arg("heating"))
       .def("solve", &solve, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
            py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
            py::arg("error_on_border"));

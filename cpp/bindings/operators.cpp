@@ -4,6 +4,7 @@
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/operators/surface_displacement.hpp"
+#include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
 
 namespace samcontact::bindings {
@@ -48,14 +49,15 @@ py::array surface_displacement(const Grid& grid, const Elastic& elastic, const A
   Field out;
   {
     py::gil_scoped_release release;
-    out = operators::surface_displacement(grid, elastic.normal_compliance(),
-                                          elastic.coupling_compliance(), p.data(), pointer(sx),
-                                          pointer(sy));
+    out = operators::surface_displacement(
+        grid, operators::SurfaceInfluence(elastic.normal_compliance()),
+        elastic.coupling_compliance(), p.data(), pointer(sx), pointer(sy));
   }
   return surface_array(std::move(out), grid);
 }
 
-py::array surface_stress(const Grid& grid, double nu, const std::vector<double>& z,
+py::array surface_stress(const Grid& grid, const Elastic& elastic,
+                         const operators::Heating& heating, const std::vector<double>& z,
                          const Array& pressure, const py::object& shear_x,
                          const py::object& shear_y) {
   const Field p = to_field(pressure), sx = to_field_or_empty(shear_x),
@@ -63,12 +65,39 @@ py::array surface_stress(const Grid& grid, double nu, const std::vector<double>&
   Field out;
   {
     py::gil_scoped_release release;
-    out = operators::traction_stress(grid, nu, z, p.data(), pointer(sx), pointer(sy));
+    out = operators::traction_stress(grid, elastic, heating, z, p.data(), pointer(sx), pointer(sy));
   }
   return tensor_array(std::move(out), grid, static_cast<py::ssize_t>(z.size()));
 }
 
+py::array temperature(const Grid& grid, const operators::Heating& heating,
+                      const std::vector<double>& z, const Array& pressure) {
+  const Field p = to_field(pressure);
+  Field rise;
+  {
+    py::gil_scoped_release release;
+    rise = operators::temperature(grid, heating, z, p.data());
+  }
+  return volume_array(std::move(rise), grid, static_cast<py::ssize_t>(z.size()));
+}
+
 }  // namespace
+
+void bind_heating(py::module_& m) {
+  using operators::Heating;
+  py::class_<Heating>(m, "Heating")
+      .def(py::init<>())
+      .def(py::init([](double factor, double conductivity, double expansion, double diffusivity,
+                       double speed_x, double speed_y, double time, double reference) {
+             return Heating{factor,  Thermal::of(conductivity, expansion, diffusivity),
+                            speed_x, speed_y,
+                            time,    reference};
+           }),
+           py::arg("factor"), py::arg("conductivity"), py::arg("expansion"), py::arg("diffusivity"),
+           py::arg("speed_x"), py::arg("speed_y"), py::arg("time"), py::arg("reference"))
+      .def_property_readonly("needs_reference",
+                             [](const Heating& h) { return h.is_on() && h.is_steady_at_rest(); });
+}
 
 void bind_operators(py::module_& parent) {
   auto m = parent.def_submodule("operators");
@@ -78,8 +107,10 @@ void bind_operators(py::module_& parent) {
         py::arg("nu"));
   m.def("surface_displacement", &surface_displacement, py::arg("grid"), py::arg("elastic"),
         py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"));
-  m.def("surface_stress", &surface_stress, py::arg("grid"), py::arg("nu"), py::arg("z"),
-        py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"));
+  m.def("temperature", &temperature, py::arg("grid"), py::arg("heating"), py::arg("z"),
+        py::arg("pressure"));
+  m.def("surface_stress", &surface_stress, py::arg("grid"), py::arg("elastic"), py::arg("heating"),
+        py::arg("z"), py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"));
 }
 
 }  // namespace samcontact::bindings

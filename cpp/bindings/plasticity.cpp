@@ -34,6 +34,12 @@ void bind_plasticity(py::module_& m) {
             return s.with_backstresses(backstresses);
           },
           py::arg("terms"))
+      .def(
+          "with_thermal",
+          [](const Material& s, double conductivity, double expansion, double diffusivity) {
+            return s.with_thermal(Thermal::of(conductivity, expansion, diffusivity));
+          },
+          py::arg("conductivity"), py::arg("expansion"), py::arg("diffusivity"))
       .def_property_readonly("elastic_constants", [](const Material& s) { return s.elastic; })
       .def_property_readonly("is_plastic", &Material::is_plastic)
       .def(

@@ -161,6 +161,9 @@ void bind_state(py::module_& m) {
           },
           py::arg("body"))
       .def("plastic_strain", field_method<Rank::tensor>(&State::plastic_strain), py::arg("body"))
+      .def("temperature", field_method<Rank::scalar>(&State::temperature), py::arg("body"))
+      .def("surface_temperature", field_method<Rank::surface>(&State::surface_temperature),
+           py::arg("body"))
       .def("von_mises", field_method<Rank::scalar>(&State::von_mises), py::arg("body"))
       .def("hydrostatic", field_method<Rank::scalar>(&State::hydrostatic), py::arg("body"))
       .def("equivalent_plastic_strain",
@@ -181,8 +184,10 @@ Target make_target(const std::string& kind, double value, const py::object& pres
 }
 
 State step(Simulation& simulation, const std::string& kind, double value,
-           const py::object& pressure, const py::object& shear_x, const py::object& shear_y) {
-  const Target target = make_target(kind, value, pressure, shear_x, shear_y);
+           const py::object& pressure, const py::object& shear_x, const py::object& shear_y,
+           const operators::HeatingPair& heating) {
+  Target target = make_target(kind, value, pressure, shear_x, shear_y);
+  target.heating = heating;
   py::gil_scoped_release release;
   return simulation.step(target);
 }
@@ -263,7 +268,7 @@ void bind_simulation(py::module_& m) {
            py::arg("tol"), py::arg("increment_tol"), py::arg("max_iterations"),
            py::arg("error_on_border"), py::arg("residual_stress"), py::arg("image_tol"))
       .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
-           py::arg("shear_x"), py::arg("shear_y"))
+           py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"))
       .def(
           "set_plastic_state",
           [](Simulation& s, int body, const Array& strain, const py::object& equivalent,

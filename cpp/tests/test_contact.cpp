@@ -18,6 +18,7 @@ using namespace samcontact;
 namespace {
 
 constexpr double compliance = 1e-9;
+const operators::SurfaceInfluence influence(compliance);
 
 Field sample(std::size_t n) {
   Field f(n);
@@ -51,10 +52,9 @@ struct Displacements {
 Displacements displacements(const Grid& grid, const Field& pressure) {
   ComplexField work;
   Displacements u{Field(pressure.size()), Field(pressure.size())};
-  operators::SurfaceDisplacement(grid, compliance, 0.0)
-      .pressure(pressure.data(), u.exact.data(), work);
-  operators::NearDisplacement(grid.nx, grid.ny, grid.dx, grid.dy, compliance)
-      .pressure(pressure.data(), u.cheap.data(), work);
+  operators::SurfaceDisplacement(grid, influence).apply(pressure.data(), u.exact.data(), work);
+  operators::NearDisplacement(grid.nx, grid.ny, grid.dx, grid.dy, influence)
+      .apply(pressure.data(), u.cheap.data(), work);
   return u;
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("the cheap displacement is exact on small boxes and close on large one
 }
 
 TEST_CASE("the preconditioner inverts the displacement of a wave on the periodic grid") {
-  const contact::NearOperators near(64, 64, 1.0, 1.0, compliance);
+  const contact::NearOperators near(64, 64, 1.0, 1.0, influence);
   // In the middle of the box a packet of waves hardly feels the border.
   Field packet, back(64 * 64), displacement(64 * 64);
   for (int i = 0; i < 64; ++i) {
@@ -80,7 +80,7 @@ TEST_CASE("the preconditioner inverts the displacement of a wave on the periodic
     }
   }
   ComplexField work;
-  near.displacement.pressure(packet.data(), displacement.data(), work);
+  near.displacement.apply(packet.data(), displacement.data(), work);
   near.preconditioner.apply(displacement.data(), back.data(), work);
   CHECK(largest_difference(packet, back) < 0.01);
 }
@@ -137,8 +137,8 @@ TEST_CASE("rounds of the active set agree with the plain conjugate gradient") {
   for (const auto& [nx, ny] : {std::pair{40, 30}, {90, 70}}) {
     const Grid grid(nx, ny, 1.0, 1.0);
     const Field gap = wavy_gap(grid);
-    const operators::SurfaceDisplacement displacement(grid, compliance, 0.0);
-    const contact::Multilevel multilevel(grid, compliance);
+    const operators::SurfaceDisplacement displacement(grid, influence);
+    const contact::Multilevel multilevel(grid, influence);
     for (const auto driver : {contact::Driver::load(1e8), contact::Driver::approach(0.05)}) {
       const Field none(gap.size(), 0.0);
       const auto fast = multilevel.solve(displacement, gap, driver, none, 1e-10, 1000);
@@ -153,8 +153,8 @@ TEST_CASE("rounds of the active set agree with the plain conjugate gradient") {
 
 TEST_CASE("too few iterations are reported") {
   const Grid grid(40, 40, 1.0, 1.0);
-  const operators::SurfaceDisplacement displacement(grid, compliance, 0.0);
-  const contact::Multilevel multilevel(grid, compliance);
+  const operators::SurfaceDisplacement displacement(grid, influence);
+  const contact::Multilevel multilevel(grid, influence);
   const auto solution = multilevel.solve(displacement, wavy_gap(grid), contact::Driver::load(1e8),
                                          Field(grid.surface_size(), 0.0), 1e-10, 2);
   CHECK_FALSE(solution.converged);

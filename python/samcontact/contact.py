@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,7 +15,8 @@ from . import _core
 from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number
 from .grid import Grid
 from .material import Material
-from .operators import shear_components, surface_stress
+from .heat import heating, require_reference
+from .operators import depths_of, shear_components
 
 
 class GridTooSmallWarning(UserWarning):
@@ -86,6 +88,18 @@ class ContactSolver:
     on_border : {"error", "warn"}, optional
         What a contact does that touches the border of the grid.
     max_iterations : int, optional
+    heat_factor : float or pair of floats, optional
+        Q_f >= 0 [m/s]: heat flux into body 2 (or into body 1 and 2) over pressure; see
+        `samcontact.heat`. The heated bodies need thermal constants.
+    velocity : array_like, shape (2,) or (2, 2), optional
+        V_x, V_y of body 2 (or of body 1 and 2) through the contact [m/s], to which the heat is
+        fixed; default at rest.
+    heating_time : float, optional
+        Since when the contact is heated as it is now [s], > 0; default for ever (steady state).
+    heat_reference : float, optional
+        Distance [m] at which a point source at rest in the steady state displaces nothing, which
+        has no limit far away. Matters for the approach only; a given approach needs it; 1 m
+        otherwise.
 
     Raises
     ------
@@ -104,6 +118,10 @@ class ContactSolver:
         tol: float = 1e-8,
         on_border: str = "error",
         max_iterations: int = 5000,
+        heat_factor: float | Sequence[float] = 0.0,
+        velocity: ArrayLike | None = None,
+        heating_time: float | None = None,
+        heat_reference: float | None = None,
     ) -> None:
         require_type("grid", grid, Grid)
         require_type("body1", body1, Material)
@@ -118,7 +136,13 @@ class ContactSolver:
         self.on_border = choice("on_border", on_border, ("error", "warn"))
         self.max_iterations = integer("max_iterations", max_iterations, 1)
         upper, lower = body1._core.elastic_constants, body2._core.elastic_constants
-        self._core = _core.ContactSolver(grid._core, upper, lower, self.friction)
+        self.heat_reference = heat_reference
+        self._heating = heating(
+            (body1, body2), heat_factor, velocity, heating_time, heat_reference
+        )
+        self._core = _core.ContactSolver(
+            grid._core, upper, lower, self.friction, self._heating
+        )
 
     def solve(
         self,
@@ -151,6 +175,8 @@ class ContactSolver:
         """
         driver = exactly_one(load=load, approach=approach)
         value = number(driver, load if approach is None else approach)
+        if driver == "approach":
+            require_reference(self._heating, self.heat_reference)
         shape = self.grid.surface_shape
         start = None
         if initial_pressure is not None:
@@ -178,7 +204,7 @@ class ContactSolver:
         *,
         shear: ArrayLike | None = None,
     ) -> FloatArray:
-        """Elastic stress in a body at any depths.
+        """Elastic and thermal stress in a body at any depths.
 
         Parameters
         ----------
@@ -207,4 +233,35 @@ class ContactSolver:
         reversed_or_not = np.stack([sign * s for s in parts]) if parts else None
         if reversed_or_not is not None and len(parts) == 1:
             reversed_or_not = reversed_or_not[0]
-        return surface_stress(self.grid, p, z, material.nu, shear=reversed_or_not)
+        stress: FloatArray = _core.operators.surface_stress(
+            self.grid._core,
+            material._core.elastic_constants,
+            self._heating[body - 1],
+            depths_of(z).tolist(),
+            np.ascontiguousarray(p),
+            *shear_components(self.grid, reversed_or_not),
+        )
+        return stress
+
+    def temperature(self, pressure: ArrayLike, z: ArrayLike = 0.0, body: int = 2) -> FloatArray:
+        """Rise of temperature in a body at any depths.
+
+        Parameters
+        ----------
+        pressure : array_like, shape (nx, ny)
+            [Pa].
+        z : array_like, shape (m,), optional
+            Depths [m], >= 0; default the surface (flash temperature).
+        body : {1, 2}, optional
+
+        Returns
+        -------
+        ndarray, shape (nx, ny, m)
+            [K]; zero in a body that is not heated.
+        """
+        index = choice("body", body, (1, 2)) - 1
+        p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
+        rise: FloatArray = _core.operators.temperature(
+            self.grid._core, self._heating[index], depths_of(z).tolist(), p
+        )
+        return rise

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any
 
@@ -27,11 +27,14 @@ class Material:
         The factory's arguments, SI units.
     kinematic : tuple of (float, float)
         Modulus [Pa] and recovery [-] of each backstress, see `with_kinematic_hardening`.
+    thermal : tuple of float, or None
+        Conductivity, expansion and diffusivity, see `with_thermal`.
     """
 
     law: str
     parameters: dict[str, float]
     kinematic: tuple[tuple[float, float], ...] = ()
+    thermal: tuple[float, float, float] | None = None
 
     def __post_init__(self) -> None:
         checked = {name: number(name, value) for name, value in self.parameters.items()}
@@ -41,6 +44,10 @@ class Material:
             for modulus, recovery in self.kinematic
         )
         object.__setattr__(self, "kinematic", terms)
+        if self.thermal is not None:
+            names = ("conductivity", "expansion", "diffusivity")
+            constants = tuple(number(n, v) for n, v in zip(names, self.thermal, strict=True))
+            object.__setattr__(self, "thermal", constants)
         _ = self._core
 
     @classmethod
@@ -122,7 +129,33 @@ class Material:
                 f"{len(recoveries)}"
             )
         terms = tuple(zip(moduli, recoveries, strict=True))
-        return Material(self.law, dict(self.parameters), terms)
+        return replace(self, kinematic=terms)
+
+    def with_thermal(self, conductivity: float, expansion: float, diffusivity: float) -> Material:
+        """The same material with thermal constants, as frictional heat needs them.
+
+        Parameters
+        ----------
+        conductivity : float
+            k [W/(m K)], > 0.
+        expansion : float
+            Linear expansion alpha [1/K], >= 0.
+        diffusivity : float
+            kappa = k/(rho c) [m^2/s], > 0; it has no effect in the steady state of a source at
+            rest.
+
+        Returns
+        -------
+        Material
+
+        Raises
+        ------
+        ValueError
+            The body is rigid, or a constant is outside its range.
+        TypeError
+            One is not a number.
+        """
+        return replace(self, thermal=(conductivity, expansion, diffusivity))
 
     @cached_property
     def _core(self) -> Any:
@@ -130,7 +163,8 @@ class Material:
         if self.law not in factories:
             raise ValueError(f"law must be one of {', '.join(factories)}, got {self.law!r}")
         isotropic = getattr(_core.Material, self.law)(**self.parameters)
-        return isotropic.with_backstresses(list(self.kinematic)) if self.kinematic else isotropic
+        core = isotropic.with_backstresses(list(self.kinematic)) if self.kinematic else isotropic
+        return core if self.thermal is None else core.with_thermal(*self.thermal)
 
     @property
     def E(self) -> float:
@@ -193,10 +227,11 @@ class Material:
         return np.asarray(self._core.uniaxial_stress(history.tolist()), dtype=np.float64)
 
     def __hash__(self) -> int:
-        return hash((self.law, tuple(sorted(self.parameters.items())), self.kinematic))
+        parameters = tuple(sorted(self.parameters.items()))
+        return hash((self.law, parameters, self.kinematic, self.thermal))
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"law": self.law, "parameters": self.parameters, "kinematic": self.kinematic}
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)

@@ -27,6 +27,14 @@ def shear_components(
     return np.ascontiguousarray(finite_array("shear", shear, shape)), None
 
 
+def depths_of(z: ArrayLike) -> FloatArray:
+    """Check depths [m], a scalar or one-dimensional."""
+    depths = np.atleast_1d(np.asarray(z, dtype=np.float64))
+    if depths.ndim != 1 or not (np.isfinite(depths) & (depths >= 0)).all():
+        raise ValueError(f"z must be a one-dimensional array of depths >= 0 [m], got {z!r}")
+    return depths
+
+
 def depth_major(grid: Grid, name: str, tensor: ArrayLike) -> FloatArray:
     """Check a (6, nx, ny, nz) tensor field and return it as the core stores it, (6, nz, nx, ny)."""
     checked = finite_array(name, tensor, (6, *grid.volume_shape))
@@ -84,13 +92,12 @@ def surface_stress(
     -----
     Boucly (2008), eqs (2.81)-(2.93), L_22 corrected.
     """
-    depths = np.atleast_1d(np.asarray(z, dtype=np.float64))
-    if depths.ndim != 1 or not (np.isfinite(depths) & (depths >= 0)).all():
-        raise ValueError(f"z must be a one-dimensional array of depths >= 0 [m], got {z!r}")
+    depths = depths_of(z)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
-    nu = _core.Elastic.isotropic(1.0, nu).nu
+    # The stress due to tractions does not depend on Young's modulus.
+    elastic = _core.Elastic.isotropic(1.0, nu)
     field: FloatArray = _core.operators.surface_stress(
-        grid._core, nu, depths.tolist(), p, *shear_components(grid, shear)
+        grid._core, elastic, _core.Heating(), depths.tolist(), p, *shear_components(grid, shear)
     )
     return field
 

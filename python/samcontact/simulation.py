@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from ._checks import FloatArray, choice, exactly_one, finite_array, integer, num
 from .checkpoint import CheckpointError, read_checkpoint, write_checkpoint
 from .contact import GridTooSmallWarning, require_type
 from .grid import Grid
+from .heat import heating, pair, require_reference, velocities
 from .material import Material
 from .operators import depth_major, shear_components
 from .state import State
@@ -84,6 +85,10 @@ class Simulation:
         max_iterations: int = 60,
         residual_stress: str = "auto",
         image_tol: float = 1e-3,
+        heat_factor: float | Sequence[float] = 0.0,
+        velocity: ArrayLike | None = None,
+        heating_time: float | None = None,
+        heat_reference: float | None = None,
     ) -> None:
         require_type("grid", grid, Grid)
         require_type("body1", body1, Material)
@@ -108,6 +113,11 @@ class Simulation:
         self.image_tol = number("image_tol", image_tol)
         if not 1e-6 <= self.image_tol <= 0.1:
             raise ValueError(f"image_tol must be in [1e-6, 0.1], got {self.image_tol!r}")
+        self.heat_factor = pair(heat_factor)
+        self.velocity = velocities(velocity)
+        self.heating_time = heating_time
+        self.heat_reference = heat_reference
+        self._heating()
         self._core = _core.Simulation(
             grid._core,
             body1._core,
@@ -129,6 +139,7 @@ class Simulation:
         approach: float | None = None,
         pressure: ArrayLike | None = None,
         shear: ArrayLike | None = None,
+        heat_factor: float | Sequence[float] | None = None,
     ) -> State:
         """Go one increment further, to exactly one of load, approach, or given tractions.
 
@@ -142,6 +153,8 @@ class Simulation:
             Prescribed pressure [Pa], no contact is solved; with
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
             prescribed shear s_x, or (s_x, s_y), on body 2 [Pa]; default friction * pressure.
+        heat_factor : float or pair of floats, optional
+            From now on, instead of that of the simulation [m/s]; 0: the source is off.
 
         Returns
         -------
@@ -167,10 +180,24 @@ class Simulation:
             raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")
         else:
             value = number(kind, load if kind == "load" else approach)
-        core = self._core.step(kind, value, p, shear_x, shear_y)
+        if heat_factor is not None:
+            self.heat_factor = pair(heat_factor)
+        entries = self._heating()
+        if kind == "approach":
+            require_reference(entries, self.heat_reference)
+        core = self._core.step(kind, value, p, shear_x, shear_y, entries)
         for warning in core.warnings:
             warnings.warn(warning, GridTooSmallWarning, stacklevel=2)
         return State(core, self.grid)
+
+    def _heating(self) -> list[Any]:
+        return heating(
+            (self.body1, self.body2),
+            self.heat_factor,
+            self.velocity,
+            self.heating_time,
+            self.heat_reference,
+        )
 
     def run(self, path: Iterable[Mapping[str, Any]], *, progress: bool = True) -> list[State]:
         """Run a list of step() arguments, e.g. ``[{"load": 300.0}, {"load": 0.0}]``.

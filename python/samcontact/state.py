@@ -123,6 +123,14 @@ class State:
         """u_z of the surface under load [m], shape (nx, ny), positive into the body."""
         return self._field("surface_displacement", body)
 
+    def temperature(self, body: int = 2) -> FloatArray:
+        """Rise of temperature at mid-depth of the layers [K], shape (nx, ny, nz)."""
+        return self._field("temperature", body)
+
+    def surface_temperature(self, body: int = 2) -> FloatArray:
+        """Rise of temperature of the surface (flash temperature) [K], shape (nx, ny)."""
+        return self._field("surface_temperature", body)
+
     def _field(self, name: str, body: int) -> FloatArray:
         field: FloatArray = getattr(self._core, name)(choice("body", body, (1, 2)) - 1)
         return field

@@ -59,7 +59,7 @@ class ActiveSet {
 
  private:
   void apply(const Field& pressure, Field& displacement) {
-    problem_.operators.displacement.pressure(pressure.data(), displacement.data(), work_);
+    problem_.operators.displacement.apply(pressure.data(), displacement.data(), work_);
     ++operator_count_;
   }
 
@@ -129,7 +129,7 @@ class ActiveSet {
       if (!working_[i]) lowest_gap = std::min(lowest_gap, g);
       lowest_p = std::min(lowest_p, p_[i]);
       highest_p = std::max(highest_p, p_[i]);
-      highest_u = std::max(highest_u, u_[i]);
+      highest_u = std::max(highest_u, std::fabs(u_[i]));
     }
     const double u_scale = highest_u > 0 ? highest_u : 1.0;
     residual_ = residual / u_scale;

@@ -18,7 +18,9 @@ double contact_mean(const Field& pressure, const Field& field) {
 
 double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap) {
   const double p_max = *std::max_element(pressure.begin(), pressure.end());
-  const double u_max = *std::max_element(displacement.begin(), displacement.end());
+  // Heat may raise a surface more than pressure lowers it.
+  double u_max = 0.0;
+  for (const double u : displacement) u_max = std::max(u_max, std::fabs(u));
   if (p_max <= 0 || u_max <= 0) {
     // No pressure yet: any penetration counts in full.
     return *std::min_element(gap.begin(), gap.end()) < 0 ? 1.0 : 0.0;

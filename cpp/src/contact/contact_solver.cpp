@@ -42,6 +42,27 @@ double change_in_contact(const Field& a, const Field& b, const Field& pressure, 
   return load_driven ? highest - lowest : std::max(std::fabs(lowest), std::fabs(highest));
 }
 
+operators::SurfaceInfluence influence_of(const Elastic& body1, const Elastic& body2,
+                                         double friction, const operators::HeatingPair& heating) {
+  require(std::isfinite(friction) && friction >= 0, "friction", "a finite number >= 0", friction);
+  if (body1.is_rigid() && body2.is_rigid()) {
+    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
+  }
+  operators::SurfaceInfluence influence(
+      body1.normal_compliance() + body2.normal_compliance(),
+      friction * (body2.coupling_compliance() - body1.coupling_compliance()));
+  const Elastic* bodies[] = {&body1, &body2};
+  for (int b = 0; b < 2; ++b) {
+    if (!heating[b].is_on()) continue;
+    if (bodies[b]->is_rigid()) {
+      throw std::invalid_argument("body " + std::to_string(b + 1) +
+                                  " is rigid: it has no thermal expansion, heat cannot enter it");
+    }
+    influence.add(heating[b], bodies[b]->nu);
+  }
+  return influence;
+}
+
 }  // namespace
 
 std::string border_complaint(const Grid& grid, const Field& pressure, const std::string& what) {
@@ -56,18 +77,16 @@ GridTooSmallError too_small(const std::string& complaint) {
 }
 
 ContactSolver::ContactSolver(const Grid& grid, const Elastic& body1, const Elastic& body2,
+                             double friction, const operators::HeatingPair& heating)
+    : ContactSolver(grid, influence_of(body1, body2, friction, heating), friction) {}
+
+ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence,
                              double friction)
     : grid_(grid),
       friction_(friction),
-      displacement_(
-          grid, body1.normal_compliance() + body2.normal_compliance(),
-          friction == 0 ? 0.0 : body2.coupling_compliance() - body1.coupling_compliance()),
-      multilevel_(grid, body1.normal_compliance() + body2.normal_compliance()) {
-  require(std::isfinite(friction) && friction >= 0, "friction", "a finite number >= 0", friction);
-  if (body1.is_rigid() && body2.is_rigid()) {
-    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
-  }
-}
+      heated_(influence.is_heated()),
+      displacement_(grid, influence),
+      multilevel_(grid, influence) {}
 
 void ContactSolver::check(const Field& gap, const Driver& driver, const Field& initial_pressure,
                           const ContactSettings& settings) const {
@@ -100,7 +119,7 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
   pressure.resize(gap.size(), 0.0);
   for (double& p : pressure) p = std::max(p, 0.0);
 
-  Solution solution = displacement_.has_coupling()
+  Solution solution = displacement_.has_rest()
                           ? solve_coupled(gap, driver, std::move(pressure), settings)
                           : multilevel_.solve(displacement_, gap, driver, std::move(pressure),
                                               settings.tol, settings.max_iterations);
@@ -121,13 +140,12 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
 Solution ContactSolver::solve_coupled(const Field& gap, Driver driver, Field pressure,
                                       const ContactSettings& settings) const {
   const bool load_driven = driver.kind == Driver::Kind::load;
-  Field shear(gap.size()), coupling(gap.size()), previous(gap.size()), lagged(gap.size());
+  Field coupling(gap.size()), previous(gap.size()), lagged(gap.size());
   ComplexField scratch;
   int iterations = 0, applications = 0;
   double work = 0.0;
   const auto update_coupling = [&](const Field& p) {
-    for (std::size_t i = 0; i < p.size(); ++i) shear[i] = friction_ * p[i];
-    displacement_.shear(shear.data(), coupling.data(), scratch);
+    displacement_.apply_rest(p.data(), coupling.data(), scratch);
     ++applications;
     ++work;
   };
@@ -149,7 +167,7 @@ Solution ContactSolver::solve_coupled(const Field& gap, Driver driver, Field pre
     // The gap with the updated coupling; its scale is the elastic displacement in the contact.
     double scale = 0.0;
     for (std::size_t i = 0; i < gap.size(); ++i) {
-      scale = std::max(scale, solution.gap[i] + solution.approach - lagged[i]);
+      scale = std::max(scale, std::fabs(solution.gap[i] + solution.approach - lagged[i]));
     }
     const double change = change_in_contact(coupling, previous, solution.pressure, load_driven);
     outer_error = scale > 0 ? change / scale : 0.0;

@@ -39,7 +39,8 @@ bool is_zero(const Field& field) {
 
 class Multilevel::Level {
  public:
-  Level(const Grid& grid, double normal_compliance) : grid_(grid), compliance_(normal_compliance) {}
+  Level(const Grid& grid, const operators::SurfaceInfluence& influence)
+      : grid_(grid), influence_(influence) {}
 
   /// The work of the solution is counted in the unit of fft::filter_cost.
   Solution solve(const operators::SurfaceDisplacement& displacement, const Field& initial_gap,
@@ -52,7 +53,7 @@ class Multilevel::Level {
   Field coarse_start(const Field& gap, Driver driver, int max_iterations, double& work) const;
 
   Grid grid_;
-  double compliance_;
+  operators::SurfaceInfluence influence_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const NearOperators> near_;  // of the box size used last
   mutable std::unique_ptr<Level> coarser_;
@@ -101,7 +102,7 @@ class Rounds {
  private:
   void evaluate() {
     check_interrupt();
-    displacement_.pressure(solution_.pressure.data(), u_.data(), work_);
+    displacement_.apply(solution_.pressure.data(), u_.data(), work_);
     ++solution_.operator_applications;
     solution_.work += displacement_.cost();
     solution_.approach = close_gap(initial_gap_, u_, solution_.pressure, driver_, solution_.gap);
@@ -132,7 +133,7 @@ class Rounds {
     Field displacement = part(u_);
     if (!exact) {
       Field cheap(displacement.size());
-      near->displacement.pressure(pressure.data(), cheap.data(), work_);
+      near->displacement.apply(pressure.data(), cheap.data(), work_);
       solution_.work += near->displacement.cost();
       for (std::size_t i = 0; i < cheap.size(); ++i) problem.gap[i] += displacement[i] - cheap[i];
       std::swap(displacement, cheap);
@@ -174,7 +175,7 @@ class Rounds {
 std::shared_ptr<const NearOperators> Multilevel::Level::near(int nx, int ny) const {
   const std::lock_guard lock(mutex_);
   if (!near_ || near_->displacement.nx() != nx || near_->displacement.ny() != ny) {
-    near_ = std::make_shared<const NearOperators>(nx, ny, grid_.dx, grid_.dy, compliance_);
+    near_ = std::make_shared<const NearOperators>(nx, ny, grid_.dx, grid_.dy, influence_);
   }
   return near_;
 }
@@ -185,9 +186,8 @@ Field Multilevel::Level::coarse_start(const Field& gap, Driver driver, int max_i
     const std::lock_guard lock(mutex_);
     if (!coarser_) {
       const Grid coarse = coarsened(grid_);
-      coarser_ = std::make_unique<Level>(coarse, compliance_);
-      coarser_displacement_ =
-          std::make_unique<operators::SurfaceDisplacement>(coarse, compliance_, 0.0);
+      coarser_ = std::make_unique<Level>(coarse, influence_);
+      coarser_displacement_ = std::make_unique<operators::SurfaceDisplacement>(coarse, influence_);
     }
   }
   const Grid& coarse = coarser_->grid();
@@ -224,8 +224,8 @@ Solution Multilevel::Level::solve(const operators::SurfaceDisplacement& displace
   return solution;
 }
 
-Multilevel::Multilevel(const Grid& grid, double normal_compliance)
-    : finest_(std::make_unique<Level>(grid, normal_compliance)) {}
+Multilevel::Multilevel(const Grid& grid, const operators::SurfaceInfluence& influence)
+    : finest_(std::make_unique<Level>(grid, influence)) {}
 Multilevel::~Multilevel() = default;
 Multilevel::Multilevel(Multilevel&&) noexcept = default;
 Multilevel& Multilevel::operator=(Multilevel&&) noexcept = default;

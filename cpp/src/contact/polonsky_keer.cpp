@@ -57,7 +57,7 @@ class ConjugateGradient {
 
  private:
   void apply(const Field& pressure, Field& displacement) {
-    displacement_.pressure(pressure.data(), displacement.data(), work_);
+    displacement_.apply(pressure.data(), displacement.data(), work_);
     ++applications_;
   }
 

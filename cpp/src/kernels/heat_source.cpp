@@ -12,8 +12,8 @@ namespace {
 void check_ascending(const std::vector<double>& x, const char* name) {
   if (x.empty()) throw std::invalid_argument(std::string(name) + " must not be empty");
   for (std::size_t i = 0; i < x.size(); ++i) {
-    require(std::isfinite(x[i]) && (i == 0 || x[i] > x[i - 1]), name, "finite and strictly ascending",
-            x[i]);
+    require(std::isfinite(x[i]) && (i == 0 || x[i] > x[i - 1]), name,
+            "finite and strictly ascending", x[i]);
   }
 }
 

@@ -2,12 +2,8 @@
 #include "samcontact/operators/near_displacement.hpp"
 
 #include <algorithm>
-#include <array>
-#include <numbers>
 
 #include "samcontact/base/threads.hpp"
-#include "samcontact/kernels/surface_traction.hpp"
-#include "samcontact/operators/influence_lattice.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -25,30 +21,13 @@ int period(int cells, bool full) {
 
 int coarse_factor(int cells) { return std::max(2, cells / coarse_count); }
 
-/// Influence of a cell at the offset (x, y) cells, in units of dx.
-double influence(double x, double y, double aspect) {
-  const auto corner = [&](double s, double t) {
-    return kernels::pressure_displacement(x + s, (y + t) * aspect);
-  };
-  return (corner(0.5, 0.5) - corner(-0.5, 0.5)) - (corner(0.5, -0.5) - corner(-0.5, -0.5));
-}
-
 }  // namespace
 
 int short_period(int cells) { return fft::good_even_size(cells + (cells + 7) / 8); }
 
-Field periodic_spectrum(const fft::PeriodicTransform& transform, double dx, double dy,
-                        double normal_compliance) {
-  const CornerLattice lattice{transform.hx(), transform.hy(), dy / dx};
-  Field corners(lattice.size());
-  lattice.evaluate<1>(
-      [](double x, double y) { return std::array{kernels::pressure_displacement(x, y)}; },
-      corners.data());
-  Field quarter(transform.quarter_size());
-  lattice.corner_sums(corners.data(), quarter.data(), transform.hx(), transform.hy());
-  for (double& value : quarter) value *= normal_compliance * dx / std::numbers::pi;
-  transform.spectrum(quarter.data());
-  return quarter;
+Field periodic_spectrum(const fft::PeriodicTransform& transform, Field table) {
+  transform.spectrum(table.data());
+  return table;
 }
 
 int CoarseAxis::lower(int i) const {
@@ -64,9 +43,11 @@ int CoarseAxis::begin(int I) const { return std::max((I - 1) * factor, 0); }
 
 int CoarseAxis::end(int I) const { return std::min((I + 2) * factor, cells); }
 
-NearDisplacement::NearDisplacement(int nx, int ny, double dx, double dy, double normal_compliance)
+NearDisplacement::NearDisplacement(int nx, int ny, double dx, double dy,
+                                   const SurfaceInfluence& influence)
     : transform_(nx, ny, period(nx, padded_in_full(nx, ny)), period(ny, padded_in_full(nx, ny))),
-      near_(periodic_spectrum(transform_, dx, dy, normal_compliance)),
+      near_(
+          periodic_spectrum(transform_, influence.even(dx, dy, transform_.hx(), transform_.hy()))),
       x_{nx, coarse_factor(nx)},
       y_{ny, coarse_factor(ny)} {
   if (padded_in_full(nx, ny)) return;
@@ -79,23 +60,31 @@ NearDisplacement::NearDisplacement(int nx, int ny, double dx, double dy, double 
   far_transform_ = std::make_unique<fft::PeriodicTransform>(cx, cy, fft::good_even_size(2 * cx - 1),
                                                             fft::good_even_size(2 * cy - 1));
   const int hx = far_transform_->hx();
-  const double aspect = dy / dx, factor = normal_compliance * dx / std::numbers::pi;
   far_.assign(far_transform_->quarter_size(), 0.0);
+  Offsets direct, nearest;  // to the cell, and to the nearest of its images
+  for (int I = 0; I < cx; ++I) {
+    const int x = I * x_.factor;
+    direct.x.push_back(x * dx);
+    nearest.x.push_back(std::min(x, transform_.mx() - x) * dx);
+  }
+  for (int J = 0; J < cy; ++J) {
+    const int y = J * y_.factor;
+    direct.y.push_back(y * dy);
+    nearest.y.push_back(std::min(y, transform_.my() - y) * dy);
+  }
+  const Field exact = influence.even(dx, dy, direct), periodic = influence.even(dx, dy, nearest);
   for (int J = 0; J < cy; ++J) {
     for (int I = 0; I < cx; ++I) {
-      const double x = I * x_.factor, y = J * y_.factor;
-      const double across_x = std::min(x, transform_.mx() - x);
-      const double across_y = std::min(y, transform_.my() - y);
-      if (across_x == x && across_y == y) continue;
-      far_[static_cast<std::size_t>(J) * hx + I] =
-          factor * (influence(x, y, aspect) - influence(across_x, across_y, aspect));
+      if (nearest.x[I] == direct.x[I] && nearest.y[J] == direct.y[J]) continue;
+      const std::size_t at = static_cast<std::size_t>(J) * cx + I;
+      far_[static_cast<std::size_t>(J) * hx + I] = exact[at] - periodic[at];
     }
   }
   far_transform_->spectrum(far_.data());
 }
 
-void NearDisplacement::pressure(const double* pressure, double* displacement,
-                                ComplexField& work) const {
+void NearDisplacement::apply(const double* pressure, double* displacement,
+                             ComplexField& work) const {
   transform_.filter(pressure, near_.data(), displacement, work);
   if (far_transform_) add_far(pressure, displacement, work);
 }

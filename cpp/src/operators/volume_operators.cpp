@@ -2,7 +2,9 @@
 #include "samcontact/operators/volume_operators.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/operators/cuboid_residual_stress.hpp"
@@ -32,7 +34,7 @@ VolumeOperators::VolumeOperators(const Grid& grid, const Elastic& elastic,
       elastic_(elastic),
       options_(options),
       transform_(make_transform(grid, options)),
-      traction_stress_(grid, transform_, elastic.nu, grid.z(), options.tensor) {}
+      traction_stress_(grid, transform_, elastic, options.heating, grid.z(), options.tensor) {}
 
 const ResidualStress& VolumeOperators::residual_stress() const {
   const std::lock_guard lock(mutex_);
@@ -58,17 +60,20 @@ const ResidualDisplacement& VolumeOperators::residual_displacement() const {
 
 void VolumeOperators::add_tractions(const Tractions& tractions, double shear_sign,
                                     VolumeSpectrum& out) const {
-  const auto add = [&](Traction kind, const Field& field, double scale) {
+  const auto add = [&](std::span<const Traction> kinds, const Field& field, double scale) {
     if (field.empty()) return;
-    {
-      const std::lock_guard lock(mutex_);
-      traction_stress_.prepare(kind);
+    const Field spectrum = transform_.forward(field.data());
+    for (const Traction kind : kinds) {
+      {
+        const std::lock_guard lock(mutex_);
+        traction_stress_.prepare(kind);
+      }
+      traction_stress_.add(kind, spectrum, scale, out);
     }
-    traction_stress_.add(kind, transform_.forward(field.data()), scale, out);
   };
-  add(Traction::pressure, tractions.pressure, 1.0);
-  add(Traction::shear_x, tractions.shear_x, shear_sign);
-  add(Traction::shear_y, tractions.shear_y, shear_sign);
+  add(traction_stress_.pressure_kinds(), tractions.pressure, 1.0);
+  add(std::array{Traction::shear_x}, tractions.shear_x, shear_sign);
+  add(std::array{Traction::shear_y}, tractions.shear_y, shear_sign);
 }
 
 void VolumeOperators::for_each_layer(

@@ -96,4 +96,13 @@ Material Material::with_backstresses(const std::vector<Backstress>& terms) const
   return material;
 }
 
+Material Material::with_thermal(const Thermal& constants) const {
+  if (elastic.is_rigid()) {
+    throw std::invalid_argument("a rigid body does not expand: it has no thermal constants");
+  }
+  Material material = *this;
+  material.thermal = constants;
+  return material;
+}
+
 }  // namespace samcontact::plasticity

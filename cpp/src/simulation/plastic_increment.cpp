@@ -90,6 +90,7 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
   if (target_.kind == Target::Kind::tractions) {
     symmetry = symmetry_of(target_.tractions, scene_.grid);
   }
+  symmetry = common(symmetry, symmetry_of(target_.heating));
   for (const auto& history : from_.plastic) {
     if (history) symmetry = common(symmetry, history->symmetry);
   }
@@ -98,7 +99,8 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
 
 bool PlasticIncrement::twins() const {
   const auto& [upper, lower] = scene_.materials;
-  if (!upper.is_plastic() || upper != lower || scene_.solver.friction() > 0) return false;
+  if (!upper.is_plastic() || upper != lower || scene_.friction > 0) return false;
+  if (target_.heating[0] != target_.heating[1]) return false;
   // Shear acts on the two in opposite directions.
   if (!target_.tractions.shear_x.empty() || !target_.tractions.shear_y.empty()) return false;
   return same(from_.plastic[0], from_.plastic[1]);
@@ -170,7 +172,7 @@ void PlasticIncrement::set_box(Body& body, const Box& box) {
   body.spectrum.clear();
   body.operators.reset();
   body.operators = scene_.volume(body.index, whole_box(box, scene_.grid, symmetry_), body.tensor,
-                                 from_.method, symmetry_);
+                                 from_.method, symmetry_, target_.heating[body.index]);
   body.spectrum.push_back(body.operators->make_spectrum());
 }
 
@@ -236,13 +238,13 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
   settings.tol = tol;
   // An iterate may be larger than the solution: the border is checked once, at the end.
   settings.on_border = contact::OnBorder::warn;
-  solution = scene_.solver.solve(gap, driver, tractions_.pressure, settings);
+  solution = scene_.solver(target_.heating)->solve(gap, driver, tractions_.pressure, settings);
   ++counters_.contact_solves;
   counters_.contact_iterations += solution.iterations;
   tractions_.pressure = solution.pressure;
-  if (scene_.solver.friction() > 0) {
+  if (scene_.friction > 0) {
     tractions_.shear_x = solution.pressure;
-    for (double& s : tractions_.shear_x) s *= scene_.solver.friction();
+    for (double& s : tractions_.shear_x) s *= scene_.friction;
   }
   return solution;
 }
@@ -496,6 +498,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   State state = from_;
   state.warnings.clear();
   state.tractions = tractions_;
+  state.heating = target_.heating;
   state.contact_gap.clear();
   state.load = result.contact.load;
   state.approach = result.contact.approach;

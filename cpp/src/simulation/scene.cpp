@@ -18,16 +18,29 @@ constexpr std::size_t large_box = 1'000'000;
 }  // namespace
 
 Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
-             const plasticity::Material& body2, Field initial_gap_, double friction,
+             const plasticity::Material& body2, Field initial_gap_, double friction_,
              double image_tol)
     : grid(grid_),
       materials{body1, body2},
       initial_gap(std::move(initial_gap_)),
-      solver(grid_, body1.elastic, body2.elastic, friction),
+      friction(friction_),
       image_tol_(image_tol),
       symmetry_(symmetry_of(initial_gap, grid_)) {
+  // Throws for bodies or friction that no contact has.
+  solver({});
   // Sliding is along x.
   if (friction > 0) symmetry_ = common(symmetry_, fft::Symmetry::y);
+}
+
+std::shared_ptr<const contact::ContactSolver> Scene::solver(
+    const operators::HeatingPair& heating) const {
+  const std::lock_guard lock(mutex_);
+  if (!solver_ || solver_heating_ != heating) {
+    solver_ = std::make_shared<const contact::ContactSolver>(
+        grid, materials[0].elastic, materials[1].elastic, friction, heating);
+    solver_heating_ = heating;
+  }
+  return solver_;
 }
 
 void Scene::require_volume(int body) const {
@@ -41,14 +54,15 @@ void Scene::require_volume(int body) const {
 }
 
 Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tensor,
-                               operators::ResidualMethod method, fft::Symmetry symmetry) const {
+                               operators::ResidualMethod method, fft::Symmetry symmetry,
+                               const operators::Heating& heating) const {
   require_volume(body);
   if (materials[0].elastic == materials[1].elastic) body = 0;
   const Box size{0, 0, box.nx, box.ny, box.nz};
   const std::lock_guard lock(mutex_);
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) {
     return k.body == body && k.size == size && k.tensor == tensor && k.method == method &&
-           k.symmetry == symmetry;
+           k.symmetry == symmetry && k.heating == heating;
   });
   if (found != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, found);
@@ -58,8 +72,8 @@ Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tenso
     return k.body == body && k.tensor == tensor && k.operators.use_count() == 1 &&
            k.size.volume_size() > large_box && size.contains(k.size);
   });
-  const operators::VolumeOptions options{tensor, symmetry, method, image_tol_};
-  kept_.push_front({body, size, tensor, method, symmetry,
+  const operators::VolumeOptions options{tensor, symmetry, method, image_tol_, heating};
+  kept_.push_front({body, size, tensor, method, symmetry, heating,
                     std::make_shared<operators::VolumeOperators>(
                         size.grid(grid), materials[body].elastic, options)});
   if (kept_.size() > most_kept) kept_.pop_back();
@@ -71,6 +85,16 @@ std::size_t Scene::operator_bytes() const {
   std::size_t bytes = 0;
   for (const Kept& k : kept_) bytes += k.operators->bytes();
   return bytes;
+}
+
+fft::Symmetry symmetry_of(const operators::HeatingPair& heating) {
+  auto symmetry = fft::Symmetry::xy;
+  for (const auto& h : heating) {
+    if (!h.is_on()) continue;
+    if (h.speed_x != 0) symmetry = common(symmetry, fft::Symmetry::y);
+    if (h.speed_y != 0) symmetry = fft::Symmetry::none;
+  }
+  return symmetry;
 }
 
 fft::Symmetry symmetry_of(const Field& field, const Grid& grid) {

@@ -221,11 +221,21 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
     throw std::invalid_argument(
         "nz must be > 0 for an inelastic body: give the grid layers with nz and dz");
   }
+  scans({});
+}
+
+const Scans& Simulation::scans(const operators::HeatingPair& heating) {
+  const auto& [body1, body2] = scene_->materials;
+  const bool equal = body1.elastic == body2.elastic && heating[0] == heating[1];
   for (int b = 0; b < 2; ++b) {
     if (!scene_->materials[b].is_plastic()) continue;
-    const bool same = b == 1 && scans_[0] && body1.elastic == body2.elastic;
-    scans_[b] = same ? scans_[0] : std::make_shared<YieldScan>(*scene_, b);
+    if (scans_[b] && scans_heating_[b] == heating[b]) continue;
+    scans_[b] = b == 1 && scans_[0] && equal
+                    ? scans_[0]
+                    : std::make_shared<const YieldScan>(*scene_, b, heating[b]);
   }
+  scans_heating_ = heating;
+  return scans_;
 }
 
 void Simulation::check(const Target& target) const {
@@ -267,6 +277,7 @@ Target Simulation::between(const State& from, const Target& target, double fract
 
 State Simulation::advance(const Target& target) {
   const double least = std::ldexp(1.0, -settings_.max_halvings);
+  const Scans& with_heat = scans(target.heating);
   State moment = state_;
   int iterations = 0, substeps = 0;
   const auto part_of = [&](const State& from, double start, double end) {
@@ -274,7 +285,7 @@ State Simulation::advance(const Target& target) {
     return between(from, target, end == 1.0 ? 1.0 : (end - start) / (1.0 - start));
   };
   const auto solve = [&](const State& from, double start, double end) {
-    State state = solve_increment(from, part_of(from, start, end), scans_, settings_, counters_);
+    State state = solve_increment(from, part_of(from, start, end), with_heat, settings_, counters_);
     iterations += state.plastic_iterations;
     return state;
   };
@@ -304,7 +315,7 @@ State Simulation::advance(const Target& target) {
         }
         // What the extrapolation leaves above the yield stress flows.
         const State sum = extrapolated(moment, next, twice);
-        next = solve_increment(sum, part_of(moment, done, goal), scans_, settings_, counters_);
+        next = solve_increment(sum, part_of(moment, done, goal), with_heat, settings_, counters_);
         iterations += next.plastic_iterations;
       }
       moment = std::move(next);

@@ -2,10 +2,12 @@
 #include "samcontact/simulation/state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "samcontact/operators/surface_displacement.hpp"
+#include "samcontact/operators/temperature.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
 
 namespace samcontact::simulation {
@@ -167,6 +169,7 @@ Field State::total_stress(int body, bool with_tractions) const {
   const double sign = body == 1 ? 1.0 : -1.0;
   const Box whole = Box::whole(grid);
   if (!plastic[body] && !with_tractions) return Field(6 * grid.volume_size(), 0.0);
+  const operators::Heating heat = with_tractions ? heating[body] : operators::Heating{};
 
   // In the box the very stress that the flow was computed with: the fast operator depends a little
   // on period and mirrors.
@@ -174,7 +177,10 @@ Field State::total_stress(int body, bool with_tractions) const {
   auto symmetry = fft::Symmetry::none;
   if (plastic[body] && !exact) {
     symmetry = plastic[body]->symmetry;
-    if (with_tractions) symmetry = common(symmetry, symmetry_of(tractions, grid));
+    if (with_tractions) {
+      symmetry = common(symmetry, symmetry_of(tractions, grid));
+      symmetry = common(symmetry, symmetry_of(heating));
+    }
   }
   const auto history = unfolded(plastic[body], grid, symmetry);
   const Box box = history ? whole_box(history->box, grid, symmetry) : Box{};
@@ -183,13 +189,13 @@ Field State::total_stress(int body, bool with_tractions) const {
   if (exact || box != whole) {
     const auto all = unfolded(history, grid, fft::Symmetry::none);
     const Field strain = all ? embed(six_components(*all), box, grid, 6) : Field{};
-    out = scene_->volume(body, whole, Tensor::full, method)
+    out = scene_->volume(body, whole, Tensor::full, method, fft::Symmetry::none, heat)
               ->stress(all ? strain.data() : nullptr, with_tractions ? &tractions : nullptr, sign);
     if (!history || exact) return out;
   } else {
     out.resize(6 * grid.volume_size());
   }
-  const auto operators = scene_->volume(body, box, Tensor::full, method, symmetry);
+  const auto operators = scene_->volume(body, box, Tensor::full, method, symmetry, heat);
   const operators::Tractions here = window(tractions, grid, history->box);
   const Field part =
       operators->stress(six_components(*history).data(), with_tractions ? &here : nullptr, sign);
@@ -256,7 +262,8 @@ Field State::residual_displacement(int body) const {
   const PlasticState& history = *whole_history;
   Box wide = Box::whole(grid);
   wide.nz = history.box.nz;
-  const auto operators = scene_->volume(body, wide, history.tensor, method);
+  const auto operators =
+      scene_->volume(body, wide, history.tensor, method, fft::Symmetry::none, {});
   operators::VolumeSpectrum spectrum = operators->make_spectrum();
   const int parts = operators::count(history.tensor);
   operators::forward(operators->transform(),
@@ -270,12 +277,24 @@ Field State::surface_displacement(int body) const {
   const Elastic& elastic = scene_->materials[body].elastic;
   if (elastic.is_rigid()) return out;
   const auto pointer = [](const Field& f) { return f.empty() ? nullptr : f.data(); };
+  operators::SurfaceInfluence influence(elastic.normal_compliance());
+  influence.add(heating[body], elastic.nu);
   const Field loaded = operators::surface_displacement(
-      scene_->grid, elastic.normal_compliance(),
-      (body == 1 ? 1.0 : -1.0) * elastic.coupling_compliance(), pointer(tractions.pressure),
-      pointer(tractions.shear_x), pointer(tractions.shear_y));
+      scene_->grid, influence, (body == 1 ? 1.0 : -1.0) * elastic.coupling_compliance(),
+      pointer(tractions.pressure), pointer(tractions.shear_x), pointer(tractions.shear_y));
   for (std::size_t i = 0; i < out.size(); ++i) out[i] += loaded[i];
   return out;
+}
+
+Field State::temperature(int body) const {
+  scene_->require_volume(body);
+  return operators::temperature(scene_->grid, heating[body], scene_->grid.z(),
+                                tractions.pressure.data());
+}
+
+Field State::surface_temperature(int body) const {
+  return operators::temperature(scene_->grid, heating[body], std::array{0.0},
+                                tractions.pressure.data());
 }
 
 }  // namespace samcontact::simulation

@@ -2,7 +2,9 @@
 #include "samcontact/simulation/yield_scan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace samcontact::simulation {
 namespace {
@@ -43,14 +45,16 @@ Field average(const Field& fine, const Grid& grid, const Grid& coarse, int facto
 
 }  // namespace
 
-YieldScan::Level::Level(const Grid& fine, int factor_, std::vector<int> layers_, double nu)
+YieldScan::Level::Level(const Grid& fine, int factor_, std::vector<int> layers_,
+                        const Elastic& elastic, const operators::Heating& heating)
     : factor(factor_),
       grid(coarsened(fine, factor_)),
       layers(std::move(layers_)),
       transform(grid.nx, grid.ny, operators::Symmetry::none),
-      stress(grid, transform, nu, depths(fine, layers), Tensor::deviator) {}
+      stress(grid, transform, elastic, heating, depths(fine, layers), Tensor::deviator) {}
 
-YieldScan::YieldScan(const Scene& scene, int body) : grid_(scene.grid) {
+YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& heating)
+    : grid_(scene.grid) {
   const double cell = std::max(grid_.dx, grid_.dy), half = 0.5 * std::min(grid_.dx, grid_.dy);
   const int widest = std::max(grid_.nx, grid_.ny);
   double next = 0.0;
@@ -58,8 +62,8 @@ YieldScan::YieldScan(const Scene& scene, int body) : grid_(scene.grid) {
   int factor = 1;
   const auto flush = [&] {
     if (layers.empty()) return;
-    const double nu = scene.materials[body].elastic.nu;
-    levels_.push_back(std::make_unique<Level>(grid_, factor, std::move(layers), nu));
+    levels_.push_back(std::make_unique<Level>(grid_, factor, std::move(layers),
+                                              scene.materials[body].elastic, heating));
     layers.clear();
   };
   for (int k = 0; k < grid_.nz; ++k) {
@@ -80,15 +84,18 @@ Box YieldScan::level_box(const Level& level, const operators::Tractions& tractio
   const Grid& grid = level.grid;
   const int nz = level.stress.layers();
   operators::VolumeSpectrum spectrum(level.transform, nz, Tensor::deviator);
-  const auto add = [&](Traction kind, const Field& field, double scale) {
+  const auto add = [&](std::span<const Traction> kinds, const Field& field, double scale) {
     if (field.empty()) return;
     const Field coarse = average(field, grid_, grid, level.factor);
-    level.stress.prepare(kind);
-    level.stress.add(kind, level.transform.forward(coarse.data()), scale, spectrum);
+    const Field transformed = level.transform.forward(coarse.data());
+    for (const Traction kind : kinds) {
+      level.stress.prepare(kind);
+      level.stress.add(kind, transformed, scale, spectrum);
+    }
   };
-  add(Traction::pressure, tractions.pressure, 1.0);
-  add(Traction::shear_x, tractions.shear_x, shear_sign);
-  add(Traction::shear_y, tractions.shear_y, shear_sign);
+  add(level.stress.pressure_kinds(), tractions.pressure, 1.0);
+  add(std::array{Traction::shear_x}, tractions.shear_x, shear_sign);
+  add(std::array{Traction::shear_y}, tractions.shear_y, shear_sign);
   const std::size_t plane = grid.surface_size(), n = plane * nz;
   Field s(5 * n);
   operators::inverse(level.transform, spectrum, s.data());

@@ -30,23 +30,28 @@ struct ContactSettings {
 
 class ContactSolver {
  public:
-  /// friction: coefficient mu >= 0; the shear mu p acts on body 2 in +x, on body 1 in -x. Throws
-  /// std::invalid_argument when both bodies are rigid or friction is negative or not finite.
-  ContactSolver(const Grid& grid, const Elastic& body1, const Elastic& body2, double friction);
+  /// friction: coefficient mu >= 0; the shear mu p acts on body 2 in +x, on body 1 in -x. heating:
+  /// of the two bodies. Throws std::invalid_argument when both bodies are rigid, a rigid one is
+  /// heated, or friction is negative or not finite.
+  ContactSolver(const Grid& grid, const Elastic& body1, const Elastic& body2, double friction,
+                const operators::HeatingPair& heating = {});
 
-  /// Without coupling one solve of the complementarity problem. With it (dissimilar bodies and
-  /// friction) the operator is not symmetric: the shear's displacement is lagged in an outer fixed
-  /// point, a contraction with factor <= mu (1 - 2 nu)/(2 (1 - nu)) in the energy norm the largest
-  /// ratio of the two operators' Fourier symbols. initial_pressure may be empty.
-  /// Throws std::invalid_argument (load < 0, wrong shape, not finite), GridTooSmallError, and
-  /// ConvergenceError.
+  /// Where the displacement is an even operator (heat at rest included) one solve of the
+  /// complementarity problem. What is not even (friction of dissimilar bodies, moving heat) is
+  /// lagged in an outer fixed point: for friction a contraction with factor <= mu (1 - 2 nu)/(2 (1
+  /// - nu)), in the energy norm the largest ratio of the operators' Fourier symbols.
+  /// initial_pressure may be empty. Throws std::invalid_argument (load < 0, wrong shape, not
+  /// finite), GridTooSmallError, and ConvergenceError.
   Solution solve(const Field& gap, Driver driver, const Field& initial_pressure,
                  const ContactSettings& settings) const;
 
   const Grid& grid() const { return grid_; }
   double friction() const { return friction_; }
 
+  bool is_heated() const { return heated_; }
+
  private:
+  ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence, double friction);
   Solution solve_coupled(const Field& gap, Driver driver, Field pressure,
                          const ContactSettings& settings) const;
   void check(const Field& gap, const Driver& driver, const Field& initial_pressure,
@@ -54,6 +59,7 @@ class ContactSolver {
 
   Grid grid_;
   double friction_;
+  bool heated_;
   operators::SurfaceDisplacement displacement_;
   Multilevel multilevel_;
 };

@@ -15,7 +15,7 @@ namespace samcontact::contact {
 /// grids and the cheap operator, all made when first needed. Thread-safe.
 class Multilevel {
  public:
-  Multilevel(const Grid& grid, double normal_compliance);
+  Multilevel(const Grid& grid, const operators::SurfaceInfluence& influence);
   ~Multilevel();
   Multilevel(Multilevel&&) noexcept;
   Multilevel& operator=(Multilevel&&) noexcept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The spectral preconditioner of contact: the inverse of the periodic operator, 1/K^ ~ E* |q|/2,
-// seen from the cells of a working set.
+// The spectral preconditioner of contact: the inverse of the periodic elastic operator, 1/K^ ~ E*
+// |q|/2, seen from the cells of a working set. Heat is left out: with it K^ may be negative.
 #pragma once
 
 #include "samcontact/operators/near_displacement.hpp"
@@ -11,7 +11,8 @@ namespace samcontact::contact {
 /// contact touches opposite borders.
 class Preconditioner {
  public:
-  Preconditioner(int nx, int ny, double dx, double dy, double normal_compliance);
+  Preconditioner(int nx, int ny, double dx, double dy,
+                 const operators::SurfaceInfluence& influence);
 
   /// z = F^-1 (1/K^) F r; the caller restricts r and z to the working set. `work` is scratch.
   void apply(const double* r, double* z, ComplexField& work) const;
@@ -28,9 +29,8 @@ struct NearOperators {
   operators::NearDisplacement displacement;
   Preconditioner preconditioner;
 
-  NearOperators(int nx, int ny, double dx, double dy, double normal_compliance)
-      : displacement(nx, ny, dx, dy, normal_compliance),
-        preconditioner(nx, ny, dx, dy, normal_compliance) {}
+  NearOperators(int nx, int ny, double dx, double dy, const operators::SurfaceInfluence& influence)
+      : displacement(nx, ny, dx, dy, influence), preconditioner(nx, ny, dx, dy, influence) {}
 };
 
 }  // namespace samcontact::contact

@@ -8,6 +8,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/fft/periodic_transform.hpp"
+#include "samcontact/operators/surface_influence.hpp"
 
 namespace samcontact::operators {
 
@@ -15,9 +16,8 @@ namespace samcontact::operators {
 int short_period(int cells);
 
 /// Real quarter spectrum [ky][kx] of the displacement due to pressure on a periodic grid, at the
-/// distance of the nearest image. dx, dy: sides of a cell [m]; normal_compliance [1/Pa].
-Field periodic_spectrum(const fft::PeriodicTransform& transform, double dx, double dy,
-                        double normal_compliance);
+/// distance of the nearest image. table: influence [j][i] on hx x hy offsets.
+Field periodic_spectrum(const fft::PeriodicTransform& transform, Field table);
 
 /// Linear interpolation along one axis between centres of coarse cells, each `factor` cells long,
 /// and centres of cells; extrapolation half a coarse cell at the ends.
@@ -40,8 +40,8 @@ struct CoarseAxis {
 /// periodic kernel is summed on coarse cells. Small boxes are padded in full instead: exact.
 class NearDisplacement {
  public:
-  /// normal_compliance [1/Pa], summed over the bodies. dx, dy: sides of a cell [m].
-  NearDisplacement(int nx, int ny, double dx, double dy, double normal_compliance);
+  /// Of the even part of the influence. dx, dy: sides of a cell [m].
+  NearDisplacement(int nx, int ny, double dx, double dy, const SurfaceInfluence& influence);
 
   int nx() const { return transform_.nx(); }
   int ny() const { return transform_.ny(); }
@@ -51,7 +51,7 @@ class NearDisplacement {
 
   /// displacement [m] of pressure [Pa], both [i][j], different arrays; `work` is scratch that the
   /// caller keeps from call to call.
-  void pressure(const double* pressure, double* displacement, ComplexField& work) const;
+  void apply(const double* pressure, double* displacement, ComplexField& work) const;
 
   /// Operations of one application, in the unit of fft::filter_cost.
   double cost() const;

@@ -30,6 +30,8 @@ struct VolumeOptions {
   ResidualMethod method = ResidualMethod::exact;
   /// Fast method: error due to periodic images, relative to the largest residual stress.
   double image_tol = 1e-3;
+  /// Heat that goes with the pressure.
+  Heating heating = {};
 };
 
 /// Thread-safe; shared by bodies with equal elastic constants. Strain and stress have the

@@ -2,9 +2,11 @@
 // Materials: isotropic elasticity; J2 plasticity with isotropic and kinematic hardening.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "samcontact/base/elastic.hpp"
+#include "samcontact/base/thermal.hpp"
 
 namespace samcontact::plasticity {
 
@@ -54,6 +56,7 @@ struct Material {
   Elastic elastic;
   Hardening hardening = Hardening::none();
   std::vector<Backstress> backstresses = {};
+  std::optional<Thermal> thermal = {};
 
   /// Factories throw std::invalid_argument naming the parameter, its value and what is allowed.
   static Material make_elastic(double E, double nu);
@@ -66,6 +69,9 @@ struct Material {
 
   /// The same with kinematic hardening beside its isotropic hardening, instead of what it had.
   Material with_backstresses(const std::vector<Backstress>& terms) const;
+
+  /// The same with thermal constants.
+  Material with_thermal(const Thermal& constants) const;
 
   bool operator==(const Material&) const = default;
   bool is_plastic() const { return hardening.law() != Hardening::Law::elastic; }

@@ -23,17 +23,20 @@ class Scene {
   const Grid grid;
   const std::array<plasticity::Material, 2> materials;
   const Field initial_gap;
-  const contact::ContactSolver solver;
+  const double friction;
+
+  /// The contact of the scene with this heat; the last one is kept. Thread-safe.
+  std::shared_ptr<const contact::ContactSolver> solver(const operators::HeatingPair& heating) const;
 
   /// Throws std::invalid_argument for a grid without volume or a rigid body.
   void require_volume(int body) const;
 
   using Operators = std::shared_ptr<const operators::VolumeOperators>;
-  /// Operators of a body on (whole) boxes of this size; bodies with equal elastic constants share
-  /// them. The last few are kept. Thread-safe.
+  /// Operators of a body on (whole) boxes of this size; bodies with equal elastic constants and
+  /// heat share them. The last few are kept. Thread-safe.
   Operators volume(int body, const Box& box, operators::Tensor tensor,
-                   operators::ResidualMethod method,
-                   fft::Symmetry symmetry = fft::Symmetry::none) const;
+                   operators::ResidualMethod method, fft::Symmetry symmetry,
+                   const operators::Heating& heating) const;
 
   /// Mirror planes that the initial gap, friction and grid leave to all fields.
   fft::Symmetry symmetry() const { return symmetry_; }
@@ -48,6 +51,7 @@ class Scene {
     operators::Tensor tensor;
     operators::ResidualMethod method;
     fft::Symmetry symmetry;
+    operators::Heating heating;
     Operators operators;
   };
 
@@ -55,8 +59,12 @@ class Scene {
   fft::Symmetry symmetry_;
   mutable std::mutex mutex_;
   mutable std::list<Kept> kept_;  // the latest used first
+  mutable operators::HeatingPair solver_heating_;
+  mutable std::shared_ptr<const contact::ContactSolver> solver_;
 };
 
+/// Mirror planes that heat leaves.
+fft::Symmetry symmetry_of(const operators::HeatingPair& heating);
 /// Mirror planes of a surface field, to 1e-10 of its largest value.
 fft::Symmetry symmetry_of(const Field& field, const Grid& grid);
 /// Those of tractions, which are along x and y.

@@ -14,6 +14,7 @@ struct Target {
   enum class Kind { load, approach, tractions } kind;
   double value = 0.0;
   operators::Tractions tractions;
+  operators::HeatingPair heating;  // that goes with the pressure
 };
 
 /// How the residual stress is computed; automatic: exact on small grids and for a given eigenstrain
@@ -77,11 +78,14 @@ class Simulation {
   /// Walks from the present state to the target in as many parts as convergence and the increment
   /// tolerance ask for.
   State advance(const Target& target);
+  /// With the heat of a target.
+  const Scans& scans(const operators::HeatingPair& heating);
   std::vector<std::string> border_complaints(const State& reached, const Target& target) const;
   Target between(const State& from, const Target& target, double fraction) const;
 
   std::shared_ptr<const Scene> scene_;
   Scans scans_;
+  operators::HeatingPair scans_heating_;
   Settings settings_;
   State state_;
   Counters counters_;

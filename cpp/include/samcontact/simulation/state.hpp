@@ -34,8 +34,9 @@ class State {
   operators::Tractions tractions;
   /// Separation under load [i][j] where it is known everywhere, else empty: see gap().
   Field contact_gap;
-  double load = 0.0;      // [N]
-  double approach = 0.0;  // [m]; NaN under prescribed tractions
+  operators::HeatingPair heating;  // that goes with the pressure
+  double load = 0.0;               // [N]
+  double approach = 0.0;           // [m]; NaN under prescribed tractions
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
   operators::ResidualMethod method;
 
@@ -64,6 +65,9 @@ class State {
   /// Surface fields [i][j] [m], positive into the body: of the plastic strain, and of all.
   Field residual_displacement(int body) const;
   Field surface_displacement(int body) const;
+  /// Rise of temperature [K] at mid-depth of the layers [k][i][j], and of the surface [i][j].
+  Field temperature(int body) const;
+  Field surface_temperature(int body) const;
 
  private:
   Field total_stress(int body, bool with_tractions) const;

@@ -12,8 +12,8 @@ namespace samcontact::simulation {
 
 class YieldScan {
  public:
-  /// For one body of the scene.
-  YieldScan(const Scene& scene, int body);
+  /// For one body of the scene, with its heat.
+  YieldScan(const Scene& scene, int body, const operators::Heating& heating);
 
   /// The box of all cells whose von Mises stress under the tractions exceeds `limit` [Pa]; empty
   /// when there is none. Tractions in the body's own frame but for the sign of the shear.
@@ -30,7 +30,8 @@ class YieldScan {
     operators::VolumeTransform transform;
     mutable operators::TractionStress stress;
 
-    Level(const Grid& grid, int factor, std::vector<int> layers, double nu);
+    Level(const Grid& grid, int factor, std::vector<int> layers, const Elastic& elastic,
+          const operators::Heating& heating);
   };
   Box level_box(const Level& level, const operators::Tractions& tractions, double shear_sign,
                 double limit) const;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Discrete convolution of a surface field with kernels of known parity (DC-FFT, Liu, Wang & Liu
+// 2000, doi:10.1016/S0043-1648(00)00427-0).
+#pragma once
+
+#include <span>
+
+#include "samcontact/base/grid.hpp"
+#include "samcontact/fft/padded_transform.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
+
+namespace samcontact::operators {
+
+/// A kernel that is even or odd in x and in y: table [j][i] of offsets >= 0, or its spectrum.
+struct ParityKernel {
+  kernels::Parity parity;
+  Field quarter;
+};
+
+class SurfaceConvolution {
+ public:
+  explicit SurfaceConvolution(const Grid& grid) : transform_(grid.nx, grid.ny) {}
+
+  /// Replaces the table of the grid's offsets by its real quarter spectrum.
+  void transform(ParityKernel& kernel) const;
+
+  /// out = convolution of `in` with the sum of transformed kernels, both [i][j]; may be the same
+  /// array. `work` is scratch that the caller keeps from call to call.
+  void apply(std::span<const ParityKernel> kernels, const double* in, double* out,
+             ComplexField& work) const;
+
+  /// Operations of one application, in the unit of fft::filter_cost.
+  double cost() const;
+
+ private:
+  fft::PaddedTransform transform_;
+};
+
+}  // namespace samcontact::operators

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/surface_convolution.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "samcontact/base/threads.hpp"
+#include "samcontact/fft/parity_spectrum.hpp"
+#include "samcontact/fft/periodic_transform.hpp"
+#include "samcontact/operators/parity_product.hpp"
+
+namespace samcontact::operators {
+
+void SurfaceConvolution::transform(ParityKernel& kernel) const {
+  const fft::ParitySpectrum spectrum(transform_);
+  const int nx = transform_.nx(), ny = transform_.ny();
+  Field quarter(spectrum.size(), 0.0);
+  for (int j = 0; j < ny; ++j) {
+    std::copy_n(kernel.quarter.data() + static_cast<std::size_t>(j) * nx, nx,
+                quarter.data() + static_cast<std::size_t>(j) * spectrum.hx());
+  }
+  spectrum.transform(quarter.data(), kernel.parity.odd_x, kernel.parity.odd_y);
+  kernel.quarter = std::move(quarter);
+}
+
+void SurfaceConvolution::apply(std::span<const ParityKernel> kernels, const double* in, double* out,
+                               ComplexField& work) const {
+  const int mx = transform_.mx(), mh = transform_.mh(), hx = mx / 2 + 1;
+  work.resize(transform_.spectrum_size());
+  transform_.forward(in, work.data(), mx, fft::PaddedTransform::Threads::many);
+#pragma omp parallel if (work.size() >= worth_threads_cells)
+  {
+    ComplexField column(mx);
+#pragma omp for schedule(static)
+    for (int ky = 0; ky < mh; ++ky) {
+      Complex* values = work.data() + static_cast<std::size_t>(ky) * mx;
+      std::fill(column.begin(), column.end(), Complex{});
+      for (const auto& [parity, quarter] : kernels) {
+        add_parity_product(quarter.data() + static_cast<std::size_t>(ky) * hx, parity, 1.0, values,
+                           column.data(), mx);
+      }
+      std::copy(column.begin(), column.end(), values);
+    }
+  }
+  transform_.inverse(work.data(), out, mx, fft::PaddedTransform::Threads::many);
+}
+
+double SurfaceConvolution::cost() const {
+  return fft::filter_cost(transform_.nx(), transform_.mx(), transform_.my());
+}
+
+}  // namespace samcontact::operators
