@@ -52,6 +52,7 @@ class ActiveSet {
     ActiveSetResult result;
     result.pressure = std::move(p_);
     result.iterations = iterations_;
+    result.negative_curvature = negative_curvature_;
     result.operations = operator_count_ * problem_.operators.displacement.cost() +
                         preconditioner_count_ * problem_.operators.preconditioner.cost();
     return result;
@@ -166,6 +167,7 @@ class ActiveSet {
       apply(t_, z_);  // z is free until the next step
       const double curvature = ordered_sum(n_, [&](std::size_t i) { return t_[i] * z_[i]; });
       // A working set that is already solved has no descent: then only the set has to change.
+      if (zr > 0 && curvature < 0) negative_curvature_ = true;
       if (!(zr > 0) || !(curvature > 0)) return step == 1 && violation_ > 0 && zr == 0;
       const double length = zr / curvature;
       for_each_cell([&](std::size_t i) {
@@ -202,6 +204,7 @@ class ActiveSet {
   double approach_ = 0.0, energy_ = INFINITY, patience_ = initial_patience;
   double residual_ = 0.0, violation_ = 0.0;
   std::size_t size_ = 0, dropped_ = 0;
+  bool negative_curvature_ = false;
   int iterations_ = 0, operator_count_ = 0, preconditioner_count_ = 0;
 };
 

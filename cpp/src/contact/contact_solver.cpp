@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "samcontact/base/reduce.hpp"
+
 namespace samcontact::contact {
 namespace {
 
@@ -123,6 +125,21 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
                           ? solve_coupled(gap, driver, std::move(pressure), settings)
                           : multilevel_.solve(displacement_, gap, driver, std::move(pressure),
                                               settings.tol, settings.max_iterations);
+  if (heated_ && !driver.is_load() && is_unstable(solution.pressure)) {
+    throw ConvergenceError("the contact is thermoelastically unstable at " + describe(driver) +
+                               ": its heat raises the surfaces by more than its pressure lowers "
+                               "them, so that it grows by itself; give a load instead",
+                           solution.iterations, solution.error);
+  }
+  if (!solution.converged && solution.negative_curvatures > 0) {
+    throw ConvergenceError("the contact may be thermoelastically unstable at " + describe(driver) +
+                               ": frictional heat makes the operator indefinite " +
+                               std::to_string(solution.negative_curvatures) +
+                               " times on the way; error " + to_text(solution.error) + " after " +
+                               std::to_string(solution.iterations) + " iterations, tol " +
+                               to_text(settings.tol),
+                           solution.iterations, solution.error);
+  }
   if (!solution.converged) {
     throw ConvergenceError("contact did not converge at " + describe(driver) + ": error " +
                                to_text(solution.error) + " after " +
@@ -135,6 +152,14 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
     throw too_small(solution.border_complaint);
   }
   return solution;
+}
+
+bool ContactSolver::is_unstable(const Field& pressure) const {
+  Field contact(pressure.size()), displacement(pressure.size());
+  for (std::size_t i = 0; i < pressure.size(); ++i) contact[i] = pressure[i] > 0 ? 1.0 : 0.0;
+  ComplexField scratch;
+  displacement_.apply(contact.data(), displacement.data(), scratch);
+  return ordered_dot(contact.data(), displacement.data(), contact.size()) < 0;
 }
 
 Solution ContactSolver::solve_coupled(const Field& gap, Driver driver, Field pressure,

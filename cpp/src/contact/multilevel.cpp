@@ -145,6 +145,7 @@ class Rounds {
     std::fill(solution_.pressure.begin(), solution_.pressure.end(), 0.0);
     insert(result.pressure.data(), box_, solution_.pressure.data(), Box::surface(grid_));
     solution_.iterations += result.iterations;
+    solution_.negative_curvatures += result.negative_curvature;
     solution_.work += result.operations;
   }
 
@@ -153,6 +154,7 @@ class Rounds {
         polonsky_keer(displacement_, initial_gap_, grid_.cell_area(), driver_,
                       std::move(solution_.pressure), tol, max_iterations - solution_.iterations);
     end.iterations += solution_.iterations;
+    end.negative_curvatures += solution_.negative_curvatures;
     end.work = end.work * displacement_.cost() + solution_.work;
     end.operator_applications += solution_.operator_applications;
     return end;

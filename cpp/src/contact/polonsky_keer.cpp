@@ -48,6 +48,7 @@ class ConjugateGradient {
       advance();
     }
     solution.pressure = p_;
+    solution.negative_curvatures = negative_curvatures_;
     solution.gap = g_;
     solution.approach = approach_;
     solution.operator_applications = applications_;
@@ -82,6 +83,7 @@ class ConjugateGradient {
     const double gt = ordered_sum(size_, [&](std::size_t i) { return g_[i] * t_[i]; });
     const double qt = ordered_sum(size_, [&](std::size_t i) { return (q_[i] - shift) * t_[i]; });
     // Without an active cell with a residual there is no curvature: use the cell's own stiffness.
+    negative_curvatures_ += qt < 0;
     const double step = qt > 0 ? gt / qt : 1.0 / displacement_.self_influence();
 
     bool clipped = false, released = false;
@@ -112,7 +114,7 @@ class ConjugateGradient {
   Field p_, u_, g_, t_, q_;
   double approach_ = 0.0, norm_ = 0.0;
   bool conjugate_ = false;
-  int since_refresh_ = 0, applications_ = 0;
+  int since_refresh_ = 0, applications_ = 0, negative_curvatures_ = 0;
   ComplexField work_;
 };
 

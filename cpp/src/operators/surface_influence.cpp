@@ -72,8 +72,25 @@ Field SurfaceInfluence::even(double dx, double dy, const Offsets& offsets) const
       table.push_back(normal_ * dx / std::numbers::pi * sum);
     }
   }
+  if (heated_.empty()) return table;
+  // Tables of heat ascend.
+  const auto ascending = [](std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+  };
+  const Offsets sorted{ascending(offsets.x), ascending(offsets.y)};
+  const auto place = [](const std::vector<double>& values, double v) {
+    return std::lower_bound(values.begin(), values.end(), v) - values.begin();
+  };
   for (const auto& [heating, nu] : heated_) {
-    operators::add(heat_displacement(heating, nu, dx, dy, offsets).front(), table);
+    const Field heat = heat_displacement(heating, nu, dx, dy, sorted).front();
+    std::size_t at = 0;
+    for (const double y : offsets.y) {
+      for (const double x : offsets.x) {
+        table[at++] += heat[place(sorted.y, y) * sorted.x.size() + place(sorted.x, x)];
+      }
+    }
   }
   return table;
 }

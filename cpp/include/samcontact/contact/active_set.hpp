@@ -20,7 +20,8 @@ struct NearProblem {
 struct ActiveSetResult {
   Field pressure;
   int iterations = 0;
-  double operations = 0.0;  // of the transforms, in the unit of fft::filter_cost
+  bool negative_curvature = false;  // ended by it: the operator is indefinite on the working set
+  double operations = 0.0;          // of the transforms, in the unit of fft::filter_cost
 };
 
 /// Lowers the complementarity error, as seen by the cheap operator, below tol. `displacement` is

@@ -36,6 +36,8 @@ struct Solution {
   /// the exact operator.
   double work = 0.0;
   bool converged = true;
+  /// Steps that met a direction in which the operator is not positive: frictional heat can do that.
+  int negative_curvatures = 0;
   /// Which border the contact touches and the remedy; empty when it touches none.
   std::string border_complaint;
 };

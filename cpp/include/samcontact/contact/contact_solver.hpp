@@ -52,6 +52,8 @@ class ContactSolver {
 
  private:
   ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence, double friction);
+  /// Whether a uniform pressure on the contact raises it, on the mean, more than it lowers it.
+  bool is_unstable(const Field& pressure) const;
   Solution solve_coupled(const Field& gap, Driver driver, Field pressure,
                          const ContactSettings& settings) const;
   void check(const Field& gap, const Driver& driver, const Field& initial_pressure,
