@@ -76,7 +76,7 @@ py::array temperature(const Grid& grid, const operators::Heating& heating,
   Field rise;
   {
     py::gil_scoped_release release;
-    rise = operators::temperature(grid, heating, z, p.data());
+    rise = operators::Temperature(grid, heating, z).rise(p.data());
   }
   return volume_array(std::move(rise), grid, static_cast<py::ssize_t>(z.size()));
 }

@@ -161,6 +161,14 @@ void bind_state(py::module_& m) {
           },
           py::arg("body"))
       .def("plastic_strain", field_method<Rank::tensor>(&State::plastic_strain), py::arg("body"))
+      .def(
+          "softening",
+          [](const State& state, int body) -> py::object {
+            if (!state.softening[body]) return py::none();
+            const Grid& grid = state.scene().grid;
+            return volume_array(*state.softening[body], grid, grid.nz);
+          },
+          py::arg("body"))
       .def("temperature", field_method<Rank::scalar>(&State::temperature), py::arg("body"))
       .def("surface_temperature", field_method<Rank::surface>(&State::surface_temperature),
            py::arg("body"))
@@ -172,6 +180,20 @@ void bind_state(py::module_& m) {
            py::arg("body"))
       .def("surface_displacement", field_method<Rank::surface>(&State::surface_displacement),
            py::arg("body"));
+}
+
+/// A Python function of the rise of temperature (nx, ny, nz), called with the GIL.
+simulation::Softening softening_law(const py::object& law, const Grid& grid) {
+  // The last owner may let go of it on any thread.
+  const std::shared_ptr<py::object> kept(new py::object(law), [](py::object* p) {
+    const py::gil_scoped_acquire gil;
+    delete p;
+  });
+  return [kept, grid](const Field& rise) {
+    const py::gil_scoped_acquire gil;
+    const py::array factor = (*kept)(volume_array(rise, grid, grid.nz));
+    return to_field(factor.cast<Array>());
+  };
 }
 
 Target make_target(const std::string& kind, double value, const py::object& pressure,
@@ -249,7 +271,8 @@ void bind_simulation(py::module_& m) {
       .def(py::init([](const Grid& grid, const plasticity::Material& body1,
                        const plasticity::Material& body2, const Array& gap, double friction,
                        double tol, double increment_tol, int max_iterations, bool error_on_border,
-                       const std::string& residual_stress, double image_tol) {
+                       const std::string& residual_stress, double image_tol,
+                       const std::array<py::object, 2>& softening) {
              simulation::Settings settings;
              settings.tol = tol;
              settings.increment_tol = increment_tol;
@@ -261,12 +284,17 @@ void bind_simulation(py::module_& m) {
                                         : residual_stress == "fast" ? ResidualChoice::fast
                                                                     : ResidualChoice::automatic;
              settings.image_tol = image_tol;
+             for (int b = 0; b < 2; ++b) {
+               if (!softening[b].is_none())
+                 settings.softening[b] = softening_law(softening[b], grid);
+             }
              return std::make_unique<Simulation>(grid, body1, body2, to_field(gap), friction,
                                                  settings);
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"), py::arg("friction"),
            py::arg("tol"), py::arg("increment_tol"), py::arg("max_iterations"),
-           py::arg("error_on_border"), py::arg("residual_stress"), py::arg("image_tol"))
+           py::arg("error_on_border"), py::arg("residual_stress"), py::arg("image_tol"),
+           py::arg("softening"))
       .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
            py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"))
       .def(

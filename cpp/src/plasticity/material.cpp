@@ -49,6 +49,14 @@ Hardening::Point Hardening::at(double g) const {
   }
 }
 
+Hardening Hardening::scaled(double factor) const {
+  Hardening law = *this;
+  law.initial_ *= factor;
+  law.modulus_ *= factor;
+  law.B_ *= factor;
+  return law;
+}
+
 double Hardening::yield_stress(double g) const { return at(g).yield_stress; }
 double Hardening::slope(double g) const { return at(g).slope; }
 

@@ -33,8 +33,9 @@ class KinematicEquation {
  public:
   /// product(a, b): inner product of number a and b of the trial stress (0) and the backstresses.
   template <class Product>
-  KinematicEquation(const Material& material, double stiffness, double g, const Product& product)
-      : material_(material), stiffness_(stiffness), g_(g) {
+  KinematicEquation(const Material& material, const Hardening& hardening, double stiffness,
+                    double g, const Product& product)
+      : material_(material), hardening_(hardening), stiffness_(stiffness), g_(g) {
     const int count = static_cast<int>(material.backstresses.size()) + 1;
     for (int a = 0; a < count; ++a) {
       for (int b = 0; b <= a; ++b) gram_[a][b] = gram_[b][a] = product(a, b);
@@ -75,9 +76,8 @@ class KinematicEquation {
   /// 0 inside the yield surface. The difference of the sides falls monotonically as long as no
   /// backstress exceeds its limit modulus/recovery: Newton between bounds.
   double solve(double start) const {
-    const auto& hardening = material_.hardening;
     double low = 0.0, high = left(0.0).value, d = start;
-    if (high <= hardening.yield_stress(g_)) return 0.0;
+    if (high <= hardening_.yield_stress(g_)) return 0.0;
     for (const Backstress& x : material_.backstresses) {
       if (x.recovery > 0) high += x.modulus / x.recovery;
     }
@@ -85,7 +85,7 @@ class KinematicEquation {
     if (!(d > low && d < high)) d = 0.0;
     for (int n = 0; n < 200; ++n) {
       const auto [value, value_slope] = left(d);
-      const auto [yield_stress, yield_slope] = hardening.at(g_ + d);
+      const auto [yield_stress, yield_slope] = hardening_.at(g_ + d);
       const double difference = value - taken_up(d) - yield_stress;
       double slope = value_slope - stiffness_ - yield_slope;
       for (const Backstress& x : material_.backstresses) {
@@ -106,6 +106,7 @@ class KinematicEquation {
 
  private:
   const Material& material_;
+  const Hardening& hardening_;
   double stiffness_, g_;
   std::array<std::array<double, max_backstresses + 1>, max_backstresses + 1> gram_;
 };
@@ -138,12 +139,13 @@ Return isotropic_return(const Tensor& stress, const Tensor& guess, double g, dou
 }
 
 Return kinematic_return(const Tensor& stress, const Tensor& guess, double g,
-                        const Material& material, std::span<const Tensor> before) {
+                        const Material& material, const Hardening& hardening,
+                        std::span<const Tensor> before) {
   const double shear_modulus = material.elastic.shear_modulus();
   const Tensor s = deviator(stress), trial = plus(s, 2 * shear_modulus, guess);
-  const double yield_before = material.hardening.yield_stress(g);
+  const double yield_before = hardening.yield_stress(g);
   const auto tensor = [&](int a) -> const Tensor& { return a == 0 ? trial : before[a - 1]; };
-  const KinematicEquation equation(material, 3 * shear_modulus, g,
+  const KinematicEquation equation(material, hardening, 3 * shear_modulus, g,
                                    [&](int a, int b) { return inner(tensor(a), tensor(b)); });
   const auto& laws = material.backstresses;
   Return result{};
@@ -196,10 +198,13 @@ Tensor advanced(const Tensor& backstress, const Backstress& law, const Tensor& i
 }
 
 Return radial_return(const Tensor& stress, const Tensor& guess, double g, const Material& material,
-                     std::span<const Tensor> before) {
-  return before.empty() ? isotropic_return(stress, guess, g, material.elastic.shear_modulus(),
-                                           material.hardening)
-                        : kinematic_return(stress, guess, g, material, before);
+                     std::span<const Tensor> before, double softening) {
+  const auto with = [&](const Hardening& hardening) {
+    return before.empty()
+               ? isotropic_return(stress, guess, g, material.elastic.shear_modulus(), hardening)
+               : kinematic_return(stress, guess, g, material, hardening, before);
+  };
+  return softening == 1 ? with(material.hardening) : with(material.hardening.scaled(softening));
 }
 
 std::vector<double> uniaxial_stress(const Material& material, std::span<const double> strain) {
@@ -210,7 +215,7 @@ std::vector<double> uniaxial_stress(const Material& material, std::span<const do
   for (const double total : strain) {
     const double trial = E * (total - plastic);
     const auto value = [&](int a) { return a == 0 ? trial : x[a - 1]; };
-    const KinematicEquation equation(material, E, g,
+    const KinematicEquation equation(material, material.hardening, E, g,
                                      [&](int a, int b) { return value(a) * value(b); });
     const double d = equation.solve(0.0);
     double left = trial;

@@ -38,7 +38,7 @@ class FixedPoint {
         target_(target),
         settings_(settings),
         counters_(counters),
-        problem_(from, target, scans, counters),
+        problem_(from, target, scans, settings, counters),
         contact_tol_(problem_.has_plastic_body() ? loosest : contact_share * settings.tol) {}
 
   State solve() {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "samcontact/base/errors.hpp"
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/base/threads.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
@@ -101,6 +102,8 @@ bool PlasticIncrement::twins() const {
   const auto& [upper, lower] = scene_.materials;
   if (!upper.is_plastic() || upper != lower || scene_.friction > 0) return false;
   if (target_.heating[0] != target_.heating[1]) return false;
+  // Two laws cannot be compared.
+  if (settings_.softening[0] || settings_.softening[1]) return false;
   // Shear acts on the two in opposite directions.
   if (!target_.tractions.shear_x.empty() || !target_.tractions.shear_y.empty()) return false;
   return same(from_.plastic[0], from_.plastic[1]);
@@ -124,9 +127,10 @@ Box PlasticIncrement::fit(const Box& needed, const Box& before) const {
 }
 
 PlasticIncrement::PlasticIncrement(const State& from, const Target& target, const Scans& scans,
-                                   Counters& counters)
+                                   const Settings& settings, Counters& counters)
     : from_(from),
       target_(target),
+      settings_(settings),
       counters_(counters),
       scene_(from.scene()),
       tractions_(target.kind == Target::Kind::tractions
@@ -249,6 +253,31 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
   return solution;
 }
 
+void PlasticIncrement::soften() {
+  if (softened_) return;
+  softened_ = true;
+  for (Body& body : bodies_) {
+    const Softening& law = settings_.softening[body.index];
+    if (!law) continue;
+    const Field rise =
+        scene_.temperature(target_.heating[body.index])->rise(tractions_.pressure.data());
+    const std::string name = "softening of body " + std::to_string(body.index + 1);
+    Field factor = law(rise);
+    require(factor.size() == rise.size(), name, "a value for each cell of the grid",
+            static_cast<double>(factor.size()));
+    for (const double f : factor) require(f > 0 && f <= 1, name, "in (0, 1]", f);
+    body.weakest = *std::min_element(factor.begin(), factor.end());
+    if (body.weakest < 1) body.softening = std::make_shared<const Field>(std::move(factor));
+  }
+}
+
+std::size_t PlasticIncrement::grid_cell(const Body& body, std::uint32_t cell) const {
+  const Box& box = body.box;
+  const std::size_t j = cell % box.ny, ki = cell / box.ny, i = ki % box.nx, k = ki / box.nx;
+  const Grid& grid = scene_.grid;
+  return (k * grid.nx + box.i0 + i) * grid.ny + box.j0 + j;
+}
+
 Box PlasticIncrement::contact_window() const {
   const Grid& grid = scene_.grid;
   Box window = bounding_box(tractions_.pressure, grid);
@@ -291,7 +320,7 @@ bool PlasticIncrement::fit_boxes(const Field& gap) {
     if (!scanned_) {
       const auto& hardening = scene_.materials[body.index].hardening;
       const Box near = body.scan->box(tractions_, body.index == 1 ? 1.0 : -1.0,
-                                      near_yield * hardening.yield_stress(0.0));
+                                      near_yield * body.weakest * hardening.yield_stress(0.0));
       if (!near.empty()) needed = needed.united(near.widened(margin, grid));
     }
     if (needed.empty()) continue;
@@ -331,6 +360,7 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess, Result& result) {
   const std::size_t plane = body.box.surface_size();
   const bool deviator = body.tensor == Tensor::deviator;
   const double first = hardening.yield_stress(0.0), bound = first * first / 3;
+  const double weakest = bound * body.weakest * body.weakest;
 
   const bool kinematic = !body.backstress.empty();
   const auto centred = [&](std::size_t cell, std::array<double, 5> s) {
@@ -359,8 +389,9 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess, Result& result) {
         const double second = kinematic ? centred(cell, {xx, yy, s[3][i], s[4][i], s[5][i]})
                                         : second_invariant({xx, yy, s[3][i], s[4][i], s[5][i]});
         double limit = bound;
-        if (second > bound && body.equivalent[cell] > 0) {
-          const double yield_stress = hardening.yield_stress(body.equivalent[cell]);
+        if (second > weakest && (body.softening || body.equivalent[cell] > 0)) {
+          double yield_stress = hardening.yield_stress(body.equivalent[cell]);
+          if (body.softening) yield_stress *= (*body.softening)[grid_cell(body, cell)];
           limit = yield_stress * yield_stress / 3;
         }
         highest = std::max(highest, second / limit);
@@ -409,9 +440,10 @@ void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& res
     const Body& body = bodies_[b];
     const auto& material = scene_.materials[body.index];
     const auto present = tensor_of(guess, n, components_);
+    const double softening = body.softening ? (*body.softening)[grid_cell(body, cell)] : 1.0;
     plasticity::Tensors place;
     const auto r = plasticity::radial_return(stress_[n], present, body.equivalent[cell], material,
-                                             backstresses(body, cell, place));
+                                             backstresses(body, cell, place), softening);
     put(r.increment, mapped, n, components_);
     equivalent_[n] = r.equivalent;
     excess = std::max(excess, r.excess);
@@ -477,6 +509,7 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
   }
   Result result;
   result.contact = solve_contact(gap_, contact_tol);
+  soften();
   if (fit_boxes(result.contact.gap)) {
     result.grown =
         std::any_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.strained; });
@@ -499,6 +532,11 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.warnings.clear();
   state.tractions = tractions_;
   state.heating = target_.heating;
+  state.softening = {};
+  for (const Body& body : bodies_) {
+    state.softening[body.index] = body.softening;
+    if (body.copies == 2) state.softening[0] = body.softening;
+  }
   state.contact_gap.clear();
   state.load = result.contact.load;
   state.approach = result.contact.approach;

@@ -43,6 +43,16 @@ std::shared_ptr<const contact::ContactSolver> Scene::solver(
   return solver_;
 }
 
+std::shared_ptr<const operators::Temperature> Scene::temperature(
+    const operators::Heating& heating) const {
+  const std::lock_guard lock(mutex_);
+  if (!temperature_ || temperature_heating_ != heating) {
+    temperature_ = std::make_shared<const operators::Temperature>(grid, heating, grid.z());
+    temperature_heating_ = heating;
+  }
+  return temperature_;
+}
+
 void Scene::require_volume(int body) const {
   if (grid.nz == 0) {
     throw std::invalid_argument("nz is 0: fields below the surface need a grid with nz and dz");
@@ -84,6 +94,7 @@ std::size_t Scene::operator_bytes() const {
   const std::lock_guard lock(mutex_);
   std::size_t bytes = 0;
   for (const Kept& k : kept_) bytes += k.operators->bytes();
+  if (temperature_) bytes += temperature_->bytes();
   return bytes;
 }
 

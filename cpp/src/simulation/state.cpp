@@ -288,13 +288,12 @@ Field State::surface_displacement(int body) const {
 
 Field State::temperature(int body) const {
   scene_->require_volume(body);
-  return operators::temperature(scene_->grid, heating[body], scene_->grid.z(),
-                                tractions.pressure.data());
+  return scene_->temperature(heating[body])->rise(tractions.pressure.data());
 }
 
 Field State::surface_temperature(int body) const {
-  return operators::temperature(scene_->grid, heating[body], std::array{0.0},
-                                tractions.pressure.data());
+  return operators::Temperature(scene_->grid, heating[body], std::array{0.0})
+      .rise(tractions.pressure.data());
 }
 
 }  // namespace samcontact::simulation

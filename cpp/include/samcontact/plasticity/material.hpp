@@ -31,6 +31,8 @@ class Hardening {
     double yield_stress, slope;
   };
   Point at(double g) const;
+  /// Law whose yield stress is `factor` times this one's.
+  Hardening scaled(double factor) const;
 
   bool operator==(const Hardening&) const = default;
 

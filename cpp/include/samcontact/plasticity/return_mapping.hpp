@@ -35,8 +35,9 @@ struct Return {
 /// Returns to the yield surface. stress: the stress with `guess`, the present estimate of the
 /// plastic strain increment, in place; the trial state takes that guess back: dev(stress) + 2 G
 /// guess. before: one backstress for each of the material's, as they were before the increment.
+/// softening: factor of the yield stress.
 Return radial_return(const Tensor& stress, const Tensor& guess, double g, const Material& material,
-                     std::span<const Tensor> before = {});
+                     std::span<const Tensor> before = {}, double softening = 1.0);
 
 /// A backstress after a plastic strain increment and its equivalent.
 Tensor advanced(const Tensor& backstress, const Backstress& law, const Tensor& increment,

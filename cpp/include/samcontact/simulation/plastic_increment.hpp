@@ -18,7 +18,8 @@ namespace samcontact::simulation {
 class PlasticIncrement {
  public:
   /// scans: by body, null where nothing can yield.
-  PlasticIncrement(const State& from, const Target& target, const Scans& scans, Counters& counters);
+  PlasticIncrement(const State& from, const Target& target, const Scans& scans,
+                   const Settings& settings, Counters& counters);
 
   struct Result {
     contact::Solution contact;
@@ -58,7 +59,9 @@ class PlasticIncrement {
     std::vector<int> active;  // per cell: its place among the active ones, or -1
     bool strained = false;
     double rim_displacement = 0.0;  // largest residual displacement at the rim of the window
-    int copies = 1;                 // 2: the other body is its mirror image in the contact plane
+    std::shared_ptr<const Field> softening;  // of the yield stress [k][i][j] of the grid
+    double weakest = 1.0;                    // its smallest value
+    int copies = 1;  // 2: the other body is its mirror image in the contact plane
   };
 
   fft::Symmetry choose_symmetry() const;
@@ -73,6 +76,10 @@ class PlasticIncrement {
   /// Whether the residual displacement, which is known over the boxes only, could close the gap
   /// somewhere else.
   bool may_touch_outside(const Field& gap) const;
+  /// Once, when the first contact tells how hot the bodies are.
+  void soften();
+  /// Places of one layer of a box in the grid, for fields of the whole grid.
+  std::size_t grid_cell(const Body& body, std::uint32_t cell) const;
   Box contact_window() const;
   /// Whether a box had to grow for the contact or, at first, for the elastic stress.
   bool fit_boxes(const Field& gap);
@@ -88,6 +95,7 @@ class PlasticIncrement {
 
   const State& from_;
   const Target& target_;
+  const Settings& settings_;
   Counters& counters_;
   const Scene& scene_;
   fft::Symmetry symmetry_ = fft::Symmetry::none;
@@ -95,7 +103,7 @@ class PlasticIncrement {
   int components_ = 5;
   operators::Tractions tractions_;
   Field gap_;  // without the elastic displacement, of the last evaluation
-  bool scanned_ = false;
+  bool scanned_ = false, softened_ = false;
   ActiveCells active_;
   std::vector<plasticity::Tensor> stress_;  // of the active cells
   Field base_;        // plastic strain of the active cells before the increment

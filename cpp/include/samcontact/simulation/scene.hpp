@@ -9,6 +9,7 @@
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
 #include "samcontact/plasticity/material.hpp"
 
@@ -27,6 +28,10 @@ class Scene {
 
   /// The contact of the scene with this heat; the last one is kept. Thread-safe.
   std::shared_ptr<const contact::ContactSolver> solver(const operators::HeatingPair& heating) const;
+
+  /// At mid-depth of the layers; the last one is kept. Thread-safe.
+  std::shared_ptr<const operators::Temperature> temperature(
+      const operators::Heating& heating) const;
 
   /// Throws std::invalid_argument for a grid without volume or a rigid body.
   void require_volume(int body) const;
@@ -59,6 +64,8 @@ class Scene {
   fft::Symmetry symmetry_;
   mutable std::mutex mutex_;
   mutable std::list<Kept> kept_;  // the latest used first
+  mutable operators::Heating temperature_heating_;
+  mutable std::shared_ptr<const operators::Temperature> temperature_;
   mutable operators::HeatingPair solver_heating_;
   mutable std::shared_ptr<const contact::ContactSolver> solver_;
 };

@@ -2,6 +2,8 @@
 // Incremental elastic-plastic contact: loading, unloading, reloading.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
 
 #include "samcontact/simulation/state.hpp"
@@ -21,6 +23,9 @@ struct Target {
 /// of few cells, fast otherwise.
 enum class ResidualChoice { automatic, exact, fast };
 
+/// Factor of a body's yield stress, both [k][i][j] of the grid, from the rise of temperature [K].
+using Softening = std::function<Field(const Field& temperature)>;
+
 struct Settings {
   double tol = 1e-6;  // relative change of the plastic strain increment, and yield excess
   int max_iterations = 60;
@@ -31,6 +36,8 @@ struct Settings {
   ResidualChoice residual_stress = ResidualChoice::automatic;
   /// Fast residual stress: error due to periodic images, relative to the largest stress.
   double image_tol = 1e-3;
+  /// By body; empty: none. Asked once an increment, or part of one.
+  std::array<Softening, 2> softening;
 };
 
 /// By body; null where nothing can yield.

@@ -35,8 +35,10 @@ class State {
   /// Separation under load [i][j] where it is known everywhere, else empty: see gap().
   Field contact_gap;
   operators::HeatingPair heating;  // that goes with the pressure
-  double load = 0.0;               // [N]
-  double approach = 0.0;           // [m]; NaN under prescribed tractions
+  /// Factor of the yield stress [k][i][j] of the grid; null: 1.
+  std::array<std::shared_ptr<const Field>, 2> softening;
+  double load = 0.0;      // [N]
+  double approach = 0.0;  // [m]; NaN under prescribed tractions
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
   operators::ResidualMethod method;
 
