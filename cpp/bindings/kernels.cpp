@@ -67,9 +67,9 @@ void bind_heat(py::module_& m) {
       [](const Array& X, const Array& Y, const Array& z, double a, double b) {
         const double unit = 2 * a;
         return evaluate<1>(X, [&](py::ssize_t i) {
-          return std::array{unit * k::steady_heat_temperature(
-                                       X.data()[i] / unit, Y.data()[i] / unit, z.data()[i] / unit,
-                                       a / unit, b / unit)};
+          return std::array{unit *
+                            k::steady_heat_temperature(X.data()[i] / unit, Y.data()[i] / unit,
+                                                       z.data()[i] / unit, a / unit, b / unit)};
         });
       },
       py::arg("X"), py::arg("Y"), py::arg("z"), py::arg("a"), py::arg("b"));
@@ -78,8 +78,8 @@ void bind_heat(py::module_& m) {
       [](const Array& X, const Array& Y, const Array& z, double a, double b) {
         const double unit = 2 * a;
         return evaluate<3>(X, [&](py::ssize_t i) {
-          auto s = k::steady_heat_stress(X.data()[i] / unit, Y.data()[i] / unit,
-                                         z.data()[i] / unit, a / unit, b / unit);
+          auto s = k::steady_heat_stress(X.data()[i] / unit, Y.data()[i] / unit, z.data()[i] / unit,
+                                         a / unit, b / unit);
           for (double& v : s) v *= unit;
           return s;
         });
@@ -90,9 +90,9 @@ void bind_heat(py::module_& m) {
       [](const Array& X, const Array& Y, double a, double b, double r0) {
         const double unit = 2 * a;
         return evaluate<1>(X, [&](py::ssize_t i) {
-          return std::array{unit * unit * k::steady_heat_displacement(
-                                              X.data()[i] / unit, Y.data()[i] / unit, a / unit,
-                                              b / unit, r0 / unit)};
+          return std::array{unit * unit *
+                            k::steady_heat_displacement(X.data()[i] / unit, Y.data()[i] / unit,
+                                                        a / unit, b / unit, r0 / unit)};
         });
       },
       py::arg("X"), py::arg("Y"), py::arg("a"), py::arg("b"), py::arg("r0"));

@@ -12,8 +12,8 @@ namespace {
 void check_ascending(const std::vector<double>& x, const char* name) {
   if (x.empty()) throw std::invalid_argument(std::string(name) + " must not be empty");
   for (std::size_t i = 0; i < x.size(); ++i) {
-    require(std::isfinite(x[i]) && (i == 0 || x[i] > x[i - 1]), name, "finite and strictly ascending",
-            x[i]);
+    require(std::isfinite(x[i]) && (i == 0 || x[i] > x[i - 1]), name,
+            "finite and strictly ascending", x[i]);
   }
 }
 
@@ -21,6 +21,10 @@ void check_ascending(const std::vector<double>& x, const char* name) {
 
 bool HeatSource::is_steady() const { return std::isinf(heated); }
 double HeatSource::speed() const { return std::hypot(speed_x, speed_y); }
+
+bool nothing_yet(const HeatSource& source) {
+  return source.heated < 1e-100 * std::min(source.a, source.b) * std::min(source.a, source.b);
+}
 
 void check_heat_arguments(const HeatSource& source, const HeatPoints& points, double z,
                           double tol) {

@@ -39,8 +39,9 @@ std::array<double, N> integrate(double x, double y, double a, double b, const Po
 
 double steady_heat_temperature(double x, double y, double z, double a, double b) {
   if (is_far(x, y, z, a, b)) {
-    return integrate<1>(x, y, a, b,
-                        [z](double X, double Y) { return std::array{1 / std::hypot(X, Y, z)}; })[0] /
+    return integrate<1>(
+               x, y, a, b,
+               [z](double X, double Y) { return std::array{1 / std::hypot(X, Y, z)}; })[0] /
            (2 * pi);
   }
   // T = q/(2 pi k) S2[X ln(Y + R) + Y ln(X + R) - z atan(X Y/(z R))]
@@ -87,8 +88,9 @@ double steady_heat_displacement(double x, double y, double a, double b, double r
     sum = corner_sum_2d<1>(x, y, a, b, [r0](double X, double Y) {
       const double r2 = std::max(X * X + Y * Y, tiny);
       const double s = std::copysign(1.0, X), t = std::copysign(1.0, Y);
-      return std::array{0.5 * (X * Y * (std::log(r2 / (r0 * r0)) - 3) +
-                               X * X * std::atan2(s * Y, s * X) + Y * Y * std::atan2(t * X, t * Y))};
+      return std::array{0.5 *
+                        (X * Y * (std::log(r2 / (r0 * r0)) - 3) + X * X * std::atan2(s * Y, s * X) +
+                         Y * Y * std::atan2(t * X, t * Y))};
     })[0];
   }
   return sum / (2 * pi);

@@ -60,8 +60,7 @@ void add_width(const HeatQuadrature& quadrature, const HeatSource& source, const
                double z, double nu, HeatSum& sum) {
   const double S = width.v * width.v, ratio = z / (2 * width.v);
   // dS dx W
-  const double factor =
-      2 * std::numbers::inv_sqrtpi * S * std::exp(-ratio * ratio) * width.weight;
+  const double factor = 2 * std::numbers::inv_sqrtpi * S * std::exp(-ratio * ratio) * width.weight;
   std::array<double, 3> at_rest{};
   for (const auto& [phi, weight] : quadrature.angles(source, sum, width, ratio / 8)) {
     std::array<double, 3> w = stress_weights(z, width.v, phi, nu);
@@ -86,18 +85,17 @@ Field heat_stress(const HeatSource& source, const HeatPoints& points, double z, 
   check_heat_arguments(source, points, z, tol);
   require(nu >= 0 && nu < 0.5, "nu", "in [0, 0.5)", nu);
   if (source.is_steady() && !source.is_moving()) return steady_stress(source, points, z, nu);
+  if (nothing_yet(source)) return Field(6 * points.x.size() * points.y.size());
 
   std::vector<HeatProduct> products{{2, 0, weight_b}, {0, 2, weight_b}, {1, 1, weight_q}};
   if (z > 0) {
-    products.insert(products.end(), {{2, 0, weight_q},
-                                     {0, 2, weight_q},
-                                     {1, 0, weight_h},
-                                     {0, 1, weight_h}});
+    products.insert(products.end(),
+                    {{2, 0, weight_q}, {0, 2, weight_q}, {1, 0, weight_h}, {0, 1, weight_h}});
   }
   const HeatQuadrature quadrature(tol);
   HeatSum sum(source, points, products, quadrature.reach());
   for (const auto& width : quadrature.all_widths(source, sum, z)) {
-    if (width.v * 12.2 >= z) add_width(quadrature, source, width, z, nu, sum);
+    add_width(quadrature, source, width, z, nu, sum);
   }
   sum.flush();
 

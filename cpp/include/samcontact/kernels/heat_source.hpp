@@ -10,7 +10,8 @@ namespace samcontact::kernels {
 /// |x| <= a, |y| <= b, in one unit of length; x and y are fixed to the source.
 struct HeatSource {
   double a, b;
-  /// kappa t [length^2]: diffusivity times the time since it was switched on; infinity means steady.
+  /// kappa t [length^2]: diffusivity times the time since it was switched on; infinity means
+  /// steady.
   double heated;
   /// V / kappa [1/length]: velocity of the body relative to the source, over the diffusivity.
   double speed_x, speed_y;
@@ -26,8 +27,11 @@ struct HeatPoints {
   std::vector<double> x, y;
 };
 
-/// Throws std::invalid_argument unless sizes, `heated` and points are as stated, the depth is finite
-/// and >= 0, and tol is in [1e-12, 1e-2].
+/// Whether the source has only just been switched on; also keeps 1/(kappa t)^(3/2) finite.
+bool nothing_yet(const HeatSource& source);
+
+/// Throws std::invalid_argument unless sizes, `heated` and points are as stated, the depth is
+/// finite and >= 0, and tol is in [1e-12, 1e-2].
 void check_heat_arguments(const HeatSource& source, const HeatPoints& points, double z, double tol);
 
 }  // namespace samcontact::kernels
