@@ -140,7 +140,8 @@ def temperature(
     values = _core.kernels.heat_temperature(
         table.x, table.y, non_negative("z", z), table.a, table.b, *table.history
     )
-    return table.expand(values)[0] / k
+    rise: FloatArray = table.expand(values)[0] / k
+    return rise
 
 
 def displacement(
@@ -174,7 +175,8 @@ def displacement(
             "steady_displacement gives the steady state"
         )
     values = _core.kernels.heat_displacement(table.x, table.y, table.a, table.b, *table.history)
-    return table.expand(values)[0] * scale
+    bulge: FloatArray = table.expand(values)[0] * scale
+    return bulge
 
 
 def stress(

@@ -31,9 +31,11 @@ void HeatQuadrature::add_panel(std::vector<QuadratureNode>& nodes, double from, 
 }
 
 double HeatQuadrature::next_width(const HeatSource& source, const HeatSum& sum, double v) const {
-  // While the oldest heat of this width is still passing points, it does so within 1/speed in v.
-  const bool passing = source.is_moving() && sum.last_age(v) > v * v;
-  return passing ? std::min(2 * v, v + panel_shift / source.speed()) : 2 * v;
+  if (!source.is_moving()) return 2 * v;
+  // The oldest heat of a width passes a point within 1/speed in v. Behind the last point it is felt
+  // like the inverse root of the distance, hence steps that double from there.
+  const double passed = std::sqrt(sum.last_age(0));
+  return v + std::min(v, panel_shift / source.speed() + std::max(0.0, v - passed));
 }
 
 double HeatQuadrature::first_width(const HeatSource& source, const HeatSum& sum, double z) const {
