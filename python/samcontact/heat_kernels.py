@@ -122,8 +122,8 @@ def temperature(
     time : float
         [s] since the source was switched on; inf, the default, is the steady state.
     tol : float
-        In [1e-12, 1e-2]: bound of the error, relative to the largest value of the table. It holds
-        for speeds up to about 100 kappa/a; usually the error is far smaller.
+        In [1e-12, 1e-2]: the error stays below it times the largest value of the table, and
+        usually far below. Points far away keep several digits of their own.
 
     Raises
     ------

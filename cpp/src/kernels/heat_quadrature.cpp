@@ -18,9 +18,9 @@ constexpr double panel_shift = 2;
 
 HeatQuadrature::HeatQuadrature(double tol) : tol_(tol) {
   const double digits = -std::log10(tol);
-  // Measured: enough where the source passes a cell within a hundredth of its diffusion time; a
-  // source at rest gains two more digits for each one asked for.
-  rule_ = gauss_legendre(static_cast<int>(std::ceil(3 + 1.2 * digits)));
+  // Measured over speeds up to 1000 kappa/a, all ages and depths: one node more for each digit, and
+  // one in reserve.
+  rule_ = gauss_legendre(static_cast<int>(std::ceil(2 + digits)));
   reach_ = 2 * (std::sqrt(digits * std::numbers::ln10) + 1.5);
 }
 
