@@ -129,7 +129,9 @@ def temperature(
     ------
     ValueError
         With name, value and allowed range, for negative times or depths, sizes, conductivity or
-        diffusivity <= 0, numbers that are not finite.
+        diffusivity <= 0, numbers that are not finite, and speeds at which the body crosses the
+        table's extent L in less than 1e-7 of its diffusion time L^2/kappa. Work and time grow with
+        V L/kappa; tables of displacement and stress take seconds from about 1e5 on.
 
     Notes
     -----
@@ -254,10 +256,25 @@ class _Table:
             raise ValueError(f"velocity must be two numbers (Vx, Vy) [m/s], got {velocity!r}")
         speeds = [finite(f"velocity[{n}]", velocity[n]) / kappa for n in (0, 1)]
         self.speed = (speeds[0], speeds[1])
+        self._check_range(kappa)
         tolerance = number("tol", tol)
         if not 1e-12 <= tolerance <= 1e-2:
             raise ValueError(f"tol must be in [1e-12, 1e-2], got {tolerance!r}")
         self.history = (kappa * self.time, self.speed, tolerance)
+
+    def _check_range(self, kappa: float) -> None:
+        unit = 2 * self.a
+        if math.isfinite(self.time) and kappa * self.time > 1e59 * unit**2:
+            raise ValueError(f"time must be <= 1e60 a^2/diffusivity or inf, got {self.time!r}")
+        speed = math.hypot(*self.speed)
+        if 0.0 < speed * unit < 1e-59:
+            raise ValueError(f"velocity must be 0 or >= 1e-59 diffusivity/a, got {speed * kappa!r}")
+        extent = max(self.a, self.b, float(np.abs(self.x).max()), float(np.abs(self.y).max()))
+        if not speed * extent < 1e7:
+            raise ValueError(
+                "velocity must be < 1e7 diffusivity/(largest of a, b, |x|, |y|) = "
+                f"{1e7 * kappa / extent!r} [m/s], got {speed * kappa!r}"
+            )
 
     def expand(self, values: FloatArray) -> FloatArray:
         """The table in the order of the user's offsets."""
