@@ -130,8 +130,8 @@ def temperature(
     ValueError
         With name, value and allowed range, for negative times or depths, sizes, conductivity or
         diffusivity <= 0, numbers that are not finite, and speeds at which the body crosses the
-        table's extent L in less than 1e-7 of its diffusion time L^2/kappa. Work and time grow with
-        V L/kappa; tables of displacement and stress take seconds from about 1e5 on.
+        table's extent L in less than 1e-7 of its diffusion time L^2/kappa. The work grows with V
+        L/kappa; near the limit a table of displacements takes seconds.
 
     Notes
     -----
