@@ -4,7 +4,7 @@
 from . import _load_core  # noqa: F401  (before anything that needs the core)
 
 # isort: split
-from . import critical, hertz, kernels, operators, paths, surfaces
+from . import critical, heat_kernels, hertz, kernels, operators, paths, surfaces
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
@@ -26,6 +26,7 @@ __all__ = [
     "State",
     "__version__",
     "critical",
+    "heat_kernels",
     "hertz",
     "kernels",
     "operators",

@@ -161,6 +161,51 @@ class kernels:
         E: float,
         nu: float,
     ) -> FloatArray: ...
+    @staticmethod
+    def steady_heat_temperature(
+        X: FloatArray, Y: FloatArray, z: FloatArray, a: float, b: float
+    ) -> FloatArray: ...
+    @staticmethod
+    def steady_heat_stress(
+        X: FloatArray, Y: FloatArray, z: FloatArray, a: float, b: float
+    ) -> FloatArray: ...
+    @staticmethod
+    def steady_heat_displacement(
+        X: FloatArray, Y: FloatArray, a: float, b: float, r0: float
+    ) -> FloatArray: ...
+    @staticmethod
+    def heat_temperature(
+        x: FloatArray,
+        y: FloatArray,
+        z: float,
+        a: float,
+        b: float,
+        heated: float,
+        speed: tuple[float, float],
+        tol: float,
+    ) -> FloatArray: ...
+    @staticmethod
+    def heat_displacement(
+        x: FloatArray,
+        y: FloatArray,
+        a: float,
+        b: float,
+        heated: float,
+        speed: tuple[float, float],
+        tol: float,
+    ) -> FloatArray: ...
+    @staticmethod
+    def heat_stress(
+        x: FloatArray,
+        y: FloatArray,
+        z: float,
+        a: float,
+        b: float,
+        nu: float,
+        heated: float,
+        speed: tuple[float, float],
+        tol: float,
+    ) -> FloatArray: ...
 
 class operators:
     @staticmethod

@@ -112,7 +112,9 @@ def frequency_response(w1, w2, z, heated, speed):
     delta = -a / (w + wm)
     if np.isinf(heated):
         phi = np.where(abs(delta * z) < 1e-5, 1 - delta * z / 2, -np.expm1(-delta * z))
-        phi = np.where(abs(delta * z) < 1e-5, phi, phi / np.where(delta == 0, 1, delta * z + 1e-300))
+        phi = np.where(
+            abs(delta * z) < 1e-5, phi, phi / np.where(delta == 0, 1, delta * z + 1e-300)
+        )
         decay = np.exp(-w * z)
         P0 = 1 / (w * wm * (w + wm))
         return (

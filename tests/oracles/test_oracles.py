@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The reference solutions checked by equilibrium, boundary values, decay and known values."""
 
+import itertools
+
 import numpy as np
 import pytest
+from scipy.integrate import quad
+from scipy.special import erfc, j0
 
-from oracles import eigenstrain, half_space, hertz_stress, quadrature
+from oracles import eigenstrain, half_space, heat, hertz_stress, quadrature
 
 # Eighth-order central first difference.
 STENCIL = ((1, 4 / 5), (2, -1 / 5), (3, 4 / 105), (4, -1 / 280))
@@ -165,3 +169,73 @@ def test_hertz_stress_on_the_axis():
     stress = hertz_stress.stress(0.0, 0.0, z, 0.0, nu)
     radial = -(1 + nu) * (1 - z * np.arctan(1 / z)) + 0.5 / (1 + z * z)
     np.testing.assert_allclose(stress, [radial, radial, -1 / (1 + z * z), 0, 0, 0], atol=1e-12)
+
+
+@pytest.mark.parametrize("speed", [(0.0, 0.0), (1.5, -2.0)])
+@pytest.mark.parametrize("heated", [0.3, 40.0, np.inf])
+@pytest.mark.parametrize("point", [(0.4, -0.3, 0.5), (3.0, -4.0, 0.1), (-2.0, 1.0, 0.0)])
+def test_point_heat_source_is_the_sum_of_instants(speed, heated, point):
+    """Carslaw & Jaeger's instantaneous source, doubled by the surface, integrated over its age."""
+    r = np.array(point)
+
+    def instant(log_age):
+        age = np.exp(log_age)
+        d2 = ((r - age * np.array([*speed, 0.0])) ** 2).sum()
+        return age * 2 * np.exp(-d2 / (4 * age)) / (4 * np.pi * age) ** 1.5
+
+    cut = np.linspace(-12, np.log(min(heated, 1e24)), 40)
+    expected = sum(quad(instant, u, v, epsabs=1e-15)[0] for u, v in itertools.pairwise(cut))
+    actual = heat.point_temperature(*(np.array(c) for c in point), heated, speed)
+    assert actual == pytest.approx(expected, rel=1e-10)
+
+
+@pytest.mark.parametrize("distance", [0.0, 0.7, 3.0])
+def test_instantaneous_displacement_has_the_response_of_erfc(distance):
+    """-2 erfc(w sqrt x), from P(0) of an instant, inverted by Hankel's integral."""
+    age = 0.6
+    top = 7 / np.sqrt(age)
+    cut = np.linspace(0, top, 20)
+    inverse = sum(
+        quad(lambda w: -erfc(w * np.sqrt(age)) * j0(w * distance) * w / np.pi, u, v)[0]
+        for u, v in itertools.pairwise(cut)
+    )
+    assert heat.instantaneous_displacement(distance**2, age) == pytest.approx(inverse, rel=1e-11)
+
+
+def test_displacement_of_heat_is_the_integral_of_instants():
+    """The line integral along the edges against quadrature of the area."""
+    half, speed, heated = (0.5, 0.35), (1.0, -0.5), 2.0
+    x, y = 0.9, 0.1
+    # younger heat adds age^(3/2) at this distance from the edge
+    logs, weight = quadrature.gauss(np.log(1e-6), np.log(heated), 100)
+    u, wu = quadrature.gauss(-half[0], half[0], 40)
+    v, wv = quadrature.gauss(-half[1], half[1], 40)
+    total = 0.0
+    for age, w in zip(np.exp(logs), weight * np.exp(logs), strict=True):
+        r2 = (x - speed[0] * age - u[:, None]) ** 2 + (y - speed[1] * age - v) ** 2
+        total += w * (wu @ heat.instantaneous_displacement(r2, age) @ wv)
+    assert heat.displacement(x, y, *half, heated, speed) == pytest.approx(total, rel=1e-6)
+
+
+@pytest.mark.parametrize("heated", [0.3, np.inf])
+def test_heat_frequency_response_solves_its_equations(heated):
+    """P'' - w^2 P = -T, P'(0) = 0, unit flux, and the heat equation dT/dX = T'' - (w^2 - a) T."""
+    w1, w2, speed, step = 1.3, -0.8, (2.0, 0.7), 0.02
+    w, a = np.hypot(w1, w2), -1j * (w1 * speed[0] + w2 * speed[1])
+
+    def response(z, heated=heated):
+        return np.array(heat.frequency_response(w1, w2, z, heated, speed))
+
+    z = 0.5
+    first = sum(c * (response(z + k * step) - response(z - k * step)) for k, c in STENCIL) / step
+    T, P, P_z, P0 = response(z)
+    T_zz = (response(z + 1e-3)[0] - 2 * T + response(z - 1e-3)[0]) / 1e-6
+    assert first[1] == pytest.approx(P_z, rel=1e-9)
+    assert first[2] == pytest.approx(w * w * P - T, rel=1e-9)
+    assert response(0.0)[1] == pytest.approx(P0, rel=1e-12)
+    assert abs(response(0.0)[2]) < 1e-13
+    assert (response(1e-6)[0] - response(0.0)[0]) / 1e-6 == pytest.approx(-1, abs=1e-5)
+    growth = 0.0
+    if np.isfinite(heated):
+        growth = (response(z, heated + 1e-4)[0] - response(z, heated - 1e-4)[0]) / 2e-4
+    assert T_zz - (w * w - a) * T == pytest.approx(growth, rel=1e-5, abs=1e-5)

@@ -41,6 +41,7 @@ CORE_USERS = {
     "checkpoint",
     "contact",
     "grid",
+    "heat_kernels",
     "kernels",
     "material",
     "operators",

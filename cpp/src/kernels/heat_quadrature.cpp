@@ -8,7 +8,6 @@
 namespace samcontact::kernels {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double right_angle = std::numbers::pi / 2;
 // exp(-z^2/4v^2) < 1e-16 for v < z / hidden.
 constexpr double hidden = 12.2;
@@ -19,8 +18,9 @@ constexpr double panel_shift = 2;
 
 HeatQuadrature::HeatQuadrature(double tol) : tol_(tol) {
   const double digits = -std::log10(tol);
-  // measured: see the tests
-  rule_ = gauss_legendre(static_cast<int>(std::ceil(3 + 1.2 * digits)));
+  // Measured over speeds up to 1000 kappa/a, all ages and depths: one node more for each digit, and
+  // one in reserve.
+  rule_ = gauss_legendre(static_cast<int>(std::ceil(2 + digits)));
   reach_ = 2 * (std::sqrt(digits * std::numbers::ln10) + 1.5);
 }
 
@@ -30,34 +30,31 @@ void HeatQuadrature::add_panel(std::vector<QuadratureNode>& nodes, double from, 
   }
 }
 
-void HeatQuadrature::add_doubling(std::vector<QuadratureNode>& nodes, double from, double to,
-                                  double max_step) const {
-  while (from < to) {
-    // not a sliver at the end
-    double next = std::min(2 * from, from + max_step);
-    if (next > to || to - next < 0.1 * (next - from)) next = to;
-    add_panel(nodes, from, next);
-    from = next;
-  }
+double HeatQuadrature::next_width(const HeatSource& source, const HeatSum& sum, double v) const {
+  if (!source.is_moving()) return 2 * v;
+  // The oldest heat of a width passes a point within 1/speed in v. Behind the last point it is felt
+  // like the inverse root of the distance, hence steps that double from there.
+  const double passed = std::sqrt(sum.last_age(0));
+  return v + std::min(v, panel_shift / source.speed() + std::max(0.0, v - passed));
 }
 
 double HeatQuadrature::first_width(const HeatSource& source, const HeatSum& sum, double z) const {
-  if (z > 0) return z / hidden;
-  const double edge = std::min(sum.along_x().edge_distance(), sum.along_y().edge_distance());
   const double narrowest = std::min(source.a, source.b);
-  const double width = std::clamp(edge / reach_, 0.01 * tol_ * narrowest, narrowest);
+  const double floor = 0.01 * tol_ * narrowest;
+  if (z > hidden * floor) return z / hidden;
+  const double edge = std::min(sum.along_x().edge_distance(), sum.along_y().edge_distance());
+  const double width = std::clamp(edge / reach_, floor, narrowest);
   return source.is_moving() ? std::min(width, 1 / source.speed()) : width;
 }
 
 std::vector<HeatWidth> HeatQuadrature::newest_ages(const HeatSource& source, const HeatSum& sum,
                                                    double z) const {
   const double last = std::sqrt(source.heated);
-  const double max_step = source.is_moving() ? panel_shift / source.speed() : infinity;
   double from = first_width(source, sum, z);
   std::vector<QuadratureNode> nodes;
-  if (z == 0) add_panel(nodes, 0, std::min(from, last));
+  if (z / hidden < from) add_panel(nodes, 0, std::min(from, last));
   while (from < last && sum.last_age(from) > from * from) {
-    const double to = std::min({2 * from, from + max_step, last});
+    const double to = std::min(next_width(source, sum, from), last);
     add_panel(nodes, from, to);
     from = to;
   }
@@ -79,8 +76,13 @@ std::vector<HeatWidth> HeatQuadrature::all_widths(const HeatSource& source, cons
                          ? 64 * std::max(size, 1 / source.speed())
                          : 8 * std::max({size, oldest, source.speed() * source.heated});
   std::vector<QuadratureNode> nodes;
-  if (z == 0) add_panel(nodes, 0, std::min(first, oldest));
-  add_doubling(nodes, first, std::min(oldest, end), infinity);
+  const bool hides = z / hidden >= first;
+  if (!hides) add_panel(nodes, 0, std::min(first, oldest));
+  for (double v = first; v < std::min(oldest, end);) {
+    const double to = std::min({next_width(source, sum, v), oldest, end});
+    add_panel(nodes, v, to);
+    v = to;
+  }
   std::vector<HeatWidth> widths;
   for (const auto& [v, weight] : nodes) widths.push_back({v, weight, right_angle});
   if (source.is_steady()) {
@@ -92,11 +94,12 @@ std::vector<HeatWidth> HeatQuadrature::all_widths(const HeatSource& source, cons
   }
   // v = oldest / sin(angle): a root at v = oldest otherwise
   nodes.clear();
-  double from = z > 0 ? std::asin(std::min(1.0, oldest / first)) : right_angle;
+  double from = hides ? std::asin(std::min(1.0, oldest / first)) : right_angle;
   const double smallest = std::min(oldest / end, from);
   if (z > 0) {
     // Stress: what the oldest heat adds changes at angles z/2v from pi/2.
-    for (double gap = std::min(0.125, z / (16 * oldest)); gap < 0.5; gap *= 2) {
+    const double finest = std::max(z / (16 * oldest), tol_ / 100);
+    for (double gap = std::min(0.125, finest); gap < 0.5; gap *= 2) {
       if (right_angle - gap >= from) continue;
       add_panel(nodes, right_angle - gap, from);
       from = right_angle - gap;
@@ -122,7 +125,8 @@ std::vector<QuadratureNode> HeatQuadrature::angles(const HeatSource& source, con
   const int parts = 1 + static_cast<int>(shift / (panel_shift * width.v));
   std::vector<double> breaks;
   for (int n = 0; n <= parts; ++n) breaks.push_back(last * n / parts);
-  for (double gap = 1; gap > finest; gap /= 2) {
+  // what lies closer to pi/2 than the tolerance is not seen
+  for (double gap = 1; gap > std::max(finest, tol_ / 100); gap /= 2) {
     if (right_angle - gap < last) breaks.push_back(right_angle - gap);
   }
   std::sort(breaks.begin(), breaks.end());

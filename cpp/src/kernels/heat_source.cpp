@@ -22,17 +22,29 @@ void check_ascending(const std::vector<double>& x, const char* name) {
 bool HeatSource::is_steady() const { return std::isinf(heated); }
 double HeatSource::speed() const { return std::hypot(speed_x, speed_y); }
 
+bool nothing_yet(const HeatSource& source) {
+  return source.heated < 1e-100 * std::min(source.a, source.b) * std::min(source.a, source.b);
+}
+
 void check_heat_arguments(const HeatSource& source, const HeatPoints& points, double z,
                           double tol) {
   require(source.a > 0 && std::isfinite(source.a), "a", "finite and > 0", source.a);
   require(source.b > 0 && std::isfinite(source.b), "b", "finite and > 0", source.b);
-  require(source.heated >= 0, "heated", ">= 0", source.heated);
-  require(std::isfinite(source.speed_x), "speed_x", "finite", source.speed_x);
-  require(std::isfinite(source.speed_y), "speed_y", "finite", source.speed_y);
+  // Numbers beyond these overflow; nobody means them.
+  const double longest = 1e60 * source.a * source.a;
+  require(source.heated >= 0 && (source.is_steady() || source.heated <= longest), "heated",
+          "in [0, 1e60 a^2] or infinite", source.heated);
+  require(!source.is_moving() || source.speed() * source.a >= 1e-60, "speed", "0 or >= 1e-60/a",
+          source.speed());
   require(z >= 0 && std::isfinite(z), "z", "finite and >= 0", z);
   require(tol >= 1e-12 && tol <= 1e-2, "tol", "in [1e-12, 1e-2]", tol);
   check_ascending(points.x, "x");
   check_ascending(points.y, "y");
+  const double extent =
+      std::max({std::fabs(points.x.front()), std::fabs(points.x.back()),
+                std::fabs(points.y.front()), std::fabs(points.y.back()), source.a, source.b});
+  require(source.speed() * extent <= max_heat_way, "speed times extent", "<= 1e7",
+          source.speed() * extent);
 }
 
 }  // namespace samcontact::kernels

@@ -85,6 +85,7 @@ Field heat_stress(const HeatSource& source, const HeatPoints& points, double z, 
   check_heat_arguments(source, points, z, tol);
   require(nu >= 0 && nu < 0.5, "nu", "in [0, 0.5)", nu);
   if (source.is_steady() && !source.is_moving()) return steady_stress(source, points, z, nu);
+  if (nothing_yet(source)) return Field(6 * points.x.size() * points.y.size());
 
   std::vector<HeatProduct> products{{2, 0, weight_b}, {0, 2, weight_b}, {1, 1, weight_q}};
   if (z > 0) {
@@ -94,7 +95,7 @@ Field heat_stress(const HeatSource& source, const HeatPoints& points, double z, 
   const HeatQuadrature quadrature(tol);
   HeatSum sum(source, points, products, quadrature.reach());
   for (const auto& width : quadrature.all_widths(source, sum, z)) {
-    if (width.v * 12.2 >= z) add_width(quadrature, source, width, z, nu, sum);
+    add_width(quadrature, source, width, z, nu, sum);
   }
   sum.flush();
 

@@ -21,6 +21,7 @@ Field heat_temperature(const HeatSource& source, const HeatPoints& points, doubl
     return table;
   }
   // k T/q = 2/sqrt(pi) int_0^sqrt(kappa t) exp(-z^2/4v^2) f_a(x - V v^2/kappa; v) f_b(..; v) dv
+  if (nothing_yet(source)) return Field(points.x.size() * points.y.size());
   const HeatQuadrature quadrature(tol);
   HeatSum sum(source, points, {{0, 0, 0}}, quadrature.reach());
   for (const auto& [v, weight, angle] : quadrature.newest_ages(source, sum, z)) {

@@ -6,7 +6,6 @@
 // double in v, because erf(x/2v) is as smooth in ln v at every scale.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "samcontact/kernels/gauss.hpp"
@@ -38,8 +37,7 @@ class HeatQuadrature {
 
  private:
   void add_panel(std::vector<QuadratureNode>& nodes, double from, double to) const;
-  void add_doubling(std::vector<QuadratureNode>& nodes, double from, double to,
-                    double max_step) const;
+  double next_width(const HeatSource& source, const HeatSum& sum, double v) const;
   double first_width(const HeatSource& source, const HeatSum& sum, double z) const;
 
   double tol_, reach_;

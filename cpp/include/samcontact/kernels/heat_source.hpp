@@ -27,8 +27,15 @@ struct HeatPoints {
   std::vector<double> x, y;
 };
 
-/// Throws std::invalid_argument unless sizes, `heated` and points are as stated, the depth is
-/// finite and >= 0, and tol is in [1e-12, 1e-2].
+/// Whether the source has only just been switched on; also keeps 1/(kappa t)^(3/2) finite.
+bool nothing_yet(const HeatSource& source);
+
+/// Largest speed times extent of the points: the work grows with it.
+constexpr double max_heat_way = 1e7;
+
+/// Throws std::invalid_argument unless sizes and points are as stated, `heated` is infinite or in
+/// [0, 1e60 a^2], the speed is zero or >= 1e-60/a and within max_heat_way, the depth is finite and
+/// >= 0, and tol is in [1e-12, 1e-2].
 void check_heat_arguments(const HeatSource& source, const HeatPoints& points, double z, double tol);
 
 }  // namespace samcontact::kernels

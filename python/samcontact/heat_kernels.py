@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Influence coefficients of one rectangle of uniform heat flux on a half-space.
+
+The flux flows into the body; the rest of the surface is insulated. All results are per unit flux
+q [W/m^2]. Heat leads to temperature and, by thermal expansion of the free half-space, to stress
+and displacement (quasi-static, uncoupled).
+
+x, y (X, Y) are field point minus centre of the rectangle, whose HALF sizes are a and b [m]; they
+are fixed to the source. z >= 0 [m] is into the body. The `velocity` (Vx, Vy) [m/s] is that of the
+body relative to the source: the hot wake lies on its side. Stress is positive in tension,
+components xx, yy, zz, yz, xz, xy; u_z is positive into the body, so heated surfaces bulge to
+negative u_z.
+
+conductivity k [W/(m K)], diffusivity kappa [m^2/s], expansion alpha [1/K], Young's modulus E [Pa].
+
+The functions called `steady_...` are closed forms for a steady source at rest, at any points;
+arrays broadcast. The others make tables over all pairs of x and y. They add Gaussians of all
+widths, f_a(x) f_b(y), so that a table costs little more than its points (docs/theory.md).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._checks import FloatArray, finite, non_negative, number, positive
+from .kernels import _constants, _depths, _points, _sizes
+
+Velocity = tuple[float, float]
+
+
+def steady_temperature(
+    X: ArrayLike, Y: ArrayLike, z: ArrayLike, a: float, b: float, *, conductivity: float
+) -> FloatArray:
+    """Rise of temperature [K m^2/W] in the steady state, source at rest; shape of X.
+
+    Raises ValueError for non-finite points, z < 0, sizes or conductivity <= 0. Carslaw & Jaeger
+    (1959), section 10.5.
+    """
+    (x, y, depth), shape = _points(X, Y, z)
+    a, b = _sizes(a=a, b=b)
+    k = positive("conductivity", conductivity)
+    values: FloatArray = _core.kernels.steady_heat_temperature(x, y, _depths(depth), a, b) / k
+    return values.reshape(shape)
+
+
+def steady_stress(
+    X: ArrayLike,
+    Y: ArrayLike,
+    z: ArrayLike,
+    a: float,
+    b: float,
+    *,
+    E: float,
+    expansion: float,
+    conductivity: float,
+) -> FloatArray:
+    """Stress [Pa m^2/W] in the steady state, source at rest, shape (6, ...).
+
+    It is plane: zz, yz and xz vanish everywhere, and xx + yy = -E alpha T. Poisson's ratio has no
+    influence. Raises ValueError as `steady_temperature`. Sternberg & McDowell (1957).
+    """
+    (x, y, depth), shape = _points(X, Y, z)
+    a, b = _sizes(a=a, b=b)
+    scale = _constants(E, 0.0)[0] * finite("expansion", expansion)
+    scale /= positive("conductivity", conductivity)
+    stress = np.zeros((6, x.size))
+    stress[[0, 1, 5]] = scale * _core.kernels.steady_heat_stress(x, y, _depths(depth), a, b)
+    return stress.reshape(6, *shape)
+
+
+def steady_displacement(
+    X: ArrayLike,
+    Y: ArrayLike,
+    a: float,
+    b: float,
+    *,
+    nu: float,
+    expansion: float,
+    conductivity: float,
+    r0: float,
+) -> FloatArray:
+    """u_z [m^3/W] of the surface in the steady state, source at rest; shape of X.
+
+    It grows as the logarithm of the distance: only differences have a meaning, and `r0` [m] is the
+    distance at which the displacement of a point source is called zero. A source that has been on
+    since t looks like r0 = 4 exp(-(1 + gamma)/2) sqrt(kappa t) = 1.818 sqrt(kappa t) near it (gamma
+    Euler's constant). Johnson (1985), section 12.2; Boucly (2008), eqs (2.53)-(2.60).
+    """
+    (x, y), shape = _points(X, Y)
+    a, b = _sizes(a=a, b=b)
+    values: FloatArray = _core.kernels.steady_heat_displacement(x, y, a, b, positive("r0", r0))
+    return values.reshape(shape) * _distortion(nu, expansion, conductivity)
+
+
+def temperature(
+    x: ArrayLike,
+    y: ArrayLike,
+    z: float,
+    a: float,
+    b: float,
+    *,
+    conductivity: float,
+    diffusivity: float,
+    time: float = math.inf,
+    velocity: Velocity = (0.0, 0.0),
+    tol: float = 1e-6,
+) -> FloatArray:
+    """Rise of temperature [K m^2/W] at one depth, table (len(x), len(y)).
+
+    Parameters
+    ----------
+    x, y : array_like, shapes (nx,), (ny,)
+        Offsets [m] in any order. Even in x if velocity[0] is 0, in y if velocity[1] is 0: then
+        offsets >= 0 tell everything.
+    z : float
+        Depth [m], >= 0.
+    time : float
+        [s] since the source was switched on; inf, the default, is the steady state.
+    tol : float
+        In [1e-12, 1e-2]: the error stays below it times the largest value of the table, and
+        usually far below. Points far away keep several digits of their own.
+
+    Raises
+    ------
+    ValueError
+        With name, value and allowed range, for negative times or depths, sizes, conductivity or
+        diffusivity <= 0, numbers that are not finite, and speeds at which the body crosses the
+        table's extent L in less than 1e-7 of its diffusion time L^2/kappa. The work grows with V
+        L/kappa; near the limit a table of displacements takes seconds.
+
+    Notes
+    -----
+    Carslaw & Jaeger (1959), sections 10.4 (at rest) and 10.7 (moving).
+    """
+    table = _Table(x, y, a, b, diffusivity, time, velocity, tol)
+    k = positive("conductivity", conductivity)
+    values = _core.kernels.heat_temperature(
+        table.x, table.y, non_negative("z", z), table.a, table.b, *table.history
+    )
+    rise: FloatArray = table.expand(values)[0] / k
+    return rise
+
+
+def displacement(
+    x: ArrayLike,
+    y: ArrayLike,
+    a: float,
+    b: float,
+    *,
+    nu: float,
+    expansion: float,
+    conductivity: float,
+    diffusivity: float,
+    time: float = math.inf,
+    velocity: Velocity = (0.0, 0.0),
+    tol: float = 1e-6,
+) -> FloatArray:
+    """u_z [m^3/W] of the surface, table (len(x), len(y)), zero far away.
+
+    Parameters and symmetry as in `temperature`. Raises ValueError also for a source at rest with
+    time = inf: that displacement has no limit far away, see `steady_displacement`.
+
+    Notes
+    -----
+    By reciprocity with the normal point force; Boucly (2008), eq. (2.45), corrected.
+    """
+    table = _Table(x, y, a, b, diffusivity, time, velocity, tol)
+    scale = _distortion(nu, expansion, conductivity)
+    if math.isinf(table.time) and table.speed == (0.0, 0.0):
+        raise ValueError(
+            f"time must be finite for a source at rest, got {table.time!r}; "
+            "steady_displacement gives the steady state"
+        )
+    values = _core.kernels.heat_displacement(table.x, table.y, table.a, table.b, *table.history)
+    bulge: FloatArray = table.expand(values)[0] * scale
+    return bulge
+
+
+def stress(
+    x: ArrayLike,
+    y: ArrayLike,
+    z: float,
+    a: float,
+    b: float,
+    *,
+    E: float,
+    nu: float,
+    expansion: float,
+    conductivity: float,
+    diffusivity: float,
+    time: float = math.inf,
+    velocity: Velocity = (0.0, 0.0),
+    tol: float = 1e-6,
+) -> FloatArray:
+    """Stress [Pa m^2/W] at one depth, table (6, len(x), len(y)).
+
+    Parameters and errors as in `temperature`, the tolerance being relative to the largest component
+    in the table. zz, yz and xz vanish at the surface and for a steady source at rest. xz is odd
+    in x, yz odd in y, xy odd in both, as far as the temperature is even.
+
+    Notes
+    -----
+    Liu & Wang (2003), Boucly (2008), appendix 1, corrected.
+    """
+    table = _Table(x, y, a, b, diffusivity, time, velocity, tol)
+    E, nu = _constants(E, nu)
+    scale = E * finite("expansion", expansion) / (1 - nu) / positive("conductivity", conductivity)
+    values = _core.kernels.heat_stress(
+        table.x, table.y, non_negative("z", z), table.a, table.b, nu, *table.history
+    )
+    return table.expand(values) * scale
+
+
+def _distortion(nu: float, expansion: float, conductivity: float) -> float:
+    """alpha (1 + nu)/k [m/W]."""
+    nu = _constants(1.0, nu)[1]
+    return finite("expansion", expansion) * (1 + nu) / positive("conductivity", conductivity)
+
+
+def _offsets(name: str, value: ArrayLike) -> tuple[FloatArray, Any]:
+    array = np.asarray(value, dtype=np.float64)
+    if array.ndim != 1 or array.size == 0:
+        raise ValueError(f"{name} must be one-dimensional and not empty, got shape {array.shape}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name} must be finite everywhere")
+    return np.unique(array, return_inverse=True)
+
+
+class _Table:
+    """Checked arguments that all tables share, as the core takes them."""
+
+    def __init__(
+        self,
+        x: ArrayLike,
+        y: ArrayLike,
+        a: float,
+        b: float,
+        diffusivity: float,
+        time: float,
+        velocity: Velocity,
+        tol: float,
+    ) -> None:
+        self.x, self._rows = _offsets("x", x)
+        self.y, self._columns = _offsets("y", y)
+        self.a, self.b = _sizes(a=a, b=b)
+        kappa = positive("diffusivity", diffusivity)
+        self.time = number("time", time)
+        if not self.time >= 0.0:
+            raise ValueError(f"time must be a number >= 0 [s] (inf allowed), got {self.time!r}")
+        if np.shape(velocity) != (2,):
+            raise ValueError(f"velocity must be two numbers (Vx, Vy) [m/s], got {velocity!r}")
+        speeds = [finite(f"velocity[{n}]", velocity[n]) / kappa for n in (0, 1)]
+        self.speed = (speeds[0], speeds[1])
+        self._check_range(kappa)
+        tolerance = number("tol", tol)
+        if not 1e-12 <= tolerance <= 1e-2:
+            raise ValueError(f"tol must be in [1e-12, 1e-2], got {tolerance!r}")
+        self.history = (kappa * self.time, self.speed, tolerance)
+
+    def _check_range(self, kappa: float) -> None:
+        unit = 2 * self.a
+        if math.isfinite(self.time) and kappa * self.time > 1e59 * unit**2:
+            raise ValueError(f"time must be <= 1e60 a^2/diffusivity or inf, got {self.time!r}")
+        speed = math.hypot(*self.speed)
+        if 0.0 < speed * unit < 1e-59:
+            raise ValueError(f"velocity must be 0 or >= 1e-59 diffusivity/a, got {speed * kappa!r}")
+        extent = max(self.a, self.b, float(np.abs(self.x).max()), float(np.abs(self.y).max()))
+        if not speed * extent < 1e7:
+            raise ValueError(
+                "velocity must be < 1e7 diffusivity/(largest of a, b, |x|, |y|) = "
+                f"{1e7 * kappa / extent!r} [m/s], got {speed * kappa!r}"
+            )
+
+    def expand(self, values: FloatArray) -> FloatArray:
+        """The table in the order of the user's offsets."""
+        expanded: FloatArray = values[:, self._rows[:, None], self._columns]
+        return expanded
