@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any
@@ -29,12 +29,15 @@ class Material:
         Modulus [Pa] and recovery [-] of each backstress, see `with_kinematic_hardening`.
     thermal : tuple of float, or None
         Conductivity, expansion and diffusivity, see `with_thermal`.
+    softening : callable, or None
+        See `with_softening`.
     """
 
     law: str
     parameters: dict[str, float]
     kinematic: tuple[tuple[float, float], ...] = ()
     thermal: tuple[float, float, float] | None = None
+    softening: Callable[[FloatArray], ArrayLike] | None = None
 
     def __post_init__(self) -> None:
         checked = {name: number(name, value) for name, value in self.parameters.items()}
@@ -157,6 +160,34 @@ class Material:
         """
         return replace(self, thermal=(conductivity, expansion, diffusivity))
 
+    def with_softening(self, law: Callable[[FloatArray], ArrayLike]) -> Material:
+        """The same material with a yield stress that depends on the temperature.
+
+        Parameters
+        ----------
+        law : callable
+            Factor of the yield stress, in (0, 1], from the rise of temperature [K]; takes and
+            returns an array of shape (nx, ny, nz), once in each increment, with the temperature
+            of its first contact solution. `samcontact.softening.JohnsonCook` is one. A checkpoint
+            stores that one only; for others give the law again to `Simulation.load`.
+
+        Returns
+        -------
+        Material
+
+        Raises
+        ------
+        ValueError
+            The body does not yield.
+        TypeError
+            The law is not callable.
+        """
+        if not callable(law):
+            raise TypeError(f"law must be callable, got {law!r}")
+        if not self.is_plastic:
+            raise ValueError("softening needs a body that yields, not an elastic one")
+        return replace(self, softening=law)
+
     @cached_property
     def _core(self) -> Any:
         factories = ("elastic", "rigid", "perfect_plastic", "linear_hardening", "swift")
@@ -228,7 +259,7 @@ class Material:
 
     def __hash__(self) -> int:
         parameters = tuple(sorted(self.parameters.items()))
-        return hash((self.law, parameters, self.kinematic, self.thermal))
+        return hash((self.law, parameters, self.kinematic, self.thermal, self.softening))
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in fields(self)}

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -130,6 +130,7 @@ class Simulation:
             self.on_border == "error",
             self.residual_stress,
             self.image_tol,
+            [self._softening(body) for body in (body1, body2)],
         )
 
     def step(
@@ -189,6 +190,19 @@ class Simulation:
         for warning in core.warnings:
             warnings.warn(warning, GridTooSmallWarning, stacklevel=2)
         return State(core, self.grid)
+
+    def _softening(self, body: Material) -> Callable[[FloatArray], FloatArray] | None:
+        """The law of a material as the core calls it: (nx, ny, nz) in, depth-major out."""
+        law = body.softening
+        if law is None:
+            return None
+        shape = self.grid.volume_shape
+
+        def factor(rise: FloatArray) -> FloatArray:
+            checked = finite_array("factor of softening", law(rise), shape)
+            return np.ascontiguousarray(np.moveaxis(checked, 2, 0))
+
+        return factor
 
     def _heating(self) -> list[Any]:
         return heating(

@@ -131,6 +131,11 @@ class State:
         """Rise of temperature of the surface (flash temperature) [K], shape (nx, ny)."""
         return self._field("surface_temperature", body)
 
+    def softening(self, body: int = 2) -> FloatArray:
+        """Factor of the yield stress by thermal softening [-], shape (nx, ny, nz)."""
+        factor = self._core.softening(choice("body", body, (1, 2)) - 1)
+        return np.ones(self.grid.volume_shape) if factor is None else factor
+
     def _field(self, name: str, body: int) -> FloatArray:
         field: FloatArray = getattr(self._core, name)(choice("body", body, (1, 2)) - 1)
         return field

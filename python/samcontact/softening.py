@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Thermal softening: the factor of the yield stress at a rise of temperature."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._checks import FloatArray, finite, positive
+
+__all__ = ["JohnsonCook"]
+
+
+@dataclass(frozen=True)
+class JohnsonCook:
+    """Factor 1 - ((T - reference)/(melting - reference))^m of the yield stress.
+
+    T is the ambient temperature plus the rise; below the reference the factor is 1.
+    G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics (1983) 541-547.
+
+    Parameters
+    ----------
+    melting : float
+        Temperature at which no strength is left [K].
+    m : float
+        Exponent, > 0 [-].
+    reference : float, optional
+        Temperature up to which nothing softens [K].
+    ambient : float, optional
+        Temperature of the bodies without heat [K].
+    floor : float, optional
+        Smallest factor, in (0, 1]: what would be molten keeps this much.
+
+    Raises
+    ------
+    ValueError, TypeError
+        An argument is outside its range or not a number.
+    """
+
+    melting: float
+    m: float
+    reference: float = 293.15
+    ambient: float = 293.15
+    floor: float = 0.01
+
+    def __post_init__(self) -> None:
+        for name in ("melting", "m", "reference", "ambient", "floor"):
+            object.__setattr__(self, name, finite(name, getattr(self, name)))
+        positive("m", self.m)
+        if not self.melting > self.reference:
+            raise ValueError(
+                f"melting must be > reference = {self.reference!r} K, got {self.melting!r}"
+            )
+        if not 0.0 < self.floor <= 1.0:
+            raise ValueError(f"floor must be in (0, 1], got {self.floor!r}")
+
+    def __call__(self, rise: ArrayLike) -> FloatArray:
+        """Factor of the yield stress [-] at a rise of temperature [K], any shape."""
+        T = self.ambient + np.asarray(rise, dtype=np.float64)
+        homologous = np.clip((T - self.reference) / (self.melting - self.reference), 0.0, 1.0)
+        return np.maximum(1.0 - homologous**self.m, self.floor)
