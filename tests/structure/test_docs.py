@@ -83,7 +83,14 @@ def test_links_lead_somewhere(page):
 
 def test_every_page_is_linked_from_the_readme():
     links = set(re.findall(r"\]\(([^)\s]+)\)", TEXTS["README.md"]))
-    assert links >= set(TEXTS) - {"README.md"}
+    gallery = {page for page in TEXTS if page.startswith("docs/gallery/")}
+    assert links >= set(TEXTS) - gallery - {"README.md"}
+
+
+def test_every_page_of_the_gallery_is_linked_from_its_first_page():
+    links = re.findall(r"\]\(([^)\s]+)\)", TEXTS["docs/gallery.md"])
+    gallery = {page for page in TEXTS if page.startswith("docs/gallery/")}
+    assert {f"docs/{link}" for link in links} >= gallery
 
 
 def test_newest_change_is_this_version():

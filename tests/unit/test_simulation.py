@@ -282,6 +282,7 @@ class TestInitialStrain:
             np.testing.assert_array_equal(state.plastic_strain(body), self.strain)
             assert not state.equivalent_plastic_strain(body).any()
 
+    @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
     def test_contact_goes_on_from_it(self):
         """Hardened enough not to flow: elastic contact of the surface that the strain bends."""
         sim = simulation(STEEL, SOFT)
@@ -297,6 +298,7 @@ class TestInitialStrain:
         assert_close(state.pressure, expected.pressure, 1e-6)
         assert state.approach == pytest.approx(expected.approach, rel=1e-6)
 
+    @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
     def test_hardening_counts(self):
         """The yield stress of the next increment is that of the given equivalent strain."""
         flows = []
