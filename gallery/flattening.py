@@ -151,9 +151,9 @@ def point(ratio: float, state: sc.State) -> Point:
     flows = g > 0
     # depth of the first cell that flows, in each column under the contact
     under = flows.any(axis=1) & (state.pressure[grid.nx // 2 :, middle] > 0)
-    core = flows.argmax(axis=1)[under].sum() * grid.dx * grid.dz / CRITICAL.a**2
+    core = flows.argmax(axis=1)[under].sum() * (grid.dx / CRITICAL.a) ** 2
     axis = grid.z[flows[0]] / CRITICAL.a
-    half = 0.5 * grid.dz / CRITICAL.a
+    half = 0.5 * grid.dx / CRITICAL.a
     return Point(
         ratio=ratio,
         load=state.load / CRITICAL.load,
@@ -243,10 +243,10 @@ def core_shrinks(results: Results, mesh: str) -> Statement:
         "40 and 110",
         bool(np.all(np.diff(parts) <= 0) and areas[-1] < 0.1 * areas[0]),
         mesh,
-        "The core is what has never flowed under the contact, between the surface and the zone. On the finest mesh that was tried (48 cells per contact radius) its area is "
-        "0.50 a_c² at 6, 0.47 at 14, 0.50 at 20, 0.36 at 28, 0.34 at 40, and it is gone at 60: at "
-        "first it shrinks only against the contact that grows. With few cells per a_c it is gone "
-        "sooner.",
+        "The core is what has never flowed under the contact, between the surface and the zone. On "
+        "the finest mesh that was tried (48 cells per contact radius) its area is 0.50 a_c² at 6, "
+        "0.47 at 14, 0.50 at 20, 0.36 at 28, 0.34 at 40, and it is gone at 60: at first it shrinks "
+        "only against the contact that grows. With few cells per a_c it is gone sooner.",
     )
 
 
@@ -433,7 +433,7 @@ def strain_figure(results: Results) -> Figure:
     ax.text(29, 0.2, "thesis: 28", rotation=90, va="bottom")
     ax.text(109, at - 0.15, "thesis: 5 %", ha="right", va="top")
     right = ax.secondary_yaxis(
-        "right", functions=(lambda g: 5.0 * g / at, lambda percent: percent * at / 5.0)
+        "right", functions=(lambda g: np.multiply(g, 5 / at), lambda p: np.multiply(p, at / 5))
     )
     right.set_ylabel(f"for Y/E = {5 / at:.2f} % [%]")
     ax.set_xlim(0, 112)

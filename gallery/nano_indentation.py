@@ -209,8 +209,8 @@ def load_figure(results: Results) -> Figure:
     w, load = curve(results.by_approach)
     ax.plot(w * 1e9, load * 1e3, "o", ms=4, mfc="none", label="given interference")
     elastic = np.linspace(0, LOAD, 60)
-    w = [0.0] + [hertz(value).approach for value in elastic[1:]]
-    ax.plot(np.array(w) * 1e9, elastic * 1e3, "k-", linewidth=0.8, label="elastic (Hertz)")
+    hertzian = [0.0, *(hertz(value).approach for value in elastic[1:])]
+    ax.plot(np.multiply(hertzian, 1e9), elastic * 1e3, "k-", linewidth=0.8, label="elastic (Hertz)")
     for value, label in ((349, "thesis, elastic: 349 nm"), (372, "thesis: 372 nm")):
         ax.axvline(value, color="k", linestyle="--", linewidth=0.8)
         ax.text(value - 2, 8, label, rotation=90, ha="right", va="bottom")
