@@ -381,7 +381,7 @@ def new_axes(width: float = 6.0, height: float = 4.2) -> tuple[Figure, Axes]:
 
 
 def zones(results: Results, ratios: tuple[float, ...], zoom: bool) -> Figure:
-    figure = Figure(figsize=(8.5, 4.6), layout="constrained")
+    figure = Figure(figsize=(8.5, 4.6) if zoom else (6.0, 4.6), layout="constrained")
     panels = figure.subplots(1, 2, width_ratios=(1, 1.15)) if zoom else [figure.subplots()]
     colours = colormaps["viridis"](np.linspace(0.0, 0.9, len(ratios)))
     for ax in panels:
@@ -415,11 +415,13 @@ def surface(ax: Axes, reached: float) -> None:
     ax.set_title("near the surface", fontsize=10)
     ax.set_xlim(0, 4.4)
     ax.set_ylim(1.0, 0)
-    ax.text(0.1, 0.12, "elastic core: found at 2, shrinks above 6", fontsize=9)
+    box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.9, "pad": 1.5}
+    text = "elastic core above the lines\nthesis: found at 2, shrinks above 6"
+    ax.text(0.1, 0.46, text, fontsize=9, bbox=box)
     edge = reached**0.5 * 1.04
     ax.axvline(edge, color="k", linestyle="--", linewidth=0.8)
     text = f"zone reaches the surface\nthesis: at 6, here: at {reached:.1f}"
-    ax.text(edge - 0.05, 0.97, text, fontsize=9, ha="right", va="bottom")
+    ax.text(edge - 0.05, 0.97, text, fontsize=9, ha="right", va="bottom", bbox=box)
 
 
 def strain_figure(results: Results) -> Figure:
