@@ -21,7 +21,14 @@ from .material import Material
 from .operators import depth_major, shear_components
 from .state import State
 
-__all__ = ["CheckpointError", "Simulation"]
+__all__ = ["CheckpointError", "PlasticStrainWarning", "Simulation"]
+
+SMALL_STRAIN = 0.05
+"""Equivalent plastic strain up to which the small-strain theory is trusted [-]."""
+
+
+class PlasticStrainWarning(UserWarning):
+    """The plastic strain is beyond the small-strain theory."""
 
 
 class Simulation:
@@ -108,6 +115,7 @@ class Simulation:
         self.image_tol = number("image_tol", image_tol)
         if not 1e-6 <= self.image_tol <= 0.1:
             raise ValueError(f"image_tol must be in [1e-6, 0.1], got {self.image_tol!r}")
+        self._warned_of_strain = False
         self._core = _core.Simulation(
             grid._core,
             body1._core,
@@ -154,6 +162,13 @@ class Simulation:
             Bad arguments, or GridTooSmallError.
         ConvergenceError
             With .iterations and .residual. In every case the state before the call stays.
+
+        Warns
+        -----
+        PlasticStrainWarning
+            Once in a simulation, when the largest equivalent plastic strain passes 5 %.
+        GridTooSmallWarning
+            With on_border="warn", where there would be a GridTooSmallError.
         """
         kind = exactly_one(load=load, approach=approach, pressure=pressure)
         value, p, shear_x, shear_y = 0.0, None, None, None
@@ -170,7 +185,19 @@ class Simulation:
         core = self._core.step(kind, value, p, shear_x, shear_y)
         for warning in core.warnings:
             warnings.warn(warning, GridTooSmallWarning, stacklevel=2)
-        return State(core, self.grid)
+        state = State(core, self.grid)
+        if not self._warned_of_strain:
+            strain, body = max((state.max_equivalent_plastic_strain(b), b) for b in (1, 2))
+            if strain > SMALL_STRAIN:
+                self._warned_of_strain = True
+                warnings.warn(
+                    f"the equivalent plastic strain of body {body} reaches {strain:.3g}, more than "
+                    f"{SMALL_STRAIN}: strains are taken as small, and results lose their meaning "
+                    "beyond",
+                    PlasticStrainWarning,
+                    stacklevel=2,
+                )
+        return state
 
     def run(self, path: Iterable[Mapping[str, Any]], *, progress: bool = True) -> list[State]:
         """Run a list of step() arguments, e.g. ``[{"load": 300.0}, {"load": 0.0}]``.
