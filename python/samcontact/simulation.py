@@ -24,7 +24,7 @@ from .state import State
 __all__ = ["CheckpointError", "PlasticStrainWarning", "Simulation"]
 
 SMALL_STRAIN = 0.05
-"""Equivalent plastic strain up to which the small-strain theory is trusted [-]."""
+"""Equivalent plastic strain sqrt(2/3 e:e) up to which small-strain theory is trusted [-]."""
 
 
 class PlasticStrainWarning(UserWarning):
@@ -187,7 +187,7 @@ class Simulation:
             warnings.warn(warning, GridTooSmallWarning, stacklevel=2)
         state = State(core, self.grid)
         if not self._warned_of_strain:
-            strain, body = max((state.max_equivalent_plastic_strain(b), b) for b in (1, 2))
+            strain, body = max((state.max_plastic_strain(b), b) for b in (1, 2))
             if strain > SMALL_STRAIN:
                 self._warned_of_strain = True
                 warnings.warn(

@@ -128,8 +128,14 @@ class State:
 
     def max_equivalent_plastic_strain(self, body: int = 2) -> float:
         """Largest accumulated equivalent plastic strain [-]; 0 for a body that cannot yield."""
-        history = self._core.history(choice("body", body, (1, 2)) - 1)
-        return 0.0 if history is None else float(history["equivalent"].max(initial=0.0))
+        return float(self._core.max_equivalent_plastic_strain(choice("body", body, (1, 2)) - 1))
+
+    def max_plastic_strain(self, body: int = 2) -> float:
+        """Largest sqrt(2/3 e:e) of the plastic strain e [-], which flow to and fro does not raise.
+
+        It is what has to be small; 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
+        """
+        return float(self._core.max_plastic_strain(choice("body", body, (1, 2)) - 1))
 
     def residual_displacement(self, body: int = 2) -> FloatArray:
         """Permanent print [m], shape (nx, ny): u_z of the plastic strain, positive inwards."""

@@ -208,7 +208,7 @@ class TestOneCell:
             [state.stress().ravel() / YIELD, state.plastic_strain().ravel() * E / YIELD]
         )
 
-    CYCLE = (9e9, 3e9, -3e9, -9e9, -3e9, 3e9)
+    CYCLE = (7e9, 3e9, -3e9, -7e9, -3e9, 3e9)
 
     def drive(self, simulation, shears):
         pressure = np.zeros((1, 1))

@@ -673,9 +673,14 @@ class TestBadInput:
 
 
 class TestSmallStrain:
-    """Beyond a plastic strain of 5 %: a body that has nearly come there flows a little more."""
+    """Beyond a plastic strain of 5 %."""
 
-    PERFECT = sc.Material.perfect_plastic(E, NU, 1e9)
+    STRONG = sc.Material.perfect_plastic(E, NU, 1e12)
+
+    def strained(self, sim, body, shear):
+        strain = np.zeros((6, *GRID.volume_shape))
+        strain[5, 9, 9, 4] = shear  # sqrt(2/3 e:e) = 2/sqrt(3) shear
+        sim.set_plastic_strain(body, strain)
 
     @staticmethod
     def warnings_of(sim, load):
@@ -686,29 +691,35 @@ class TestSmallStrain:
 
     @pytest.mark.parametrize("body", [1, 2])
     def test_warns_once_when_it_passes_five_per_cent(self, body):
-        bodies = (self.PERFECT, STEEL) if body == 1 else (STEEL, self.PERFECT)
-        sim = simulation(*bodies)
-        nothing = np.zeros((6, *GRID.volume_shape))
-        sim.set_plastic_strain(body, nothing, np.full(GRID.volume_shape, 0.0499))
-        assert self.warnings_of(sim, 0.01 * LOAD) == []  # elastic
-        assert sim.state.max_equivalent_plastic_strain(body) == 0.0499
-        (message,) = self.warnings_of(sim, 0.8 * LOAD)
-        strain = sim.state.max_equivalent_plastic_strain(body)
-        assert strain > 0.05
-        start = f"the equivalent plastic strain of body {body} reaches {strain:.3g}, more than 0.05"
+        sim = simulation(*((self.STRONG, STEEL) if body == 1 else (STEEL, self.STRONG)))
+        self.strained(sim, body, 0.0499 * math.sqrt(3) / 2)
+        assert self.warnings_of(sim, LOAD) == []
+        assert sim.state.max_plastic_strain(body) == pytest.approx(0.0499, rel=1e-14)
+        self.strained(sim, body, -0.0501 * math.sqrt(3) / 2)
+        (message,) = self.warnings_of(sim, LOAD)
+        start = f"the equivalent plastic strain of body {body} reaches 0.0501, more than 0.05"
         assert message.startswith(start)
         assert "small" in message
+        self.strained(sim, body, 0.06)
         assert self.warnings_of(sim, LOAD) == []
-        assert sim.state.max_equivalent_plastic_strain(body) > strain
 
     def test_may_be_an_error(self):
         """The step is done all the same, as with a grid that is too small."""
-        sim = simulation(STEEL, self.PERFECT)
-        nothing = np.zeros((6, *GRID.volume_shape))
-        sim.set_plastic_strain(2, nothing, np.full(GRID.volume_shape, 0.0499))
+        sim = simulation(STEEL, self.STRONG)
+        self.strained(sim, 2, 0.05)
         with pytest.raises(sc.PlasticStrainWarning, match="body 2"):
-            sim.step(load=0.8 * LOAD)
-        assert sim.state.load == pytest.approx(0.8 * LOAD)
+            sim.step(load=LOAD)
+        assert sim.state.load == pytest.approx(LOAD)
+
+    @pytest.mark.parametrize("symmetric", [True, False])
+    def test_is_that_of_the_tensor(self, symmetric):
+        gap = BALL if symmetric else BALL + GRID.x[:, None] * 1e-4
+        state = simulation(gap=gap).step(load=LOAD)
+        e = state.plastic_strain()
+        expected = np.sqrt(2 / 3 * ((e[:3] ** 2).sum(0) + 2 * (e[3:] ** 2).sum(0)).max())
+        assert state.max_plastic_strain() == pytest.approx(expected, rel=1e-12)
+        assert 0 < expected <= state.max_equivalent_plastic_strain() * (1 + 1e-12)
+        assert state.max_plastic_strain(1) == 0.0
 
 
 class TestNumbersOfAState:
