@@ -137,6 +137,8 @@ void bind_state(py::module_& m) {
           "exact_residual_stress",
           [](const State& s) { return s.method == operators::ResidualMethod::exact; })
       .def("history", &history, py::arg("body"))
+      .def("max_equivalent_plastic_strain", &State::max_equivalent_plastic_strain, py::arg("body"))
+      .def("max_plastic_strain", &State::max_plastic_strain, py::arg("body"))
       .def_readonly("load", &State::load)
       .def_readonly("approach", &State::approach)
       .def_readonly("converged", &State::converged)

@@ -4,13 +4,24 @@
 from . import _load_core  # noqa: F401  (before anything that needs the core)
 
 # isort: split
-from . import critical, heat_kernels, hertz, kernels, operators, paths, surfaces
+from . import (
+    critical,
+    flattening,
+    heat,
+    heat_kernels,
+    hertz,
+    kernels,
+    operators,
+    paths,
+    softening,
+    surfaces,
+)
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
 from .grid import Grid
 from .material import Material
-from .simulation import CheckpointError, Simulation
+from .simulation import CheckpointError, PlasticStrainWarning, Simulation
 from .state import State
 
 __all__ = [
@@ -22,14 +33,18 @@ __all__ = [
     "GridTooSmallError",
     "GridTooSmallWarning",
     "Material",
+    "PlasticStrainWarning",
     "Simulation",
     "State",
     "__version__",
     "critical",
+    "flattening",
+    "heat",
     "heat_kernels",
     "hertz",
     "kernels",
     "operators",
     "paths",
+    "softening",
     "surfaces",
 ]

@@ -9,19 +9,23 @@ yield over the yield stress.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
-from ._checks import poisson_ratio, positive
+from ._checks import non_negative, poisson_ratio, positive
 from ._hertz_axis import line_max_von_mises, point_max_von_mises
+from ._hertz_field import sliding_max_von_mises
 
 __all__ = [
     "CriticalCylinder",
+    "CriticalSlidingSphere",
     "CriticalSphere",
     "green",
     "green_cylinder",
+    "jackson_green",
     "kogut_etsion",
     "onset",
     "onset_cylinder",
+    "onset_sliding",
 ]
 
 
@@ -51,6 +55,20 @@ class CriticalSphere:
     C: float
     p0: float
     a: float
+
+
+@dataclass(frozen=True)
+class CriticalSlidingSphere(CriticalSphere):
+    """Onset of yield in a sliding point contact; energy is that of the normal load.
+
+    Attributes
+    ----------
+    x, z : float
+        Where the body yields first, in the plane y = 0 [m]; z = 0 is the surface.
+    """
+
+    x: float
+    z: float
 
 
 @dataclass(frozen=True)
@@ -138,6 +156,45 @@ def onset(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSp
     return _sphere(R, E_star, 1.0 / point_max_von_mises(nu)[0], yield_stress)
 
 
+def onset_sliding(
+    R: float, E_star: float, nu: float, yield_stress: float, friction: float
+) -> CriticalSlidingSphere:
+    """Critical values of a sphere that slides with Coulomb friction, exact.
+
+    Parameters
+    ----------
+    R, E_star, nu, yield_stress : float
+        As for `green`.
+    friction : float
+        Coefficient mu >= 0; the shear mu p acts on the body that yields along +x [-].
+
+    Returns
+    -------
+    CriticalSlidingSphere
+        From the largest von Mises stress in the half-space, its surface included, under a Hertz
+        pressure p with the shear mu p (`hertz.PointContact.stress`). With nu = 0.3 the body yields
+        below the surface, ahead of the centre, up to mu = 0.304, then at the trailing edge.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+
+    Notes
+    -----
+    Equals `onset` for mu = 0. The shear's share in the normal displacement is left out (zero for
+    bodies of equal elastic constants).
+    """
+    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+    if friction == 0.0:
+        ratio, z = point_max_von_mises(nu)
+        x = 0.0
+    else:
+        ratio, x, z = sliding_max_von_mises(nu, friction)
+    sphere = _sphere(R, E_star, 1.0 / ratio, yield_stress)
+    return CriticalSlidingSphere(**asdict(sphere), x=x * sphere.a, z=z * sphere.a)
+
+
 def kogut_etsion(
     R: float,
     E_star: float,
@@ -169,6 +226,19 @@ def kogut_etsion(
     H = 2.8 * yield_stress if hardness is None else positive("hardness", hardness)
     C = (0.454 + 0.41 * poisson_ratio("nu", nu)) * H / yield_stress
     return _sphere(R, E_star, C, yield_stress)
+
+
+def jackson_green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSphere:
+    """Critical values of Jackson and Green, C = 1.295 exp(0.736 nu).
+
+    Parameters and errors as for `green`.
+
+    Returns
+    -------
+    CriticalSphere
+        Jackson and Green (2005), doi:10.1115/1.1866166; within 0.4 % of `onset`.
+    """
+    return _sphere(R, E_star, 1.295 * math.exp(0.736 * poisson_ratio("nu", nu)), yield_stress)
 
 
 def green_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalCylinder:

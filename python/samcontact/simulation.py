@@ -22,7 +22,14 @@ from .material import Material
 from .operators import depth_major, shear_components
 from .state import State
 
-__all__ = ["CheckpointError", "Simulation"]
+__all__ = ["CheckpointError", "PlasticStrainWarning", "Simulation"]
+
+SMALL_STRAIN = 0.05
+"""Equivalent plastic strain sqrt(2/3 e:e) up to which small-strain theory is trusted [-]."""
+
+
+class PlasticStrainWarning(UserWarning):
+    """The plastic strain is beyond the small-strain theory."""
 
 
 class Simulation:
@@ -117,7 +124,8 @@ class Simulation:
         self.velocity = velocities(velocity)
         self.heating_time = heating_time
         self.heat_reference = heat_reference
-        self._heating()
+        self._heating(self.heat_factor)
+        self._warned_of_strain = False
         self._core = _core.Simulation(
             grid._core,
             body1._core,
@@ -168,6 +176,13 @@ class Simulation:
             Bad arguments, or GridTooSmallError.
         ConvergenceError
             With .iterations and .residual. In every case the state before the call stays.
+
+        Warns
+        -----
+        PlasticStrainWarning
+            Once in a simulation, when the largest equivalent plastic strain passes 5 %.
+        GridTooSmallWarning
+            With on_border="warn", where there would be a GridTooSmallError.
         """
         kind = exactly_one(load=load, approach=approach, pressure=pressure)
         value, p, shear_x, shear_y = 0.0, None, None, None
@@ -181,15 +196,27 @@ class Simulation:
             raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")
         else:
             value = number(kind, load if kind == "load" else approach)
-        if heat_factor is not None:
-            self.heat_factor = pair(heat_factor)
-        entries = self._heating()
+        factors = self.heat_factor if heat_factor is None else pair(heat_factor)
+        entries = self._heating(factors)
         if kind == "approach":
             require_reference(entries, self.heat_reference)
         core = self._core.step(kind, value, p, shear_x, shear_y, entries)
+        self.heat_factor = factors
         for warning in core.warnings:
             warnings.warn(warning, GridTooSmallWarning, stacklevel=2)
-        return State(core, self.grid)
+        state = State(core, self.grid)
+        if not self._warned_of_strain:
+            strain, body = max((state.max_plastic_strain(b), b) for b in (1, 2))
+            if strain > SMALL_STRAIN:
+                self._warned_of_strain = True
+                warnings.warn(
+                    f"the equivalent plastic strain of body {body} reaches {strain:.3g}, more than "
+                    f"{SMALL_STRAIN}: strains are taken as small, and results lose their meaning "
+                    "beyond",
+                    PlasticStrainWarning,
+                    stacklevel=2,
+                )
+        return state
 
     def _softening(self, body: Material) -> Callable[[FloatArray], FloatArray] | None:
         """The law of a material as the core calls it: (nx, ny, nz) in, depth-major out."""
@@ -204,10 +231,10 @@ class Simulation:
 
         return factor
 
-    def _heating(self) -> list[Any]:
+    def _heating(self, factors: tuple[float, float]) -> list[Any]:
         return heating(
             (self.body1, self.body2),
-            self.heat_factor,
+            factors,
             self.velocity,
             self.heating_time,
             self.heat_reference,

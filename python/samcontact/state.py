@@ -50,6 +50,17 @@ class State:
         return float(self._core.load)
 
     @property
+    def contact_area(self) -> float:
+        """Area of the cells under pressure [m^2]."""
+        return int(np.count_nonzero(self.pressure > 0)) * self.grid.cell_area
+
+    @property
+    def mean_pressure(self) -> float:
+        """Load over contact area [Pa]; 0 without contact."""
+        area = self.contact_area
+        return self.load / area if area > 0 else 0.0
+
+    @property
     def approach(self) -> float:
         """Rigid-body approach [m]; NaN under prescribed tractions."""
         return float(self._core.approach)
@@ -114,6 +125,17 @@ class State:
         Their sum is the centre of the yield surface; no terms without kinematic hardening.
         """
         return self._field("backstress", body)
+
+    def max_equivalent_plastic_strain(self, body: int = 2) -> float:
+        """Largest accumulated equivalent plastic strain [-]; 0 for a body that cannot yield."""
+        return float(self._core.max_equivalent_plastic_strain(choice("body", body, (1, 2)) - 1))
+
+    def max_plastic_strain(self, body: int = 2) -> float:
+        """Largest sqrt(2/3 e:e) of the plastic strain e [-], which flow to and fro does not raise.
+
+        It is what has to be small; 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
+        """
+        return float(self._core.max_plastic_strain(choice("body", body, (1, 2)) - 1))
 
     def residual_displacement(self, body: int = 2) -> FloatArray:
         """Permanent print [m], shape (nx, ny): u_z of the plastic strain, positive inwards."""

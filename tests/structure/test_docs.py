@@ -13,7 +13,7 @@ from samcontact.cases import Case
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md")]
-PAGES += sorted((ROOT / "docs").glob("*.md"))
+PAGES += sorted((ROOT / "docs").rglob("*.md"))
 TEXTS = {str(page.relative_to(ROOT)): page.read_text(encoding="utf-8") for page in PAGES}
 pages = pytest.mark.parametrize("page", TEXTS)
 
@@ -83,7 +83,14 @@ def test_links_lead_somewhere(page):
 
 def test_every_page_is_linked_from_the_readme():
     links = set(re.findall(r"\]\(([^)\s]+)\)", TEXTS["README.md"]))
-    assert links >= set(TEXTS) - {"README.md"}
+    gallery = {page for page in TEXTS if page.startswith("docs/gallery/")}
+    assert links >= set(TEXTS) - gallery - {"README.md"}
+
+
+def test_every_page_of_the_gallery_is_linked_from_its_first_page():
+    links = re.findall(r"\]\(([^)\s]+)\)", TEXTS["docs/gallery.md"])
+    gallery = {page for page in TEXTS if page.startswith("docs/gallery/")}
+    assert {f"docs/{link}" for link in links} >= gallery
 
 
 def test_newest_change_is_this_version():

@@ -20,7 +20,9 @@ def test_green_published_values():
     assert pytest.approx(1.30075 + 0.87825 * 0.32 + 0.54373 * 0.32**2, rel=1e-15) == values.C
 
 
-@pytest.mark.parametrize("model", [critical.green, critical.onset, critical.kogut_etsion])
+@pytest.mark.parametrize(
+    "model", [critical.green, critical.onset, critical.kogut_etsion, critical.jackson_green]
+)
 def test_sphere_is_a_hertz_contact_with_its_energy(model):
     values = model(**TUGGING)
     contact = hertz.point(0.5, E_STAR, p0=values.p0)
@@ -45,7 +47,8 @@ def test_onset_exact_C(nu, C):
 def test_fits_stay_within_their_stated_error(nu):
     arguments = {"R": 1.0, "E_star": 1.0, "nu": nu, "yield_stress": 1.0}
     exact = critical.onset(**arguments).C
-    assert pytest.approx(exact, rel=4e-3) == critical.green(**arguments).C
+    for fit in (critical.green, critical.jackson_green):
+        assert pytest.approx(exact, rel=4e-3) == fit(**arguments).C
     exact = critical.onset_cylinder(**arguments).C
     assert pytest.approx(exact, rel=1.3e-3) == critical.green_cylinder(**arguments).C
 
@@ -69,7 +72,14 @@ def test_kogut_etsion_interference():
 
 
 @pytest.mark.parametrize(
-    "model", [critical.green, critical.onset, critical.green_cylinder, critical.onset_cylinder]
+    "model",
+    [
+        critical.green,
+        critical.onset,
+        critical.jackson_green,
+        critical.green_cylinder,
+        critical.onset_cylinder,
+    ],
 )
 @pytest.mark.parametrize(
     ("changed", "message"),

@@ -35,7 +35,7 @@ small = sim.step(load=1.0)
 before = digest(small)
 print("ready", flush=True)
 try:
-    sim.step(load=100.0)
+    sim.step(load=200.0)
     raise SystemExit("the step was over before it could be interrupted")
 except KeyboardInterrupt:
     print("interrupted", flush=True)

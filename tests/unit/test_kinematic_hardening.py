@@ -208,7 +208,7 @@ class TestOneCell:
             [state.stress().ravel() / YIELD, state.plastic_strain().ravel() * E / YIELD]
         )
 
-    CYCLE = (12e9, 4e9, -4e9, -12e9, -4e9, 4e9)
+    CYCLE = (7e9, 3e9, -3e9, -7e9, -3e9, 3e9)
 
     def drive(self, simulation, shears):
         pressure = np.zeros((1, 1))

@@ -282,6 +282,7 @@ class TestInitialStrain:
             np.testing.assert_array_equal(state.plastic_strain(body), self.strain)
             assert not state.equivalent_plastic_strain(body).any()
 
+    @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
     def test_contact_goes_on_from_it(self):
         """Hardened enough not to flow: elastic contact of the surface that the strain bends."""
         sim = simulation(STEEL, SOFT)
@@ -297,6 +298,7 @@ class TestInitialStrain:
         assert_close(state.pressure, expected.pressure, 1e-6)
         assert state.approach == pytest.approx(expected.approach, rel=1e-6)
 
+    @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
     def test_hardening_counts(self):
         """The yield stress of the next increment is that of the given equivalent strain."""
         flows = []
@@ -668,3 +670,73 @@ class TestBadInput:
         sim = simulation(gap=gap)
         gap[...] = np.nan
         assert_same(sim.step(load=LOAD), simulation().step(load=LOAD))
+
+
+class TestSmallStrain:
+    """Beyond a plastic strain of 5 %."""
+
+    STRONG = sc.Material.perfect_plastic(E, NU, 1e12)
+
+    def strained(self, sim, body, shear):
+        strain = np.zeros((6, *GRID.volume_shape))
+        strain[5, 9, 9, 4] = shear  # sqrt(2/3 e:e) = 2/sqrt(3) shear
+        sim.set_plastic_strain(body, strain)
+
+    @staticmethod
+    def warnings_of(sim, load):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            sim.step(load=load)
+        return [str(w.message) for w in caught if w.category is sc.PlasticStrainWarning]
+
+    @pytest.mark.parametrize("body", [1, 2])
+    def test_warns_once_when_it_passes_five_per_cent(self, body):
+        sim = simulation(*((self.STRONG, STEEL) if body == 1 else (STEEL, self.STRONG)))
+        self.strained(sim, body, 0.0499 * math.sqrt(3) / 2)
+        assert self.warnings_of(sim, LOAD) == []
+        assert sim.state.max_plastic_strain(body) == pytest.approx(0.0499, rel=1e-14)
+        self.strained(sim, body, -0.0501 * math.sqrt(3) / 2)
+        (message,) = self.warnings_of(sim, LOAD)
+        start = f"the equivalent plastic strain of body {body} reaches 0.0501, more than 0.05"
+        assert message.startswith(start)
+        assert "small" in message
+        self.strained(sim, body, 0.06)
+        assert self.warnings_of(sim, LOAD) == []
+
+    def test_may_be_an_error(self):
+        """The step is done all the same, as with a grid that is too small."""
+        sim = simulation(STEEL, self.STRONG)
+        self.strained(sim, 2, 0.05)
+        with pytest.raises(sc.PlasticStrainWarning, match="body 2"):
+            sim.step(load=LOAD)
+        assert sim.state.load == pytest.approx(LOAD)
+
+    @pytest.mark.parametrize("symmetric", [True, False])
+    def test_is_that_of_the_tensor(self, symmetric):
+        gap = BALL if symmetric else BALL + GRID.x[:, None] * 1e-4
+        state = simulation(gap=gap).step(load=LOAD)
+        e = state.plastic_strain()
+        expected = np.sqrt(2 / 3 * ((e[:3] ** 2).sum(0) + 2 * (e[3:] ** 2).sum(0)).max())
+        assert state.max_plastic_strain() == pytest.approx(expected, rel=1e-12)
+        assert 0 < expected <= state.max_equivalent_plastic_strain() * (1 + 1e-12)
+        assert state.max_plastic_strain(1) == 0.0
+
+
+class TestNumbersOfAState:
+    def test_area_mean_pressure_and_largest_strain(self):
+        sim = simulation()
+        state = sim.step(load=LOAD)
+        assert state.contact_area == np.count_nonzero(state.pressure) * GRID.cell_area
+        assert state.contact_area == pytest.approx(math.pi * EXACT.a**2, rel=0.15)
+        assert state.mean_pressure == pytest.approx(state.pressure[state.pressure > 0].mean())
+        largest = state.equivalent_plastic_strain().max()
+        assert state.max_equivalent_plastic_strain() == largest > 0
+        assert state.max_equivalent_plastic_strain(body=1) == 0.0
+
+    def test_without_contact(self):
+        state = simulation(RIGID, SOFT).state
+        assert (state.contact_area, state.mean_pressure) == (0.0, 0.0)
+        assert state.max_equivalent_plastic_strain(1) == 0.0
+        assert state.max_equivalent_plastic_strain(2) == 0.0
+        with pytest.raises(ValueError, match="body must be one of 1, 2, got 0"):
+            state.max_equivalent_plastic_strain(0)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "samcontact/base/threads.hpp"
 #include "samcontact/operators/surface_displacement.hpp"
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
@@ -237,6 +238,29 @@ Field State::equivalent_plastic_strain(int body) const {
   if (!plastic[body]) return Field(scene_->grid.volume_size(), 0.0);
   const auto history = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
   return embed(history->equivalent, history->box, scene_->grid, 1);
+}
+
+double State::max_equivalent_plastic_strain(int body) const {
+  const auto& history = plastic[body];
+  return history ? *std::max_element(history->equivalent.begin(), history->equivalent.end()) : 0.0;
+}
+
+double State::max_plastic_strain(int body) const {
+  const auto& history = plastic[body];
+  if (!history) return 0.0;
+  const bool full = history->tensor == Tensor::full;
+  const std::ptrdiff_t n = history->box.volume_size();
+  const double* e = history->strain.data();
+  double largest = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : largest) if (10.0 * n > worth_threads)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const double xx = e[i], yy = e[n + i], zz = full ? e[2 * n + i] : -(xx + yy);
+    const double* shear = e + (full ? 3 : 2) * n + i;
+    largest = std::max(
+        largest, xx * xx + yy * yy + zz * zz +
+                     2 * (shear[0] * shear[0] + shear[n] * shear[n] + shear[2 * n] * shear[2 * n]));
+  }
+  return std::sqrt(2.0 / 3 * largest);
 }
 
 Field State::backstress(int body) const {

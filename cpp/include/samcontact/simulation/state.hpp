@@ -62,6 +62,10 @@ class State {
   Field hydrostatic(int body) const;
   Field plastic_strain(int body) const;
   Field equivalent_plastic_strain(int body) const;
+  /// Largest accumulated equivalent plastic strain, and largest sqrt(2/3 e:e) of the plastic
+  /// strain, which flow to and fro does not raise; 0 for a body without.
+  double max_equivalent_plastic_strain(int body) const;
+  double max_plastic_strain(int body) const;
   /// [term][component][k][i][j], as many terms as the material has backstresses.
   Field backstress(int body) const;
   /// Surface fields [i][j] [m], positive into the body: of the plastic strain, and of all.

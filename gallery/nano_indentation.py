@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Nano-indentation of nitrided steel: figures 2.9, 2.14 and 2.15 of the thesis."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+import samcontact as sc
+
+from .page import Number, Picture, Statement
+
+TITLE = "Nano-indentation"
+INTRODUCTION = """
+A spherical tip of radius 105 µm, taken as rigid, is pressed on nitrided steel (E = 210 GPa,
+ν = 0.3, Swift's law with B = 1240 MPa, C = 30, n = 0.085) to 0.650 N and taken away: 2.3.1.1 and
+2.3.1.3 of the thesis. Young's modulus is printed there as 210 MPa; the elastic interference that it
+states needs 210 GPa. The same is done twice, by given loads and by given interferences (rigid-body
+approaches). The measured prints of figure 2.9 are neither in a table nor in the text, and are not
+shown here.
+"""
+
+TIP = 105e-6
+LOAD = 0.650
+STEEL = sc.Material.swift(E=210e9, nu=0.3, B=1240e6, C=30.0, n=0.085)
+THESIS = {"interference": 372e-9, "elastic": 349e-9, "cells": 23188}
+SHOWN = 4
+"""Loads in the figure of the pressure."""
+
+
+@dataclass(frozen=True)
+class Results:
+    """States of both runs: loading, then unloading."""
+
+    grid: sc.Grid
+    by_load: list[sc.State]
+    by_approach: list[sc.State]
+
+    @property
+    def top(self) -> int:
+        """Index of the state at the largest load."""
+        return len(self.by_load) // 2 - 1
+
+    @property
+    def mesh(self) -> str:
+        n = self.grid
+        return f"{n.nx}x{n.ny}x{n.nz}, {len(self.by_load)} increments"
+
+
+def hertz(load: float) -> sc.hertz.PointContact:
+    """Elastic contact of tip and steel."""
+    E_star = sc.hertz.effective_modulus(sc.Material.rigid(), STEEL)
+    return sc.hertz.point(R=TIP, E_star=E_star, load=load)
+
+
+def compute(quick: bool) -> Results:
+    """On the thesis's mesh and increments when quick, else on twice as many of both."""
+    finer = 1 if quick else 2
+    # odd counts along x and y keep a cell on the axis
+    n = (31, 17) if quick else (61, 33)
+    grid = sc.Grid(*n, 0.6e-6 / finer, 1.2e-6 / finer, 44 * finer, 0.3e-6 / finer)
+    gap = sc.surfaces.paraboloid(grid, TIP)
+    count = 13 * finer
+    by_load = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap)
+    loaded = by_load.run(sc.paths.load_unload(load=LOAD, increments=count), progress=False)
+    by_approach = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap)
+    # down to where the bodies part, as by load
+    path = sc.paths.load_unload(
+        approach=loaded[count - 1].approach, end=loaded[-1].approach, increments=count
+    )
+    return Results(grid, loaded, by_approach.run(path, progress=False))
+
+
+def curve(states: list[sc.State]) -> tuple[np.ndarray, np.ndarray]:
+    """Interference and load."""
+    return np.array([s.approach for s in states]), np.array([s.load for s in states])
+
+
+def difference_of_the_drives(results: Results) -> float:
+    """Largest difference in load between the two runs at the same interference, over the peak."""
+    split = results.top + 1
+    found = []
+    for part in (slice(0, split), slice(split - 1, None)):
+        w, load = curve(results.by_load[part])
+        w_other, other = curve(results.by_approach[part])
+        if part.start == 0:
+            w, load = np.append(0.0, w), np.append(0.0, load)
+        # both branches are close to a power 3/2 of the distance from first touch
+        start = w.min()
+        order = np.argsort(w)
+        at = np.interp((w_other - start) ** 1.5, (w[order] - start) ** 1.5, load[order])
+        found.append(np.abs(at - other).max())
+    return float(max(found) / LOAD)
+
+
+def prints(states: list[sc.State]) -> np.ndarray:
+    """Permanent print at the centre [m]: unloading is elastic, so it is there under load."""
+    return np.array([s.residual_displacement().max() for s in states])
+
+
+def stated(results: Results) -> list[Number | Statement]:
+    """What the thesis states beside what was computed."""
+    grid, top = results.grid, results.by_load[results.top]
+    elastic = hertz(LOAD)
+    difference = difference_of_the_drives(results)
+    radius = float(np.sqrt(top.contact_area / np.pi))
+    thesis_mesh = sc.Grid(31, 17, 0.6e-6, 1.2e-6, 44, 0.3e-6)
+    flattened = top.pressure.max() < elastic.p0 and radius > elastic.a
+    return [
+        Number(
+            "largest interference",
+            THESIS["interference"] * 1e9,
+            top.approach * 1e9,
+            "nm",
+            results.mesh,
+            tolerance=0.005,
+        ),
+        Number(
+            "elastic interference at this load",
+            THESIS["elastic"] * 1e9,
+            elastic.approach * 1e9,
+            "nm",
+            "closed form",
+            tolerance=0.005,
+        ),
+        Statement(
+            "load and interference control",
+            "coincide",
+            f"load differs by {100 * difference:.2f} % of its peak at most",
+            difference < 0.01,
+            results.mesh,
+            "Loading and unloading, at other points of the curve in the two runs; the difference "
+            "contains the interpolation between increments.",
+        ),
+        Statement(
+            "pressure against Hertz's",
+            "flattened",
+            f"maximum {top.pressure.max() * 1e-9:.2f} GPa (Hertz {elastic.p0 * 1e-9:.2f} GPa), "
+            f"contact radius {radius * 1e6:.2f} µm (Hertz {elastic.a * 1e6:.2f} µm)",
+            bool(flattened),
+            results.mesh,
+        ),
+        Number(
+            "cells of the thesis's mesh",
+            THESIS["cells"],
+            float(np.prod(thesis_mesh.volume_shape)),
+            "",
+            f"here {results.grid.nx}x{grid.ny}x{grid.nz}",
+            tolerance=0.0,
+        ),
+    ]
+
+
+def figures(results: Results) -> list[Picture]:
+    """Figures 2.9, 2.14 and 2.15."""
+    return [
+        Picture(
+            "nano_print",
+            "Figure 2.9: permanent print at the centre against the load it was pressed with.",
+            print_figure(results),
+        ),
+        Picture(
+            "nano_load_interference",
+            "Figure 2.14: load against interference, loading and unloading, by load and by "
+            "interference; at 0.650 N 372 nm are stated, 349 nm if the steel were elastic.",
+            load_figure(results),
+        ),
+        Picture(
+            "nano_pressure",
+            "Figure 2.15: pressure along x in the plane y = 0 for increasing load up to 0.650 N; "
+            "stated: flattened against Hertz's (dashed), the same by load and by interference.",
+            pressure_figure(results),
+        ),
+    ]
+
+
+def new_axes(width: float = 6.0, height: float = 4.2) -> tuple[Figure, Axes]:
+    figure = Figure(figsize=(width, height), layout="constrained")
+    ax = figure.subplots()
+    ax.grid(True, linewidth=0.4, alpha=0.5)
+    return figure, ax
+
+
+def print_figure(results: Results) -> Figure:
+    figure, ax = new_axes()
+    loading = results.by_load[: results.top + 1]
+    _, load = curve(loading)
+    ax.plot(
+        np.append(0, load) * 1e3, np.append(0, prints(loading)) * 1e9, "o-", ms=3, label="computed"
+    )
+    last = results.by_load[-1].residual_displacement().max()
+    ax.plot(LOAD * 1e3, last * 1e9, "ks", mfc="none", label="after unloading")
+    ax.axvline(LOAD * 1e3, color="k", linestyle="--", linewidth=0.8)
+    ax.text(LOAD * 1e3 - 8, 1, "thesis: largest load, 650 mN", rotation=90, ha="right", va="bottom")
+    ax.set_xlabel("load [mN]")
+    ax.set_ylabel("permanent print [nm]")
+    ax.set_ylim(bottom=0)
+    ax.legend(frameon=False)
+    return figure
+
+
+def load_figure(results: Results) -> Figure:
+    figure, ax = new_axes()
+    w, load = (np.append(0.0, values) for values in curve(results.by_load))
+    ax.plot(w * 1e9, load * 1e3, "-", label="given load")
+    w, load = curve(results.by_approach)
+    ax.plot(w * 1e9, load * 1e3, "o", ms=4, mfc="none", label="given interference")
+    elastic = np.linspace(0, LOAD, 60)
+    hertzian = [0.0, *(hertz(value).approach for value in elastic[1:])]
+    ax.plot(np.multiply(hertzian, 1e9), elastic * 1e3, "k-", linewidth=0.8, label="elastic (Hertz)")
+    for value, label in ((349, "thesis, elastic: 349 nm"), (372, "thesis: 372 nm")):
+        ax.axvline(value, color="k", linestyle="--", linewidth=0.8)
+        ax.text(value - 2, 8, label, rotation=90, ha="right", va="bottom")
+    ax.set_xlabel("interference [nm]")
+    ax.set_ylabel("load [mN]")
+    ax.legend(frameon=False, loc="upper left")
+    return figure
+
+
+def pressure_figure(results: Results) -> Figure:
+    figure, ax = new_axes()
+    x, row = results.grid.x * 1e6, results.grid.ny // 2
+    fine = np.linspace(x[0], x[-1], 400)
+    count = results.top + 1
+    for k in range(SHOWN):
+        state = results.by_load[round(count * (k + 1) / SHOWN) - 1]
+        elastic = hertz(state.load)
+        label = f"{state.load * 1e3:.0f} mN"
+        (line,) = ax.plot(x, state.pressure[:, row] * 1e-9, "-", label=label)
+        ax.plot(
+            fine, elastic.pressure(fine * 1e-6, 0.0) * 1e-9, "--", lw=0.9, color=line.get_color()
+        )
+    top = results.by_approach[results.top]
+    ax.plot(
+        x, top.pressure[:, row] * 1e-9, "o", ms=4, mfc="none", color=line.get_color(),
+        label=f"given interference, {top.approach * 1e9:.0f} nm",
+    )  # fmt: skip
+    ax.plot([], [], "k--", lw=0.9, label="Hertz, same load")
+    ax.set_xlabel("x [µm]")
+    ax.set_ylabel("pressure [GPa]")
+    ax.set_xlim(-9.5, 9.5)
+    ax.set_ylim(0, 10.5)
+    ax.legend(frameon=False, ncols=3, fontsize=8, loc="upper center")
+    return figure

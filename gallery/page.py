@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a part of the gallery is made of, and the page that shows it.
+
+A part is a module with a TITLE, an INTRODUCTION (Markdown), and three functions:
+`compute(quick)` solves its cases, on coarse grids when quick; `stated(results)` lists what the
+thesis says beside what was computed; `figures(results)` lists the figures.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number that the thesis states."""
+
+    quantity: str
+    thesis: float
+    ours: float
+    unit: str
+    mesh: str
+    tolerance: float = 0.05
+    """Largest relative difference."""
+    remark: str = ""
+    """E.g. what a converged mesh gives where the two differ."""
+    converged: float | None = None
+    """What a mesh study gives, where it contradicts the thesis; `holds` then compares with it."""
+
+    @property
+    def difference(self) -> float:
+        """Relative to the thesis."""
+        return self.ours / self.thesis - 1
+
+    @property
+    def holds(self) -> bool:
+        expected = self.thesis if self.converged is None else self.converged
+        return abs(self.ours / expected - 1) <= self.tolerance
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A trend that the thesis states in words."""
+
+    quantity: str
+    thesis: str
+    ours: str
+    holds: bool
+    mesh: str
+    remark: str = ""
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure; its name is that of its file, its caption starts with the thesis's numbers."""
+
+    name: str
+    caption: str
+    figure: Figure
+
+
+class Part(Protocol):
+    """A module of the gallery; what `compute` returns is its own affair."""
+
+    TITLE: str
+    INTRODUCTION: str
+
+    def compute(self, quick: bool) -> Any: ...
+
+    def stated(self, results: Any) -> list[Number | Statement]: ...
+
+    def figures(self, results: Any) -> list[Picture]: ...
+
+
+def digits(value: float) -> str:
+    """Four digits, or all those before the point."""
+    return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
+
+
+def table(entries: list[Number | Statement]) -> str:
+    """Markdown table of stated values."""
+    lines = ["| quantity | thesis | samcontact | difference | mesh |", "|---|---|---|---|---|"]
+    remarks = []
+    for entry in entries:
+        note = ""
+        if entry.remark:
+            remarks.append(entry.remark)
+            note = f" [{len(remarks)}]"
+        if isinstance(entry, Number):
+            unit = f" {entry.unit}" if entry.unit else ""
+            cells = (
+                f"{digits(entry.thesis)}{unit}",
+                f"{digits(entry.ours)}{unit}",
+                f"{100 * entry.difference:+.1f} %",
+            )
+        else:
+            cells = (entry.thesis, entry.ours, "agrees" if entry.holds else "differs")
+        lines.append(f"| {entry.quantity}{note} | {' | '.join(cells)} | {entry.mesh} |")
+    text = "\n".join(lines) + "\n"
+    if remarks:
+        text += "\n" + "\n".join(f"{n}. {remark}" for n, remark in enumerate(remarks, 1)) + "\n"
+    return text
+
+
+def write(name: str, part: Part, results: Any, folder: Path) -> list[Number | Statement]:
+    """Write the page and the figures of a part; returns its stated values."""
+    folder.mkdir(parents=True, exist_ok=True)
+    entries = part.stated(results)
+    text = [
+        "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->",
+        f"<!-- Written by: python -m gallery {name} -->",
+        f"# {part.TITLE}\n",
+        part.INTRODUCTION.strip() + "\n",
+        table(entries),
+    ]
+    for picture in part.figures(results):
+        picture.figure.savefig(folder / f"{picture.name}.png", dpi=80, metadata={"Software": None})
+        text.append(f"![{picture.caption}]({picture.name}.png)\n\n{picture.caption}\n")
+    (folder / f"{name}.md").write_text("\n".join(text), encoding="utf-8")
+    return entries

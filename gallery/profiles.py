@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What several parts do with profiles: their signs, and the looks of their axes."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+
+
+def succession(values: np.ndarray, negligible: float) -> list[str]:
+    """Signs of a stress from the surface down, without what is negligible."""
+    found: list[str] = []
+    for value in values[np.abs(values) > negligible]:
+        sign = "tensile" if value > 0 else "compressive"
+        if not found or found[-1] != sign:
+            found.append(sign)
+    return found
+
+
+def finish(ax: Axes, xlabel: str = "", ylabel: str = "", legend: bool = True) -> None:
+    """Labels, grid and legend."""
+    ax.set(xlabel=xlabel, ylabel=ylabel)
+    ax.grid(True, linewidth=0.4, alpha=0.5)
+    if legend:
+        ax.legend(frameon=False, fontsize="small")
