@@ -95,6 +95,17 @@ void bind_heating(py::module_& m) {
            }),
            py::arg("factor"), py::arg("conductivity"), py::arg("expansion"), py::arg("diffusivity"),
            py::arg("speed_x"), py::arg("speed_y"), py::arg("time"), py::arg("reference"))
+      .def("values",
+           [](const Heating& h) {
+             return std::vector<double>{h.factor,
+                                        h.thermal.conductivity,
+                                        h.thermal.expansion,
+                                        h.thermal.diffusivity,
+                                        h.speed_x,
+                                        h.speed_y,
+                                        h.time,
+                                        h.reference};
+           })
       .def_property_readonly("needs_reference",
                              [](const Heating& h) { return h.is_on() && h.is_steady_at_rest(); });
 }

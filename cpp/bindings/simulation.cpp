@@ -139,6 +139,7 @@ void bind_state(py::module_& m) {
       .def("history", &history, py::arg("body"))
       .def("max_equivalent_plastic_strain", &State::max_equivalent_plastic_strain, py::arg("body"))
       .def("max_plastic_strain", &State::max_plastic_strain, py::arg("body"))
+      .def_readonly("heating", &State::heating)
       .def_readonly("load", &State::load)
       .def_readonly("approach", &State::approach)
       .def_readonly("converged", &State::converged)
@@ -239,6 +240,7 @@ void restore(Simulation& simulation, const py::dict& saved) {
   const auto field = [&](const char* name) { return to_field_or_empty(saved[name]); };
   state.tractions = {field("pressure"), field("shear_x"), field("shear_y")};
   state.contact_gap = field("contact_gap");
+  state.heating = saved["heating"].cast<operators::HeatingPair>();
   state.load = saved["load"].cast<double>();
   state.approach = saved["approach"].cast<double>();
   state.plastic_iterations = saved["iterations"].cast<int>();
@@ -255,7 +257,15 @@ void restore(Simulation& simulation, const py::dict& saved) {
   c.plastic_iterations = d["plastic_iterations"].cast<long>();
   c.halvings = d["halvings"].cast<long>();
   for (int body = 0; body < 2; ++body) {
-    const py::object history = saved[("history" + std::to_string(body + 1)).c_str()];
+    const std::string number = std::to_string(body + 1);
+    const Field softening = field(("softening" + number).c_str());
+    if (!softening.empty()) {
+      if (softening.size() != simulation.scene().grid.volume_size()) {
+        throw std::invalid_argument("the softening of a body does not fit the grid");
+      }
+      state.softening[body] = std::make_shared<const Field>(softening);
+    }
+    const py::object history = saved[("history" + number).c_str()];
     if (!history.is_none()) {
       const auto& material = simulation.scene().materials[body];
       state.plastic[body] =

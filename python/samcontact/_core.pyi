@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+from collections.abc import Callable
 from typing import Any
 
 from ._checks import FloatArray
@@ -31,6 +32,21 @@ class Elastic:
     @staticmethod
     def rigid() -> Elastic: ...
 
+class Heating:
+    needs_reference: bool
+    def __init__(
+        self,
+        factor: float = ...,
+        conductivity: float = ...,
+        expansion: float = ...,
+        diffusivity: float = ...,
+        speed_x: float = ...,
+        speed_y: float = ...,
+        time: float = ...,
+        reference: float = ...,
+    ) -> None: ...
+    def values(self) -> list[float]: ...
+
 class Material:
     elastic_constants: Elastic
     is_plastic: bool
@@ -46,6 +62,9 @@ class Material:
     ) -> Material: ...
     @staticmethod
     def swift(E: float, nu: float, B: float, C: float, n: float) -> Material: ...
+    def with_thermal(
+        self, conductivity: float, expansion: float, diffusivity: float
+    ) -> Material: ...
     def with_backstresses(self, terms: list[tuple[float, float]]) -> Material: ...
     def yield_stress(self, g: FloatArray) -> FloatArray: ...
     def uniaxial_stress(self, strain: list[float]) -> list[float]: ...
@@ -55,7 +74,14 @@ class Material:
     def equivalent_increment(self, trial: float, g: float) -> float: ...
 
 class ContactSolver:
-    def __init__(self, grid: Grid, body1: Elastic, body2: Elastic, friction: float) -> None: ...
+    def __init__(
+        self,
+        grid: Grid,
+        body1: Elastic,
+        body2: Elastic,
+        friction: float,
+        heating: list[Heating],
+    ) -> None: ...
     def solve(
         self,
         gap: FloatArray,
@@ -72,6 +98,7 @@ class State:
     shear_x: FloatArray | None
     shear_y: FloatArray | None
     contact_gap: FloatArray | None
+    heating: list[Heating]
     exact_residual_stress: bool
     load: float
     approach: float
@@ -93,6 +120,9 @@ class State:
     def hydrostatic(self, body: int) -> FloatArray: ...
     def equivalent_plastic_strain(self, body: int) -> FloatArray: ...
     def backstress(self, body: int) -> FloatArray: ...
+    def temperature(self, body: int) -> FloatArray: ...
+    def surface_temperature(self, body: int) -> FloatArray: ...
+    def softening(self, body: int) -> FloatArray | None: ...
     def residual_displacement(self, body: int) -> FloatArray: ...
     def surface_displacement(self, body: int) -> FloatArray: ...
 
@@ -112,6 +142,7 @@ class Simulation:
         error_on_border: bool,
         residual_stress: str,
         image_tol: float,
+        softening: list[Callable[[FloatArray], FloatArray] | None],
     ) -> None: ...
     def step(
         self,
@@ -120,6 +151,7 @@ class Simulation:
         pressure: FloatArray | None,
         shear_x: FloatArray | None,
         shear_y: FloatArray | None,
+        heating: list[Heating],
     ) -> State: ...
     def set_plastic_state(
         self,
@@ -227,9 +259,14 @@ class operators:
     @staticmethod
     def surface_stress(
         grid: Grid,
-        nu: float,
+        elastic: Elastic,
+        heating: Heating,
         z: list[float],
         pressure: FloatArray,
         shear_x: FloatArray | None,
         shear_y: FloatArray | None,
+    ) -> FloatArray: ...
+    @staticmethod
+    def temperature(
+        grid: Grid, heating: Heating, z: list[float], pressure: FloatArray
     ) -> FloatArray: ...

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Callable
+from dataclasses import astuple
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,12 +14,15 @@ import h5py
 import numpy as np
 
 from . import _core
+from ._checks import FloatArray
 from .grid import Grid
 from .material import Material
+from .softening import JohnsonCook
 
 if TYPE_CHECKING:
     from .simulation import Simulation
 
+Softening = tuple[Callable[[FloatArray], Any] | None, Callable[[FloatArray], Any] | None]
 _FORMAT = "samcontact checkpoint"
 _FORMAT_VERSION = 3
 _SURFACE = ("pressure", "shear_x", "shear_y", "contact_gap")
@@ -65,6 +70,12 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
     for name in ("body1", "body2"):
         body = getattr(simulation, name)
         file.create_group(name).attrs.update(law=body.law, **body.parameters)
+        if body.thermal is not None:
+            file[name].attrs["thermal"] = np.array(body.thermal)
+        if isinstance(body.softening, JohnsonCook):
+            file[name].attrs["johnson_cook"] = np.array(astuple(body.softening))
+        elif body.softening is not None:
+            file[name].attrs["softening"] = repr(body.softening)
         if body.kinematic:
             file[name].attrs["kinematic"] = np.array(body.kinematic)
     file.create_group("settings").attrs.update(
@@ -74,9 +85,12 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
         max_iterations=simulation.max_iterations,
         residual_stress=simulation.residual_stress,
         image_tol=simulation.image_tol,
+        heat_factor=np.array(simulation.heat_factor),
+        velocity=np.array(simulation.velocity),
     )
-    if simulation.increment_tol is not None:
-        file["settings"].attrs["increment_tol"] = simulation.increment_tol
+    for name in ("increment_tol", "heating_time", "heat_reference"):
+        if getattr(simulation, name) is not None:
+            file["settings"].attrs[name] = getattr(simulation, name)
     file["initial_gap"] = simulation.initial_gap
     core = simulation._core.state
     state = file.create_group("state")
@@ -84,6 +98,11 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
     for name in _SURFACE:
         if getattr(core, name) is not None:
             _dataset(state, name, getattr(core, name))
+    state.attrs["heating"] = np.array([entry.values() for entry in core.heating])
+    for body in (0, 1):
+        factor = core.softening(body)
+        if factor is not None:
+            _dataset(state, f"softening{body + 1}", np.moveaxis(factor, 2, 0))
     histories = [core.history(body) for body in (0, 1)]
     for body, history in enumerate(histories):
         if body == 1 and _equal(histories[0], history):
@@ -110,7 +129,9 @@ def _dataset(group: h5py.Group, name: str, values: Any) -> None:
     group.create_dataset(name, data=values, fletcher32=True, chunks=True)
 
 
-def read_checkpoint(path: str | os.PathLike[str]) -> tuple[dict[str, Any], dict[str, Any]]:
+def read_checkpoint(
+    path: str | os.PathLike[str], softening: Softening
+) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the arguments of Simulation(...) and the entries for the core's restore()."""
     if not Path(path).exists():
         raise FileNotFoundError(f"no checkpoint at {os.fspath(path)!r}")
@@ -124,7 +145,7 @@ def read_checkpoint(path: str | os.PathLike[str]) -> tuple[dict[str, Any], dict[
                     f"{os.fspath(path)!r} has checkpoint format {version}; "
                     f"this version reads format {_FORMAT_VERSION}"
                 )
-            return _read_scene(file), _read_state(file)
+            return _read_scene(file, softening), _read_state(file)
     except CheckpointError:
         raise
     except (OSError, KeyError, ValueError, TypeError) as error:
@@ -135,13 +156,29 @@ def _plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
-def _read_scene(file: h5py.File) -> dict[str, Any]:
+def _read_scene(file: h5py.File, softening: Softening) -> dict[str, Any]:
     arguments: dict[str, Any] = {k: _plain(v) for k, v in file["settings"].attrs.items()}
     arguments["grid"] = Grid(**{k: _plain(v) for k, v in file["grid"].attrs.items()})
-    for name in ("body1", "body2"):
+    for name, law in zip(("body1", "body2"), softening, strict=True):
         parameters = {k: _plain(v) for k, v in file[name].attrs.items()}
         kinematic = tuple(map(tuple, parameters.pop("kinematic", ())))
-        arguments[name] = Material(parameters.pop("law"), parameters, kinematic)
+        thermal = parameters.pop("thermal", None)
+        softened = law
+        if "johnson_cook" in parameters:
+            softened = JohnsonCook(*map(float, parameters.pop("johnson_cook")))
+        elif "softening" in parameters and law is None:
+            raise CheckpointError(
+                f"{name} softens by {parameters['softening']}, which a checkpoint cannot hold: "
+                "give it again, softening=(law of body 1, law of body 2), None for a body without"
+            )
+        parameters.pop("softening", None)
+        arguments[name] = Material(
+            parameters.pop("law"),
+            parameters,
+            kinematic,
+            None if thermal is None else tuple(thermal),
+            softened,
+        )
     arguments["gap"] = file["initial_gap"][...]
     return arguments
 
@@ -156,7 +193,10 @@ def _read_state(file: h5py.File) -> dict[str, Any]:
             saved[name] = np.ascontiguousarray(group[name][...])
             if saved[name].shape != shape:
                 raise ValueError(f"{name} has shape {saved[name].shape}, not {shape}")
+    saved["heating"] = [_core.Heating(*map(float, row)) for row in group.attrs["heating"]]
     for body in (1, 2):
+        name = f"softening{body}"
+        saved[name] = np.ascontiguousarray(group[name][...]) if name in group else None
         name = f"history{body}"
         saved[name] = None
         if name in group:

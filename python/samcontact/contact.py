@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number
 from .grid import Grid
-from .material import Material
 from .heat import heating, require_reference
+from .material import Material
 from .operators import depths_of, shear_components
 
 
@@ -137,12 +137,8 @@ class ContactSolver:
         self.max_iterations = integer("max_iterations", max_iterations, 1)
         upper, lower = body1._core.elastic_constants, body2._core.elastic_constants
         self.heat_reference = heat_reference
-        self._heating = heating(
-            (body1, body2), heat_factor, velocity, heating_time, heat_reference
-        )
-        self._core = _core.ContactSolver(
-            grid._core, upper, lower, self.friction, self._heating
-        )
+        self._heating = heating((body1, body2), heat_factor, velocity, heating_time, heat_reference)
+        self._core = _core.ContactSolver(grid._core, upper, lower, self.friction, self._heating)
 
     def solve(
         self,

@@ -92,7 +92,7 @@ def partition(
 
 def pair(heat_factor: float | Sequence[float]) -> tuple[float, float]:
     """Checked heat factors of both bodies; a single number is that of body 2."""
-    given = list(heat_factor) if isinstance(heat_factor, Sequence) else [0.0, heat_factor]
+    given = [0.0, heat_factor] if np.ndim(heat_factor) == 0 else list(np.asarray(heat_factor))
     if len(given) != 2:
         raise ValueError(f"heat_factor must be a number or a pair, got {len(given)} values")
     return non_negative("heat_factor", given[0]), non_negative("heat_factor", given[1])

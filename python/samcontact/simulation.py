@@ -316,12 +316,19 @@ class Simulation:
         write_checkpoint(path, self)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Simulation:
+    def load(
+        cls,
+        path: str | os.PathLike[str],
+        softening: Sequence[Callable[[FloatArray], ArrayLike] | None] = (None, None),
+    ) -> Simulation:
         """Read a checkpoint; going on from it gives bit-identical results on the same machine.
+
+        softening: the laws of body 1 and 2, where they are not of `samcontact.softening`.
 
         Raises CheckpointError (a ValueError) for a file that is no checkpoint or is damaged.
         """
-        arguments, saved = read_checkpoint(path)
+        law1, law2 = softening
+        arguments, saved = read_checkpoint(path, (law1, law2))
         try:
             simulation = cls(**arguments)
             simulation._core.restore(saved)
