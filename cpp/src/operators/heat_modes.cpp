@@ -89,7 +89,7 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
       resolution_(resolution),
       sharpness_(std::sqrt(-std::log(resolution.tolerance))),
       cutoff_(sharpness_ / std::sqrt(resolution.shortest)),
-      step_(resolution.in_depth ? 0.125 : 0.35) {
+      step_(resolution.in_depth ? 0.12 : 0.35) {
   // What is left of the images is that of the last disc, where kernels are not smooth at w = 0:
   // it falls with the third power of the period.
   const double size = std::max(transform_.mx() * 1.0, transform_.my() * cell_y_);
@@ -105,7 +105,7 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
 
 double HeatModes::fade(double sz) const {
   // The end of the integral over s that is left out is smooth on the scale of the cosine.
-  return 0.5 * std::erfc(sz / (2 * sharpness_) - 3);
+  return 0.5 * std::erfc(sz / (2 * sharpness_) - 3.6);
 }
 
 void HeatModes::add_level(int number, int last, double shrink) {
