@@ -89,7 +89,9 @@ HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic
            HeatModes(grid, speed_x * grid.dx / kappa, speed_y * grid.dx / kappa,
                      {settings.shortest * unit, settings.longest * unit, settings.tolerance,
                       settings.in_depth})});
-  modes_.assign(plan_->modes.size(), Complex{});
+  modes_.assign(plan_->modes.generations(), ComplexField(plan_->modes.size(), Complex{}));
+  filled_.assign(plan_->modes.levels().size(), 0.0);
+  youngest_.assign(filled_.size(), 0);
   newest_.assign(plan_->modes.mode_count(), Complex{});
   flux_.assign(grid.surface_size(), 0.0);
 }
@@ -99,26 +101,65 @@ void HeatHistory::add(const double* flux, double dt) {
   if (dt == 0) return;
   ComplexField amplitudes;
   plan_->modes.project(flux, amplitudes);
-  const double x = plan_->aged(duration_);
-  std::size_t first = 0;
+  std::size_t first = 0, number = 0;
   for (const HeatLevel& level : plan_->modes.levels()) {
-    const Decay decay(level, x);
-    for (const HeatBlock& block : level.blocks) {
-      for (std::size_t j = 0; j < block.nodes; ++j) {
-        Complex* c = modes_.data() + block.offset + j * block.count;
-        for (std::size_t n = 0; n < block.count; ++n) {
-          const std::size_t mode = block.first + n;
-          const Complex lambda = level.modes[mode].decay + level.s[j] * level.s[j];
-          c[n] = c[n] * decay.factor(mode, j) +
-                 newest_[first + mode] * decay.integral(mode, j, lambda);
-        }
-      }
-    }
+    absorb(level, number++, first);
     first += level.modes.size();
   }
   newest_ = std::move(amplitudes);
   flux_.assign(flux, flux + flux_.size());
   duration_ = dt;
+}
+
+/// Lets a level age by the newest flux's duration, and adds that flux.
+void HeatHistory::absorb(const HeatLevel& level, std::size_t number, std::size_t first_mode) {
+  const int generations = plan_->modes.generations();
+  double left = plan_->aged(duration_);
+  // What is older than all generations is dropped at once.
+  const double kept = std::min(left, generations * level.generation);
+  const auto age = [&](double x) {
+    const Decay decay(level, x);
+    for (int g = 0; g < generations; ++g) {
+      const bool adds = g == youngest_[number];
+      for (const HeatBlock& block : level.blocks) {
+        for (std::size_t j = 0; j < block.nodes; ++j) {
+          Complex* c = modes_[g].data() + block.offset + j * block.count;
+          const double s2 = level.s[j] * level.s[j];
+          for (std::size_t n = 0; n < block.count; ++n) {
+            const std::size_t mode = block.first + n;
+            c[n] *= decay.factor(mode, j);
+            if (!adds) continue;
+            c[n] +=
+                newest_[first_mode + mode] * decay.integral(mode, j, level.modes[mode].decay + s2);
+          }
+        }
+      }
+    }
+  };
+  const auto clear = [&](int g) {
+    const HeatBlock &front = level.blocks.front(), &back = level.blocks.back();
+    std::fill(modes_[g].begin() + front.offset,
+              modes_[g].begin() + back.offset + back.count * back.nodes, Complex{});
+  };
+  if (level.blocks.empty()) return;
+  if (kept < left) {
+    for (int g = 0; g < generations; ++g) clear(g);
+    filled_[number] = 0;
+    left = kept;
+  }
+  while (left > 0) {
+    if (filled_[number] >= level.generation) {
+      youngest_[number] = (youngest_[number] + 1) % generations;
+      clear(youngest_[number]);
+      filled_[number] = 0;
+    }
+    const double room = level.generation - filled_[number];
+    const bool fills = left >= room;
+    const double x = fills ? room : left;
+    age(x);
+    filled_[number] = fills ? level.generation : filled_[number] + x;
+    left = fills ? left - x : 0;
+  }
 }
 
 bool HeatHistory::newest_by_modes(double ahead) const {
@@ -163,11 +204,22 @@ Field HeatHistory::fields(Quantity quantity, double ahead, std::span<const doubl
       p.resize(count * total);
       slope.resize(count * total);
     }
-    std::size_t first = 0;
+    std::size_t first = 0, number = 0;
     for (const HeatLevel& level : modes.levels()) {
       check_interrupt();
-      const Decay since(level, plan.aged(duration_ + ahead)), after(level, plan.aged(ahead));
-      const Decay during(level, plan.aged(duration_));
+      // Generations that are still near, and how much of the newest flux is.
+      const double later = plan.aged(ahead), all = plan.aged(duration_ + ahead);
+      const double limit = (modes.generations() - 1) * level.generation;
+      std::vector<const Complex*> near;
+      for (int g = 0; g < modes.generations(); ++g) {
+        const int older = (youngest_[number] - g + modes.generations()) % modes.generations();
+        const double youngest = older == 0 ? 0 : filled_[number] + (older - 1) * level.generation;
+        if (modes.generations() == 1 || youngest + all < limit) near.push_back(modes_[g].data());
+      }
+      ++number;
+      const double part =
+          modes.generations() == 1 ? all - later : std::max(std::min(all, limit) - later, 0.0);
+      const Decay since(level, all), after(level, later), during(level, part);
       const std::size_t nodes = level.s.size();
       // Rows of sums over s: T or P of each depth, slope of each depth, P(0).
       RealMatrix cosines(count + 1, nodes), sines(count, nodes);
@@ -185,11 +237,13 @@ Field HeatHistory::fields(Quantity quantity, double ahead, std::span<const doubl
         const HeatBlock& block = level.blocks[k];
         RealMatrix c(block.nodes, 2 * block.count), over(block.nodes, 2 * block.count);
         for (std::size_t j = 0; j < block.nodes; ++j) {
-          const Complex* kept = modes_.data() + block.offset + j * block.count;
+          const std::size_t row = block.offset + j * block.count;
           const double s2 = level.s[j] * level.s[j];
           for (std::size_t n = 0; n < block.count; ++n) {
             const HeatMode& mode = level.modes[block.first + n];
-            Complex value = kept[n] * since.factor(block.first + n, j);
+            Complex value = 0;
+            for (const Complex* kept : near) value += kept[row + n];
+            value *= since.factor(block.first + n, j);
             if (newest) {
               value += newest_[first + block.first + n] * after.factor(block.first + n, j) *
                        during.integral(block.first + n, j, mode.decay + s2);
@@ -345,33 +399,40 @@ void HeatHistory::add_newest(Quantity quantity, double ahead, std::span<const do
 }
 
 std::size_t HeatHistory::size() const {
-  return 2 * (modes_.size() + newest_.size()) + flux_.size() + 1;
+  return 2 * (modes_.size() * plan_->modes.size() + newest_.size()) + flux_.size() + 1 +
+         2 * filled_.size();
 }
 
 std::vector<double> HeatHistory::state() const {
-  std::vector<double> state;
-  state.reserve(2 * modes_.size() + flux_.size() + 1);
-  state.push_back(duration_);
+  std::vector<double> state{duration_};
   state.insert(state.end(), flux_.begin(), flux_.end());
-  for (const Complex& c : modes_) {
-    state.push_back(c.real());
-    state.push_back(c.imag());
+  state.insert(state.end(), filled_.begin(), filled_.end());
+  state.insert(state.end(), youngest_.begin(), youngest_.end());
+  for (const ComplexField& modes : modes_) {
+    const auto* numbers = reinterpret_cast<const double*>(modes.data());
+    state.insert(state.end(), numbers, numbers + 2 * modes.size());
   }
   return state;
 }
 
 void HeatHistory::set_state(std::span<const double> state) {
-  const std::size_t plane = flux_.size();
-  if (state.size() != 1 + plane + 2 * modes_.size()) {
+  const std::size_t plane = flux_.size(), levels = filled_.size();
+  const int generations = plan_->modes.generations();
+  if (state.size() != 1 + plane + 2 * levels + 2 * generations * plan_->modes.size()) {
     throw std::invalid_argument("the state of the heat belongs to another history");
   }
+  const double* from = state.data() + 1;
+  const auto take = [&](auto to, std::size_t count) {
+    std::copy(from, from + count, to);
+    from += count;
+  };
   duration_ = state[0];
-  flux_.assign(state.begin() + 1, state.begin() + 1 + plane);
-  const double* from = state.data() + 1 + plane;
-  for (Complex& c : modes_) {
-    c = {from[0], from[1]};
-    from += 2;
-  }
+  take(flux_.begin(), plane);
+  take(filled_.begin(), levels);
+  for (int& youngest : youngest_)
+    youngest = std::clamp(static_cast<int>(*from++), 0, generations - 1);
+  for (ComplexField& modes : modes_)
+    take(reinterpret_cast<double*>(modes.data()), 2 * modes.size());
   plan_->modes.project(flux_.data(), newest_);
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "samcontact/base/interrupt.hpp"
@@ -19,15 +20,26 @@ using RealView = Eigen::Map<const RealMatrix>;
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
 
-/// 1 inside, 0 outside; numbers of the lattice with which a ring begins. Its Fourier transform is
-/// below the tolerance from `clear` periods on.
+/// 1 inside, 0 outside a ring, as a function of the wavenumber times 1/(2 pi) of a distance from
+/// which on the Fourier transform shall be below the tolerance.
 struct Edge {
   double middle, width;
-  Edge(double sharpness, double clear)
-      : middle(sharpness * sharpness / (pi * clear)), width(sharpness / (pi * clear)) {}
+  explicit Edge(double sharpness) : middle(sharpness * sharpness / pi), width(sharpness / pi) {}
   double inside(double number) const { return 0.5 * std::erfc((number - middle) / width); }
   double end() const { return 2 * middle; }
 };
+
+/// Periods of the finest lattice in cells, at least: of a grid of nx x ny, cells 1 x cell_y.
+fft::PaddedTransform padded(const Grid& grid, double speed_x, double speed_y) {
+  const double x = grid.nx, y = grid.ny * grid.dy / grid.dx;
+  const double vx = std::abs(speed_x) / x, vy = std::abs(speed_y) / y;
+  if (vx == 0 && vy == 0) return {grid.nx, grid.ny, 2 * grid.nx, 2 * grid.ny};
+  // Along the faster direction (in grids) heat is kept for up to 4.2 grids.
+  const auto pad = [&](int n, double v, double other) {
+    return static_cast<int>(std::ceil(v >= other ? 7.0 * n : 2 * n * (1 + 4.2 * v / other)));
+  };
+  return {grid.nx, grid.ny, pad(grid.nx, vx, vy), pad(grid.ny, vy, vx)};
+}
 
 std::vector<double> cells(int n, double size) {
   std::vector<double> x(n);
@@ -82,10 +94,10 @@ int wrapped(int number, int m) { return ((number % m) + m) % m; }
 
 HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
                      const HeatResolution& resolution)
-    : transform_(grid.nx, grid.ny, 2 * grid.nx, 2 * grid.ny),
-      cell_y_(grid.dy / grid.dx),
+    : cell_y_(grid.dy / grid.dx),
       speed_x_(speed_x),
       speed_y_(speed_y),
+      transform_(padded(grid, speed_x, speed_y)),
       resolution_(resolution),
       sharpness_(std::sqrt(-std::log(resolution.tolerance))),
       cutoff_(sharpness_ / std::sqrt(resolution.shortest)),
@@ -94,7 +106,9 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
   // it falls with the third power of the period.
   const double size = std::max(transform_.mx() * 1.0, transform_.my() * cell_y_);
   const double least = std::min(transform_.mx() * 1.0, transform_.my() * cell_y_);
-  const double period = std::max(64 * size, 128 * std::sqrt(resolution.longest));
+  double spread = 128 * std::sqrt(resolution.longest);
+  if (moving()) spread = std::min(spread, 1e4 / std::hypot(speed_x, speed_y));
+  const double period = std::max(64 * size, spread);
   const int last = std::max(1, static_cast<int>(std::ceil(std::log2(period / least))));
   double shrink = 1;
   for (int l = 0; l <= last; ++l, shrink *= 0.5) {
@@ -108,24 +122,48 @@ double HeatModes::fade(double sz) const {
   return 0.5 * std::erfc(sz / (2 * sharpness_) - 3.6);
 }
 
+/// How far a level's kernels may reach, and how long it keeps heat.
+void HeatModes::set_reach(HeatLevel& level, double shrink) const {
+  const double x = nx(), y = ny() * cell_y_;
+  const double px = transform_.mx() / shrink, py = transform_.my() * cell_y_ / shrink;
+  level.clear_x = 1 - x / px;
+  level.clear_y = 1 - y / py;
+  level.generation = std::numeric_limits<double>::infinity();
+  if (!moving()) return;
+  // With generations of a path g and kernels of reach r: those dropped have moved 2 g >= size + r,
+  // those kept have moved up to 3 g and their images are period - size - 3 g >= r away.
+  const double vx = std::abs(speed_x_), vy = std::abs(speed_y_);
+  const bool along_x = vx / x >= vy / y;
+  const double size = along_x ? x : y, period = along_x ? px : py;
+  const double reach = (period - 2.5 * size) / 2.5;
+  level.generation = (size + reach) / (2 * (along_x ? vx : vy));
+  (along_x ? level.clear_x : level.clear_y) = reach / period;
+  const double across = 3 * level.generation * (along_x ? vy / py : vx / px);
+  (along_x ? level.clear_y : level.clear_x) -= across;
+}
+
 void HeatModes::add_level(int number, int last, double shrink) {
   HeatLevel level;
   const double mx = transform_.mx(), my = transform_.my();
   level.dw1 = 2 * pi / mx * shrink;
   level.dw2 = 2 * pi / (my * cell_y_) * shrink;
-  const double filled = std::max(nx() / mx, ny() / my);
-  const Edge inner(sharpness_, 1 - filled * shrink);
-  const Edge outer(sharpness_, 1 - filled * shrink * 2);  // of the level before
-  const auto window = [&](double at) {
-    return (number == 0 ? 1 : outer.inside(at / 2)) - (number == last ? 0 : inner.inside(at));
+  set_reach(level, shrink);
+  const Edge edge(sharpness_);
+  // The ring begins where that of the level before ends, and ends where the next one begins.
+  const double before_x = number == 0 ? 0 : 0.5 * levels_.back().clear_x;
+  const double before_y = number == 0 ? 0 : 0.5 * levels_.back().clear_y;
+  const auto window = [&](int a, int b) {
+    const double from = number == 0 ? 1 : edge.inside(std::hypot(a * before_x, b * before_y));
+    return from -
+           (number == last ? 0 : edge.inside(std::hypot(a * level.clear_x, b * level.clear_y)));
   };
-  const double end = number == 0 ? 1e300 : 2 * outer.end();
+  const double end = edge.end();
   const double least = 0.1 * resolution_.tolerance;
-  level.reach_a = static_cast<int>(std::min(end, cutoff_ / level.dw1));
-  level.reach_b = static_cast<int>(std::min(end, cutoff_ / level.dw2));
+  level.reach_a = static_cast<int>(std::min(end / before_x, cutoff_ / level.dw1));
+  level.reach_b = static_cast<int>(std::min(end / before_y, cutoff_ / level.dw2));
   for (int b = 0; b <= level.reach_b; ++b) {
     for (int a = -level.reach_a; a <= level.reach_a; ++a) {
-      HeatMode mode{a, b, a * level.dw1, b * level.dw2, 0, {}, window(std::hypot(a, b))};
+      HeatMode mode{a, b, a * level.dw1, b * level.dw2, 0, {}, window(a, b)};
       mode.w = std::hypot(mode.w1, mode.w2);
       if (mode.w > cutoff_ || std::abs(mode.source) < least) continue;
       mode.decay = {mode.w * mode.w, mode.w1 * speed_x_ + mode.w2 * speed_y_};

@@ -8,6 +8,10 @@
 // so that its sum over a lattice of wavenumbers has no images; each level's lattice is twice as
 // fine. Greengard & Lin (2000), doi:10.1006/acha.2000.0310, treat the heat kernel likewise.
 //
+// A moving body carries its heat away; on a periodic lattice it would come back. Each level
+// therefore keeps its heat in a few generations by age, and drops the oldest once it is farther
+// away than the level's kernels reach.
+//
 // Lengths are in units of dx, times t stand for kappa t / dx^2.
 #pragma once
 
@@ -35,7 +39,9 @@ struct HeatBlock {
 
 struct HeatLevel {
   double dw1, dw2;
-  int reach_a, reach_b;  // largest |a|, b
+  double clear_x, clear_y;  // kernels vanish beyond these parts of a period
+  double generation;        // time over which heat is collected in one generation
+  int reach_a, reach_b;     // largest |a|, b
   std::vector<HeatMode> modes;
   std::vector<HeatBlock> blocks;
   std::vector<double> s, weight;  // sum of weight f(s) = (2/pi) integral over s >= 0
@@ -62,6 +68,8 @@ class HeatModes {
   /// Complex numbers kept for all modes and nodes; modes alone.
   std::size_t size() const { return size_; }
   std::size_t mode_count() const { return mode_count_; }
+  /// How many generations a level keeps: one, for ever, at rest.
+  int generations() const { return moving() ? 3 : 1; }
   const fft::PaddedTransform& transform() const { return transform_; }
   int nx() const { return transform_.nx(); }
   int ny() const { return transform_.ny(); }
@@ -74,12 +82,14 @@ class HeatModes {
   double fade(double sz) const;
 
  private:
+  bool moving() const { return speed_x_ != 0 || speed_y_ != 0; }
+  void set_reach(HeatLevel& level, double shrink) const;
   void add_level(int number, int last, double shrink);
   void add_nodes(HeatLevel& level, double scale) const;
   void add_points(HeatLevel& level) const;
 
-  fft::PaddedTransform transform_;
   double cell_y_, speed_x_, speed_y_;
+  fft::PaddedTransform transform_;
   HeatResolution resolution_;
   double sharpness_;  // sqrt(ln(1/tolerance))
   double cutoff_;     // largest wavenumber
