@@ -3,6 +3,7 @@
 
 #include "arrays.hpp"
 #include "rooms.hpp"
+#include "samcontact/operators/heat_history.hpp"
 #include "samcontact/operators/surface_displacement.hpp"
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
@@ -83,6 +84,85 @@ py::array temperature(const Grid& grid, const operators::Heating& heating,
 
 }  // namespace
 
+namespace {
+
+using operators::HeatHistory;
+
+/// Knows the shapes that the core does not.
+struct BoundHistory {
+  Grid grid;
+  HeatHistory history;
+};
+
+void bind_heat_history(py::module_& m) {
+  py::class_<BoundHistory>(m, "HeatHistory")
+      .def(py::init([](const Grid& grid, const operators::Heating& heating, const Elastic& elastic,
+                       double shortest, double longest, double tolerance, bool in_depth) {
+             py::gil_scoped_release release;
+             return BoundHistory{
+                 grid, HeatHistory(grid, heating.thermal, elastic, heating.speed_x, heating.speed_y,
+                                   {shortest, longest, tolerance, in_depth})};
+           }),
+           py::arg("grid"), py::arg("heating"), py::arg("elastic"), py::arg("shortest"),
+           py::arg("longest"), py::arg("tolerance"), py::arg("in_depth"))
+      .def(
+          "add",
+          [](BoundHistory& self, const Array& flux, double dt) {
+            const Field q = to_field(flux);
+            py::gil_scoped_release release;
+            self.history.add(q.data(), dt);
+          },
+          py::arg("flux"), py::arg("dt"))
+      .def(
+          "temperature",
+          [](const BoundHistory& self, double ahead, const std::vector<double>& z) {
+            Field rise;
+            {
+              py::gil_scoped_release release;
+              rise = self.history.temperature(ahead, z);
+            }
+            return volume_array(std::move(rise), self.grid, static_cast<py::ssize_t>(z.size()));
+          },
+          py::arg("ahead"), py::arg("z"))
+      .def(
+          "displacement",
+          [](const BoundHistory& self, double ahead) {
+            Field u;
+            {
+              py::gil_scoped_release release;
+              u = self.history.displacement(ahead);
+            }
+            return surface_array(std::move(u), self.grid);
+          },
+          py::arg("ahead"))
+      .def(
+          "stress",
+          [](const BoundHistory& self, double ahead, const std::vector<double>& z) {
+            Field stress;
+            {
+              py::gil_scoped_release release;
+              stress = self.history.stress(ahead, z);
+            }
+            return tensor_array(std::move(stress), self.grid, static_cast<py::ssize_t>(z.size()));
+          },
+          py::arg("ahead"), py::arg("z"))
+      .def("copy", [](const BoundHistory& self) { return self; })
+      .def("state",
+           [](const BoundHistory& self) {
+             const std::vector<double> state = self.history.state();
+             return Array(static_cast<py::ssize_t>(state.size()), state.data());
+           })
+      .def(
+          "set_state",
+          [](BoundHistory& self, const Array& state) {
+            self.history.set_state({state.data(), static_cast<std::size_t>(state.size())});
+          },
+          py::arg("state"))
+      .def_property_readonly("size", [](const BoundHistory& self) { return self.history.size(); });
+}
+
+}  // namespace
+
 void bind_heating(py::module_& m) {
   using operators::Heating;
   py::class_<Heating>(m, "Heating")
@@ -112,6 +192,7 @@ void bind_heating(py::module_& m) {
 
 void bind_operators(py::module_& parent) {
   auto m = parent.def_submodule("operators");
+  bind_heat_history(m);
   m.def("residual_stress", &residual_stress, py::arg("grid"), py::arg("strain"), py::arg("elastic"),
         py::arg("exact"), py::arg("image_tol"));
   m.def("residual_displacement", &residual_displacement, py::arg("grid"), py::arg("strain"),

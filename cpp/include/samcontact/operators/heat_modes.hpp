@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The wavenumbers on which the history of a heated half-space is kept (heat_history.hpp).
+//
+// A body heated through its surface is the half z > 0 of an infinite one with sources 2 q on z = 0:
+// modes exp(i w.x) cos(s z) decay by exp(-(w^2 + i w.V/kappa + s^2) kappa t) and nothing else. The
+// plane of w is divided among levels by smooth windows: rings that shrink by two from level to
+// level and, last, a disc around w = 0. A ring's part of any kernel dies out within its own period,
+// so that its sum over a lattice of wavenumbers has no images; each level's lattice is twice as
+// fine. Greengard & Lin (2000), doi:10.1006/acha.2000.0310, treat the heat kernel likewise.
+//
+// A moving body carries its heat away; on a periodic lattice it would come back. Each level
+// therefore keeps its heat in a few generations by age, and drops the oldest once it is farther
+// away than the level's kernels reach.
+//
+// Lengths are in units of dx, times t stand for kappa t / dx^2.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/base/grid.hpp"
+#include "samcontact/fft/padded_transform.hpp"
+
+namespace samcontact::operators {
+
+/// A wavenumber (w1, w2) of a level's lattice, number (a, b) of it, b >= 0.
+struct HeatMode {
+  int a, b;
+  double w1, w2, w;
+  Complex decay;  // w^2 + i w.V/kappa
+  double source;  // window, shape of a cell and weight of the lattice
+};
+
+/// Modes of similar w with their nodes in s: numbers are stored [s][mode] from `offset` on.
+struct HeatBlock {
+  std::size_t first, count, nodes, offset;
+};
+
+struct HeatLevel {
+  double dw1, dw2;
+  double clear_x, clear_y;  // kernels vanish beyond these parts of a period
+  double generation;        // time over which heat is collected in one generation
+  int reach_a, reach_b;     // largest |a|, b
+  std::vector<HeatMode> modes;
+  std::vector<HeatBlock> blocks;
+  std::vector<double> s, weight;  // sum of weight f(s) = (2/pi) integral over s >= 0
+  // All but level 0: exp(i a dw1 x), [point][a + reach_a], and [b][point], of cells and of the few
+  // points on which the level's fields are computed before they are interpolated.
+  ComplexField cells_x, cells_y, points_x, points_y;
+  int points = 0;
+  /// From the points of this level to those of the one before, or to the cells: [to][from].
+  Field refine_x, refine_y;
+};
+
+struct HeatResolution {
+  double shortest;  // least age of heat
+  double longest;   // greatest age of heat
+  double tolerance;
+  bool in_depth;  // fields below the surface too
+};
+
+class HeatModes {
+ public:
+  HeatModes(const Grid& grid, double speed_x, double speed_y, const HeatResolution& resolution);
+
+  const std::vector<HeatLevel>& levels() const { return levels_; }
+  /// Complex numbers kept for all modes and nodes; modes alone.
+  std::size_t size() const { return size_; }
+  std::size_t mode_count() const { return mode_count_; }
+  /// How many generations a level keeps: one, for ever, at rest.
+  int generations() const { return moving() ? 3 : 1; }
+  const fft::PaddedTransform& transform() const { return transform_; }
+  int nx() const { return transform_.nx(); }
+  int ny() const { return transform_.ny(); }
+
+  /// Amplitudes of all modes, level by level, of a flux [i][j].
+  void project(const double* flux, ComplexField& amplitudes) const;
+  /// plane[i][j] += (or =) sum over the modes; amplitudes as in project(), without its factors.
+  void evaluate(const Complex* amplitudes, double* plane) const;
+  /// Weight of depth z in the sums over s: cos(s z) with its unresolved end faded out.
+  double fade(double sz) const;
+
+ private:
+  bool moving() const { return speed_x_ != 0 || speed_y_ != 0; }
+  void set_reach(HeatLevel& level, double shrink) const;
+  void add_level(int number, int last, double shrink);
+  void add_nodes(HeatLevel& level, double scale) const;
+  void add_points(HeatLevel& level) const;
+
+  double cell_y_, speed_x_, speed_y_;
+  fft::PaddedTransform transform_;
+  HeatResolution resolution_;
+  double sharpness_;  // sqrt(ln(1/tolerance))
+  double cutoff_;     // largest wavenumber
+  double step_;       // of nodes in s
+  std::vector<HeatLevel> levels_;
+  std::size_t size_ = 0, mode_count_ = 0;
+};
+
+}  // namespace samcontact::operators
