@@ -140,6 +140,17 @@ void bind_state(py::module_& m) {
       .def("max_equivalent_plastic_strain", &State::max_equivalent_plastic_strain, py::arg("body"))
       .def("max_plastic_strain", &State::max_plastic_strain, py::arg("body"))
       .def_readonly("heating", &State::heating)
+      .def_readonly("time", &State::time)
+      .def_property_readonly("past_symmetry",
+                             [](const State& s) { return static_cast<int>(s.past_symmetry); })
+      .def(
+          "past",
+          [](const State& s, int body) -> py::object {
+            if (!s.past[body]) return py::none();
+            const auto kept = s.past[body]->state();
+            return py::array_t<double>(static_cast<py::ssize_t>(kept.size()), kept.data());
+          },
+          py::arg("body"))
       .def_readonly("load", &State::load)
       .def_readonly("approach", &State::approach)
       .def_readonly("converged", &State::converged)
@@ -241,6 +252,8 @@ void restore(Simulation& simulation, const py::dict& saved) {
   state.tractions = {field("pressure"), field("shear_x"), field("shear_y")};
   state.contact_gap = field("contact_gap");
   state.heating = saved["heating"].cast<operators::HeatingPair>();
+  state.time = saved["time"].cast<double>();
+  state.past_symmetry = static_cast<fft::Symmetry>(saved["past_symmetry"].cast<int>());
   state.load = saved["load"].cast<double>();
   state.approach = saved["approach"].cast<double>();
   state.plastic_iterations = saved["iterations"].cast<int>();
@@ -258,6 +271,12 @@ void restore(Simulation& simulation, const py::dict& saved) {
   c.halvings = d["halvings"].cast<long>();
   for (int body = 0; body < 2; ++body) {
     const std::string number = std::to_string(body + 1);
+    const Field past = field(("past" + number).c_str());
+    if (!past.empty()) {
+      auto kept = simulation.scene().heat_history(body, state.heating[body]);
+      kept.set_state(past);
+      state.past[body] = std::make_shared<const operators::HeatHistory>(std::move(kept));
+    }
     const Field softening = field(("softening" + number).c_str());
     if (!softening.empty()) {
       if (softening.size() != simulation.scene().grid.volume_size()) {
@@ -284,7 +303,8 @@ void bind_simulation(py::module_& m) {
                        const plasticity::Material& body2, const Array& gap, double friction,
                        double tol, double increment_tol, int max_iterations, bool error_on_border,
                        const std::string& residual_stress, double image_tol,
-                       const std::array<py::object, 2>& softening) {
+                       const std::array<py::object, 2>& softening,
+                       const std::array<double, 2>& march) {
              simulation::Settings settings;
              settings.tol = tol;
              settings.increment_tol = increment_tol;
@@ -301,12 +321,13 @@ void bind_simulation(py::module_& m) {
                  settings.softening[b] = softening_law(softening[b], grid);
              }
              return std::make_unique<Simulation>(grid, body1, body2, to_field(gap), friction,
-                                                 settings);
+                                                 settings,
+                                                 simulation::HeatMarch{march[0], march[1]});
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"), py::arg("friction"),
            py::arg("tol"), py::arg("increment_tol"), py::arg("max_iterations"),
            py::arg("error_on_border"), py::arg("residual_stress"), py::arg("image_tol"),
-           py::arg("softening"))
+           py::arg("softening"), py::arg("march"))
       .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
            py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"))
       .def(

@@ -99,6 +99,8 @@ class State:
     shear_y: FloatArray | None
     contact_gap: FloatArray | None
     heating: list[Heating]
+    time: float
+    past_symmetry: int
     exact_residual_stress: bool
     load: float
     approach: float
@@ -111,6 +113,7 @@ class State:
     warnings: list[str]
     def gap(self) -> FloatArray: ...
     def history(self, body: int) -> dict[str, Any] | None: ...
+    def past(self, body: int) -> FloatArray | None: ...
     def max_equivalent_plastic_strain(self, body: int) -> float: ...
     def max_plastic_strain(self, body: int) -> float: ...
     def stress(self, body: int) -> FloatArray: ...
@@ -143,6 +146,7 @@ class Simulation:
         residual_stress: str,
         image_tol: float,
         softening: list[Callable[[FloatArray], FloatArray] | None],
+        march: tuple[float, float],
     ) -> None: ...
     def step(
         self,

@@ -88,7 +88,7 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
         heat_factor=np.array(simulation.heat_factor),
         velocity=np.array(simulation.velocity),
     )
-    for name in ("increment_tol", "heating_time", "heat_reference"):
+    for name in ("increment_tol", "heating_time", "heat_reference", "heat_history"):
         if getattr(simulation, name) is not None:
             file["settings"].attrs[name] = getattr(simulation, name)
     file["initial_gap"] = simulation.initial_gap
@@ -99,7 +99,11 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
         if getattr(core, name) is not None:
             _dataset(state, name, getattr(core, name))
     state.attrs["heating"] = np.array([entry.values() for entry in core.heating])
+    state.attrs.update(time=core.time, past_symmetry=core.past_symmetry)
     for body in (0, 1):
+        past = core.past(body)
+        if past is not None:
+            _dataset(state, f"past{body + 1}", past)
         factor = core.softening(body)
         if factor is not None:
             _dataset(state, f"softening{body + 1}", np.moveaxis(factor, 2, 0))
@@ -193,10 +197,12 @@ def _read_state(file: h5py.File) -> dict[str, Any]:
             saved[name] = np.ascontiguousarray(group[name][...])
             if saved[name].shape != shape:
                 raise ValueError(f"{name} has shape {saved[name].shape}, not {shape}")
+    saved["time"] = float(group.attrs["time"])
+    saved["past_symmetry"] = int(group.attrs["past_symmetry"])
     saved["heating"] = [_core.Heating(*map(float, row)) for row in group.attrs["heating"]]
     for body in (1, 2):
-        name = f"softening{body}"
-        saved[name] = np.ascontiguousarray(group[name][...]) if name in group else None
+        for name in (f"softening{body}", f"past{body}"):
+            saved[name] = np.ascontiguousarray(group[name][...]) if name in group else None
         name = f"history{body}"
         saved[name] = None
         if name in group:

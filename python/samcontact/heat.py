@@ -135,6 +135,25 @@ def heating(
     return entries
 
 
+def march(
+    heat_history: Sequence[float] | None, heating_time: float | None
+) -> tuple[float, float] | None:
+    """Checked shortest step and longest time of a march in time [s]."""
+    if heat_history is None:
+        return None
+    if heating_time is not None:
+        raise ValueError("give heat_history or heating_time, not both")
+    given = list(heat_history)
+    if len(given) != 2:
+        raise ValueError(f"heat_history must be a pair (shortest, longest) [s], got {given!r}")
+    shortest, longest = (positive("heat_history", value) for value in given)
+    if not shortest < longest:
+        raise ValueError(
+            f"heat_history must be (shortest, longest) with shortest < longest, got {given!r}"
+        )
+    return shortest, longest
+
+
 def require_reference(entries: list[Any], reference: float | None) -> None:
     """For a given approach: heat at rest in the steady state displaces relative to a distance."""
     if reference is None and any(entry.needs_reference for entry in entries):

@@ -13,11 +13,11 @@ from numpy.typing import ArrayLike
 from tqdm.auto import tqdm
 
 from . import _core
-from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number
+from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number, positive
 from .checkpoint import CheckpointError, read_checkpoint, write_checkpoint
 from .contact import GridTooSmallWarning, require_type
 from .grid import Grid
-from .heat import heating, pair, require_reference, velocities
+from .heat import heating, march, pair, require_reference, velocities
 from .material import Material
 from .operators import depth_major, shear_components
 from .state import State
@@ -96,6 +96,7 @@ class Simulation:
         velocity: ArrayLike | None = None,
         heating_time: float | None = None,
         heat_reference: float | None = None,
+        heat_history: Sequence[float] | None = None,
     ) -> None:
         require_type("grid", grid, Grid)
         require_type("body1", body1, Material)
@@ -124,7 +125,8 @@ class Simulation:
         self.velocity = velocities(velocity)
         self.heating_time = heating_time
         self.heat_reference = heat_reference
-        self._heating(self.heat_factor)
+        self.heat_history = march(heat_history, heating_time)
+        self._heating(self.heat_factor, heating_time)
         self._warned_of_strain = False
         self._core = _core.Simulation(
             grid._core,
@@ -139,6 +141,7 @@ class Simulation:
             self.residual_stress,
             self.image_tol,
             [self._softening(body) for body in (body1, body2)],
+            self.heat_history or (0.0, 0.0),
         )
 
     def step(
@@ -149,6 +152,7 @@ class Simulation:
         pressure: ArrayLike | None = None,
         shear: ArrayLike | None = None,
         heat_factor: float | Sequence[float] | None = None,
+        duration: float | None = None,
     ) -> State:
         """Go one increment further, to exactly one of load, approach, or given tractions.
 
@@ -164,6 +168,9 @@ class Simulation:
             prescribed shear s_x, or (s_x, s_y), on body 2 [Pa]; default friction * pressure.
         heat_factor : float or pair of floats, optional
             From now on, instead of that of the simulation [m/s]; 0: the source is off.
+        duration : float, optional
+            Of the increment [s], > 0; goes with `heat_history`. The heat flux is that of the
+            pressure at its end.
 
         Returns
         -------
@@ -197,7 +204,7 @@ class Simulation:
         else:
             value = number(kind, load if kind == "load" else approach)
         factors = self.heat_factor if heat_factor is None else pair(heat_factor)
-        entries = self._heating(factors)
+        entries = self._heating(factors, self._time_of_step(duration))
         if kind == "approach":
             require_reference(entries, self.heat_reference)
         core = self._core.step(kind, value, p, shear_x, shear_y, entries)
@@ -231,12 +238,28 @@ class Simulation:
 
         return factor
 
-    def _heating(self, factors: tuple[float, float]) -> list[Any]:
+    def _time_of_step(self, duration: float | None) -> float | None:
+        """Since when the heat of an increment flows as it does [s]; None: for ever."""
+        if self.heat_history is None:
+            if duration is not None:
+                raise ValueError("duration needs a simulation with heat_history")
+            return self.heating_time
+        if duration is None:
+            raise ValueError("duration must be given in a simulation with heat_history")
+        seconds, shortest = positive("duration", duration), self.heat_history[0]
+        if seconds < shortest * (1 - 1e-12):
+            raise ValueError(
+                f"duration must be at least the shortest step of heat_history, {shortest!r} s, "
+                f"got {seconds!r}"
+            )
+        return seconds
+
+    def _heating(self, factors: tuple[float, float], time: float | None) -> list[Any]:
         return heating(
             (self.body1, self.body2),
             factors,
             self.velocity,
-            self.heating_time,
+            time,
             self.heat_reference,
         )
 

@@ -66,6 +66,11 @@ class State:
         return float(self._core.approach)
 
     @property
+    def time(self) -> float:
+        """Time [s] since the start of a simulation with `heat_history`; 0 otherwise."""
+        return float(self._core.time)
+
+    @property
     def converged(self) -> bool:
         """Whether contact and plastic flow are converged to the tolerance."""
         return bool(self._core.converged)

@@ -92,6 +92,7 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
     symmetry = symmetry_of(target_.tractions, scene_.grid);
   }
   symmetry = common(symmetry, symmetry_of(target_.heating));
+  symmetry = common(symmetry, target_.past_symmetry);
   for (const auto& history : from_.plastic) {
     if (history) symmetry = common(symmetry, history->symmetry);
   }
@@ -101,7 +102,7 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
 bool PlasticIncrement::twins() const {
   const auto& [upper, lower] = scene_.materials;
   if (!upper.is_plastic() || upper != lower || scene_.friction > 0) return false;
-  if (target_.heating[0] != target_.heating[1]) return false;
+  if (target_.heating[0] != target_.heating[1] || target_.past[0] != target_.past[1]) return false;
   // Two laws cannot be compared.
   if (settings_.softening[0] || settings_.softening[1]) return false;
   // Shear acts on the two in opposite directions.
@@ -137,6 +138,12 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
                      ? target.tractions
                      : operators::Tractions{from.tractions.pressure, {}, {}}) {
   symmetry_ = choose_symmetry();
+  if (target.kind != Target::Kind::tractions) {
+    for (int b = 0; b < 2; ++b) {
+      if (!target.past[b]) continue;
+      past_displacement_.push_back(target.past[b]->displacement(target.heating[b].time));
+    }
+  }
   const bool one_for_both = twins();
   for (int b = one_for_both ? 1 : 0; b < 2; ++b) {
     if (!scene_.materials[b].is_plastic()) continue;
@@ -178,6 +185,7 @@ void PlasticIncrement::set_box(Body& body, const Box& box) {
   body.operators = scene_.volume(body.index, whole_box(box, scene_.grid, symmetry_), body.tensor,
                                  from_.method, symmetry_, target_.heating[body.index]);
   body.spectrum.push_back(body.operators->make_spectrum());
+  set_past_stress(body);
 }
 
 void PlasticIncrement::scatter(const Field& guess) {
@@ -259,8 +267,12 @@ void PlasticIncrement::soften() {
   for (Body& body : bodies_) {
     const Softening& law = settings_.softening[body.index];
     if (!law) continue;
-    const Field rise =
-        scene_.temperature(target_.heating[body.index])->rise(tractions_.pressure.data());
+    const auto& heat = target_.heating[body.index];
+    Field rise = scene_.temperature(heat)->rise(tractions_.pressure.data());
+    if (const auto& past = target_.past[body.index]) {
+      const Field more = past->temperature(heat.time, scene_.grid.z());
+      for (std::size_t n = 0; n < rise.size(); ++n) rise[n] += more[n];
+    }
     const std::string name = "softening of body " + std::to_string(body.index + 1);
     Field factor = law(rise);
     require(factor.size() == rise.size(), name, "a value for each cell of the grid",
@@ -276,6 +288,50 @@ std::size_t PlasticIncrement::grid_cell(const Body& body, std::uint32_t cell) co
   const std::size_t j = cell % box.ny, ki = cell / box.ny, i = ki % box.nx, k = ki / box.nx;
   const Grid& grid = scene_.grid;
   return (k * grid.nx + box.i0 + i) * grid.ny + box.j0 + j;
+}
+
+void PlasticIncrement::set_past_stress(Body& body) {
+  const auto& past = target_.past[body.index];
+  if (!past) return;
+  const Box& box = body.box;
+  const auto all = scene_.grid.z();
+  const std::span depths(all.data(), box.nz);
+  const Field stress = past->stress(target_.heating[body.index].time, depths);
+  Box whole = Box::whole(scene_.grid);
+  whole.nz = box.nz;
+  const std::size_t cells = whole.volume_size();
+  body.past_stress.clear();
+  for (const int c : operators::components(body.tensor)) {
+    Field part(box.volume_size());
+    Field component(stress.data() + c * cells, stress.data() + (c + 1) * cells);
+    if (body.tensor == Tensor::deviator && c < 3) {
+      for (std::size_t n = 0; n < cells; ++n) {
+        component[n] -= (stress[n] + stress[cells + n] + stress[2 * cells + n]) / 3;
+      }
+    }
+    extract(component.data(), whole, part.data(), box);
+    body.past_stress.insert(body.past_stress.end(), part.begin(), part.end());
+  }
+}
+
+Box PlasticIncrement::near_yield_with_past(const Body& body, double limit) const {
+  const auto& heat = target_.heating[body.index];
+  const Box whole = Box::whole(scene_.grid);
+  const auto operators =
+      scene_.volume(body.index, whole, Tensor::full, from_.method, fft::Symmetry::none, heat);
+  Field stress = operators->stress(nullptr, &tractions_, body.index == 1 ? 1.0 : -1.0);
+  const Field past = target_.past[body.index]->stress(heat.time, scene_.grid.z());
+  const std::size_t cells = whole.volume_size();
+  Box near;
+  for (std::size_t n = 0; n < cells; ++n) {
+    plasticity::Tensor s;
+    for (int c = 0; c < 6; ++c) s[c] = stress[c * cells + n] + past[c * cells + n];
+    if (plasticity::von_mises(s) <= limit) continue;
+    const int j = static_cast<int>(n % whole.ny), i = static_cast<int>(n / whole.ny % whole.nx);
+    const int k = static_cast<int>(n / whole.ny / whole.nx);
+    near = near.united({i, j, 1, 1, k + 1});
+  }
+  return near;
 }
 
 Box PlasticIncrement::contact_window() const {
@@ -319,8 +375,10 @@ bool PlasticIncrement::fit_boxes(const Field& gap) {
     const Box now = needed;
     if (!scanned_) {
       const auto& hardening = scene_.materials[body.index].hardening;
-      const Box near = body.scan->box(tractions_, body.index == 1 ? 1.0 : -1.0,
-                                      near_yield * body.weakest * hardening.yield_stress(0.0));
+      const double limit = near_yield * body.weakest * hardening.yield_stress(0.0);
+      const Box near = target_.past[body.index]
+                           ? near_yield_with_past(body, limit)
+                           : body.scan->box(tractions_, body.index == 1 ? 1.0 : -1.0, limit);
       if (!near.empty()) needed = needed.united(near.widened(margin, grid));
     }
     if (needed.empty()) continue;
@@ -372,7 +430,17 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess, Result& result) {
   using Found = std::pair<std::uint32_t, plasticity::Tensor>;
   std::vector<std::vector<Found>> found(body.box.nz);
   std::vector<double> largest(body.box.nz, 0.0);  // (von Mises / yield stress)^2
+  const std::size_t parts = operators::count(body.tensor), cells = body.box.volume_size();
   const auto look = [&](int k, const double* layer) {
+    Field sum;
+    if (!body.past_stress.empty()) {
+      sum.assign(layer, layer + parts * plane);
+      for (std::size_t c = 0; c < parts; ++c) {
+        const double* past = body.past_stress.data() + c * cells + k * plane;
+        for (std::size_t i = 0; i < plane; ++i) sum[c * plane + i] += past[i];
+      }
+      layer = sum.data();
+    }
     const double* s[6];
     double highest = 0.0;
     for (int c = 0; c < 6; ++c) s[c] = layer + (deviator ? (c < 3 ? c : c - 1) : c) * plane;
@@ -496,6 +564,9 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
                                                     Field& mapped) {
   scatter(guess);
   gap_ = scene_.initial_gap;
+  for (const Field& displacement : past_displacement_) {
+    for (std::size_t i = 0; i < displacement.size(); ++i) gap_[i] += displacement[i];
+  }
   const auto transform = [](Body& body) {
     if (body.strained) {
       operators::forward(body.operators->transform(), body.strain.data(), body.spectrum[0]);
@@ -532,6 +603,8 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.warnings.clear();
   state.tractions = tractions_;
   state.heating = target_.heating;
+  state.past = target_.past;
+  state.past_symmetry = target_.past_symmetry;
   state.softening = {};
   for (const Body& body : bodies_) {
     state.softening[body.index] = body.softening;

@@ -19,11 +19,12 @@ constexpr std::size_t large_box = 1'000'000;
 
 Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
              const plasticity::Material& body2, Field initial_gap_, double friction_,
-             double image_tol)
+             double image_tol, const HeatMarch& march_)
     : grid(grid_),
       materials{body1, body2},
       initial_gap(std::move(initial_gap_)),
       friction(friction_),
+      march(march_),
       image_tol_(image_tol),
       symmetry_(symmetry_of(initial_gap, grid_)) {
   // Throws for bodies or friction that no contact has.
@@ -51,6 +52,15 @@ std::shared_ptr<const operators::Temperature> Scene::temperature(
     temperature_heating_ = heating;
   }
   return temperature_;
+}
+
+operators::HeatHistory Scene::heat_history(int body, const operators::Heating& heating) const {
+  return {grid,
+          heating.thermal,
+          materials[body].elastic,
+          heating.speed_x,
+          heating.speed_y,
+          {.shortest = march.shortest, .longest = march.longest, .in_depth = grid.nz > 0}};
 }
 
 void Scene::require_volume(int body) const {

@@ -201,11 +201,11 @@ State extrapolated(const State& start, const State& once, const State& twice) {
 
 Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
                        const plasticity::Material& body2, Field initial_gap, double friction,
-                       const Settings& settings)
+                       const Settings& settings, const HeatMarch& march)
     : scene_(
           (require_field(initial_gap, grid.surface_size(), "gap", shape_text({grid.nx, grid.ny})),
            std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
-                                   settings.image_tol))),
+                                   settings.image_tol, march))),
       settings_(settings),
       state_(scene_, choose(settings.residual_stress, grid.volume_size() <= small_volume)) {
   require(settings.tol >= 1e-11 && settings.tol < 1, "tol", "in [1e-11, 1)", settings.tol);
@@ -277,15 +277,22 @@ Target Simulation::between(const State& from, const Target& target, double fract
 
 State Simulation::advance(const Target& target) {
   const double least = std::ldexp(1.0, -settings_.max_halvings);
-  const Scans& with_heat = scans(target.heating);
   State moment = state_;
   int iterations = 0, substeps = 0;
+  const bool marches = scene_->march.is_on();
   const auto part_of = [&](const State& from, double start, double end) {
     // The remaining way from the moment reached: (end - start) of (1 - start).
-    return between(from, target, end == 1.0 ? 1.0 : (end - start) / (1.0 - start));
+    Target part = between(from, target, end == 1.0 ? 1.0 : (end - start) / (1.0 - start));
+    if (!marches) return part;
+    for (auto& heat : part.heating) heat.time *= end - start;
+    part.past = from.heat_so_far();
+    part.past_symmetry = from.heat_symmetry_so_far();
+    return part;
   };
   const auto solve = [&](const State& from, double start, double end) {
-    State state = solve_increment(from, part_of(from, start, end), with_heat, settings_, counters_);
+    const Target part = part_of(from, start, end);
+    State state = solve_increment(from, part, scans(part.heating), settings_, counters_);
+    if (marches) state.time = from.time + part.heating[0].time;
     iterations += state.plastic_iterations;
     return state;
   };
@@ -315,7 +322,8 @@ State Simulation::advance(const Target& target) {
         }
         // What the extrapolation leaves above the yield stress flows.
         const State sum = extrapolated(moment, next, twice);
-        next = solve_increment(sum, part_of(moment, done, goal), with_heat, settings_, counters_);
+        const Target all = part_of(moment, done, goal);
+        next = solve_increment(sum, all, scans(all.heating), settings_, counters_);
         iterations += next.plastic_iterations;
       }
       moment = std::move(next);

@@ -29,6 +29,10 @@ Field reduce_tensor(const Field& tensor, const F& f) {
   return scalar;
 }
 
+void add(const Field& from, Field& to) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
+}
+
 /// All six components of the deviator of n cells.
 void complete(const double* deviator, std::size_t n, double* full) {
   int place = 0;
@@ -152,6 +156,32 @@ State::State(std::shared_ptr<const Scene> scene, operators::ResidualMethod metho
   approach = *std::min_element(scene_->initial_gap.begin(), scene_->initial_gap.end());
 }
 
+PastHeat State::heat_so_far() const {
+  PastHeat so_far = past;
+  if (!scene_->march.is_on() || time == 0) return so_far;
+  for (int b = 0; b < 2; ++b) {
+    if (b == 1 && heating[0] == heating[1] && past[0] == past[1] &&
+        scene_->materials[0].elastic == scene_->materials[1].elastic) {
+      so_far[1] = so_far[0];
+      continue;
+    }
+    if (!past[b] && !heating[b].is_on()) continue;
+    auto history = std::make_shared<operators::HeatHistory>(
+        past[b] ? *past[b] : scene_->heat_history(b, heating[b]));
+    Field flux = tractions.pressure;
+    for (double& q : flux) q *= heating[b].factor;
+    history->add(flux.data(), heating[b].time);
+    so_far[b] = std::move(history);
+  }
+  return so_far;
+}
+
+fft::Symmetry State::heat_symmetry_so_far() const {
+  if (!heating[0].is_on() && !heating[1].is_on()) return past_symmetry;
+  const fft::Symmetry flux = symmetry_of(tractions.pressure, scene_->grid);
+  return common(past_symmetry, common(flux, symmetry_of(heating)));
+}
+
 Field State::gap() const {
   if (!contact_gap.empty()) return contact_gap;
   Field gap = scene_->initial_gap;
@@ -180,6 +210,7 @@ Field State::total_stress(int body, bool with_tractions) const {
     symmetry = plastic[body]->symmetry;
     if (with_tractions) {
       symmetry = common(symmetry, symmetry_of(tractions, grid));
+      symmetry = common(symmetry, past_symmetry);
       symmetry = common(symmetry, symmetry_of(heating));
     }
   }
@@ -213,7 +244,11 @@ Field State::total_stress(int body, bool with_tractions) const {
   return out;
 }
 
-Field State::stress(int body) const { return total_stress(body, true); }
+Field State::stress(int body) const {
+  Field stress = total_stress(body, true);
+  if (past[body]) add(past[body]->stress(heating[body].time, scene_->grid.z()), stress);
+  return stress;
+}
 
 Field State::residual_stress(int body) const { return total_stress(body, false); }
 
@@ -306,18 +341,24 @@ Field State::surface_displacement(int body) const {
   const Field loaded = operators::surface_displacement(
       scene_->grid, influence, (body == 1 ? 1.0 : -1.0) * elastic.coupling_compliance(),
       pointer(tractions.pressure), pointer(tractions.shear_x), pointer(tractions.shear_y));
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] += loaded[i];
+  add(loaded, out);
+  if (past[body]) add(past[body]->displacement(heating[body].time), out);
   return out;
 }
 
 Field State::temperature(int body) const {
   scene_->require_volume(body);
-  return scene_->temperature(heating[body])->rise(tractions.pressure.data());
+  Field rise = scene_->temperature(heating[body])->rise(tractions.pressure.data());
+  if (past[body]) add(past[body]->temperature(heating[body].time, scene_->grid.z()), rise);
+  return rise;
 }
 
 Field State::surface_temperature(int body) const {
-  return operators::Temperature(scene_->grid, heating[body], std::array{0.0})
-      .rise(tractions.pressure.data());
+  const std::array surface{0.0};
+  Field rise =
+      operators::Temperature(scene_->grid, heating[body], surface).rise(tractions.pressure.data());
+  if (past[body]) add(past[body]->temperature(heating[body].time, surface), rise);
+  return rise;
 }
 
 }  // namespace samcontact::simulation

@@ -59,6 +59,7 @@ class PlasticIncrement {
     std::vector<int> active;  // per cell: its place among the active ones, or -1
     bool strained = false;
     double rim_displacement = 0.0;  // largest residual displacement at the rim of the window
+    Field past_stress;              // of past heat, as the strain in its box
     std::shared_ptr<const Field> softening;  // of the yield stress [k][i][j] of the grid
     double weakest = 1.0;                    // its smallest value
     int copies = 1;  // 2: the other body is its mirror image in the contact plane
@@ -80,6 +81,10 @@ class PlasticIncrement {
   void soften();
   /// Places of one layer of a box in the grid, for fields of the whole grid.
   std::size_t grid_cell(const Body& body, std::uint32_t cell) const;
+  /// The cells of the whole grid above `limit` when past heat is there, too.
+  Box near_yield_with_past(const Body& body, double limit) const;
+  /// Stress of past heat in the box.
+  void set_past_stress(Body& body);
   Box contact_window() const;
   /// Whether a box had to grow for the contact or, at first, for the elastic stress.
   bool fit_boxes(const Field& gap);
@@ -102,6 +107,7 @@ class PlasticIncrement {
   std::vector<Body> bodies_;  // inelastic ones
   int components_ = 5;
   operators::Tractions tractions_;
+  std::vector<Field> past_displacement_;  // of past heat, by body
   Field gap_;  // without the elastic displacement, of the last evaluation
   bool scanned_ = false, softened_ = false;
   ActiveCells active_;

@@ -12,6 +12,7 @@
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
 #include "samcontact/plasticity/material.hpp"
+#include "samcontact/simulation/past_heat.hpp"
 
 namespace samcontact::simulation {
 
@@ -19,12 +20,13 @@ namespace samcontact::simulation {
 class Scene {
  public:
   Scene(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
-        Field initial_gap, double friction, double image_tol);
+        Field initial_gap, double friction, double image_tol, const HeatMarch& march = {});
 
   const Grid grid;
   const std::array<plasticity::Material, 2> materials;
   const Field initial_gap;
   const double friction;
+  const HeatMarch march;
 
   /// The contact of the scene with this heat; the last one is kept. Thread-safe.
   std::shared_ptr<const contact::ContactSolver> solver(const operators::HeatingPair& heating) const;
@@ -32,6 +34,9 @@ class Scene {
   /// At mid-depth of the layers; the last one is kept. Thread-safe.
   std::shared_ptr<const operators::Temperature> temperature(
       const operators::Heating& heating) const;
+
+  /// An empty history of the heat that enters a body as told.
+  operators::HeatHistory heat_history(int body, const operators::Heating& heating) const;
 
   /// Throws std::invalid_argument for a grid without volume or a rigid body.
   void require_volume(int body) const;

@@ -17,6 +17,8 @@ struct Target {
   double value = 0.0;
   operators::Tractions tractions;
   operators::HeatingPair heating;  // that goes with the pressure
+  PastHeat past;                   // filled in by the simulation
+  fft::Symmetry past_symmetry = fft::Symmetry::xy;
 };
 
 /// How the residual stress is computed; automatic: exact on small grids and for a given eigenstrain
@@ -59,7 +61,8 @@ class Simulation {
  public:
   /// Throws std::invalid_argument: wrong gap, an inelastic body on a grid without volume, tol.
   Simulation(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
-             Field initial_gap, double friction, const Settings& settings);
+             Field initial_gap, double friction, const Settings& settings,
+             const HeatMarch& march = {});
 
   /// One increment; halves it where the fixed point does not converge. The present state changes
   /// only on success. Throws std::invalid_argument, GridTooSmallError, ConvergenceError.

@@ -34,7 +34,10 @@ class State {
   operators::Tractions tractions;
   /// Separation under load [i][j] where it is known everywhere, else empty: see gap().
   Field contact_gap;
-  operators::HeatingPair heating;  // that goes with the pressure
+  operators::HeatingPair heating;                   // that goes with the pressure
+  PastHeat past;                                    // of all steps before, seen from their end
+  fft::Symmetry past_symmetry = fft::Symmetry::xy;  // mirror planes of that
+  double time = 0.0;                                // [s], of a march in time
   /// Factor of the yield stress [k][i][j] of the grid; null: 1.
   std::array<std::shared_ptr<const Field>, 2> softening;
   double load = 0.0;      // [N]
@@ -50,6 +53,10 @@ class State {
 
   const Scene& scene() const { return *scene_; }
   const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
+
+  /// Past heat as the next step finds it: with that of this one.
+  PastHeat heat_so_far() const;
+  fft::Symmetry heat_symmetry_so_far() const;
 
   /// Separation of the surfaces under load [i][j] [m]; under prescribed tractions for approach 0.
   Field gap() const;
