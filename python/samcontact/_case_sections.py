@@ -21,6 +21,10 @@ Radius = Annotated[float, Field(gt=0.0)]  # inf is straight
 NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 Poisson = Annotated[float, Field(ge=0.0, lt=0.5)]
 Count = Annotated[int, Field(ge=1)]
+HeatFactor = NonNegative | Annotated[list[NonNegative], Field(min_length=2, max_length=2)]
+_Finite = Annotated[float, Field(allow_inf_nan=False)]
+_Pair = Annotated[list[_Finite], Field(min_length=2, max_length=2)]
+Velocity = _Pair | Annotated[list[_Pair], Field(min_length=2, max_length=2)]
 
 
 class Section(BaseModel):
@@ -68,18 +72,58 @@ class KinematicHardening(Section):
         return self
 
 
+class ThermalConstants(Section):
+    """Of a body that frictional heat enters, see `Material.with_thermal`."""
+
+    conductivity: Positive
+    expansion: NonNegative
+    diffusivity: Positive
+
+
+class JohnsonCookSoftening(Section):
+    """Yield stress that falls with the temperature, see `softening.JohnsonCook`."""
+
+    kind: Literal["johnson_cook"]
+    melting: Positive
+    m: Positive
+    reference: NonNegative = 293.15
+    ambient: NonNegative = 293.15
+    floor: Annotated[float, Field(gt=0.0, le=1.0)] = 0.01
+
+    @model_validator(mode="after")
+    def _melts_above_reference(self) -> JohnsonCookSoftening:
+        if not self.melting > self.reference:
+            raise ValueError(
+                f"melting must be > reference = {self.reference!r} K, got {self.melting!r}"
+            )
+        return self
+
+
 class _Body(Section):
     def build(self) -> Material:
         from .material import Material
+        from .softening import JohnsonCook
 
         parameters = self.model_dump()
-        kinematic = parameters.pop("kinematic", None)
+        extra = {name: parameters.pop(name, None) for name in ("kinematic", "thermal", "softening")}
         material: Material = getattr(Material, parameters.pop("law"))(**parameters)
-        return material if kinematic is None else material.with_kinematic_hardening(**kinematic)
+        if extra["kinematic"] is not None:
+            material = material.with_kinematic_hardening(**extra["kinematic"])
+        if extra["thermal"] is not None:
+            material = material.with_thermal(**extra["thermal"])
+        if extra["softening"] is not None:
+            del extra["softening"]["kind"]
+            material = material.with_softening(JohnsonCook(**extra["softening"]))
+        return material
 
 
-class _PlasticBody(_Body):
+class _ElasticBody(_Body):
+    thermal: ThermalConstants | None = None
+
+
+class _PlasticBody(_ElasticBody):
     kinematic: KinematicHardening | None = None
+    softening: JohnsonCookSoftening | None = None
 
 
 class RigidBody(_Body):
@@ -88,7 +132,7 @@ class RigidBody(_Body):
     law: Literal["rigid"]
 
 
-class ElasticBody(_Body):
+class ElasticBody(_ElasticBody):
     """Linear elasticity."""
 
     law: Literal["elastic"]
@@ -264,7 +308,7 @@ SurfaceSection = Annotated[
 
 
 class ContactSection(Section):
-    """[contact]: friction and solver settings."""
+    """[contact]: friction, heat and solver settings."""
 
     friction: NonNegative = 0.0
     tol: Annotated[float, Field(ge=1e-11, lt=1.0)] = 1e-6
@@ -272,6 +316,17 @@ class ContactSection(Section):
     on_border: Literal["error", "warn"] = "error"
     residual_stress: Literal["auto", "exact", "fast"] = "auto"
     image_tol: Annotated[float, Field(ge=1e-6, le=0.1)] = 1e-3
+    heat_factor: HeatFactor = 0.0
+    velocity: Velocity | None = None
+    heating_time: Positive | None = None
+    heat_reference: Positive | None = None
+    heat_history: Annotated[list[Positive], Field(min_length=2, max_length=2)] | None = None
+
+    @model_validator(mode="after")
+    def _one_time(self) -> ContactSection:
+        if self.heating_time is not None and self.heat_history is not None:
+            raise ValueError("give heat_history or heating_time, not both")
+        return self
 
 
 class Segment(Section):
@@ -283,6 +338,8 @@ class Segment(Section):
     start: Annotated[float, Field(allow_inf_nan=False)] | None = None
     spacing: Literal["linear", "power"] = "linear"
     exponent: Positive = 2.0
+    duration: Positive | None = None
+    heat_factor: HeatFactor | None = None
 
     @model_validator(mode="after")
     def _one_target(self) -> Segment:

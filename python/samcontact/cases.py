@@ -66,6 +66,13 @@ class Case(Section):
         for name, body in zip(("body1", "body2"), bodies, strict=True):
             if body.law not in ("rigid", "elastic") and self.grid.nz == 0:
                 raise ValueError(f"{name} is inelastic ({body.law}): [grid] needs nz and dz")
+        marches = self.contact.heat_history is not None
+        for index, segment in enumerate(self.path):
+            if (segment.duration is not None) != marches:
+                raise ValueError(
+                    f"path[{index}]: duration and contact.heat_history go together: give both or "
+                    "neither"
+                )
         selected = self.output.body
         stored = self.grid.nz > 0
         if stored and bodies[selected - 1].law == "rigid":
@@ -105,14 +112,25 @@ class Case(Section):
                     )
                 start = previous[1]
             target = getattr(segment, name)
+            held = target == start and (segment.duration, segment.heat_factor) != (None, None)
             try:
-                steps += paths.ramp(
-                    increments=segment.increments,
-                    start=start,
-                    spacing=segment.spacing,
-                    exponent=segment.exponent,
-                    **{name: target},
-                )
+                if held:
+                    steps += paths.hold(
+                        increments=segment.increments,
+                        duration=segment.duration,
+                        heat_factor=segment.heat_factor,
+                        **{name: target},
+                    )
+                else:
+                    steps += paths.ramp(
+                        increments=segment.increments,
+                        start=start,
+                        spacing=segment.spacing,
+                        exponent=segment.exponent,
+                        duration=segment.duration,
+                        heat_factor=segment.heat_factor,
+                        **{name: target},
+                    )
             except ValueError as error:
                 raise ValueError(f"path[{index}]: {error}") from error
             previous = (name, target)

@@ -128,6 +128,7 @@ def _summary(dataset: xr.Dataset, body: int) -> Table:
         ("max_pressure", "p_max\n[MPa]", 1e-6, ".1f"),
         (f"max_von_mises_body{body}", "von Mises\n[MPa]", 1e-6, ".1f"),
         (f"max_equivalent_plastic_strain_body{body}", "plastic\nstrain [%]", 1e2, ".4f"),
+        (f"max_temperature_body{body}", "heating\n[K]", 1.0, ".1f"),
         ("iterations", "itera-\ntions", 1, ".0f"),
     ]
     shown = [column for column in wanted if column[0] in dataset]

@@ -3,13 +3,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from ._checks import FloatArray, choice, exactly_one, finite, integer, non_negative, positive
 
-__all__ = ["Path", "load_unload", "ramp"]
+__all__ = ["Path", "hold", "load_unload", "ramp"]
 
-Path = list[dict[str, float]]
+Path = list[dict[str, Any]]
 
 
 def _fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
@@ -33,6 +36,54 @@ def _steps(name: str, start: float, end: float, fractions: FloatArray) -> Path:
     return [{name: float(value)} for value in values]
 
 
+def _with_heat(
+    steps: Path, duration: float | None, heat_factor: float | Sequence[float] | None
+) -> Path:
+    """The steps in equal parts of a duration, the first of which sets the heat factor."""
+    if duration is not None:
+        part = positive("duration", duration) / len(steps)
+        steps = [{**step, "duration": part} for step in steps]
+    if heat_factor is not None:
+        steps[0] = {**steps[0], "heat_factor": heat_factor}
+    return steps
+
+
+def hold(
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    increments: int = 1,
+    duration: float | None = None,
+    heat_factor: float | Sequence[float] | None = None,
+) -> Path:
+    """Steps at one load or approach, while heat flows.
+
+    Parameters
+    ----------
+    load, approach : float
+        Load [N], >= 0, or approach [m]; give one.
+    increments : int
+        Number of steps, >= 1.
+    duration : float, optional
+        Of all together [s], for a simulation with `heat_history`.
+    heat_factor : float or pair of floats, optional
+        From the first of these steps on [m/s]; 0: the source is off.
+
+    Returns
+    -------
+    list of dict
+        For `Simulation.run`.
+
+    Raises
+    ------
+    ValueError
+        Both or neither of load and approach, or a value outside its range.
+    """
+    name, value = _target(load, approach)
+    count = integer("increments", increments, 1)
+    return _with_heat([{name: value} for _ in range(count)], duration, heat_factor)
+
+
 def ramp(
     *,
     load: float | None = None,
@@ -41,6 +92,8 @@ def ramp(
     start: float = 0.0,
     spacing: str = "linear",
     exponent: float = 2.0,
+    duration: float | None = None,
+    heat_factor: float | Sequence[float] | None = None,
 ) -> Path:
     """Steps from `start` (excluded) to the target (included, exactly).
 
@@ -56,6 +109,8 @@ def ramp(
         "power" takes fractions (i/increments)^exponent: small steps first for exponent > 1.
     exponent : float
         Of the power spacing, > 0 [-].
+    duration, heat_factor : optional
+        As in `hold`.
 
     Returns
     -------
@@ -76,7 +131,8 @@ def ramp(
     begin = non_negative("start", start) if name == "load" else finite("start", start)
     if begin == end:
         raise ValueError(f"start must differ from {name}, got {begin!r} for both")
-    return _steps(name, begin, end, _fractions(increments, spacing, exponent))
+    steps = _steps(name, begin, end, _fractions(increments, spacing, exponent))
+    return _with_heat(steps, duration, heat_factor)
 
 
 def load_unload(

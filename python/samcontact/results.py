@@ -95,12 +95,14 @@ def to_dataset(
     dataset = xr.Dataset(coords=_coordinates(simulation))
     _add_scalars(dataset, simulation, states)
     _add_surface(dataset, simulation, states)
+    heated = _add_temperatures(dataset, simulation, states)
     if simulation.grid.nz > 0:
         bodies = _stored_bodies(simulation, body)
         _add_maxima(dataset, states, bodies)
         chosen = _chosen_increments(states, volume)
         if chosen:
             _add_volume(dataset, states, bodies, chosen)
+            _add_volume_temperatures(dataset, states, heated, chosen)
     dataset.attrs = _attributes(simulation, case)
     return dataset
 
@@ -162,6 +164,38 @@ def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
         )
     initial = np.asarray(simulation.initial_gap)
     dataset["initial_gap"] = _variable(("x", "y"), initial, "m", "gap of the unloaded bodies")
+
+
+def _add_temperatures(
+    dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]
+) -> list[int]:
+    """Time and surface temperatures; returns the bodies that get warm."""
+    if any(state.time for state in states):
+        time = [state.time for state in states]
+        dataset["time"] = _variable("increment", time, "s", "time since the start")
+    heated = []
+    for body in (1, 2):
+        if _material(simulation, body).thermal is None:
+            continue
+        rise = np.stack([state.surface_temperature(body=body) for state in states])
+        if not np.any(rise):
+            continue
+        heated.append(body)
+        text = f"rise of temperature of the surface, body {body}"
+        dataset[f"surface_temperature_body{body}"] = _variable(_SURFACE, rise, "K", text)
+        largest = rise.max(axis=(1, 2))
+        text = f"maximum rise of temperature, body {body}"
+        dataset[f"max_temperature_body{body}"] = _variable("increment", largest, "K", text)
+    return heated
+
+
+def _add_volume_temperatures(
+    dataset: xr.Dataset, states: Sequence[State], heated: list[int], chosen: list[int]
+) -> None:
+    for body in heated:
+        rise = np.stack([states[i].temperature(body=body) for i in chosen])
+        text = f"rise of temperature, body {body}"
+        dataset[f"temperature_body{body}"] = _variable(_VOLUME, rise, "K", text)
 
 
 def _material(simulation: Simulation, body: int) -> Material:
@@ -227,12 +261,19 @@ def _attributes(simulation: Simulation, case: Case | None) -> dict[str, Any]:
         "samcontact_version": __version__,
         "created": datetime.now(timezone.utc).isoformat(timespec="seconds"),
         "friction": float(simulation.friction),
+        "heat_factor": [float(factor) for factor in simulation.heat_factor],
     }
     for body in (1, 2):
         material = _material(simulation, body)
         attributes[f"body{body}_law"] = material.law
         for name, value in material.parameters.items():
             attributes[f"body{body}_{name}"] = value
+        if material.thermal is not None:
+            names = ("conductivity", "expansion", "diffusivity")
+            for name, value in zip(names, material.thermal, strict=True):
+                attributes[f"body{body}_{name}"] = value
+        if material.softening is not None:
+            attributes[f"body{body}_softening"] = repr(material.softening)
         if material.kinematic:
             modulus, recovery = zip(*material.kinematic, strict=True)
             attributes[f"body{body}_kinematic_modulus"] = list(modulus)

@@ -27,7 +27,7 @@ class FakeState:
     """Hertz pressure, and volume fields that are the load times simple patterns."""
 
     def __init__(self, grid, load):
-        self.grid, self.load = grid, load
+        self.grid, self.load, self.time = grid, load, 0.0
         shape = (grid.nx, grid.ny)
         self.shear, self.gap = np.zeros((2, *shape)), np.zeros(shape)
         self.converged, self.iterations, self.contact_iterations, self.substeps = True, 3, 20, 1
@@ -71,5 +71,11 @@ def make_simulation(nz=4, body1=ELASTIC, body2=SWIFT):
     grid = make_grid(nz=nz, dz=1e-4 if nz else None)
     gap = np.zeros((grid.nx, grid.ny))
     return SimpleNamespace(
-        grid=grid, body1=body1, body2=body2, initial_gap=gap, friction=0.0, counters={}
+        grid=grid,
+        body1=body1,
+        body2=body2,
+        initial_gap=gap,
+        friction=0.0,
+        heat_factor=(0.0, 0.0),
+        counters={},
     )

@@ -9,6 +9,7 @@ import pytest
 from core_fakes import make_grid
 
 import samcontact
+import samcontact.results
 from samcontact import surfaces
 from samcontact.cases import CaseError, load_case
 
@@ -71,6 +72,11 @@ def test_defaults_and_steps(write):
         "on_border": "error",
         "residual_stress": "auto",
         "image_tol": 1e-3,
+        "heat_factor": 0.0,
+        "velocity": None,
+        "heating_time": None,
+        "heat_reference": None,
+        "heat_history": None,
     }
     assert (case.output.body, case.output.volume, case.output.figures) == (2, "peak_and_last", True)
     assert case.output_directory == Path("results/scene")
@@ -109,7 +115,7 @@ def test_every_law_and_shape_is_accepted(write):
         (
             "C = 20",
             "C = 20\nK = 1",
-            r"body2\.K: unknown field; allowed here: kinematic, law, E, nu, B, C, n",
+            r"body2\.K: unknown field; allowed here: thermal, kinematic, softening, law, E, nu, B, ",
         ),
         ('"swift"', '"ludwik"', r"body2\.law: must be one of 'rigid', .*'swift', got 'ludwik'"),
         ('law = "swift"\n', "", r"body2\.law: required field is missing"),
@@ -275,3 +281,92 @@ def test_shipped_cases(name):
     # the grid reaches beyond the contact and twice as deep as the largest stress
     assert min(grid.x[-1], grid.y[-1]) > 1.25 * contact.a
     assert grid.z[-1] > 2.0 * contact.max_von_mises(0.3)[1]
+
+
+HEATED = """
+title = "heat"
+[grid]
+nx = 17
+ny = 17
+dx = 80e-6
+dy = 80e-6
+nz = 10
+dz = 80e-6
+[body1]
+law = "elastic"
+E = 210e9
+nu = 0.3
+[body2]
+law = "swift"
+E = 210e9
+nu = 0.3
+B = 945e6
+C = 20
+n = 0.121
+[body2.thermal]
+conductivity = 50.2
+expansion = 11.7e-6
+diffusivity = 1.367e-5
+[body2.softening]
+kind = "johnson_cook"
+melting = 1800.0
+m = 1.0
+[surface]
+shape = "paraboloid"
+Rx = 7.5e-3
+[contact]
+heat_factor = 0.02
+velocity = [0.1, 0.0]
+heat_history = [1e-3, 1.0]
+[[path]]
+load = 1200.0
+increments = 2
+duration = 4e-3
+[[path]]
+load = 1200.0
+increments = 1
+duration = 2e-3
+heat_factor = 0.0
+"""
+
+
+def test_heat(write):
+    case = load_case(write(HEATED))
+    body = case.body2.build()
+    assert body.thermal == (50.2, 11.7e-6, 1.367e-5)
+    assert body.softening == samcontact.softening.JohnsonCook(1800.0, 1.0)
+    assert case.steps() == [
+        {"load": 600.0, "duration": 2e-3},
+        {"load": 1200.0, "duration": 2e-3},
+        {"load": 1200.0, "duration": 2e-3, "heat_factor": 0.0},
+    ]
+    simulation, path = case.build()
+    states = simulation.run(path, progress=False)
+    data = samcontact.results.to_dataset(simulation, states, case)
+    np.testing.assert_allclose(data["time"], [2e-3, 4e-3, 6e-3])
+    rise = data["max_temperature_body2"].values
+    assert 0 < rise[0] < rise[1] > rise[2] > 0
+    np.testing.assert_allclose(data["surface_temperature_body2"].max(["x", "y"]), rise)
+    assert data["temperature_body2"].dims == ("volume_increment", "x", "y", "z")
+    assert data.attrs["heat_factor"] == [0.0, 0.0]
+    assert data.attrs["body2_conductivity"] == 50.2
+    assert "JohnsonCook" in data.attrs["body2_softening"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("duration = 4e-3\n", "", r"path\[0\]: duration and contact.heat_history go together"),
+        ("heat_history = [1e-3, 1.0]", "", r"path\[0\]: duration and contact.heat_history go tog"),
+        ("heat_history = [1e-3, 1.0]", "heat_history = [1e-3]", "heat_history"),
+        ("heat_factor = 0.02", "heat_factor = -0.02", "contact.heat_factor"),
+        ("velocity = [0.1, 0.0]", "velocity = [0.1]", "contact.velocity"),
+        ("velocity", "heating_time = 1.0\nvelocity", "give heat_history or heating_time"),
+        ("conductivity = 50.2", "conductivity = 0.0", "body2.thermal.conductivity"),
+        ("melting = 1800.0", "melting = 20.0", "melting must be > reference"),
+        ("heat_factor = 0.02", "heat_factor = [0.1, 0.1]", "heat_factor of body1 is 0.1, but the"),
+    ],
+)
+def test_errors_of_heat(write, old, new, message):
+    with pytest.raises(CaseError, match=message):
+        load_case(write(HEATED.replace(old, new, 1))).build()

@@ -77,3 +77,23 @@ def test_bad_input_is_named(call, message):
 def test_increments_must_be_an_integer():
     with pytest.raises(TypeError, match=r"increments must be an integer, got 2\.5"):
         paths.ramp(load=1.0, increments=2.5)
+
+
+class TestHeat:
+    def test_hold(self):
+        assert paths.hold(load=5.0, increments=2, duration=3.0, heat_factor=0.1) == [
+            {"load": 5.0, "duration": 1.5, "heat_factor": 0.1},
+            {"load": 5.0, "duration": 1.5},
+        ]
+        assert paths.hold(approach=-1e-6) == [{"approach": -1e-6}]
+
+    def test_ramp_with_duration(self):
+        assert paths.ramp(load=2.0, increments=2, duration=1.0, heat_factor=(0.0, 0.2)) == [
+            {"load": 1.0, "duration": 0.5, "heat_factor": (0.0, 0.2)},
+            {"load": 2.0, "duration": 0.5},
+        ]
+
+    @pytest.mark.parametrize("duration", [0.0, -1.0, float("nan")])
+    def test_bad_duration(self, duration):
+        with pytest.raises(ValueError, match="duration must be"):
+            paths.hold(load=1.0, duration=duration)
