@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number
+from ._heating import heating, require_reference
 from .grid import Grid
-from .heat import heating, require_reference
 from .material import Material
 from .operators import depths_of, shear_components
 

@@ -14,10 +14,10 @@ from tqdm.auto import tqdm
 
 from . import _core
 from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number, positive
+from ._heating import heating, march, pair, require_reference, velocities
 from .checkpoint import CheckpointError, read_checkpoint, write_checkpoint
 from .contact import GridTooSmallWarning, require_type
 from .grid import Grid
-from .heat import heating, march, pair, require_reference, velocities
 from .material import Material
 from .operators import depth_major, shear_components
 from .state import State

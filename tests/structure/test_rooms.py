@@ -37,6 +37,7 @@ BELOW = {
 # Modules that talk to the core; all others go through them.
 CORE_USERS = {
     "__init__",
+    "_heating",
     "_load_core",
     "checkpoint",
     "contact",
