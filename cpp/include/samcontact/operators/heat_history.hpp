@@ -60,12 +60,14 @@ class HeatHistory {
   bool newest_by_modes(double ahead) const;
 
   std::shared_ptr<const Plan> plan_;
+  void age_near(double x, Field& fields) const;
   void absorb(const HeatLevel& level, std::size_t number, std::size_t first_mode);
 
   /// Of all heat before the newest flux, by generation.
   std::vector<ComplexField> modes_;
   std::vector<double> filled_;  // time collected in a level's youngest generation
   std::vector<int> youngest_;   // of a level
+  Field near_;                  // fields of NearHeat, [rate][i][j]
   ComplexField newest_;         // amplitudes of the newest flux
   Field flux_;                  // the newest flux, constant over the time
   double duration_ = 0;         // [s]
