@@ -48,6 +48,7 @@ template <class Symbol>
 NearTables NearHeat::tabulate(double z, int components, const Symbol& symbol) const {
   const auto count = static_cast<int>(rates_.size());
   const double begin = modes_.split_begin(), cutoff = modes_.cutoff(), step = modes_.step();
+  const double deepest = 1.5 * modes_.sharpness() * modes_.sharpness() / z;
   // A lattice whose images are out of reach.
   const int mx = 2 * offsets_x_, my = 2 * offsets_y_;
   const double dw1 = 2 * pi / mx, dw2 = 2 * pi / (my * modes_.cell_y());
@@ -82,7 +83,8 @@ NearTables NearHeat::tabulate(double z, int components, const Symbol& symbol) co
     std::vector<ThermalProfile<double>> sums(count);
     for (int a = 0; a < na; ++a) {
       const double w1 = a * dw1, w2 = b * dw2, w = std::hypot(w1, w2);
-      if (w < begin || w > cutoff) continue;
+      // Nothing of short waves arrives at a depth, and the nodes would not resolve their cosines.
+      if (w < begin || w > std::min(cutoff, deepest)) continue;
       std::fill(sums.begin(), sums.end(), ThermalProfile<double>{});
       for (int j = 0; j == 0 || w * std::cosh(j * step) <= cutoff; ++j) {
         const double s = w * std::sinh(j * step), k = w * std::cosh(j * step);
