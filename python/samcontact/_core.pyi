@@ -245,7 +245,40 @@ class kernels:
         tol: float,
     ) -> FloatArray: ...
 
+class Heating:
+    needs_reference: bool
+    def __init__(
+        self,
+        factor: float = ...,
+        conductivity: float = ...,
+        expansion: float = ...,
+        diffusivity: float = ...,
+        speed_x: float = ...,
+        speed_y: float = ...,
+        time: float = ...,
+        reference: float = ...,
+    ) -> None: ...
+
 class operators:
+    class HeatHistory:
+        size: int
+        def __init__(
+            self,
+            grid: Grid,
+            heating: Heating,
+            elastic: Elastic,
+            shortest: float,
+            longest: float,
+            tolerance: float,
+            in_depth: bool,
+        ) -> None: ...
+        def add(self, flux: FloatArray, dt: float) -> None: ...
+        def temperature(self, ahead: float, z: list[float]) -> FloatArray: ...
+        def displacement(self, ahead: float) -> FloatArray: ...
+        def stress(self, ahead: float, z: list[float]) -> FloatArray: ...
+        def copy(self) -> operators.HeatHistory: ...
+        def state(self) -> FloatArray: ...
+        def set_state(self, state: FloatArray) -> None: ...
     @staticmethod
     def residual_stress(
         grid: Grid, strain: FloatArray, elastic: Elastic, exact: bool, image_tol: float

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/operators/heat_near.hpp"
+#include "samcontact/operators/heat_symbols.hpp"
 #include "samcontact/operators/heating.hpp"
 #include "samcontact/operators/surface_convolution.hpp"
 
@@ -53,22 +57,49 @@ class Decay {
   double x_;
 };
 
-/// Per unit flux: temperature, d^2 P/dz^2 - w^2 P = -T, its slope, and w P(0).
-struct Profiles {
-  Complex t, p, slope, base;
-};
-
 }  // namespace
 
 struct HeatHistory::Plan {
+  Plan(const Grid& grid_, const Thermal& thermal_, const Elastic& elastic_, double vx, double vy,
+       const HeatHistorySettings& settings_)
+      : grid(grid_),
+        thermal(thermal_),
+        elastic(elastic_),
+        speed_x(vx),
+        speed_y(vy),
+        settings(settings_),
+        modes(grid, vx * grid.dx / thermal.diffusivity, vy * grid.dx / thermal.diffusivity,
+              {aged(settings.shortest), aged(settings.longest), settings.tolerance,
+               settings.in_depth}),
+        near(modes) {}
+
   Grid grid;
   Thermal thermal;
   Elastic elastic;
   double speed_x, speed_y;
   HeatHistorySettings settings;
   HeatModes modes;
+  NearHeat near;
 
   double aged(double time) const { return thermal.diffusivity * time / (grid.dx * grid.dx); }
+
+  /// Tables of a depth (over dx), kept: a simulation asks for the same depths at every step.
+  std::shared_ptr<const NearTables> tables(Quantity quantity, double z) const {
+    const std::lock_guard lock(mutex);
+    const std::pair key(static_cast<int>(quantity), z);
+    if (const auto found = kept.find(key); found != kept.end()) return found->second;
+    constexpr std::size_t most = 128;
+    if (kept.size() >= most) kept.clear();
+    auto made = std::make_shared<const NearTables>(
+        quantity == Quantity::temperature    ? near.temperature(z)
+        : quantity == Quantity::displacement ? near.displacement()
+                                             : near.stress(z, elastic.nu));
+    return kept[key] = std::move(made);
+  }
+
+ private:
+  mutable std::mutex mutex;
+  mutable std::map<std::pair<int, double>, std::shared_ptr<const NearTables>> kept;
 };
 
 HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic& elastic,
@@ -83,12 +114,8 @@ HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic
           "in [1e-10, 1e-2]", settings.tolerance);
   require(std::isfinite(speed_x) && std::isfinite(speed_y), "speed", "finite",
           std::hypot(speed_x, speed_y));
-  const double kappa = thermal.diffusivity, unit = kappa / (grid.dx * grid.dx);
-  plan_ = std::make_shared<const Plan>(
-      Plan{grid, thermal, elastic, speed_x, speed_y, settings,
-           HeatModes(grid, speed_x * grid.dx / kappa, speed_y * grid.dx / kappa,
-                     {settings.shortest * unit, settings.longest * unit, settings.tolerance,
-                      settings.in_depth})});
+  plan_ = std::make_shared<const Plan>(grid, thermal, elastic, speed_x, speed_y, settings);
+  near_.assign(plan_->near.rates().size() * grid.surface_size(), 0.0);
   modes_.assign(plan_->modes.generations(), ComplexField(plan_->modes.size(), Complex{}));
   filled_.assign(plan_->modes.levels().size(), 0.0);
   youngest_.assign(filled_.size(), 0);
@@ -106,9 +133,21 @@ void HeatHistory::add(const double* flux, double dt) {
     absorb(level, number++, first);
     first += level.modes.size();
   }
+  age_near(plan_->aged(duration_), near_);
   newest_ = std::move(amplitudes);
   flux_.assign(flux, flux + flux_.size());
   duration_ = dt;
+}
+
+/// Near fields after the newest flux.
+void HeatHistory::age_near(double x, Field& fields) const {
+  const std::vector<double>& rates = plan_->near.rates();
+  const std::size_t plane = flux_.size();
+  for (std::size_t m = 0; m < rates.size(); ++m) {
+    const double factor = std::exp(-rates[m] * x), integral = -std::expm1(-rates[m] * x) / rates[m];
+    double* field = fields.data() + m * plane;
+    for (std::size_t i = 0; i < plane; ++i) field[i] = field[i] * factor + flux_[i] * integral;
+  }
 }
 
 /// Lets a level age by the newest flux's duration, and adds that flux.
@@ -191,6 +230,18 @@ Field HeatHistory::fields(Quantity quantity, double ahead, std::span<const doubl
   const std::size_t plane = plan.grid.surface_size(), total = modes.mode_count();
   const int components = quantity == Quantity::stress ? 6 : 1;
   Field out(components * depths.size() * plane, 0.0);
+
+  ComplexField near_spectra;
+  if (!near_.empty()) {
+    Field fields = near_;
+    double age = plan.aged(ahead);
+    if (newest) {
+      age_near(plan.aged(duration_), fields);
+    } else {
+      age += plan.aged(duration_);
+    }
+    near_spectra = plan.near.spectra(fields, age);
+  }
 
   // Profiles of some depths at a time, so that their memory stays small.
   constexpr std::size_t most = 1 << 20;
@@ -282,6 +333,12 @@ Field HeatHistory::fields(Quantity quantity, double ahead, std::span<const doubl
       first += level.modes.size();
     }
 
+    std::vector<std::shared_ptr<const NearTables>> tables(count);
+    for (std::size_t d = 0; d < count; ++d) {
+      if (!near_spectra.empty() && z[d] < plan.near.depth()) {
+        tables[d] = plan.tables(quantity, z[d]);
+      }
+    }
     check_interrupt();
     const double nu = plan.elastic.nu, k = plan.thermal.conductivity, dx = plan.grid.dx;
     const double alpha = plan.thermal.expansion;
@@ -299,49 +356,27 @@ Field HeatHistory::fields(Quantity quantity, double ahead, std::span<const doubl
       std::size_t n = 0;
       for (const HeatLevel& level : modes.levels()) {
         for (const HeatMode& mode : level.modes) {
-          const Complex temp = t[d * total + n];
           if (quantity == Quantity::temperature) {
-            values[n] = temp;
+            values[n] = t[d * total + n];
           } else if (quantity == Quantity::displacement) {
             values[n] = base[n];
-          } else if (mode.w == 0) {
-            values[n] = component < 2 ? -temp : Complex{};
           } else {
-            const double w = mode.w, wz = w * z[d], w1 = mode.w1, w2 = mode.w2;
-            const Complex pn = p[d * total + n], b = base[n] / w * std::exp(-wz);
-            const auto in_plane = [&](double product) {
-              return product * (pn + (1 - 2 * nu - wz) * b);
-            };
-            const auto shear = [&](double wi) {
-              const Complex v = wi * (slope[d * total + n] + z[d] * w * w * b);
-              return Complex{v.imag(), -v.real()};
-            };
-            switch (component) {
-              case 0:
-                values[n] = -temp + in_plane(w1 * w1) + 2 * nu * w * w * b;
-                break;
-              case 1:
-                values[n] = -temp + in_plane(w2 * w2) + 2 * nu * w * w * b;
-                break;
-              case 2:
-                values[n] = w * w * ((1 + wz) * b - pn);
-                break;
-              case 3:
-                values[n] = shear(w2);
-                break;
-              case 4:
-                values[n] = shear(w1);
-                break;
-              default:
-                values[n] = in_plane(w1 * w2);
-                break;
-            }
+            const ThermalProfile<Complex> at{t[d * total + n], p[d * total + n],
+                                             slope[d * total + n], base[n]};
+            const Complex v =
+                heat_stress_symbol(component, plan.elastic.nu, z[d], mode.w1, mode.w2, at);
+            values[n] = component == 3 || component == 4 ? Complex{v.imag(), -v.real()} : v;
           }
           ++n;
         }
       }
       double* to = out.data() + (component * depths.size() + d0 + d) * plane;
       modes.evaluate(values.data(), to);
+      if (tables[d]) {
+        const bool shear = quantity == Quantity::stress;
+        plan.near.add(tables[d]->components[component], shear && (component == 4 || component == 5),
+                      shear && (component == 3 || component == 5), near_spectra, to);
+      }
       for (std::size_t i = 0; i < plane; ++i) to[i] *= scale;
     }
     check_interrupt();
@@ -399,13 +434,14 @@ void HeatHistory::add_newest(Quantity quantity, double ahead, std::span<const do
 }
 
 std::size_t HeatHistory::size() const {
-  return 2 * (modes_.size() * plan_->modes.size() + newest_.size()) + flux_.size() + 1 +
-         2 * filled_.size();
+  return 2 * (modes_.size() * plan_->modes.size() + newest_.size()) + flux_.size() + near_.size() +
+         1 + 2 * filled_.size();
 }
 
 std::vector<double> HeatHistory::state() const {
   std::vector<double> state{duration_};
   state.insert(state.end(), flux_.begin(), flux_.end());
+  state.insert(state.end(), near_.begin(), near_.end());
   state.insert(state.end(), filled_.begin(), filled_.end());
   state.insert(state.end(), youngest_.begin(), youngest_.end());
   for (const ComplexField& modes : modes_) {
@@ -418,7 +454,8 @@ std::vector<double> HeatHistory::state() const {
 void HeatHistory::set_state(std::span<const double> state) {
   const std::size_t plane = flux_.size(), levels = filled_.size();
   const int generations = plan_->modes.generations();
-  if (state.size() != 1 + plane + 2 * levels + 2 * generations * plan_->modes.size()) {
+  if (state.size() !=
+      1 + plane + near_.size() + 2 * levels + 2 * generations * plan_->modes.size()) {
     throw std::invalid_argument("the state of the heat belongs to another history");
   }
   const double* from = state.data() + 1;
@@ -428,6 +465,7 @@ void HeatHistory::set_state(std::span<const double> state) {
   };
   duration_ = state[0];
   take(flux_.begin(), plane);
+  take(near_.begin(), near_.size());
   take(filled_.begin(), levels);
   for (int& youngest : youngest_)
     youngest = std::clamp(static_cast<int>(*from++), 0, generations - 1);

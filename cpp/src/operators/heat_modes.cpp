@@ -29,17 +29,8 @@ struct Edge {
   double end() const { return 2 * middle; }
 };
 
-/// Periods of the finest lattice in cells, at least: of a grid of nx x ny, cells 1 x cell_y.
-fft::PaddedTransform padded(const Grid& grid, double speed_x, double speed_y) {
-  const double x = grid.nx, y = grid.ny * grid.dy / grid.dx;
-  const double vx = std::abs(speed_x) / x, vy = std::abs(speed_y) / y;
-  if (vx == 0 && vy == 0) return {grid.nx, grid.ny, 2 * grid.nx, 2 * grid.ny};
-  // Along the faster direction (in grids) heat is kept for up to 4.2 grids.
-  const auto pad = [&](int n, double v, double other) {
-    return static_cast<int>(std::ceil(v >= other ? 7.0 * n : 2 * n * (1 + 4.2 * v / other)));
-  };
-  return {grid.nx, grid.ny, pad(grid.nx, vx, vy), pad(grid.ny, vy, vx)};
-}
+/// Of the edge of what is split off [1/dx].
+constexpr double split_width = 0.6;
 
 std::vector<double> cells(int n, double size) {
   std::vector<double> x(n);
@@ -97,11 +88,14 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
     : cell_y_(grid.dy / grid.dx),
       speed_x_(speed_x),
       speed_y_(speed_y),
-      transform_(padded(grid, speed_x, speed_y)),
       resolution_(resolution),
       sharpness_(std::sqrt(-std::log(resolution.tolerance))),
       cutoff_(sharpness_ / std::sqrt(resolution.shortest)),
-      step_(resolution.in_depth ? 0.12 : 0.35) {
+      is_split_(!moving() && cutoff_ > 1.3 * end_of_split()),
+      // Errors of the sums are exp(-pi^2/(2 step)) on the surface; cosines are resolved as far as
+      // they are not faded out.
+      step_((resolution.in_depth ? 1.25 : 4.9) / (sharpness_ * sharpness_)),
+      transform_(padded(grid)) {
   // What is left of the images is that of the last disc, where kernels are not smooth at w = 0:
   // it falls with the third power of the period.
   const double size = std::max(transform_.mx() * 1.0, transform_.my() * cell_y_);
@@ -119,15 +113,43 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
 
 double HeatModes::fade(double sz) const {
   // The end of the integral over s that is left out is smooth on the scale of the cosine.
-  return 0.5 * std::erfc(sz / (2 * sharpness_) - 3.6);
+  return 0.5 * std::erfc(sz / (2 * sharpness_) - 0.97 * sharpness_);
+}
+
+double HeatModes::split(double w) const {
+  if (!is_split_) return 1;
+  return 0.5 * std::erfc((w - split_begin()) / split_width - sharpness_);
+}
+
+double HeatModes::split_reach() const { return 2 * sharpness_ / split_width; }
+
+double HeatModes::end_of_split() const { return split_begin() + 2 * sharpness_ * split_width; }
+
+/// Periods of the finest lattice: at least the grid's size and the reach of kernels.
+fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
+  if (!moving()) {
+    const double reach = is_split_ ? split_reach() : 0;
+    const auto pad = [reach](int n, double cell) {
+      return static_cast<int>(std::ceil(n + std::hypot(n, reach / cell)));
+    };
+    return {grid.nx, grid.ny, pad(grid.nx, 1), pad(grid.ny, cell_y_)};
+  }
+  const double vx = std::abs(speed_x_) / grid.nx, vy = std::abs(speed_y_) / (grid.ny * cell_y_);
+  // Along the faster direction (in grids) heat is kept for up to 4.2 grids.
+  const auto pad = [](int n, double v, double other) {
+    return static_cast<int>(std::ceil(v >= other ? 7.0 * n : 2 * n * (1 + 4.2 * v / other)));
+  };
+  return {grid.nx, grid.ny, pad(grid.nx, vx, vy), pad(grid.ny, vy, vx)};
 }
 
 /// How far a level's kernels may reach, and how long it keeps heat.
 void HeatModes::set_reach(HeatLevel& level, double shrink) const {
   const double x = nx(), y = ny() * cell_y_;
   const double px = transform_.mx() / shrink, py = transform_.my() * cell_y_ / shrink;
-  level.clear_x = 1 - x / px;
-  level.clear_y = 1 - y / py;
+  // Where the edge of a ring meets that of the split, their reaches add up as those of Gaussians.
+  const double reach_of_split = is_split_ ? split_reach() : 0;
+  level.clear_x = 1 - std::hypot(x, reach_of_split) / px;
+  level.clear_y = 1 - std::hypot(y, reach_of_split) / py;
   level.generation = std::numeric_limits<double>::infinity();
   if (!moving()) return;
   // With generations of a path g and kernels of reach r: those dropped have moved 2 g >= size + r,
@@ -158,14 +180,16 @@ void HeatModes::add_level(int number, int last, double shrink) {
            (number == last ? 0 : edge.inside(std::hypot(a * level.clear_x, b * level.clear_y)));
   };
   const double end = edge.end();
+  const double cutoff = is_split_ ? std::min(cutoff_, end_of_split()) : cutoff_;
   const double least = 0.1 * resolution_.tolerance;
-  level.reach_a = static_cast<int>(std::min(end / before_x, cutoff_ / level.dw1));
-  level.reach_b = static_cast<int>(std::min(end / before_y, cutoff_ / level.dw2));
+  level.reach_a = static_cast<int>(std::min(end / before_x, cutoff / level.dw1));
+  level.reach_b = static_cast<int>(std::min(end / before_y, cutoff / level.dw2));
   for (int b = 0; b <= level.reach_b; ++b) {
     for (int a = -level.reach_a; a <= level.reach_a; ++a) {
       HeatMode mode{a, b, a * level.dw1, b * level.dw2, 0, {}, window(a, b)};
       mode.w = std::hypot(mode.w1, mode.w2);
-      if (mode.w > cutoff_ || std::abs(mode.source) < least) continue;
+      mode.source *= split(mode.w);
+      if (mode.w > cutoff || std::abs(mode.source) < least) continue;
       mode.decay = {mode.w * mode.w, mode.w1 * speed_x_ + mode.w2 * speed_y_};
       mode.source *= sinc(mode.w1 / 2) * sinc(mode.w2 * cell_y_ / 2) * shrink * shrink / (mx * my);
       level.modes.push_back(mode);

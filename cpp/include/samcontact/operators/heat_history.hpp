@@ -17,13 +17,14 @@
 namespace samcontact::operators {
 
 struct HeatHistorySettings {
-  /// Shortest `ahead`, commonly the shortest time step [s]. Fields at an earlier moment need tables
-  /// and are right only if the newest flux was added over at least this time.
+  /// Shortest `ahead`, commonly the shortest time step [s]; flux may be added over any time. Fields
+  /// at an earlier moment take the newest flux from tables, and are right if it was added over at
+  /// least this time.
   double shortest;
-  /// How long heat is followed [s]. Errors grow slowly beyond.
+  /// How long heat is followed [s]. Errors of displacement and stress grow slowly beyond.
   double longest;
-  double tolerance = 1e-6;
-  bool in_depth = true;  // false: only the surface's displacement and fields at z = 0
+  double tolerance = 1e-6;  // roughly, relative to the largest value
+  bool in_depth = true;     // false: only the surface's displacement and fields at z = 0
 };
 
 /// Copies share what does not change.
@@ -60,12 +61,14 @@ class HeatHistory {
   bool newest_by_modes(double ahead) const;
 
   std::shared_ptr<const Plan> plan_;
+  void age_near(double x, Field& fields) const;
   void absorb(const HeatLevel& level, std::size_t number, std::size_t first_mode);
 
   /// Of all heat before the newest flux, by generation.
   std::vector<ComplexField> modes_;
   std::vector<double> filled_;  // time collected in a level's youngest generation
   std::vector<int> youngest_;   // of a level
+  Field near_;                  // fields of NearHeat, [rate][i][j]
   ComplexField newest_;         // amplitudes of the newest flux
   Field flux_;                  // the newest flux, constant over the time
   double duration_ = 0;         // [s]

@@ -12,6 +12,9 @@
 // therefore keeps its heat in a few generations by age, and drops the oldest once it is farther
 // away than the level's kernels reach.
 //
+// Wavenumbers far beyond the cells' count only for heat younger than it takes to cross a cell. When
+// a body at rest is followed in such short steps they are left to NearHeat (heat_near.hpp).
+//
 // Lengths are in units of dx, times t stand for kappa t / dx^2.
 #pragma once
 
@@ -78,22 +81,37 @@ class HeatModes {
   void project(const double* flux, ComplexField& amplitudes) const;
   /// plane[i][j] += (or =) sum over the modes; amplitudes as in project(), without its factors.
   void evaluate(const Complex* amplitudes, double* plane) const;
+  /// Part of a wavenumber that is kept here; 1 unless is_split().
+  double split(double w) const;
+  bool is_split() const { return is_split_; }
+  /// Smallest wavenumber of which a part is not kept, distance at which its kernels end, largest
+  /// wavenumber that still counts, and sqrt(ln(1/tolerance)).
+  double split_begin() const { return 0.4; }
+  double split_reach() const;
+  double cutoff() const { return cutoff_; }
+  double sharpness() const { return sharpness_; }
+  /// Between nodes s = scale sinh(n step).
+  double step() const { return step_; }
+  double cell_y() const { return cell_y_; }
   /// Weight of depth z in the sums over s: cos(s z) with its unresolved end faded out.
   double fade(double sz) const;
 
  private:
   bool moving() const { return speed_x_ != 0 || speed_y_ != 0; }
+  double end_of_split() const;
+  fft::PaddedTransform padded(const Grid& grid) const;
   void set_reach(HeatLevel& level, double shrink) const;
   void add_level(int number, int last, double shrink);
   void add_nodes(HeatLevel& level, double scale) const;
   void add_points(HeatLevel& level) const;
 
   double cell_y_, speed_x_, speed_y_;
-  fft::PaddedTransform transform_;
   HeatResolution resolution_;
-  double sharpness_;  // sqrt(ln(1/tolerance))
-  double cutoff_;     // largest wavenumber
-  double step_;       // of nodes in s
+  double sharpness_;
+  double cutoff_;
+  bool is_split_;
+  double step_;
+  fft::PaddedTransform transform_;
   std::vector<HeatLevel> levels_;
   std::size_t size_ = 0, mode_count_ = 0;
 };
