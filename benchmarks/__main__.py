@@ -20,6 +20,7 @@ PARTS = (
     "operators",
     "images",
     "nano_indentation",
+    "heat",
     "scaling",
     "counts",
 )
