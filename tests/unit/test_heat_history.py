@@ -98,6 +98,16 @@ def test_matches_superposition(shortest):
     assert max(worst_errors(past, reference, steps, 7 * dt, DEPTHS[:2])) < 5e-6
 
 
+@pytest.mark.parametrize("shortest", [0.05, 1.0, 100.0])
+@pytest.mark.parametrize(("nx", "ny", "dy"), [(32, 4, 1.0), (3, 10, 4.0), (12, 12, 0.3)])
+def test_elongated_grids_and_cells(nx, ny, dy, shortest):
+    grid = grid_of(nx, ny, dy=dy * DX)
+    dt = shortest * UNIT
+    steps = random_steps(grid, [dt, 3 * dt])
+    past = feed(history(grid, dt, 1e3 * dt), steps)
+    assert max(worst_errors(past, Superposition(grid), steps, dt, DEPTHS[:3])) < 5e-6
+
+
 def test_before_the_shortest_time_the_newest_flux_comes_from_tables():
     grid = grid_of()
     steps = random_steps(grid, [2 * UNIT, UNIT])

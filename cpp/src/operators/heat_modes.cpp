@@ -125,43 +125,45 @@ double HeatModes::split_reach() const { return 2 * sharpness_ / split_width; }
 
 double HeatModes::end_of_split() const { return split_begin() + 2 * sharpness_ * split_width; }
 
-/// Periods of the finest lattice: at least the grid's size and the reach of kernels.
+/// Periods of the finest lattice. Rings are round, since kernels are: the same distance is left
+/// free along x and y, as wide as the grid.
 fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
-  if (!moving()) {
-    const double reach = is_split_ ? split_reach() : 0;
-    const auto pad = [reach](int n, double cell) {
-      return static_cast<int>(std::ceil(n + std::hypot(n, reach / cell)));
-    };
-    return {grid.nx, grid.ny, pad(grid.nx, 1), pad(grid.ny, cell_y_)};
+  const double x = grid.nx, y = grid.ny * cell_y_;
+  const double clear = std::hypot(std::max(x, y), is_split_ ? split_reach() : 0);
+  double px = x + clear, py = y + clear;
+  if (moving()) {
+    // As in set_reach().
+    const double vx = std::abs(speed_x_), vy = std::abs(speed_y_);
+    const bool along_x = vx / x >= vy / y;
+    const double kept = 1.5 * ((along_x ? x : y) + clear);
+    px += kept * (along_x ? 1 : vx / vy);
+    py += kept * (along_x ? vy / vx : 1);
   }
-  const double vx = std::abs(speed_x_) / grid.nx, vy = std::abs(speed_y_) / (grid.ny * cell_y_);
-  // Along the faster direction (in grids) heat is kept for up to 4.2 grids.
-  const auto pad = [](int n, double v, double other) {
-    return static_cast<int>(std::ceil(v >= other ? 7.0 * n : 2 * n * (1 + 4.2 * v / other)));
-  };
-  return {grid.nx, grid.ny, pad(grid.nx, vx, vy), pad(grid.ny, vy, vx)};
+  return {grid.nx, grid.ny, static_cast<int>(std::ceil(px)),
+          static_cast<int>(std::ceil(py / cell_y_))};
 }
 
 /// How far a level's kernels may reach, and how long it keeps heat.
 void HeatModes::set_reach(HeatLevel& level, double shrink) const {
   const double x = nx(), y = ny() * cell_y_;
   const double px = transform_.mx() / shrink, py = transform_.my() * cell_y_ / shrink;
-  // Where the edge of a ring meets that of the split, their reaches add up as those of Gaussians.
-  const double reach_of_split = is_split_ ? split_reach() : 0;
-  level.clear_x = 1 - std::hypot(x, reach_of_split) / px;
-  level.clear_y = 1 - std::hypot(y, reach_of_split) / py;
   level.generation = std::numeric_limits<double>::infinity();
-  if (!moving()) return;
-  // With generations of a path g and kernels of reach r: those dropped have moved 2 g >= size + r,
-  // those kept have moved up to 3 g and their images are period - size - 3 g >= r away.
-  const double vx = std::abs(speed_x_), vy = std::abs(speed_y_);
-  const bool along_x = vx / x >= vy / y;
-  const double size = along_x ? x : y, period = along_x ? px : py;
-  const double reach = (period - 2.5 * size) / 2.5;
-  level.generation = (size + reach) / (2 * (along_x ? vx : vy));
-  (along_x ? level.clear_x : level.clear_y) = reach / period;
-  const double across = 3 * level.generation * (along_x ? vy / py : vx / px);
-  (along_x ? level.clear_y : level.clear_x) -= across;
+  level.clear = std::min(px - x, py - y);
+  if (moving()) {
+    // With generations of a path g along the faster direction (in grids): those dropped have moved
+    // 2 g >= size + clear, those kept up to 3 g, and images of these are still clear of the grid.
+    const double vx = std::abs(speed_x_), vy = std::abs(speed_y_);
+    const bool along_x = vx / x >= vy / y;
+    const double size = along_x ? x : y, speed = along_x ? vx : vy;
+    // clear <= period - size - 3 g speed ratio, g = (size + clear)/2.
+    const auto widest = [size](double period, double extent, double ratio) {
+      return (period - extent - 1.5 * size * ratio) / (1 + 1.5 * ratio);
+    };
+    level.clear = std::min(widest(px, x, vx / speed), widest(py, y, vy / speed));
+    level.generation = (size + level.clear) / (2 * speed);
+  }
+  // Where the edge of a ring meets that of the split, their reaches add up as those of Gaussians.
+  if (is_split_) level.clear = std::sqrt(level.clear * level.clear - split_reach() * split_reach());
 }
 
 void HeatModes::add_level(int number, int last, double shrink) {
@@ -172,22 +174,22 @@ void HeatModes::add_level(int number, int last, double shrink) {
   set_reach(level, shrink);
   const Edge edge(sharpness_);
   // The ring begins where that of the level before ends, and ends where the next one begins.
-  const double before_x = number == 0 ? 0 : 0.5 * levels_.back().clear_x;
-  const double before_y = number == 0 ? 0 : 0.5 * levels_.back().clear_y;
-  const auto window = [&](int a, int b) {
-    const double from = number == 0 ? 1 : edge.inside(std::hypot(a * before_x, b * before_y));
-    return from -
-           (number == last ? 0 : edge.inside(std::hypot(a * level.clear_x, b * level.clear_y)));
+  const double before = number == 0 ? 0 : levels_.back().clear / (2 * pi);
+  const double here = level.clear / (2 * pi);
+  const auto window = [&](double w) {
+    const double from = number == 0 ? 1 : edge.inside(w * before);
+    return from - (number == last ? 0 : edge.inside(w * here));
   };
-  const double end = edge.end();
   const double cutoff = is_split_ ? std::min(cutoff_, end_of_split()) : cutoff_;
+  const double end = number == 0 ? cutoff : std::min(cutoff, edge.end() / before);
   const double least = 0.1 * resolution_.tolerance;
-  level.reach_a = static_cast<int>(std::min(end / before_x, cutoff / level.dw1));
-  level.reach_b = static_cast<int>(std::min(end / before_y, cutoff / level.dw2));
+  level.reach_a = static_cast<int>(end / level.dw1);
+  level.reach_b = static_cast<int>(end / level.dw2);
   for (int b = 0; b <= level.reach_b; ++b) {
     for (int a = -level.reach_a; a <= level.reach_a; ++a) {
-      HeatMode mode{a, b, a * level.dw1, b * level.dw2, 0, {}, window(a, b)};
+      HeatMode mode{a, b, a * level.dw1, b * level.dw2, 0, {}, 0};
       mode.w = std::hypot(mode.w1, mode.w2);
+      mode.source = window(mode.w);
       mode.source *= split(mode.w);
       if (mode.w > cutoff || std::abs(mode.source) < least) continue;
       mode.decay = {mode.w * mode.w, mode.w1 * speed_x_ + mode.w2 * speed_y_};

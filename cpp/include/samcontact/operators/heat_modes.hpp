@@ -42,9 +42,9 @@ struct HeatBlock {
 
 struct HeatLevel {
   double dw1, dw2;
-  double clear_x, clear_y;  // kernels vanish beyond these parts of a period
-  double generation;        // time over which heat is collected in one generation
-  int reach_a, reach_b;     // largest |a|, b
+  double clear;          // distance from which on kernels vanish
+  double generation;     // time over which heat is collected in one generation
+  int reach_a, reach_b;  // largest |a|, b
   std::vector<HeatMode> modes;
   std::vector<HeatBlock> blocks;
   std::vector<double> s, weight;  // sum of weight f(s) = (2/pi) integral over s >= 0
