@@ -245,20 +245,6 @@ class kernels:
         tol: float,
     ) -> FloatArray: ...
 
-class Heating:
-    needs_reference: bool
-    def __init__(
-        self,
-        factor: float = ...,
-        conductivity: float = ...,
-        expansion: float = ...,
-        diffusivity: float = ...,
-        speed_x: float = ...,
-        speed_y: float = ...,
-        time: float = ...,
-        reference: float = ...,
-    ) -> None: ...
-
 class operators:
     class HeatHistory:
         size: int
