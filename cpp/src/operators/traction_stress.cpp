@@ -56,27 +56,26 @@ void add_table(const Field& table, const Grid& grid, double* quarter, int hx) {
 }  // namespace
 
 TractionStress::TractionStress(const Grid& grid, const VolumeTransform& transform,
-                               const Elastic& elastic, const Heating& heating,
+                               const Elastic& elastic, std::shared_ptr<const HeatStress> heat,
                                std::vector<double> depths, Tensor tensor)
     : grid_(grid),
       transform_(&transform),
       elastic_(elastic),
-      heating_(heating),
+      heat_(std::move(heat)),
       depths_(std::move(depths)),
       tensor_(tensor) {}
 
 std::vector<Traction> TractionStress::pressure_kinds() const {
   std::vector<Traction> kinds{Traction::pressure};
-  if (!heating_.is_on()) return kinds;
-  if (heating_.speed_x != 0) kinds.push_back(Traction::heat_x);
-  if (heating_.speed_y != 0) kinds.push_back(Traction::heat_y);
+  if (!heat_) return kinds;
+  if (heat_->heating().speed_x != 0) kinds.push_back(Traction::heat_x);
+  if (heat_->heating().speed_y != 0) kinds.push_back(Traction::heat_y);
   if (kinds.size() == 3) kinds.push_back(Traction::heat_xy);
   return kinds;
 }
 
 TractionStress::HeatTables TractionStress::heat_tables(double z) const {
-  auto stress = heat_stress(heating_, elastic_, grid_.dx, grid_.dy, z,
-                            Offsets::lattice(grid_.dx, grid_.dy, grid_.nx, grid_.ny));
+  auto stress = heat_->at(z, grid_);
   if (tensor_ == Tensor::deviator) {
     for (int part = 0; part < 4; ++part) {
       Field &xx = stress[0][part], &yy = stress[1][part];
@@ -97,7 +96,7 @@ void TractionStress::prepare(Traction kind) {
   if (!spectra_[static_cast<int>(kind)].empty()) return;
   if (is_shear(kind)) return build(kind, {});
   std::vector<HeatTables> heat;
-  if (heating_.is_on()) {
+  if (heat_) {
     // Not in parallel: a table asks whether to stop, and may throw.
     for (const double z : depths_) heat.push_back(heat_tables(z));
   }
@@ -177,11 +176,13 @@ Field traction_stress(const Grid& grid, const Elastic& elastic, const Heating& h
                       std::span<const double> depths, const double* pressure, const double* shear_x,
                       const double* shear_y) {
   const VolumeTransform transform(grid.nx, grid.ny, Symmetry::none);
+  const auto heat =
+      heating.is_on() ? std::make_shared<const HeatStress>(grid, elastic, heating) : nullptr;
   Field stress(6 * depths.size() * grid.surface_size());
   const std::size_t plane = grid.surface_size();
   // One depth at a time: the kernels of a depth are used once, so only one set is kept.
   for (std::size_t d = 0; d < depths.size(); ++d) {
-    TractionStress single(grid, transform, elastic, heating, {depths[d]}, Tensor::full);
+    TractionStress single(grid, transform, elastic, heat, {depths[d]}, Tensor::full);
     VolumeSpectrum spectrum(transform, 1, Tensor::full);
     const auto add = [&](const double* traction, Traction kind) {
       if (traction == nullptr) return;

@@ -34,7 +34,7 @@ VolumeOperators::VolumeOperators(const Grid& grid, const Elastic& elastic,
       elastic_(elastic),
       options_(options),
       transform_(make_transform(grid, options)),
-      traction_stress_(grid, transform_, elastic, options.heating, grid.z(), options.tensor) {}
+      traction_stress_(grid, transform_, elastic, options.heat, grid.z(), options.tensor) {}
 
 const ResidualStress& VolumeOperators::residual_stress() const {
   const std::lock_guard lock(mutex_);

@@ -290,37 +290,39 @@ std::size_t PlasticIncrement::grid_cell(const Body& body, std::uint32_t cell) co
   return (k * grid.nx + box.i0 + i) * grid.ny + box.j0 + j;
 }
 
+const Field& PlasticIncrement::past_stress(int body) {
+  Field& stress = past_stress_[body];
+  if (stress.empty()) {
+    stress = target_.past[body]->stress(target_.heating[body].time, scene_.grid.z());
+  }
+  return stress;
+}
+
 void PlasticIncrement::set_past_stress(Body& body) {
-  const auto& past = target_.past[body.index];
-  if (!past) return;
-  const Box& box = body.box;
-  const auto all = scene_.grid.z();
-  const std::span depths(all.data(), box.nz);
-  const Field stress = past->stress(target_.heating[body.index].time, depths);
-  Box whole = Box::whole(scene_.grid);
-  whole.nz = box.nz;
+  if (!target_.past[body.index]) return;
+  const Field& stress = past_stress(body.index);
+  const Box &box = body.box, whole = Box::whole(scene_.grid);
   const std::size_t cells = whole.volume_size();
+  const bool deviator = body.tensor == Tensor::deviator;
   body.past_stress.clear();
+  Field component(cells), part(box.volume_size());
   for (const int c : operators::components(body.tensor)) {
-    Field part(box.volume_size());
-    Field component(stress.data() + c * cells, stress.data() + (c + 1) * cells);
-    if (body.tensor == Tensor::deviator && c < 3) {
-      for (std::size_t n = 0; n < cells; ++n) {
-        component[n] -= (stress[n] + stress[cells + n] + stress[2 * cells + n]) / 3;
-      }
+    for (std::size_t n = 0; n < cells; ++n) {
+      const double mean = (stress[n] + stress[cells + n] + stress[2 * cells + n]) / 3;
+      component[n] = stress[c * cells + n] - (deviator && c < 3 ? mean : 0.0);
     }
     extract(component.data(), whole, part.data(), box);
     body.past_stress.insert(body.past_stress.end(), part.begin(), part.end());
   }
 }
 
-Box PlasticIncrement::near_yield_with_past(const Body& body, double limit) const {
+Box PlasticIncrement::near_yield_with_past(const Body& body, double limit) {
   const auto& heat = target_.heating[body.index];
   const Box whole = Box::whole(scene_.grid);
   const auto operators =
       scene_.volume(body.index, whole, Tensor::full, from_.method, fft::Symmetry::none, heat);
   Field stress = operators->stress(nullptr, &tractions_, body.index == 1 ? 1.0 : -1.0);
-  const Field past = target_.past[body.index]->stress(heat.time, scene_.grid.z());
+  const Field& past = past_stress(body.index);
   const std::size_t cells = whole.volume_size();
   Box near;
   for (std::size_t n = 0; n < cells; ++n) {

@@ -54,6 +54,18 @@ std::shared_ptr<const operators::Temperature> Scene::temperature(
   return temperature_;
 }
 
+std::shared_ptr<const operators::HeatStress> Scene::heat_stress(
+    int body, const operators::Heating& heating) const {
+  if (!heating.is_on()) return nullptr;
+  const std::lock_guard lock(heat_mutex_);
+  const Elastic& elastic = materials[body].elastic;
+  for (const auto& kept : heat_stress_) {
+    if (kept && kept->heating() == heating && kept->elastic() == elastic) return kept;
+  }
+  heat_stress_[body] = std::make_shared<const operators::HeatStress>(grid, elastic, heating);
+  return heat_stress_[body];
+}
+
 operators::HeatHistory Scene::heat_history(int body, const operators::Heating& heating) const {
   return {grid,
           heating.thermal,
@@ -92,7 +104,8 @@ Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tenso
     return k.body == body && k.tensor == tensor && k.operators.use_count() == 1 &&
            k.size.volume_size() > large_box && size.contains(k.size);
   });
-  const operators::VolumeOptions options{tensor, symmetry, method, image_tol_, heating};
+  const operators::VolumeOptions options{tensor, symmetry, method, image_tol_,
+                                         heat_stress(body, heating)};
   kept_.push_front({body, size, tensor, method, symmetry, heating,
                     std::make_shared<operators::VolumeOperators>(
                         size.grid(grid), materials[body].elastic, options)});
@@ -105,6 +118,12 @@ std::size_t Scene::operator_bytes() const {
   std::size_t bytes = 0;
   for (const Kept& k : kept_) bytes += k.operators->bytes();
   if (temperature_) bytes += temperature_->bytes();
+  const std::lock_guard heat_lock(heat_mutex_);
+  for (int b = 0; b < 2; ++b) {
+    if (heat_stress_[b] && (b == 0 || heat_stress_[1] != heat_stress_[0])) {
+      bytes += heat_stress_[b]->bytes();
+    }
+  }
   return bytes;
 }
 

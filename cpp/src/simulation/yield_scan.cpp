@@ -46,15 +46,17 @@ Field average(const Field& fine, const Grid& grid, const Grid& coarse, int facto
 }  // namespace
 
 YieldScan::Level::Level(const Grid& fine, int factor_, std::vector<int> layers_,
-                        const Elastic& elastic, const operators::Heating& heating)
+                        const Elastic& elastic,
+                        const std::shared_ptr<const operators::HeatStress>& heat)
     : factor(factor_),
       grid(coarsened(fine, factor_)),
       layers(std::move(layers_)),
       transform(grid.nx, grid.ny, operators::Symmetry::none),
-      stress(grid, transform, elastic, heating, depths(fine, layers), Tensor::deviator) {}
+      stress(grid, transform, elastic, heat, depths(fine, layers), Tensor::deviator) {}
 
 YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& heating)
     : grid_(scene.grid) {
+  const auto heat = scene.heat_stress(body, heating);
   const double cell = std::max(grid_.dx, grid_.dy), half = 0.5 * std::min(grid_.dx, grid_.dy);
   const int widest = std::max(grid_.nx, grid_.ny);
   double next = 0.0;
@@ -63,7 +65,7 @@ YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& hea
   const auto flush = [&] {
     if (layers.empty()) return;
     levels_.push_back(std::make_unique<Level>(grid_, factor, std::move(layers),
-                                              scene.materials[body].elastic, heating));
+                                              scene.materials[body].elastic, heat));
     layers.clear();
   };
   for (int k = 0; k < grid_.nz; ++k) {

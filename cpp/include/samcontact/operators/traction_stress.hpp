@@ -4,11 +4,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "samcontact/base/grid.hpp"
-#include "samcontact/operators/heating.hpp"
+#include "samcontact/operators/heat_stress.hpp"
 #include "samcontact/operators/volume_spectrum.hpp"
 
 namespace samcontact::operators {
@@ -22,8 +23,9 @@ constexpr int traction_kinds = 6;
 /// when it is first prepared.
 class TractionStress {
  public:
+  /// heat: that goes with the pressure; null: none.
   TractionStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
-                 const Heating& heating, std::vector<double> depths, Tensor tensor);
+                 std::shared_ptr<const HeatStress> heat, std::vector<double> depths, Tensor tensor);
 
   /// Builds the kernels of a kind of traction (with the pressure all of the heat); not thread-safe
   /// against add().
@@ -49,7 +51,7 @@ class TractionStress {
   Grid grid_;
   const VolumeTransform* transform_;
   Elastic elastic_;
-  Heating heating_;
+  std::shared_ptr<const HeatStress> heat_;
   std::vector<double> depths_;
   Tensor tensor_;
   std::array<Field, traction_kinds> spectra_;  // [ky][component][layer][kx <= mx/2]

@@ -30,8 +30,8 @@ struct VolumeOptions {
   ResidualMethod method = ResidualMethod::exact;
   /// Fast method: error due to periodic images, relative to the largest residual stress.
   double image_tol = 1e-3;
-  /// Heat that goes with the pressure.
-  Heating heating = {};
+  /// Heat that goes with the pressure; null: none.
+  std::shared_ptr<const HeatStress> heat = {};
 };
 
 /// Thread-safe; shared by bodies with equal elastic constants. Strain and stress have the

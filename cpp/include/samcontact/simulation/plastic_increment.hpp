@@ -3,6 +3,7 @@
 // plastic strain increment.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -82,7 +83,9 @@ class PlasticIncrement {
   /// Places of one layer of a box in the grid, for fields of the whole grid.
   std::size_t grid_cell(const Body& body, std::uint32_t cell) const;
   /// The cells of the whole grid above `limit` when past heat is there, too.
-  Box near_yield_with_past(const Body& body, double limit) const;
+  Box near_yield_with_past(const Body& body, double limit);
+  /// Stress of past heat in the whole grid, found once.
+  const Field& past_stress(int body);
   /// Stress of past heat in the box.
   void set_past_stress(Body& body);
   Box contact_window() const;
@@ -107,6 +110,7 @@ class PlasticIncrement {
   std::vector<Body> bodies_;  // inelastic ones
   int components_ = 5;
   operators::Tractions tractions_;
+  std::array<Field, 2> past_stress_;      // of past heat, by body, if it was asked for
   std::vector<Field> past_displacement_;  // of past heat, by body
   Field gap_;  // without the elastic displacement, of the last evaluation
   bool scanned_ = false, softened_ = false;

@@ -35,6 +35,9 @@ class Scene {
   std::shared_ptr<const operators::Temperature> temperature(
       const operators::Heating& heating) const;
 
+  /// Tables of a body's heat, null without; the last one of each body is kept. Thread-safe.
+  std::shared_ptr<const operators::HeatStress> heat_stress(int body,
+                                                           const operators::Heating& heating) const;
   /// An empty history of the heat that enters a body as told.
   operators::HeatHistory heat_history(int body, const operators::Heating& heating) const;
 
@@ -69,6 +72,8 @@ class Scene {
   fft::Symmetry symmetry_;
   mutable std::mutex mutex_;
   mutable std::list<Kept> kept_;  // the latest used first
+  mutable std::mutex heat_mutex_;
+  mutable std::array<std::shared_ptr<const operators::HeatStress>, 2> heat_stress_;
   mutable operators::Heating temperature_heating_;
   mutable std::shared_ptr<const operators::Temperature> temperature_;
   mutable operators::HeatingPair solver_heating_;

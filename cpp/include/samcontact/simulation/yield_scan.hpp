@@ -31,7 +31,7 @@ class YieldScan {
     mutable operators::TractionStress stress;
 
     Level(const Grid& grid, int factor, std::vector<int> layers, const Elastic& elastic,
-          const operators::Heating& heating);
+          const std::shared_ptr<const operators::HeatStress>& heat);
   };
   Box level_box(const Level& level, const operators::Tractions& tractions, double shear_sign,
                 double limit) const;

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stress influence of one heated cell, kept by depth for all grids of the same cells: the tables of
+// a moving source take longer than all else that is built for a box.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "samcontact/base/grid.hpp"
+#include "samcontact/operators/heating.hpp"
+
+namespace samcontact::operators {
+
+/// Thread-safe.
+class HeatStress {
+ public:
+  using Tables = std::array<ParityParts, 6>;  // components xx, yy, zz, yz, xz, xy
+
+  /// For boxes of cells of `widest`.
+  HeatStress(const Grid& widest, const Elastic& elastic, const Heating& heating);
+
+  const Heating& heating() const { return heating_; }
+  const Elastic& elastic() const { return elastic_; }
+  /// At a depth, on the offsets of a grid; of other cells than the widest one's if need be.
+  Tables at(double z, const Grid& grid) const;
+  std::size_t bytes() const;
+
+ private:
+  Tables compute(double z, const Grid& grid) const;
+
+  Grid widest_;
+  Elastic elastic_;
+  Heating heating_;
+  bool keeps_;
+  mutable std::mutex mutex_;
+  mutable std::map<double, std::shared_ptr<const Tables>> kept_;
+};
+
+}  // namespace samcontact::operators

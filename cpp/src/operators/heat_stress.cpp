@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/heat_stress.hpp"
+
+#include <algorithm>
+
+namespace samcontact::operators {
+namespace {
+
+/// Numbers in the tables of all layers beyond which they are computed anew for each box.
+constexpr double most_kept = 64e6;
+
+ParityParts cropped(const ParityParts& from, int from_nx, const Grid& grid) {
+  ParityParts to;
+  for (int part = 0; part < 4; ++part) {
+    if (from[part].empty()) continue;
+    to[part].resize(grid.surface_size());
+    for (int j = 0; j < grid.ny; ++j) {
+      std::copy_n(from[part].data() + static_cast<std::size_t>(j) * from_nx, grid.nx,
+                  to[part].data() + static_cast<std::size_t>(j) * grid.nx);
+    }
+  }
+  return to;
+}
+
+}  // namespace
+
+HeatStress::HeatStress(const Grid& widest, const Elastic& elastic, const Heating& heating)
+    : widest_(widest), elastic_(elastic), heating_(heating) {
+  const double parts = (heating.speed_x != 0 ? 2 : 1) * (heating.speed_y != 0 ? 2 : 1);
+  const double numbers = 6 * parts * widest.surface_size() * std::max(widest.nz, 1);
+  // Closed forms are as fast as a copy.
+  keeps_ = !heating.is_steady_at_rest() && numbers <= most_kept;
+}
+
+HeatStress::Tables HeatStress::compute(double z, const Grid& grid) const {
+  return heat_stress(heating_, elastic_, grid.dx, grid.dy, z,
+                     Offsets::lattice(grid.dx, grid.dy, grid.nx, grid.ny));
+}
+
+HeatStress::Tables HeatStress::at(double z, const Grid& grid) const {
+  const bool same_cells = grid.dx == widest_.dx && grid.dy == widest_.dy;
+  if (!keeps_ || !same_cells || grid.nx > widest_.nx || grid.ny > widest_.ny) {
+    return compute(z, grid);
+  }
+  std::shared_ptr<const Tables> tables;
+  {
+    const std::lock_guard lock(mutex_);
+    auto& kept = kept_[z];
+    if (!kept) kept = std::make_shared<const Tables>(compute(z, widest_));
+    tables = kept;
+  }
+  Tables parts;
+  for (int c = 0; c < 6; ++c) parts[c] = cropped((*tables)[c], widest_.nx, grid);
+  return parts;
+}
+
+std::size_t HeatStress::bytes() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t numbers = 0;
+  for (const auto& [z, tables] : kept_) {
+    for (const auto& component : *tables) {
+      for (const Field& part : component) numbers += part.size();
+    }
+  }
+  return numbers * sizeof(double);
+}
+
+}  // namespace samcontact::operators
