@@ -95,8 +95,8 @@ class Onset:
     factor: np.ndarray
     p0: np.ndarray
     """Hertz pressure."""
-    x: np.ndarray
-    z: np.ndarray
+    radius: np.ndarray
+    depth: np.ndarray
     """Where the body yields first, over the Hertz radius at that load."""
 
     def load(self, factor: float) -> float:
@@ -104,10 +104,10 @@ class Onset:
         return sc.hertz.point(R=RADIUS, E_star=E_STAR, p0=p0).load
 
     def leaves_axis(self) -> float:
-        return float(self.factor[np.flatnonzero(self.x > 0)[0]])
+        return float(self.factor[np.flatnonzero(self.radius > 0)[0]])
 
     def reaches_surface(self) -> float:
-        return float(self.factor[np.flatnonzero(self.z > 0)[-1] + 1])
+        return float(self.factor[np.flatnonzero(self.depth > 0)[-1] + 1])
 
 
 @dataclass
@@ -201,23 +201,22 @@ def onset(cells: int, factors: np.ndarray) -> Onset:
     is proportional to p0. Where the largest von Mises stress of a contact with p0 is s, one with
     p0 Y/s yields first, at the same place over a, with the heat factor Q_f s/Y.
     """
-    n, d = surface(HERTZ.a, cells, 1.3)
+    n, d = surface(HERTZ.a, cells, 1.15)
     grid = sc.Grid(n, n, d, d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    z = np.linspace(0.0, 0.75, 61) * HERTZ.a
-    right = grid.x >= 0
+    z = np.linspace(0.0, 0.6, 97) * HERTZ.a
     stress, place = [], []
     pressure = None
     for factor in factors:
         solver = sc.ContactSolver(grid, ELASTIC, STEEL, heat_factor=float(factor))
         pressure = solver.solve(gap, load=LOAD, initial_pressure=pressure).pressure
-        found = von_mises(solver.stress(pressure, z)[:, right, n // 2])
-        i, k = np.unravel_index(int(found.argmax()), found.shape)
+        found = von_mises(solver.stress(pressure, z))
+        i, j, k = np.unravel_index(int(found.argmax()), found.shape)
         stress.append(float(found.max()))
-        place.append((grid.x[right][i] / HERTZ.a, z[k] / HERTZ.a))
+        place.append((np.hypot(grid.x[i], grid.y[j]) / HERTZ.a, z[k] / HERTZ.a))
     s = np.array(stress)
-    x, depth = np.array(place).T
-    return Onset(factors * s / YIELD, HERTZ.p0 * YIELD / s, x, depth)
+    radius, depth = np.array(place).T
+    return Onset(factors * s / YIELD, HERTZ.p0 * YIELD / s, radius, depth)
 
 
 def compute(quick: bool) -> Results:
@@ -228,19 +227,20 @@ def compute(quick: bool) -> Results:
 
     small_cells = 12 if quick else 24
     plastic = {
-        factor: [plastic_case(LOAD, factor, small_cells, 1.3, 10e-6, 1.7)] for factor in (0.0, 0.05)
+        factor: [plastic_case(LOAD, factor, small_cells, 1.6, 10e-6, 1.7)] for factor in (0.0, 0.05)
     }
     # the heat alone makes the material flow far outside the contact
     large_cells = 8 if quick else 12
     layers = (10e-6, 5e-6) if quick else (20e-6, 10e-6, 5e-6, 2.5e-6)
-    for factor, width, depth in ((0.12, 2.6, 1.1), (0.20, 4.0, 1.6)):
+    for factor, width, depth in ((0.12, 2.6, 1.25), (0.20, 4.0, 1.6)):
         plastic[factor] = [
             plastic_case(LOAD, factor, large_cells, width, layer, depth) for layer in layers
         ]
 
-    steps = np.linspace(0.0, 0.14, 15 if quick else 29)
-    near = [np.arange(0.056, 0.0625, 0.001 if quick else 0.0005), np.arange(0.084, 0.1, 0.001)]
-    curve = onset(cells, np.unique(np.concatenate([steps, *near]).round(6)))
+    steps = np.linspace(0.0, 0.14, 29 if quick else 57)
+    near = [np.arange(0.057, 0.061, 0.0005), np.arange(0.0915, 0.0965, 0.0005)]
+    fine_cells = 24 if quick else 48
+    curve = onset(fine_cells, np.unique(np.concatenate([steps, *near]).round(6)))
 
     curves = {}
     for load, factor, width, depth in ((LOAD, 0.20, 4.0, 1.6), (LARGE_LOAD, 0.05, 3.0, 1.6)):
@@ -252,9 +252,8 @@ def compute(quick: bool) -> Results:
             if load == LOAD and heat > 0:
                 plastic_ = plastic[factor][0]
             else:
-                plastic_ = plastic_case(
-                    load, heat, large_cells, 2.2 if heat == 0 else width, a / 20, 2.6 if load > LOAD else depth
-                )
+                deep = 2.6 if load > LOAD else depth
+                plastic_ = plastic_case(load, heat, large_cells, width, a / 20, deep)
             found.append((f"{name}elastic-plastic", plastic_.x, plastic_.pressure))
         curves[f"{load:.0f} N, Q_f = {factor:g} m/s"] = (load, found)
 
@@ -284,6 +283,7 @@ def compute(quick: bool) -> Results:
         small,
         {
             "elastic": f"a/{cells}",
+            "onset": f"a/{fine_cells}",
             "plastic": f"a/{small_cells}, layers of 10 µm",
             "heated": f"a/{large_cells}, layers of {layers[-1] * 1e6:g} µm",
             "small": f"a/{8 if quick else 16}, layers a/20",
@@ -362,7 +362,7 @@ def slope(curve: Onset, low: float, high: float) -> tuple[float, float]:
 
 
 def stated_onset(results: Results) -> list[Number | Statement]:
-    curve, mesh = results.onset, results.mesh["elastic"]
+    curve, mesh = results.onset, results.mesh["onset"]
     k = int(curve.p0.argmax())
     rise = 100 * (curve.p0[k] / curve.p0[0] - 1)
     falling, later = slope(curve, 0.08, 0.145), slope(curve, 0.158, 0.25)
@@ -373,7 +373,7 @@ def stated_onset(results: Results) -> list[Number | Statement]:
         )
         for factor in FACTORS
     ]  # fmt: skip
-    depth = np.interp((0.0, 0.07), curve.factor, curve.z)
+    depth = np.interp((0.0, 0.07), curve.factor, curve.depth)
     ring = (curve.factor > curve.leaves_axis()) & (curve.factor < curve.reaches_surface())
     above = curve.factor >= curve.reaches_surface()
     entries += [
@@ -383,9 +383,7 @@ def stated_onset(results: Results) -> list[Number | Statement]:
         Statement(
             "then, up to 0.152 m/s",
             "falls linearly",
-            f"by {-falling[0] * 1e-3:.2f} GPa per 0.1 m/s·10⁻²"
-            if False
-            else f"by {-falling[0] / 100:.0f} MPa per 0.01 m/s, {100 * falling[1]:.1f} % from a "
+            f"by {-falling[0] / 100:.0f} MPa per 0.01 m/s, {100 * falling[1]:.1f} % from a "
             "straight line",
             falling[0] < 0 and falling[1] < 0.01,
             mesh,
@@ -410,16 +408,16 @@ def stated_onset(results: Results) -> list[Number | Statement]:
         Statement(
             "from 0.075 to 0.152 m/s",
             "moves sharply to the surface, and from the centre to the edge of the contact",
-            f"z/a from {curve.z[ring][0]:.2f} to {curve.z[ring][-1]:.2f}, x/a from "
-            f"{curve.x[ring][0]:.2f} to {curve.x[ring][-1]:.2f}",
-            curve.z[ring][-1] < 0.15 and bool(np.all(curve.x[ring] > 0.6)),
+            f"z/a from {curve.depth[ring][0]:.2f} to {curve.depth[ring][-1]:.2f}, r/a from "
+            f"{curve.radius[ring][0]:.2f} to {curve.radius[ring][-1]:.2f}",
+            curve.depth[ring][-1] < 0.15 and bool(np.all(curve.radius[ring] > 0.6)),
             mesh,
         ),
         Statement(
             "above 0.152 m/s",
             "at the surface, in the centre of the contact",
-            f"x/a ≤ {curve.x[above].max():.2f}, z/a ≤ {curve.z[above].max():.2f}",
-            curve.x[above].max() < 0.05 and curve.z[above].max() == 0,
+            f"radius {curve.radius[above].max():.2f} a, depth {curve.depth[above].max():.2f} a",
+            curve.radius[above].max() < 0.05 and curve.depth[above].max() == 0,
             mesh,
         ),
     ]  # fmt: skip
@@ -450,7 +448,7 @@ def stated_stress(results: Results) -> list[Number | Statement]:
             "not stated",
             "; ".join(f"{name} at most {100 * np.abs(d).max():.2f} %" for name, d in apart.items()),
             all(np.abs(d).max() < 0.01 for d in apart.values()),
-            results.mesh["elastic"],
+            f"{results.mesh['elastic']}, {results.mesh['onset']}",
             remark="Fine grid: "
             + ", ".join(f"{FINE[f]:.0f}" for f in FACTORS)
             + " MPa and "
@@ -517,10 +515,8 @@ def competition(results: Results) -> list[Statement]:
     middle = len(results.elastic[0.0].x) // 2
     axis = {f: results.elastic[f].plane[middle] * 1e-6 for f in FACTORS}
     z = results.elastic[0.0].z
-    near = z < 50e-6
+    near, hot = z < 50e-6, (0.12, 0.20)
     hertz_depth = float(z[int(axis[0.0].argmax())])
-    hot = {f: axis[f].min() / results.elastic[f].largest[0] * 1e6 for f in (0.12, 0.20)}
-    lowest = {f: float(z[int(axis[f].argmin())]) for f in (0.12, 0.20)}
     at_depth = {f: float(np.interp(hertz_depth, z, axis[f])) for f in FACTORS}
     mesh = results.mesh["elastic"]
     return [
@@ -538,11 +534,10 @@ def competition(results: Results) -> list[Statement]:
         Statement(
             "Q_f = 0.12 and 0.20 m/s, thermo-elastic",
             "stress at the Hertz depth lower than elsewhere",
-            ", ".join(
-                f"lowest on the axis ({100 * hot[f]:.0f} % of the largest) at "
-                f"{lowest[f] * 1e6:.0f} µm ({f:g} m/s)" for f in hot
-            )
-            + f"; at the Hertz depth {at_depth[0.12]:.0f} and {at_depth[0.20]:.0f} MPa",
+            "at the Hertz depth "
+            + ", ".join(f"{at_depth[f]:.0f} MPa instead of {at_depth[0.0]:.0f}" for f in hot)
+            + ", where the largest is "
+            + ", ".join(f"{axis[f].max():.0f}" for f in hot),
             all(at_depth[f] < 0.6 * axis[f].max() for f in hot),
             mesh,
         ),
@@ -556,8 +551,7 @@ def stated_residual(results: Results) -> list[Number | Statement]:
         entries.append(
             Number(
                 f"largest residual von Mises stress, Q_f = {factor:g} m/s", RESIDUAL[factor],
-                value * 1e-6, "MPa", mesh_of(results, factor), tolerance=0.06,
-                remark="It is a small difference: 1 % of the stress under load. The layers are "
+                value * 1e-6, "MPa", mesh_of(results, factor), remark="It is a small difference: 1 % of the stress under load. The layers are "
                 "read at mid-depth." if factor else "",
             )
         )  # fmt: skip
@@ -588,10 +582,10 @@ def stated_residual(results: Results) -> list[Number | Statement]:
         ),
         Number(
             "the same without yielding on unloading", RESIDUAL[0.20], free, "MPa",
-            results.mesh["heated"], tolerance=0.07,
-            remark="The stress of the plastic strain under load: what an elastic unloading would "
-            "leave. The value of the thesis is close to it, so its unloading was apparently "
-            "elastic.",
+            results.mesh["heated"], tolerance=0.06,
+            remark="The stress of the plastic strain under load, which an elastic unloading would "
+            "leave. The value of the thesis is near it: it seems to leave out the yielding of "
+            "unloading. At 0.12 m/s nothing yields on unloading, and both agree.",
         ),
     ]  # fmt: skip
     where = [1e6 * largest_residual(results.last(f))[1] for f in FACTORS]
@@ -646,8 +640,8 @@ def pressures(results: Results) -> Picture:
         finish(ax, "x/a", "pressure [GPa]")
     return Picture(
         "heat_pressure",
-        "Figure 2.21: pressure in the plane y = 0. Stated: the heat raises the largest pressure, in "
-        "a smaller contact.",
+        "Figure 2.21: pressure in the plane y = 0. Stated: the heat raises the largest pressure, "
+        "in a smaller contact.",
         figure,
     )
 
@@ -676,18 +670,18 @@ def onset_figure(results: Results) -> Picture:
     left.plot(0.075, top, "ko", markerfacecolor="none", label="stated: +38 % at 0.075")
     loads = [hertz(ONSET[f]).p0 / YIELD for f in FACTORS]
     left.plot(FACTORS, loads, "k+", label="stated loads of Table 2.2")
-    middle.plot(curve.factor, curve.z, "C0")
-    right.plot(curve.factor, curve.x, "C0")
+    middle.plot(curve.factor, curve.depth, "C0")
+    right.plot(curve.factor, curve.radius, "C0")
     for ax in (left, middle, right):
         for value in (0.075, 0.152):
             ax.axvline(value, color="k", linestyle="--", linewidth=0.8)
         ax.set_xlim(0, 0.3)
-    left.set_ylim(0, 2.9)
+    left.set_ylim(0, 3.2)
     middle.set_ylim(0.6, -0.02)
-    middle.plot([], [], "k--", linewidth=0.8, label="stated: 0.075 and 0.152 m/s")
+    left.plot([], [], "k--", linewidth=0.8, label="stated: 0.075 and 0.152 m/s")
     finish(left, "heat factor $Q_f$ [m/s]", "Hertz pressure / micro-yield stress")
-    finish(middle, "heat factor $Q_f$ [m/s]", "depth z/a")
-    finish(right, "heat factor $Q_f$ [m/s]", "radius x/a", legend=False)
+    finish(middle, "heat factor $Q_f$ [m/s]", "depth z/a", legend=False)
+    finish(right, "heat factor $Q_f$ [m/s]", "radius r/a", legend=False)
     return Picture(
         "heat_onset",
         "Figures 2.23 to 2.25: Hertz pressure at the onset of yield, and depth and radius of the "
@@ -723,12 +717,12 @@ def sections(results: Results) -> list[Picture]:
         ("elastic", "2.27, 2.29 to 2.31", results.elastic, THERMO_ELASTIC),
         ("plastic", "2.28, 2.32 to 2.34", {f: results.last(f) for f in FACTORS}, PLASTIC),
     ):
-        figure = Figure(figsize=(8.6, 5.0), layout="constrained")
+        figure = Figure(figsize=(9.0, 4.6), layout="compressed")
         for ax, factor in zip(figure.subplots(2, 2).flat, FACTORS, strict=True):
             case = cases[factor]
             x, z, plane = case.x / HERTZ.a, case.z / HERTZ.a, case.plane * 1e-6
             filled = ax.contourf(x, z, plane.T, levels=12, cmap="viridis")
-            figure.colorbar(filled, ax=ax, label="MPa")
+            figure.colorbar(filled, ax=ax, label="MPa", shrink=0.7)
             i, k = np.unravel_index(int(plane.argmax()), plane.shape)
             ax.plot(x[i], z[k], "wx", markersize=7, clip_on=False, zorder=4)
             ax.set_title(
