@@ -216,7 +216,7 @@ def stated(results: Results) -> list[Number | Statement]:
             abs(rise["(iii)"][0] / estimate - 1) < 0.08,
             mesh,
             remark="That formula is a fit, 1.5 % below the exact value of a semi-ellipsoidal "
-            "source without motion; the pressure is higher here than Hertz's, and its contact smaller.",
+            "source without motion.",
         ),
         Statement(
             "(iii): place of the largest rise",
