@@ -13,7 +13,14 @@ from pathlib import Path
 from . import page
 
 ROOT = Path(__file__).resolve().parents[1]
-PARTS = ("nano_indentation", "flattening", "two_plastic_bodies", "friction")
+PARTS = (
+    "nano_indentation",
+    "flattening",
+    "two_plastic_bodies",
+    "friction",
+    "heat",
+    "transient_heat",
+)
 
 
 def arguments(given: list[str] | None = None) -> argparse.Namespace:

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 import samcontact as sc
 
 from .page import Number, Picture, Statement
-from .profiles import finish, succession
+from .profiles import finish, succession, von_mises
 
 TITLE = "Normal load and friction"
 INTRODUCTION = """
@@ -111,12 +111,6 @@ def elastic_case(contact: sc.hertz.PointContact, friction: float, cells: int) ->
     i, k = np.unravel_index(int(stress.argmax()), stress.shape)
     largest_at = (float(grid.x[i]), float(z[k]))
     return Elastic(grid.x, pressure[:, middle], z, stress[middle], largest_at)
-
-
-def von_mises(stress: np.ndarray) -> np.ndarray:
-    xx, yy, zz, yz, xz, xy = stress
-    normal = 0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2)
-    return np.sqrt(normal + 3 * (yz**2 + xz**2 + xy**2))
 
 
 def plastic_case(

@@ -23,6 +23,7 @@ QUANTITIES = {
     "equivalent_plastic_strain": ("equivalent plastic strain", 1e2, "%", "magma_r"),
     "residual_von_mises": ("residual von Mises stress", 1e-6, "MPa", "viridis"),
     "stress": ("stress", 1e-6, "MPa", "RdBu_r"),
+    "temperature": ("rise of temperature", 1.0, "K", "inferno"),
 }
 COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
 

@@ -43,6 +43,7 @@ __all__ = [
     "print_profile",
     "section",
     "summary_figures",
+    "temperature_profile",
 ]
 
 HertzContact = PointContact | EllipticContact
@@ -121,7 +122,7 @@ def section(
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", \
-"residual_von_mises", "stress"}
+"residual_von_mises", "stress", "temperature"}
         Decides label, unit and colours.
     plane : {"y", "x"}
         Coordinate that is constant on the section.
@@ -261,6 +262,54 @@ def print_profile(
         ax.invert_yaxis()
     ax.set_xlabel(f"{axis} [µm]")
     ax.set_ylabel("residual displacement [µm]")
+    if label is not None:
+        ax.legend(frameon=False)
+    return finish(ax)
+
+
+def temperature_profile(
+    state: State | ArrayLike,
+    grid: Grid,
+    ax: Axes | None = None,
+    *,
+    body: int = 2,
+    axis: str = "x",
+    label: str | None = None,
+) -> Axes:
+    """Rise of temperature of the surface (flash temperature) along an axis.
+
+    Parameters
+    ----------
+    state : State or array_like, shape (nx, ny)
+        A state, or a rise of temperature of the surface [K].
+    grid : Grid
+        Its grid.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    body : {1, 2}
+        Whose surface.
+    axis : {"x", "y"}
+        Direction of the profile.
+    label : str, optional
+        Of the curve.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        Wrong shape of the field or unknown axis.
+    """
+    field: Any = state
+    if hasattr(field, "surface_temperature"):
+        field = field.surface_temperature(body=body)
+    s, rise = surface_line(field, "temperature", grid, axis)
+    ax = axes_or_new(ax)
+    ax.plot(s * 1e6, rise, "-", linewidth=1.2, label=label)
+    ax.set_xlabel(f"{axis} [µm]")
+    ax.set_ylabel("rise of temperature [K]")
     if label is not None:
         ax.legend(frameon=False)
     return finish(ax)

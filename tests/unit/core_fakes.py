@@ -66,6 +66,9 @@ class FakeState:
     def residual_displacement(self, body=2):
         return np.broadcast_to(1e-7 * body * np.arange(self.grid.nx)[:, None], self.pressure.shape)
 
+    def surface_temperature(self, body=2):
+        return self.pressure * 1e-7 * body
+
 
 def make_simulation(nz=4, body1=ELASTIC, body2=SWIFT):
     grid = make_grid(nz=nz, dz=1e-4 if nz else None)

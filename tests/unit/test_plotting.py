@@ -111,6 +111,34 @@ def test_print_profile_in_either_input_form(state, simulation, ax):
     assert ax.yaxis_inverted()
 
 
+def test_temperature_profile_in_either_input_form(state, simulation, ax):
+    field = np.add.outer(np.arange(11.0), 100.0 * np.arange(9.0))
+    plotting.temperature_profile(field, simulation.grid, ax, label="along x")
+    plotting.temperature_profile(field, simulation.grid, ax, axis="y", label="along y")
+    drawn = lines(ax)
+    np.testing.assert_allclose(drawn["along x"][:, 0], simulation.grid.x * 1e6)
+    np.testing.assert_allclose(drawn["along x"][:, 1], field[:, 4])
+    np.testing.assert_allclose(drawn["along y"][:, 1], field[5])
+    plotting.temperature_profile(state, simulation.grid, ax, body=1, label="of a state")
+    np.testing.assert_allclose(
+        lines(ax)["of a state"][:, 1], state.surface_temperature(body=1)[:, 4]
+    )
+    assert ax.get_ylabel() == "rise of temperature [K]"
+
+
+def test_temperature_of_the_wrong_shape(simulation, ax):
+    with pytest.raises(ValueError, match="temperature"):
+        plotting.temperature_profile(np.zeros((2, 3)), simulation.grid, ax)
+
+
+def test_section_of_temperature(simulation, ax):
+    grid = simulation.grid
+    field = np.arange(float(grid.nx * grid.ny * grid.nz)).reshape(grid.nx, grid.ny, grid.nz)
+    plotting.section(field, grid, ax, quantity="temperature")
+    np.testing.assert_allclose(ax.collections[0].get_array(), field[:, 4, :].T)
+    assert ax.figure.axes[1].get_ylabel() == "rise of temperature [K]"
+
+
 def test_axis_profile(state, simulation, ax):
     plotting.axis_profile(state, simulation.grid, ax, components=("von_mises", "zz"))
     first, second = ax.get_lines()
