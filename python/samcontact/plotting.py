@@ -403,7 +403,8 @@ def summary_figures(
     -------
     list of Path
         pressure.png and load_approach.png; with a volume axis_stress.png and sections.png;
-        for an inelastic body print.png and residual.png (state of the last increment).
+        for a heated body flash_temperature.png and, with a volume, temperature.png (hottest
+        increment); for an inelastic body print.png and residual.png (last increment).
 
     Raises
     ------
@@ -430,6 +431,14 @@ def summary_figures(
     if grid.nz > 0 and material.law != "rigid":
         axis_profile(peak, grid, panel("axis_stress", 4.6, 4.2), body=body)
         figures["sections"] = _sections(peak, grid, body, material.is_plastic)
+    hottest = max(states, key=lambda state: float(state.surface_temperature(body=body).max()))
+    if np.any(hottest.surface_temperature(body=body)):
+        ax = temperature_profile(hottest, grid, panel("flash_temperature"), body=body)
+        ax.set_title(f"load {hottest.load:.6g} N", fontsize="medium")
+        if grid.nz > 0:
+            section(
+                hottest.temperature(body=body), grid, panel("temperature"), quantity="temperature"
+            )
     if material.is_plastic:
         last = states[-1]
         print_profile(last, grid, panel("print"), body=body)

@@ -9,6 +9,7 @@ import pytest
 from core_fakes import make_grid
 
 import samcontact
+import samcontact.plotting
 import samcontact.results
 from samcontact import surfaces
 from samcontact.cases import CaseError, load_case
@@ -269,12 +270,14 @@ def test_hertz_of_a_case(write):
     assert load_case(write(text)).hertz(1.0) is None
 
 
-@pytest.mark.parametrize("name", ["t1_two_balls", "v1_nano_indentation", "v2_two_balls"])
+@pytest.mark.parametrize(
+    "name", ["heated_balls", "t1_two_balls", "v1_nano_indentation", "v2_two_balls"]
+)
 def test_shipped_cases(name):
     case = load_case(CASES / f"{name}.toml")
     assert case.output_directory == Path("results") / name
     simulation, path = case.build()
-    assert path[-1] == {"load": 0.0}
+    assert path[-1]["load"] == 0.0
     peak = max(step["load"] for step in path)
     contact = case.hertz(peak)
     grid = simulation.grid
@@ -330,7 +333,7 @@ heat_factor = 0.0
 """
 
 
-def test_heat(write):
+def test_heat(write, tmp_path):
     case = load_case(write(HEATED))
     body = case.body2.build()
     assert body.thermal == (50.2, 11.7e-6, 1.367e-5)
@@ -351,6 +354,8 @@ def test_heat(write):
     assert data.attrs["heat_factor"] == [0.0, 0.0]
     assert data.attrs["body2_conductivity"] == 50.2
     assert "JohnsonCook" in data.attrs["body2_softening"]
+    written = samcontact.plotting.summary_figures(simulation, states, tmp_path / "figures")
+    assert {"flash_temperature.png", "temperature.png"} <= {path.name for path in written}
 
 
 @pytest.mark.parametrize(
