@@ -69,6 +69,9 @@ class FakeState:
     def surface_temperature(self, body=2):
         return self.pressure * 1e-7 * body
 
+    def temperature(self, body=2):
+        return self._pattern() * self.load * 1e-7 * body
+
 
 def make_simulation(nz=4, body1=ELASTIC, body2=SWIFT):
     grid = make_grid(nz=nz, dz=1e-4 if nz else None)

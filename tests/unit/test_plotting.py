@@ -164,6 +164,8 @@ def test_summary_figures(simulation, tmp_path):
         "load_approach.png",
         "axis_stress.png",
         "sections.png",
+        "flash_temperature.png",
+        "temperature.png",
         "print.png",
         "residual.png",
     ]
@@ -174,7 +176,8 @@ def test_summary_figures(simulation, tmp_path):
     surface = make_simulation(nz=0, body2=ELASTIC)
     states = [FakeState(surface.grid, 1500.0)]
     written = plotting.summary_figures(surface, states, tmp_path)
-    assert [path.name for path in written] == ["pressure.png", "load_approach.png"]
+    names = ["pressure.png", "load_approach.png", "flash_temperature.png"]
+    assert [path.name for path in written] == names
 
 
 def test_new_figure_without_pyplot():
