@@ -135,14 +135,9 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
       scene_(from.scene()),
       tractions_(target.kind == Target::Kind::tractions
                      ? target.tractions
-                     : operators::Tractions{from.tractions.pressure, {}, {}}) {
+                     : operators::Tractions{from.tractions.pressure, {}, {}}),
+      heat_(scene_, target) {
   symmetry_ = choose_symmetry();
-  if (target.kind != Target::Kind::tractions) {
-    for (int b = 0; b < 2; ++b) {
-      if (!target.past[b]) continue;
-      past_displacement_.push_back(target.past[b]->displacement(target.heating[b].time));
-    }
-  }
   const bool one_for_both = twins();
   for (int b = one_for_both ? 1 : 0; b < 2; ++b) {
     if (!scene_.materials[b].is_plastic()) continue;
@@ -184,7 +179,7 @@ void PlasticIncrement::set_box(Body& body, const Box& box) {
   body.operators = scene_.volume(body.index, whole_box(box, scene_.grid, symmetry_), body.tensor,
                                  from_.method, symmetry_, target_.heating[body.index]);
   body.spectrum.push_back(body.operators->make_spectrum());
-  set_past_stress(body);
+  body.past_stress = heat_.past_stress(body.index, box, body.tensor);
 }
 
 void PlasticIncrement::scatter(const Field& guess) {
@@ -260,6 +255,17 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
   return solution;
 }
 
+void PlasticIncrement::soften() {
+  if (softened_) return;
+  softened_ = true;
+  for (Body& body : bodies_) {
+    const Softening& law = settings_.softening[body.index];
+    body.softening = heat_.softening(body.index, law, tractions_.pressure);
+    if (!body.softening) continue;
+    body.weakest = *std::min_element(body.softening->begin(), body.softening->end());
+  }
+}
+
 std::size_t PlasticIncrement::grid_cell(const Body& body, std::uint32_t cell) const {
   const Box& box = body.box;
   const std::size_t j = cell % box.ny, ki = cell / box.ny, i = ki % box.nx, k = ki / box.nx;
@@ -309,8 +315,8 @@ bool PlasticIncrement::fit_boxes(const Field& gap) {
     if (!scanned_) {
       const auto& hardening = scene_.materials[body.index].hardening;
       const double limit = near_yield * body.weakest * hardening.yield_stress(0.0);
-      const Box near = target_.past[body.index]
-                           ? near_yield_with_past(body, limit)
+      const Box near = heat_.has_past(body.index)
+                           ? heat_.above(body.index, tractions_, from_.method, limit)
                            : body.scan->box(tractions_, body.index == 1 ? 1.0 : -1.0, limit);
       if (!near.empty()) needed = needed.united(near.widened(margin, grid));
     }
@@ -497,9 +503,7 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
                                                     Field& mapped) {
   scatter(guess);
   gap_ = scene_.initial_gap;
-  for (const Field& displacement : past_displacement_) {
-    for (std::size_t i = 0; i < displacement.size(); ++i) gap_[i] += displacement[i];
-  }
+  heat_.open(gap_);
   const auto transform = [](Body& body) {
     if (body.strained) {
       operators::forward(body.operators->transform(), body.strain.data(), body.spectrum[0]);

@@ -9,6 +9,7 @@
 
 #include "samcontact/plasticity/return_mapping.hpp"
 #include "samcontact/simulation/active_cells.hpp"
+#include "samcontact/simulation/heat_of_increment.hpp"
 #include "samcontact/simulation/simulation.hpp"
 
 namespace samcontact::simulation {
@@ -80,14 +81,8 @@ class PlasticIncrement {
   bool may_touch_outside(const Field& gap) const;
   /// Once, when the first contact tells how hot the bodies are.
   void soften();
-  /// Places of one layer of a box in the grid, for fields of the whole grid.
+  /// The place of a box's cell in fields of the whole grid.
   std::size_t grid_cell(const Body& body, std::uint32_t cell) const;
-  /// The cells of the whole grid above `limit` when past heat is there, too.
-  Box near_yield_with_past(const Body& body, double limit);
-  /// Stress of past heat in the whole grid, found once.
-  const Field& past_stress(int body);
-  /// Stress of past heat in the box.
-  void set_past_stress(Body& body);
   Box contact_window() const;
   /// Whether a box had to grow for the contact or, at first, for the elastic stress.
   bool fit_boxes(const Field& gap);
@@ -110,8 +105,7 @@ class PlasticIncrement {
   std::vector<Body> bodies_;  // inelastic ones
   int components_ = 5;
   operators::Tractions tractions_;
-  std::array<Field, 2> past_stress_;      // of past heat, by body, if it was asked for
-  std::vector<Field> past_displacement_;  // of past heat, by body
+  HeatOfIncrement heat_;
   Field gap_;  // without the elastic displacement, of the last evaluation
   bool scanned_ = false, softened_ = false;
   ActiveCells active_;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What heat does to an increment besides the heat that goes with its pressure: heat of earlier
+// steps moves the surfaces and stresses the bodies, and the temperature lowers the yield stress.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "samcontact/simulation/simulation.hpp"
+
+namespace samcontact::simulation {
+
+class HeatOfIncrement {
+ public:
+  HeatOfIncrement(const Scene& scene, const Target& target);
+
+  bool has_past(int body) const { return target_.past[body] != nullptr; }
+  /// Adds the displacement of past heat to a gap [i][j].
+  void open(Field& gap) const;
+  /// Stress of past heat in a box, components as asked for; empty without.
+  Field past_stress(int body, const Box& box, operators::Tensor tensor);
+  /// All cells of the grid whose von Mises stress, under tractions and past heat, exceeds `limit`.
+  Box above(int body, const operators::Tractions& tractions, operators::ResidualMethod method,
+            double limit);
+  /// Factor of the yield stress [k][i][j] of the grid under a pressure; null: 1 everywhere. Throws
+  /// std::invalid_argument for a law that gives what is none.
+  std::shared_ptr<const Field> softening(int body, const Softening& law,
+                                         const Field& pressure) const;
+
+ private:
+  const Field& past_stress(int body);
+
+  const Scene& scene_;
+  const Target& target_;
+  std::vector<Field> displacement_;
+  std::array<Field, 2> stress_;  // of the whole grid, when it was asked for
+};
+
+}  // namespace samcontact::simulation
