@@ -41,11 +41,6 @@ bool SurfaceInfluence::has_rest() const {
                                     [](const Heated& h) { return h.heating.is_moving(); });
 }
 
-bool SurfaceInfluence::needs_reference() const {
-  return std::any_of(heated_.begin(), heated_.end(),
-                     [](const Heated& h) { return h.heating.is_steady_at_rest(); });
-}
-
 Field SurfaceInfluence::elastic(double dx, double dy, int nx, int ny) const {
   return corner_table(dx, dy, nx, ny, kernels::pressure_displacement, normal_);
 }

@@ -48,7 +48,6 @@ class ContactSolver {
   const Grid& grid() const { return grid_; }
   double friction() const { return friction_; }
 
-  bool is_heated() const { return heated_; }
 
  private:
   ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence, double friction);

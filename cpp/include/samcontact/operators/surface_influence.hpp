@@ -31,8 +31,6 @@ class SurfaceInfluence {
   bool has_rest() const;
   /// Whether heat enters a body: the operator may then be indefinite.
   bool is_heated() const { return !heated_.empty(); }
-  /// Whether displacements are relative to Heating::reference.
-  bool needs_reference() const;
   double normal_compliance() const { return normal_; }
 
  private:
