@@ -48,7 +48,6 @@ class ContactSolver {
   const Grid& grid() const { return grid_; }
   double friction() const { return friction_; }
 
-
  private:
   ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence, double friction);
   /// Whether a uniform pressure on the contact raises it, on the mean, more than it lowers it.
