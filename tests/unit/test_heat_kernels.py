@@ -223,7 +223,7 @@ def test_round_sources():
 class TestTablesAgainstPointSources:
     def test_temperature(self, age, speed, tol):
         for z in (0.0, 0.05, 0.8):
-            expected = over(X, Y, lambda x, y: heat.temperature(x, y, z, *HALF, age, speed))  # noqa: B023
+            expected = over(X, Y, lambda x, y, z=z: heat.temperature(x, y, z, *HALF, age, speed))
             assert error(temperature(X, Y, z, HALF, age, speed, tol), expected) < tol
 
     def test_displacement(self, age, speed, tol):
