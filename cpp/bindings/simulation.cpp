@@ -32,58 +32,62 @@ py::object surface_view(const py::object& self, const Field& field) {
 py::object history(const State& state, int body) {
   const auto& plastic = state.plastic[body];
   if (!plastic) return py::none();
-  const Box& box = plastic->box;
+  const Box& box = plastic->box();
   const py::ssize_t nx = box.nx, ny = box.ny, nz = box.nz;
-  const py::ssize_t parts = operators::count(plastic->tensor);
+  const py::ssize_t parts = operators::count(plastic->tensor());
   py::dict d;
   d["box"] = std::vector<int>{box.i0, box.j0, box.nx, box.ny, box.nz};
-  d["mirrored"] = static_cast<int>(plastic->symmetry);
-  d["strain"] = py::array_t<double>({parts, nz, nx, ny}, plastic->strain.data());
-  d["equivalent"] = py::array_t<double>({nz, nx, ny}, plastic->equivalent.data());
+  const Box& flow = state.flow_box[body];
+  d["flow_box"] = std::vector<int>{flow.i0, flow.j0, flow.nx, flow.ny, flow.nz};
+  d["mirrored"] = static_cast<int>(plastic->symmetry());
+  d["strain"] = py::array_t<double>({parts, nz, nx, ny}, plastic->strain(box).data());
+  d["equivalent"] = py::array_t<double>({nz, nx, ny}, plastic->equivalent(box).data());
   const auto terms = static_cast<py::ssize_t>(state.scene().materials[body].backstresses.size());
   d["backstress"] =
-      py::array_t<double>({terms, py::ssize_t(5), nz, nx, ny}, plastic->backstress.data());
+      py::array_t<double>({terms, py::ssize_t(5), nz, nx, ny}, plastic->backstress(box).data());
   return d;
+}
+
+Box to_box(const py::handle& numbers) {
+  const auto extents = numbers.cast<std::vector<int>>();
+  if (extents.size() != 5) throw std::invalid_argument("a box needs 5 numbers");
+  return {extents[0], extents[1], extents[2], extents[3], extents[4]};
 }
 
 /// The reverse; throws std::invalid_argument for a history that does not fit the grid.
 std::shared_ptr<const simulation::PlasticState> to_history(const py::dict& saved, const Grid& grid,
                                                            std::size_t terms) {
-  const auto extents = saved["box"].cast<std::vector<int>>();
   const auto strain = saved["strain"].cast<Array>();
   const auto equivalent = saved["equivalent"].cast<Array>();
-  if (extents.size() != 5) throw std::invalid_argument("a box needs 5 numbers");
-  auto plastic = std::make_shared<simulation::PlasticState>();
-  Box& box = plastic->box;
-  box = {extents[0], extents[1], extents[2], extents[3], extents[4]};
-  bool inside = box.i0 >= 0 && box.j0 >= 0 && box.nx > 0 && box.ny > 0 && box.nz > 0 &&
-                Box::whole(grid).contains(box);
+  const Box box = to_box(saved["box"]);
+  // Along x it may go beyond the grid.
+  bool inside = box.j0 >= 0 && box.nx > 0 && box.ny > 0 && box.nz > 0 &&
+                box.j0 + box.ny <= grid.ny && box.nz <= grid.nz;
   const int mirrored = saved["mirrored"].cast<int>();
   if (mirrored < 0 || mirrored > 2) throw std::invalid_argument("mirrored must be 0, 1 or 2");
-  plastic->symmetry = static_cast<fft::Symmetry>(mirrored);
-  const Box part = simulation::stored_part(grid, plastic->symmetry);
+  const auto symmetry = static_cast<fft::Symmetry>(mirrored);
+  const Box part = simulation::stored_part(grid, symmetry);
   inside = inside && (mirrored < 1 || box.j0 == part.j0) && (mirrored < 2 || box.i0 == part.i0);
   if (!inside) throw std::invalid_argument("the box of a plastic history is not in the grid");
   const auto cells = static_cast<py::ssize_t>(box.volume_size());
-  plastic->tensor =
+  const auto tensor =
       strain.size() == 5 * cells ? operators::Tensor::deviator : operators::Tensor::full;
-  if (strain.size() != operators::count(plastic->tensor) * cells || equivalent.size() != cells) {
+  if (strain.size() != operators::count(tensor) * cells || equivalent.size() != cells) {
     throw std::invalid_argument("the arrays of a plastic history do not fit its box");
   }
   const auto backstress = saved["backstress"].cast<Array>();
   if (backstress.size() != 5 * static_cast<py::ssize_t>(terms) * cells) {
     throw std::invalid_argument("the backstress of a plastic history does not fit its box");
   }
-  plastic->backstress = to_field(backstress);
-  plastic->strain = to_field(strain);
-  plastic->equivalent = to_field(equivalent);
+  const simulation::PlasticFields fields{box, to_field(strain), to_field(equivalent),
+                                         to_field(backstress)};
   const auto finite = [](const Field& f) {
     return std::all_of(f.begin(), f.end(), [](double v) { return std::isfinite(v); });
   };
-  if (!finite(plastic->strain) || !finite(plastic->equivalent) || !finite(plastic->backstress)) {
+  if (!finite(fields.strain) || !finite(fields.equivalent) || !finite(fields.backstress)) {
     throw std::invalid_argument("a plastic history must be finite everywhere");
   }
-  return plastic;
+  return std::make_shared<const simulation::PlasticState>(nullptr, symmetry, tensor, fields);
 }
 
 enum class Rank { surface, scalar, tensor };
@@ -103,8 +107,55 @@ auto field_method(Field (State::*method)(int) const) {
   };
 }
 
+/// A field over the cells first_row <= i < first_row + rows, which may lie beside the grid.
+template <Rank rank>
+auto track_method(Field (State::*method)(int, const Box&) const) {
+  return [method](const State& state, int body, int first_row, int rows) -> py::array {
+    const Grid& grid = state.scene().grid;
+    const Box region{first_row, 0, rows, grid.ny, grid.nz};
+    Field field;
+    {
+      py::gil_scoped_release release;
+      field = (state.*method)(body, region);
+    }
+    const Grid part = region.grid(grid);
+    if constexpr (rank == Rank::surface) return surface_array(std::move(field), part);
+    if constexpr (rank == Rank::scalar) return volume_array(std::move(field), part, part.nz);
+    if constexpr (rank == Rank::tensor) return tensor_array(std::move(field), part, part.nz);
+  };
+}
+
+void bind_track(py::class_<State>& state) {
+  const auto bind = [&](const char* name, auto method) {
+    state.def(name, method, py::arg("body"), py::arg("first_row"), py::arg("rows"));
+  };
+  bind("track_residual_displacement",
+       track_method<Rank::surface>(&State::residual_displacement));
+  bind("track_residual_stress", track_method<Rank::tensor>(&State::residual_stress));
+  bind("track_plastic_strain", track_method<Rank::tensor>(&State::plastic_strain));
+  bind("track_equivalent_plastic_strain",
+       track_method<Rank::scalar>(&State::equivalent_plastic_strain));
+  state
+      .def_readonly("travel", &State::travel)
+      .def_property_readonly("origin", [](const State& s) { return s.placement().origin; })
+      .def_property_readonly("offset", [](const State& s) { return s.placement().offset; })
+      .def_property_readonly("first_cell", [](const State& s) { return s.placement().first; })
+      .def(
+          "history_rows",
+          [](const State& s, int body) -> py::object {
+            if (!s.plastic[body]) return py::none();
+            const auto& history = *s.plastic[body];
+            const Box box =
+                simulation::whole_box(history.box(), s.scene().grid, history.symmetry());
+            return py::make_tuple(box.i0, box.nx);
+          },
+          py::arg("body"));
+}
+
 void bind_state(py::module_& m) {
-  py::class_<State>(m, "State")
+  py::class_<State> state(m, "State");
+  bind_track(state);
+  state
       .def_property_readonly("pressure",
                              [](const py::object& self) {
                                return surface_view(self,
@@ -210,6 +261,19 @@ simulation::Softening softening_law(const py::object& law, const Grid& grid) {
   };
 }
 
+/// Each None or (heights (rows, ny), first row, whether periodic).
+simulation::Reliefs to_reliefs(const std::array<py::object, 2>& given) {
+  simulation::Reliefs reliefs;
+  for (int b = 0; b < 2; ++b) {
+    if (given[b].is_none()) continue;
+    const auto parts = given[b].cast<py::tuple>();
+    const auto heights = parts[0].cast<Array>();
+    reliefs[b] = {to_field(heights), static_cast<int>(heights.shape(0)), parts[1].cast<int>(),
+                  parts[2].cast<bool>()};
+  }
+  return reliefs;
+}
+
 Target make_target(const std::string& kind, double value, const py::object& pressure,
                    const py::object& shear_x, const py::object& shear_y) {
   if (kind == "load") return {Target::Kind::load, value, {}};
@@ -221,9 +285,10 @@ Target make_target(const std::string& kind, double value, const py::object& pres
 
 State step(Simulation& simulation, const std::string& kind, double value,
            const py::object& pressure, const py::object& shear_x, const py::object& shear_y,
-           const operators::HeatingPair& heating) {
+           const operators::HeatingPair& heating, const simulation::Travel& advance) {
   Target target = make_target(kind, value, pressure, shear_x, shear_y);
   target.heating = heating;
+  target.advance = advance;
   py::gil_scoped_release release;
   return simulation.step(target);
 }
@@ -253,6 +318,7 @@ void restore(Simulation& simulation, const py::dict& saved) {
   state.contact_gap = field("contact_gap");
   state.heating = saved["heating"].cast<operators::HeatingPair>();
   state.time = saved["time"].cast<double>();
+  state.travel = saved["travel"].cast<simulation::Travel>();
   state.past_symmetry = static_cast<fft::Symmetry>(saved["past_symmetry"].cast<int>());
   state.load = saved["load"].cast<double>();
   state.approach = saved["approach"].cast<double>();
@@ -289,6 +355,10 @@ void restore(Simulation& simulation, const py::dict& saved) {
       const auto& material = simulation.scene().materials[body];
       state.plastic[body] =
           to_history(history, simulation.scene().grid, material.backstresses.size());
+      state.flow_box[body] = to_box(history["flow_box"]);
+      if (!Box::whole(simulation.scene().grid).contains(state.flow_box[body])) {
+        throw std::invalid_argument("the box of plastic flow is not in the grid");
+      }
     }
   }
   simulation.restore(state, c);
@@ -304,7 +374,8 @@ void bind_simulation(py::module_& m) {
                        double tol, double increment_tol, int max_iterations, bool error_on_border,
                        const std::string& residual_stress, double image_tol,
                        const std::array<py::object, 2>& softening,
-                       const std::array<double, 2>& march) {
+                       const std::array<double, 2>& march, int reach,
+                       const std::array<py::object, 2>& reliefs) {
              simulation::Settings settings;
              settings.tol = tol;
              settings.increment_tol = increment_tol;
@@ -316,20 +387,22 @@ void bind_simulation(py::module_& m) {
                                         : residual_stress == "fast" ? ResidualChoice::fast
                                                                     : ResidualChoice::automatic;
              settings.image_tol = image_tol;
+             settings.reach = reach;
              for (int b = 0; b < 2; ++b) {
                if (!softening[b].is_none())
                  settings.softening[b] = softening_law(softening[b], grid);
              }
              return std::make_unique<Simulation>(grid, body1, body2, to_field(gap), friction,
                                                  settings,
-                                                 simulation::HeatMarch{march[0], march[1]});
+                                                 simulation::HeatMarch{march[0], march[1]},
+                                                 to_reliefs(reliefs));
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"), py::arg("friction"),
            py::arg("tol"), py::arg("increment_tol"), py::arg("max_iterations"),
            py::arg("error_on_border"), py::arg("residual_stress"), py::arg("image_tol"),
-           py::arg("softening"), py::arg("march"))
+           py::arg("softening"), py::arg("march"), py::arg("reach"), py::arg("reliefs"))
       .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
-           py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"))
+           py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"), py::arg("advance"))
       .def(
           "set_plastic_state",
           [](Simulation& s, int body, const Array& strain, const py::object& equivalent,

@@ -17,6 +17,7 @@ from . import _core
 from ._checks import FloatArray
 from .grid import Grid
 from .material import Material
+from .relief import Relief
 from .softening import JohnsonCook
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 Softening = tuple[Callable[[FloatArray], Any] | None, Callable[[FloatArray], Any] | None]
 _FORMAT = "samcontact checkpoint"
-_FORMAT_VERSION = 3
+_FORMAT_VERSION = 4
 _SURFACE = ("pressure", "shear_x", "shear_y", "contact_gap")
 _REQUIRED = ("pressure",)
 _SCALARS = (
@@ -87,11 +88,17 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
         image_tol=simulation.image_tol,
         heat_factor=np.array(simulation.heat_factor),
         velocity=np.array(simulation.velocity),
+        reach=simulation.reach,
     )
     for name in ("increment_tol", "heating_time", "heat_reference", "heat_history"):
         if getattr(simulation, name) is not None:
             file["settings"].attrs[name] = getattr(simulation, name)
     file["initial_gap"] = simulation.initial_gap
+    for name in ("relief1", "relief2"):
+        relief = getattr(simulation, name)
+        if relief is not None:
+            _dataset(file, name, relief.heights)
+            file[name].attrs.update(first=relief.first, periodic=relief.periodic)
     core = simulation._core.state
     state = file.create_group("state")
     state.attrs.update({name: getattr(core, name) for name in _SCALARS})
@@ -99,7 +106,7 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
         if getattr(core, name) is not None:
             _dataset(state, name, getattr(core, name))
     state.attrs["heating"] = np.array([entry.values() for entry in core.heating])
-    state.attrs.update(time=core.time, past_symmetry=core.past_symmetry)
+    state.attrs.update(time=core.time, past_symmetry=core.past_symmetry, travel=core.travel)
     for body in (0, 1):
         past = core.past(body)
         if past is not None:
@@ -114,7 +121,8 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
             state["history2"] = state["history1"]
         elif history is not None:
             kept = state.create_group(f"history{body + 1}")
-            kept.attrs.update(box=history["box"], mirrored=history["mirrored"])
+            for attribute in ("box", "flow_box", "mirrored"):
+                kept.attrs[attribute] = history[attribute]
             _dataset(kept, "strain", history["strain"])
             _dataset(kept, "equivalent", history["equivalent"])
             if history["backstress"].size:
@@ -184,6 +192,10 @@ def _read_scene(file: h5py.File, softening: Softening) -> dict[str, Any]:
             softened,
         )
     arguments["gap"] = file["initial_gap"][...]
+    for name in ("relief1", "relief2"):
+        if name in file:
+            place = {k: _plain(v) for k, v in file[name].attrs.items()}
+            arguments[name] = Relief(file[name][...], place["first"], place["periodic"])
     return arguments
 
 
@@ -198,6 +210,7 @@ def _read_state(file: h5py.File) -> dict[str, Any]:
             if saved[name].shape != shape:
                 raise ValueError(f"{name} has shape {saved[name].shape}, not {shape}")
     saved["time"] = float(group.attrs["time"])
+    saved["travel"] = [float(cells) for cells in group.attrs["travel"]]
     saved["past_symmetry"] = int(group.attrs["past_symmetry"])
     saved["heating"] = [_core.Heating(*map(float, row)) for row in group.attrs["heating"]]
     for body in (1, 2):
@@ -209,6 +222,7 @@ def _read_state(file: h5py.File) -> dict[str, Any]:
             kept = group[name]
             saved[name] = {
                 "box": [int(n) for n in kept.attrs["box"]],
+                "flow_box": [int(n) for n in kept.attrs["flow_box"]],
                 "mirrored": int(kept.attrs["mirrored"]),
                 "strain": np.ascontiguousarray(kept["strain"][...]),
                 "equivalent": np.ascontiguousarray(kept["equivalent"][...]),

@@ -13,13 +13,23 @@ from numpy.typing import ArrayLike
 from tqdm.auto import tqdm
 
 from . import _core
-from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number, positive
+from ._checks import (
+    FloatArray,
+    choice,
+    exactly_one,
+    finite_array,
+    integer,
+    non_negative,
+    number,
+    positive,
+)
 from ._heating import heating, march, pair, require_reference, velocities
 from .checkpoint import CheckpointError, read_checkpoint, write_checkpoint
 from .contact import GridTooSmallWarning, require_type
 from .grid import Grid
 from .material import Material
 from .operators import depth_major, shear_components
+from .relief import Relief, relief_rows
 from .state import State
 
 __all__ = ["CheckpointError", "PlasticStrainWarning", "Simulation"]
@@ -71,6 +81,12 @@ class Simulation:
         With "fast": error due to the periodicity of the transforms, relative to the largest
         residual stress; in [1e-6, 0.1].
 
+    relief1, relief2 : Relief, optional
+        Roughness or dents of the surface of body 1 and 2, which move with it.
+    reach : float, optional
+        How far beyond the grid, along x, the plastic strain of a moving body still acts [m], >= 0;
+        default: the length of the grid. See docs/theory.md for the error of what is left out.
+
     Raises
     ------
     ValueError, TypeError
@@ -97,6 +113,9 @@ class Simulation:
         heating_time: float | None = None,
         heat_reference: float | None = None,
         heat_history: Sequence[float] | None = None,
+        relief1: Relief | None = None,
+        relief2: Relief | None = None,
+        reach: float | None = None,
     ) -> None:
         require_type("grid", grid, Grid)
         require_type("body1", body1, Material)
@@ -127,6 +146,9 @@ class Simulation:
         self.heat_reference = heat_reference
         self.heat_history = march(heat_history, heating_time)
         self._heating(self.heat_factor, heating_time)
+        self.relief1, self.relief2 = relief1, relief2
+        length = grid.nx * grid.dx
+        self.reach = length if reach is None else non_negative("reach", reach)
         self._warned_of_strain = False
         self._core = _core.Simulation(
             grid._core,
@@ -142,6 +164,8 @@ class Simulation:
             self.image_tol,
             [self._softening(body) for body in (body1, body2)],
             self.heat_history or (0.0, 0.0),
+            round(self.reach / grid.dx),
+            [relief_rows(f"relief{n}", r, grid) for n, r in ((1, relief1), (2, relief2))],
         )
 
     def step(
@@ -151,6 +175,7 @@ class Simulation:
         approach: float | None = None,
         pressure: ArrayLike | None = None,
         shear: ArrayLike | None = None,
+        advance: Sequence[float] = (0.0, 0.0),
         heat_factor: float | Sequence[float] | None = None,
         duration: float | None = None,
     ) -> State:
@@ -166,6 +191,12 @@ class Simulation:
             Prescribed pressure [Pa], no contact is solved; with
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
             prescribed shear s_x, or (s_x, s_y), on body 2 [Pa]; default friction * pressure.
+        advance : pair of floats, optional
+            How far the surfaces of body 1 and 2 move through the contact, in +x, on the way to the
+            target [m]. Equal: rolling, the contact itself travels towards -x over both; different:
+            sliding by the difference; one of them 0: simple sliding over the other. Their plastic
+            strain moves with them, the grid stays with the contact. Whole cells are exact; see
+            `State.origin` for parts of them.
         heat_factor : float or pair of floats, optional
             From now on, instead of that of the simulation [m/s]; 0: the source is off.
         duration : float, optional
@@ -203,11 +234,13 @@ class Simulation:
             raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")
         else:
             value = number(kind, load if kind == "load" else approach)
+        dx = self.grid.dx
+        travel = tuple(s / dx for s in finite_array("advance", advance, (2,)))
         factors = self.heat_factor if heat_factor is None else pair(heat_factor)
         entries = self._heating(factors, self._time_of_step(duration))
         if kind == "approach":
             require_reference(entries, self.heat_reference)
-        core = self._core.step(kind, value, p, shear_x, shear_y, entries)
+        core = self._core.step(kind, value, p, shear_x, shear_y, entries, travel)
         self.heat_factor = factors
         for warning in core.warnings:
             warnings.warn(warning, GridTooSmallWarning, stacklevel=2)

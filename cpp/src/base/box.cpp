@@ -28,6 +28,12 @@ bool Box::contains(const Box& other) const {
          j0 + ny >= other.j0 + other.ny && nz >= other.nz;
 }
 
+Box Box::intersected(const Box& other) const {
+  const int i = std::max(i0, other.i0), j = std::max(j0, other.j0);
+  return {i, j, std::max(0, std::min(i0 + nx, other.i0 + other.nx) - i),
+          std::max(0, std::min(j0 + ny, other.j0 + other.ny) - j), std::min(nz, other.nz)};
+}
+
 Box Box::united(const Box& other) const {
   const int depth = std::max(nz, other.nz);
   if (empty() || other.empty()) {
@@ -55,6 +61,19 @@ void insert(const double* small, const Box& from, double* large, const Box& into
 void extract(const double* large, const Box& from, double* small, const Box& into) {
   for_each_row(into, from, [&](std::size_t row, std::size_t other) {
     std::copy_n(large + other, into.ny, small + row);
+  });
+}
+
+void copy_common(const double* from, const Box& from_box, double* to, const Box& to_box) {
+  const Box common = from_box.intersected(to_box);
+  if (common.empty()) return;
+  for_each_row(common, from_box, [&](std::size_t, std::size_t source) {
+    // The same row of the other box.
+    const std::size_t j = source % from_box.ny, ki = source / from_box.ny;
+    const std::size_t i = ki % from_box.nx, k = ki / from_box.nx;
+    const std::size_t row = (k * to_box.nx + (i + from_box.i0 - to_box.i0)) * to_box.ny + j +
+                            from_box.j0 - to_box.j0;
+    std::copy_n(from + source, common.ny, to + row);
   });
 }
 

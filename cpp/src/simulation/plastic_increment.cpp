@@ -71,29 +71,20 @@ std::array<double, 5> centre(const Field& backstress, std::size_t cells, std::si
   return sum;
 }
 
-/// Components of a field moved into a larger box, zero where it was not.
-Field moved(const Field& field, const Box& from, const Box& to, int components) {
-  Field out(components * to.volume_size(), 0.0);
-  for (int c = 0; c < components && !from.empty(); ++c) {
-    insert(field.data() + c * from.volume_size(), from, out.data() + c * to.volume_size(), to);
-  }
-  return out;
-}
-
 }  // namespace
 
 /// Mirror planes of the increment: those of the scene, of the target, and of what happened before.
 fft::Symmetry PlasticIncrement::choose_symmetry() const {
   using fft::Symmetry;
   if (from_.method == operators::ResidualMethod::exact) return Symmetry::none;
-  Symmetry symmetry = scene_.symmetry();
+  Symmetry symmetry = scene_.symmetry(from_.travel);
   if (target_.kind == Target::Kind::tractions) {
-    symmetry = symmetry_of(target_.tractions, scene_.grid);
+    symmetry = symmetry_of(tractions_, scene_.grid);
   }
   symmetry = common(symmetry, symmetry_of(target_.heating));
   symmetry = common(symmetry, target_.past_symmetry);
   for (const auto& history : from_.plastic) {
-    if (history) symmetry = common(symmetry, history->symmetry);
+    if (history) symmetry = common(symmetry, history->symmetry());
   }
   return symmetry;
 }
@@ -106,7 +97,8 @@ bool PlasticIncrement::twins() const {
   if (settings_.softening[0] || settings_.softening[1]) return false;
   // Shear acts on the two in opposite directions.
   if (!target_.tractions.shear_x.empty() || !target_.tractions.shear_y.empty()) return false;
-  return same(from_.plastic[0], from_.plastic[1]);
+  const auto offset = from_.placement().offset;
+  return offset[0] == offset[1] && same(from_.plastic[0], from_.plastic[1]);
 }
 
 Box PlasticIncrement::fit(const Box& needed, const Box& before) const {
@@ -134,8 +126,10 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
       counters_(counters),
       scene_(from.scene()),
       tractions_(target.kind == Target::Kind::tractions
-                     ? target.tractions
+                     ? seen_from_body(target.tractions, scene_.grid, from.placement().origin)
                      : operators::Tractions{from.tractions.pressure, {}, {}}),
+      initial_gap_(target.kind == Target::Kind::tractions ? Field(scene_.grid.surface_size())
+                                                          : scene_.gap(from.travel)),
       heat_(scene_, target) {
   symmetry_ = choose_symmetry();
   const bool one_for_both = twins();
@@ -146,26 +140,38 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
     body.copies = one_for_both ? 2 : 1;
     body.scan = scans[b].get();
     body.tensor = Tensor::deviator;
-    if (const auto history = unfolded(from.plastic[b], scene_.grid, symmetry_)) {
-      body.tensor = history->tensor;
+    body.offset = from.placement().offset[b];
+    body.history = unfolded(from.plastic[b], scene_.grid, symmetry_);
+    if (body.history) {
+      body.tensor = body.history->tensor();
       if (body.tensor == Tensor::full) components_ = 6;
-      set_box(body, history->box);
-      body.strain = history->strain;
-      body.equivalent = history->equivalent;
-      body.backstress = history->backstress;
       body.strained = true;
     }
     bodies_.push_back(std::move(body));
+  }
+  for (Body& body : bodies_) {
+    if (body.history) {
+      set_box(body, part_of(from.flow_box[body.index], scene_.grid, symmetry_));
+    }
   }
 }
 
 void PlasticIncrement::set_box(Body& body, const Box& box) {
   const int parts = operators::count(body.tensor);
-  std::vector<int> active(box.volume_size(), -1);
-  body.strain = moved(body.strain, body.box, box, parts);
-  body.equivalent = moved(body.equivalent, body.box, box, 1);
   const auto terms = static_cast<int>(scene_.materials[body.index].backstresses.size());
-  if (terms > 0) body.backstress = moved(body.backstress, body.box, box, 5 * terms);
+  std::vector<int> active(box.volume_size(), -1);
+  PlasticFields fields = body.history ? body.history->fields(box)
+                                      : PlasticFields{box, Field(parts * box.volume_size(), 0.0),
+                                                      Field(box.volume_size(), 0.0),
+                                                      Field(5 * terms * box.volume_size(), 0.0)};
+  // What is in the box by now includes the last guess.
+  for (int c = 0; c < parts && !body.box.empty(); ++c) {
+    insert(body.strain.data() + c * body.box.volume_size(), body.box,
+           fields.strain.data() + c * box.volume_size(), box);
+  }
+  body.strain = std::move(fields.strain);
+  body.equivalent = std::move(fields.equivalent);
+  body.backstress = std::move(fields.backstress);
   const auto number = static_cast<std::uint8_t>(&body - bodies_.data());
   if (!body.box.empty() && !body.active.empty()) active_.move(number, body.box, box);
   for (std::size_t n = 0; n < active_.size(); ++n) {
@@ -179,7 +185,15 @@ void PlasticIncrement::set_box(Body& body, const Box& box) {
   body.operators = scene_.volume(body.index, whole_box(box, scene_.grid, symmetry_), body.tensor,
                                  from_.method, symmetry_, target_.heating[body.index]);
   body.spectrum.push_back(body.operators->make_spectrum());
-  body.past_stress = heat_.past_stress(body.index, box, body.tensor);
+  body.given_stress = heat_.past_stress(body.index, box, body.tensor);
+  if (!body.history) return;
+  body.outside = outside_strain(scene_, body.index, *body.history, box, from_.method);
+  Field& stress = body.outside.stress;
+  if (body.given_stress.empty()) {
+    body.given_stress = std::move(stress);
+  } else {
+    for (std::size_t n = 0; n < stress.size(); ++n) body.given_stress[n] += stress[n];
+  }
 }
 
 void PlasticIncrement::scatter(const Field& guess) {
@@ -197,45 +211,76 @@ void PlasticIncrement::scatter(const Field& guess) {
   }
 }
 
+void PlasticIncrement::open(const Body& body, const Box& box, const Field& displacement,
+                            Field& gap) const {
+  const Grid& grid = scene_.grid;
+  const Box whole = whole_box(box, grid, symmetry_);
+  const auto add = [&](int to, const double* u, double part) {
+    if (to < 0 || to >= grid.nx) return;
+    double* row = gap.data() + static_cast<std::size_t>(to) * grid.ny;
+    for (int j = whole.j0; j < whole.j0 + whole.ny; ++j) {
+      const int sj = j < box.j0 ? grid.ny - 1 - j : j;
+      row[j] += part * u[sj - box.j0];
+    }
+  };
+  const double copies = body.copies, part = std::fabs(body.offset);
+  const int side = body.offset > 0 ? -1 : 1;
+  for (int i = whole.i0; i < whole.i0 + whole.nx; ++i) {
+    const int si = i < box.i0 ? grid.nx - 1 - i : i;
+    const double* u = displacement.data() + static_cast<std::size_t>(si - box.i0) * box.ny;
+    add(i, u, copies * (1 - part));
+    if (part > 0) add(i + side, u, copies * part);
+  }
+}
+
 void PlasticIncrement::residual_displacement(Body& body, Field& gap) {
-  if (!body.strained || target_.kind == Target::Kind::tractions) return;
+  body.rim_displacement = 0.0;
+  if (target_.kind == Target::Kind::tractions) return;
+  const bool mirror_x = symmetry_ == fft::Symmetry::xy, mirror_y = symmetry_ != fft::Symmetry::none;
+  // Outside of the box it falls off.
+  const auto largest_at_rim = [&](const Box& box, const Field& displacement, bool ends_x) {
+    double largest = 0.0;
+    for (int i = 0; i < box.nx; ++i) {
+      for (int j = 0; j < box.ny; ++j) {
+        const bool at_x = ends_x && (i == box.nx - 1 || (i == 0 && !mirror_x));
+        const bool at_y = j == box.ny - 1 || (j == 0 && !mirror_y);
+        if (!at_x && !at_y) continue;
+        largest =
+            std::max(largest, std::fabs(displacement[static_cast<std::size_t>(i) * box.ny + j]));
+      }
+    }
+    return largest;
+  };
+  if (!body.outside.displacement.empty()) {
+    const auto& [surface, displacement, stress] = body.outside;
+    open(body, surface, displacement, gap);
+    body.rim_displacement += largest_at_rim(surface, displacement, false);
+  }
+  if (!body.strained) return;
   Field displacement(body.box.surface_size());
   body.operators->residual_displacement().apply(body.spectrum[0], displacement.data());
-  const Grid& grid = scene_.grid;
-  const bool mirror_x = symmetry_ == fft::Symmetry::xy, mirror_y = symmetry_ != fft::Symmetry::none;
-  const Box whole = whole_box(body.box, grid, symmetry_);
-  // Outside it falls off.
-  body.rim_displacement = 0.0;
-  for (int i = 0; i < body.box.nx; ++i) {
-    for (int j = 0; j < body.box.ny; ++j) {
-      if (i < body.box.nx - 1 && j < body.box.ny - 1 && (i > 0 || mirror_x) &&
-          (j > 0 || mirror_y)) {
-        continue;
-      }
-      body.rim_displacement =
-          std::max(body.rim_displacement,
-                   std::fabs(displacement[static_cast<std::size_t>(i) * body.box.ny + j]));
-    }
+  open(body, body.box, displacement, gap);
+  body.rim_displacement += largest_at_rim(body.box, displacement, true);
+}
+
+void PlasticIncrement::look_from_bodies() {
+  for (Body& body : bodies_) {
+    if (body.offset != 0) body.seen = seen_from_body(tractions_, scene_.grid, body.offset);
   }
-  for (int i = whole.i0; i < whole.i0 + whole.nx; ++i) {
-    const int si = mirror_x && i < body.box.i0 ? grid.nx - 1 - i : i;
-    double* row = gap.data() + static_cast<std::size_t>(i) * grid.ny;
-    const double* u =
-        displacement.data() + static_cast<std::size_t>(si - body.box.i0) * body.box.ny;
-    for (int j = whole.j0; j < whole.j0 + whole.ny; ++j) {
-      const int sj = mirror_y && j < body.box.j0 ? grid.ny - 1 - j : j;
-      row[j] += body.copies * u[sj - body.box.j0];
-    }
-  }
+}
+
+const operators::Tractions& PlasticIncrement::tractions_on(const Body& body) const {
+  return body.offset != 0 ? body.seen : tractions_;
 }
 
 contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) {
   contact::Solution solution;
   if (target_.kind == Target::Kind::tractions) {
-    solution.pressure = target_.tractions.pressure;
+    solution.pressure = tractions_.pressure;
     solution.load = scene_.grid.cell_area() *
                     ordered_sum(gap.size(), [&](std::size_t i) { return solution.pressure[i]; });
     solution.approach = std::numeric_limits<double>::quiet_NaN();
+    look_from_bodies();
     return solution;
   }
   const auto driver = target_.kind == Target::Kind::load ? contact::Driver::load(target_.value)
@@ -252,6 +297,7 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
     tractions_.shear_x = solution.pressure;
     for (double& s : tractions_.shear_x) s *= scene_.friction;
   }
+  look_from_bodies();
   return solution;
 }
 
@@ -260,7 +306,7 @@ void PlasticIncrement::soften() {
   softened_ = true;
   for (Body& body : bodies_) {
     const Softening& law = settings_.softening[body.index];
-    body.softening = heat_.softening(body.index, law, tractions_.pressure);
+    body.softening = heat_.softening(body.index, law, tractions_on(body).pressure);
     if (!body.softening) continue;
     body.weakest = *std::min_element(body.softening->begin(), body.softening->end());
   }
@@ -273,10 +319,11 @@ std::size_t PlasticIncrement::grid_cell(const Body& body, std::uint32_t cell) co
   return (k * grid.nx + box.i0 + i) * grid.ny + box.j0 + j;
 }
 
-Box PlasticIncrement::contact_window() const {
+Box PlasticIncrement::contact_window(const Body& body) const {
   const Grid& grid = scene_.grid;
-  Box window = bounding_box(tractions_.pressure, grid);
-  for (const Field* shear : {&tractions_.shear_x, &tractions_.shear_y}) {
+  const operators::Tractions& tractions = tractions_on(body);
+  Box window = bounding_box(tractions.pressure, grid);
+  for (const Field* shear : {&tractions.shear_x, &tractions.shear_y}) {
     if (!shear->empty()) window = window.united(bounding_box(*shear, grid));
   }
   return window;
@@ -287,10 +334,10 @@ bool PlasticIncrement::may_touch_outside(const Field& gap) const {
   const Grid& grid = scene_.grid;
   double reach = 0.0;
   for (const Body& body : bodies_) {
-    if (body.strained) reach += body.copies * body.rim_displacement;
+    reach += body.copies * body.rim_displacement;
   }
   for (const Body& body : bodies_) {
-    if (!body.strained) continue;
+    if (body.rim_displacement == 0) continue;
     const Box whole = whole_box(body.box, grid, symmetry_);
     for (int i = 0; i < grid.nx; ++i) {
       for (int j = 0; j < grid.ny; ++j) {
@@ -307,17 +354,17 @@ bool PlasticIncrement::may_touch_outside(const Field& gap) const {
 bool PlasticIncrement::fit_boxes(const Field& gap) {
   const Grid& grid = scene_.grid;
   const bool touches = may_touch_outside(gap);
-  const Box window = contact_window();
   bool grown = false;
   for (Body& body : bodies_) {
+    const Box window = contact_window(body);
     Box needed = body.box.empty() ? Box{} : whole_box(body.box, grid, symmetry_);
     const Box now = needed;
     if (!scanned_) {
       const auto& hardening = scene_.materials[body.index].hardening;
       const double limit = near_yield * body.weakest * hardening.yield_stress(0.0);
       const Box near = heat_.has_past(body.index)
-                           ? heat_.above(body.index, tractions_, from_.method, limit)
-                           : body.scan->box(tractions_, body.index == 1 ? 1.0 : -1.0, limit);
+                           ? heat_.above(body.index, tractions_on(body), from_.method, limit)
+                           : body.scan->box(tractions_on(body), body.index == 1 ? 1.0 : -1.0, limit);
       if (!near.empty()) needed = needed.united(near.widened(margin, grid));
     }
     if (needed.empty()) continue;
@@ -372,11 +419,11 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess, Result& result) {
   const std::size_t parts = operators::count(body.tensor), cells = body.box.volume_size();
   const auto look = [&](int k, const double* layer) {
     Field sum;
-    if (!body.past_stress.empty()) {
+    if (!body.given_stress.empty()) {
       sum.assign(layer, layer + parts * plane);
       for (std::size_t c = 0; c < parts; ++c) {
-        const double* past = body.past_stress.data() + c * cells + k * plane;
-        for (std::size_t i = 0; i < plane; ++i) sum[c * plane + i] += past[i];
+        const double* given = body.given_stress.data() + c * cells + k * plane;
+        for (std::size_t i = 0; i < plane; ++i) sum[c * plane + i] += given[i];
       }
       layer = sum.data();
     }
@@ -413,7 +460,7 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess, Result& result) {
     }
     largest[k] = highest;
   };
-  const operators::Tractions here = window(tractions_, scene_.grid, body.box);
+  const operators::Tractions here = window(tractions_on(body), scene_.grid, body.box);
   body.operators->for_each_layer(spectrum, body.strained ? body.strain.data() : nullptr, &here,
                                  body.index == 1 ? 1.0 : -1.0, look);
   for (const auto& layer : found) {
@@ -499,10 +546,36 @@ bool PlasticIncrement::grow_at_rim() {
   return grown;
 }
 
+void PlasticIncrement::flow(State& state, Body& body, std::size_t n, const Field& mapped) const {
+  const std::uint32_t cell = active_.cells[n].cell;
+  const Box& box = body.box;
+  body.equivalent[cell] += equivalent_[n];
+  plasticity::Tensors place;
+  std::size_t to = cell;
+  const auto laws = scene_.materials[body.index].backstresses.begin();
+  for (const auto& before : backstresses(body, cell, place)) {
+    const auto x = plasticity::advanced(before, laws[&before - place.data()],
+                                        tensor_of(mapped, n, components_), equivalent_[n]);
+    for (const int c : {0, 1, 3, 4, 5}) {
+      body.backstress[to] = x[c];
+      to += box.volume_size();
+    }
+  }
+  const Grid& grid = scene_.grid;
+  const int j = box.j0 + static_cast<int>(cell % box.ny), ki = static_cast<int>(cell / box.ny);
+  const int i = box.i0 + ki % box.nx, k = ki / box.nx;
+  // Mirror planes lie inside.
+  const bool at_side = i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1;
+  const bool at_bottom = k == grid.nz - 1;
+  state.flowed[body.index] = true;
+  state.flow_at_bottom[body.index] |= at_bottom;
+  state.flow_at_side[body.index] |= at_side && !at_bottom;
+}
+
 PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact_tol,
                                                     Field& mapped) {
   scatter(guess);
-  gap_ = scene_.initial_gap;
+  gap_ = initial_gap_;
   heat_.open(gap_);
   const auto transform = [](Body& body) {
     if (body.strained) {
@@ -550,37 +623,27 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.contact_gap.clear();
   state.load = result.contact.load;
   state.approach = result.contact.approach;
+  state.flowed = state.flow_at_bottom = state.flow_at_side = {};
   scatter(mapped);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
-    bool flowed = false;
+    const int i = body.index;
     for (std::size_t n = 0; n < active_.size(); ++n) {
-      if (active_.cells[n].body != b || equivalent_[n] == 0) continue;
-      const std::uint32_t cell = active_.cells[n].cell;
-      body.equivalent[cell] += equivalent_[n];
-      plasticity::Tensors place;
-      std::size_t to = cell;
-      const auto laws = scene_.materials[body.index].backstresses.begin();
-      for (const auto& before : backstresses(body, cell, place)) {
-        const auto x = plasticity::advanced(before, laws[&before - place.data()],
-                                            tensor_of(mapped, n, components_), equivalent_[n]);
-        for (const int c : {0, 1, 3, 4, 5}) {
-          body.backstress[to] = x[c];
-          to += body.box.volume_size();
-        }
-      }
-      flowed = true;
+      if (active_.cells[n].body == b && equivalent_[n] != 0) flow(state, body, n, mapped);
     }
-    if (!flowed) continue;
-    auto plastic = std::make_shared<PlasticState>();
-    plastic->box = body.box;
-    plastic->symmetry = symmetry_;
-    plastic->tensor = body.tensor;
-    plastic->strain = std::move(body.strain);
-    plastic->equivalent = std::move(body.equivalent);
-    plastic->backstress = std::move(body.backstress);
-    if (body.copies == 2) state.plastic[0] = plastic;
-    state.plastic[body.index] = std::move(plastic);
+    if (state.flowed[i]) {
+      const PlasticFields fields{body.box, std::move(body.strain), std::move(body.equivalent),
+                                 std::move(body.backstress)};
+      state.plastic[i] = std::make_shared<const PlasticState>(body.history.get(), symmetry_,
+                                                              body.tensor, fields);
+      state.flow_box[i] = whole_box(body.box, scene_.grid, symmetry_);
+    }
+    if (body.copies == 1) continue;
+    state.plastic[0] = state.plastic[i];
+    state.flow_box[0] = state.flow_box[i];
+    state.flowed[0] = state.flowed[i];
+    state.flow_at_bottom[0] = state.flow_at_bottom[i];
+    state.flow_at_side[0] = state.flow_at_side[i];
   }
   if (target_.kind != Target::Kind::tractions) {
     Box whole = Box::whole(scene_.grid);

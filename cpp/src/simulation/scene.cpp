@@ -10,8 +10,8 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Two bodies with a box each, and the whole grid for fields on demand.
-constexpr std::size_t most_kept = 4;
+/// Two bodies with a box each and one for what lies outside of it, and fields on demand.
+constexpr std::size_t most_kept = 6;
 /// Cells beyond which the operators of a box that was outgrown are not kept.
 constexpr std::size_t large_box = 1'000'000;
 
@@ -19,18 +19,55 @@ constexpr std::size_t large_box = 1'000'000;
 
 Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
              const plasticity::Material& body2, Field initial_gap_, double friction_,
-             double image_tol, const HeatMarch& march_)
+             double image_tol, const HeatMarch& march_, int reach_, Reliefs reliefs_)
     : grid(grid_),
       materials{body1, body2},
       initial_gap(std::move(initial_gap_)),
       friction(friction_),
       march(march_),
+      reach(reach_),
+      reliefs(std::move(reliefs_)),
       image_tol_(image_tol),
       symmetry_(symmetry_of(initial_gap, grid_)) {
   // Throws for bodies or friction that no contact has.
   solver({});
   // Sliding is along x.
   if (friction > 0) symmetry_ = common(symmetry_, fft::Symmetry::y);
+}
+
+Placement Scene::placement(const Travel& travel) const {
+  // Without plastic strain or relief nothing tells one place of a body from another.
+  const auto remembers = [this](int body) {
+    return materials[body].is_plastic() || !reliefs[body].heights.empty();
+  };
+  return {travel, remembers(1) ? 1 : remembers(0) ? 0 : -1};
+}
+
+Field Scene::gap(const Travel& travel) const {
+  const Placement place = placement(travel);
+  Field gap = shifted_gap(initial_gap, grid, place.origin);
+  for (int b = 0; b < 2; ++b) {
+    const Relief& relief = reliefs[b];
+    if (relief.heights.empty()) continue;
+    const double offset = place.offset[b], part = std::fabs(offset);
+    const int side = offset > 0 ? 1 : -1;
+    for (int i = 0; i < grid.nx; ++i) {
+      const int row = i + place.first[b];
+      for (int j = 0; j < grid.ny; ++j) {
+        double height = relief.at(row, j, grid.ny);
+        if (part > 0) height += part * (relief.at(row + side, j, grid.ny) - height);
+        gap[static_cast<std::size_t>(i) * grid.ny + j] -= height;
+      }
+    }
+  }
+  return gap;
+}
+
+fft::Symmetry Scene::symmetry(const Travel& travel) const {
+  const bool moved = travel != Travel{};
+  const auto symmetry = moved ? common(symmetry_, fft::Symmetry::y) : symmetry_;
+  const bool flat = reliefs[0].heights.empty() && reliefs[1].heights.empty();
+  return flat ? symmetry : common(symmetry, symmetry_of(gap(travel), grid));
 }
 
 std::shared_ptr<const contact::ContactSolver> Scene::solver(
@@ -125,69 +162,6 @@ std::size_t Scene::operator_bytes() const {
     }
   }
   return bytes;
-}
-
-fft::Symmetry symmetry_of(const operators::HeatingPair& heating) {
-  auto symmetry = fft::Symmetry::xy;
-  for (const auto& h : heating) {
-    if (!h.is_on()) continue;
-    if (h.speed_x != 0) symmetry = common(symmetry, fft::Symmetry::y);
-    if (h.speed_y != 0) symmetry = fft::Symmetry::none;
-  }
-  return symmetry;
-}
-
-fft::Symmetry symmetry_of(const Field& field, const Grid& grid) {
-  const auto at = [&](int i, int j) { return field[static_cast<std::size_t>(i) * grid.ny + j]; };
-  double largest = 0.0;
-  for (const double value : field) largest = std::max(largest, std::fabs(value));
-  const double rounding = 1e-10 * largest;
-  bool x = true, y = true;
-  for (int i = 0; i < grid.nx; ++i) {
-    for (int j = 0; j < grid.ny; ++j) {
-      y = y && std::fabs(at(i, j) - at(i, grid.ny - 1 - j)) <= rounding;
-      x = x && std::fabs(at(i, j) - at(grid.nx - 1 - i, j)) <= rounding;
-    }
-  }
-  if (!y) return fft::Symmetry::none;
-  return x ? fft::Symmetry::xy : fft::Symmetry::y;
-}
-
-fft::Symmetry symmetry_of(const operators::Tractions& tractions, const Grid& grid) {
-  if (!tractions.shear_y.empty()) return fft::Symmetry::none;
-  fft::Symmetry symmetry = symmetry_of(tractions.pressure, grid);
-  if (!tractions.shear_x.empty()) {
-    symmetry = common(symmetry, common(fft::Symmetry::y, symmetry_of(tractions.shear_x, grid)));
-  }
-  return symmetry;
-}
-
-fft::Symmetry common(fft::Symmetry a, fft::Symmetry b) { return std::min(a, b); }
-
-Box stored_part(const Grid& grid, fft::Symmetry symmetry) {
-  Box part = Box::whole(grid);
-  if (symmetry != fft::Symmetry::none) {
-    part.j0 = grid.ny / 2;
-    part.ny = grid.ny - part.j0;
-  }
-  if (symmetry == fft::Symmetry::xy) {
-    part.i0 = grid.nx / 2;
-    part.nx = grid.nx - part.i0;
-  }
-  return part;
-}
-
-Box whole_box(const Box& stored, const Grid& grid, fft::Symmetry symmetry) {
-  Box whole = stored;
-  if (symmetry != fft::Symmetry::none) {
-    whole.j0 = grid.ny - (stored.j0 + stored.ny);
-    whole.ny = grid.ny - 2 * whole.j0;
-  }
-  if (symmetry == fft::Symmetry::xy) {
-    whole.i0 = grid.nx - (stored.i0 + stored.nx);
-    whole.nx = grid.nx - 2 * whole.i0;
-  }
-  return whole;
 }
 
 }  // namespace samcontact::simulation

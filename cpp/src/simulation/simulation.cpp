@@ -33,33 +33,12 @@ std::string shape_text(std::initializer_list<int> extents) {
   return shape + ")";
 }
 
-/// Where plastic flow of this increment meets the bottom ("bottom") or a side of the volume.
-std::string flow_at_border(const Grid& grid, const PlasticState* before,
-                           const PlasticState* after) {
-  if (after == before) return {};
-  const Box& box = after->box;
-  Field earlier(box.volume_size(), 0.0);
-  if (before != nullptr) insert(before->equivalent.data(), before->box, earlier.data(), box);
-  const bool mirror_x = after->symmetry == fft::Symmetry::xy;
-  const bool mirror_y = after->symmetry != fft::Symmetry::none;
-  bool bottom = false, side = false;
-  for (int k = 0; k < box.nz; ++k) {
-    for (int i = 0; i < box.nx; ++i) {
-      for (int j = 0; j < box.ny; ++j) {
-        const int gi = box.i0 + i, gj = box.j0 + j;
-        const bool at_side = (gi == 0 && !mirror_x) || (gj == 0 && !mirror_y) ||
-                             gi == grid.nx - 1 || gj == grid.ny - 1;
-        const bool at_bottom = k == grid.nz - 1;
-        if (!at_side && !at_bottom) continue;
-        const std::size_t n = (static_cast<std::size_t>(k) * box.nx + i) * box.ny + j;
-        if (after->equivalent[n] == earlier[n]) continue;
-        bottom |= at_bottom;
-        side |= at_side && !at_bottom;
-      }
-    }
+/// Where plastic flow of an increment meets the bottom or a side of the volume.
+std::string flow_at_border(const Grid& grid, const State& state, int body) {
+  if (state.flow_at_bottom[body]) {
+    return "bottom of the volume (" + to_text(grid.nz * grid.dz) + " m): enlarge nz dz";
   }
-  if (bottom) return "bottom of the volume (" + to_text(grid.nz * grid.dz) + " m): enlarge nz dz";
-  if (side) {
+  if (state.flow_at_side[body]) {
     return "sides of the volume (" + to_text(grid.nx * grid.dx) + " m x " +
            to_text(grid.ny * grid.dy) + " m): enlarge nx dx and ny dy";
   }
@@ -101,28 +80,6 @@ void check_backstress(const std::vector<plasticity::Backstress>& laws, const Fie
   }
 }
 
-/// Both histories in one box.
-struct Pair {
-  Box box;
-  Field first, second;
-};
-
-Pair in_one_box(const PlasticState& a, const PlasticState& b, Field PlasticState::* quantity) {
-  Pair pair{a.box.united(b.box), {}, {}};
-  const auto parts = static_cast<int>((b.*quantity).size() / b.box.volume_size());
-  const auto place = [&](const PlasticState& from, Field& to) {
-    const Field& field = from.*quantity;
-    to.assign(parts * pair.box.volume_size(), 0.0);
-    for (int c = 0; c < parts; ++c) {
-      insert(field.data() + c * from.box.volume_size(), from.box,
-             to.data() + c * pair.box.volume_size(), pair.box);
-    }
-  };
-  place(a, pair.first);
-  place(b, pair.second);
-  return pair;
-}
-
 /// Largest difference between two solutions of one increment: of the pressure relative to its
 /// maximum, and of the equivalent plastic strain relative to its maximum or the strain at yield.
 double increment_error(const State& one, const State& two) {
@@ -140,9 +97,10 @@ double increment_error(const State& one, const State& two) {
     const auto& material = two.scene().materials[b];
     const double yield_strain =
         material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
-    const Pair g = in_one_box(*one.plastic[b], *two.plastic[b], &PlasticState::equivalent);
-    error =
-        std::max(error, difference(g.first, g.second) / std::max(largest(g.second), yield_strain));
+    const Box box = one.flow_box[b].united(two.flow_box[b]);
+    const Field g = two.equivalent_plastic_strain(b, box);
+    error = std::max(error, difference(one.equivalent_plastic_strain(b, box), g) /
+                                std::max(largest(g), yield_strain));
   }
   return error;
 }
@@ -155,44 +113,37 @@ double allowed_difference(double tol) { return 0.05 * std::sqrt(tol); }
 
 /// Second order from two solutions of first order, of an increment in one and in two parts
 /// (Richardson): plastic strain 2 twice - once. Where a cell flows in one of them only, `twice`.
+/// start: with the bodies where they come to.
 State extrapolated(const State& start, const State& once, const State& twice) {
   State state = twice;
   for (int b = 0; b < 2; ++b) {
     const bool shared =
         b == 1 && once.plastic[0] == once.plastic[1] && twice.plastic[0] == twice.plastic[1];
     if (shared) state.plastic[1] = state.plastic[0];
-    if (shared || !once.plastic[b] || !twice.plastic[b] || once.plastic[b] == start.plastic[b] ||
-        twice.plastic[b] == start.plastic[b]) {
-      continue;
-    }
+    if (shared || !once.flowed[b] || !twice.flowed[b]) continue;
+    const Grid& grid = start.scene().grid;
     const PlasticState& last = *twice.plastic[b];
-    const Pair strain = in_one_box(*once.plastic[b], last, &PlasticState::strain);
-    const Pair g = in_one_box(*once.plastic[b], last, &PlasticState::equivalent);
-    const Pair x = in_one_box(*once.plastic[b], last, &PlasticState::backstress);
-    const std::size_t cells = strain.box.volume_size();
+    const Box box = part_of(once.flow_box[b].united(twice.flow_box[b]), grid, last.symmetry());
+    const std::size_t cells = box.volume_size();
     Field before(cells, 0.0);
-    if (const auto earlier = unfolded(start.plastic[b], start.scene().grid, last.symmetry)) {
-      insert(earlier->equivalent.data(), earlier->box, before.data(), strain.box);
+    if (const auto earlier = unfolded(start.plastic[b], grid, last.symmetry())) {
+      before = earlier->equivalent(box);
     }
-    auto plastic = std::make_shared<PlasticState>();
-    plastic->box = strain.box;
-    plastic->symmetry = last.symmetry;
-    plastic->tensor = last.tensor;
-    plastic->strain = strain.second;
-    plastic->equivalent = g.second;
-    plastic->backstress = x.second;
+    const PlasticFields one = unfolded(once.plastic[b], grid, last.symmetry())->fields(box);
+    PlasticFields two = last.fields(box);
     for (std::size_t i = 0; i < cells; ++i) {
-      const double correction = g.second[i] - g.first[i], flow = g.second[i] - before[i];
-      if (std::fabs(correction) > 0.5 * flow) continue;
-      plastic->equivalent[i] += correction;
-      for (std::size_t n = i; n < strain.second.size(); n += cells) {
-        plastic->strain[n] += strain.second[n] - strain.first[n];
+      const double correction = two.equivalent[i] - one.equivalent[i];
+      if (std::fabs(correction) > 0.5 * (two.equivalent[i] - before[i])) continue;
+      two.equivalent[i] += correction;
+      for (std::size_t n = i; n < two.strain.size(); n += cells) {
+        two.strain[n] += two.strain[n] - one.strain[n];
       }
-      for (std::size_t n = i; n < x.second.size(); n += cells) {
-        plastic->backstress[n] += x.second[n] - x.first[n];
+      for (std::size_t n = i; n < two.backstress.size(); n += cells) {
+        two.backstress[n] += two.backstress[n] - one.backstress[n];
       }
     }
-    state.plastic[b] = std::move(plastic);
+    state.plastic[b] =
+        std::make_shared<const PlasticState>(&last, last.symmetry(), last.tensor(), two);
   }
   return state;
 }
@@ -201,11 +152,12 @@ State extrapolated(const State& start, const State& once, const State& twice) {
 
 Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
                        const plasticity::Material& body2, Field initial_gap, double friction,
-                       const Settings& settings, const HeatMarch& march)
+                       const Settings& settings, const HeatMarch& march, Reliefs reliefs)
     : scene_(
           (require_field(initial_gap, grid.surface_size(), "gap", shape_text({grid.nx, grid.ny})),
            std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
-                                   settings.image_tol, march))),
+                                   settings.image_tol, march, settings.reach,
+                                   std::move(reliefs)))),
       settings_(settings),
       state_(scene_, choose(settings.residual_stress, grid.volume_size() <= small_volume)) {
   require(settings.tol >= 1e-11 && settings.tol < 1, "tol", "in [1e-11, 1)", settings.tol);
@@ -275,11 +227,14 @@ Target Simulation::between(const State& from, const Target& target, double fract
   return part;
 }
 
-State Simulation::advance(const Target& target) {
+State Simulation::walk(const Target& target) {
   const double least = std::ldexp(1.0, -settings_.max_halvings);
   State moment = state_;
   int iterations = 0, substeps = 0;
   const bool marches = scene_->march.is_on();
+  const auto travel = [&](double way) {
+    return advanced(state_.travel, {way * target.advance[0], way * target.advance[1]});
+  };
   const auto part_of = [&](const State& from, double start, double end) {
     // The remaining way from the moment reached: (end - start) of (1 - start).
     Target part = between(from, target, end == 1.0 ? 1.0 : (end - start) / (1.0 - start));
@@ -289,23 +244,38 @@ State Simulation::advance(const Target& target) {
     part.past_symmetry = from.heat_symmetry_so_far();
     return part;
   };
+  const auto moved_to = [&](const State& from, double end) {
+    const Travel to = travel(end);
+    return from.travel == to ? from : from.moved(to);
+  };
   const auto solve = [&](const State& from, double start, double end) {
     const Target part = part_of(from, start, end);
-    State state = solve_increment(from, part, scans(part.heating), settings_, counters_);
+    State state =
+        solve_increment(moved_to(from, end), part, scans(part.heating), settings_, counters_);
     if (marches) state.time = from.time + part.heating[0].time;
     iterations += state.plastic_iterations;
     return state;
   };
+  // Flow of an earlier part of the increment.
+  const auto add_flow = [](const State& earlier, State& state) {
+    for (int b = 0; b < 2; ++b) {
+      state.flowed[b] |= earlier.flowed[b];
+      state.flow_at_bottom[b] |= earlier.flow_at_bottom[b];
+      state.flow_at_side[b] |= earlier.flow_at_side[b];
+    }
+  };
+  moment.flowed = moment.flow_at_bottom = moment.flow_at_side = {};
   double done = 0.0, part = 1.0;
   while (done < 1.0) {
     const double goal = std::min(1.0, done + part);
     try {
       State next = solve(moment, done, goal);
       double factor = 2.0;  // by which the next part may be longer
-      if (settings_.increment_tol > 0 && next.plastic != moment.plastic) {
+      if (settings_.increment_tol > 0 && (next.flowed[0] || next.flowed[1])) {
         const double middle = done + 0.5 * (goal - done);
         const State half = solve(moment, done, middle);
-        const State twice = solve(half, middle, goal);
+        State twice = solve(half, middle, goal);
+        add_flow(half, twice);
         const double allowed = allowed_difference(settings_.increment_tol);
         const double error = increment_error(next, twice);
         // The difference is of second order in the part.
@@ -321,11 +291,13 @@ State Simulation::advance(const Target& target) {
           continue;
         }
         // What the extrapolation leaves above the yield stress flows.
-        const State sum = extrapolated(moment, next, twice);
+        const State sum = extrapolated(moved_to(moment, goal), next, twice);
         const Target all = part_of(moment, done, goal);
         next = solve_increment(sum, all, scans(all.heating), settings_, counters_);
+        add_flow(twice, next);
         iterations += next.plastic_iterations;
       }
+      add_flow(moment, next);
       moment = std::move(next);
       ++substeps;
       part = std::min(factor * (goal - done), 1.0 - goal);
@@ -355,10 +327,7 @@ std::vector<std::string> Simulation::border_complaints(const State& reached,
     add(contact::border_complaint(scene_->grid, reached.tractions.pressure, describe(target)));
   }
   for (int b = 0; b < 2; ++b) {
-    if (!reached.plastic[b]) continue;
-    const auto symmetry = reached.plastic[b]->symmetry;
-    const auto before = unfolded(state_.plastic[b], scene_->grid, symmetry);
-    const auto where = flow_at_border(scene_->grid, before.get(), reached.plastic[b].get());
+    const auto where = flow_at_border(scene_->grid, reached, b);
     if (where.empty()) continue;
     add("at " + describe(target) + " the plastic zone of body " + std::to_string(b + 1) +
         " reaches the " + where);
@@ -369,7 +338,7 @@ std::vector<std::string> Simulation::border_complaints(const State& reached,
 const State& Simulation::step(const Target& target) {
   check(target);
   const long contact_before = counters_.contact_iterations;
-  State reached = advance(target);
+  State reached = walk(target);
   reached.contact_iterations = static_cast<int>(counters_.contact_iterations - contact_before);
   reached.warnings = border_complaints(reached, target);
   state_ = std::move(reached);
@@ -414,33 +383,33 @@ void Simulation::set_plastic_state(int body, const Field& strain, const Field& e
     state_.plastic[body] = nullptr;
     return;
   }
-  auto plastic = std::make_shared<PlasticState>();
-  plastic->box = box;
   // Plastic strain has no trace but for rounding.
-  plastic->tensor =
-      trace <= 1e-12 * largest ? operators::Tensor::deviator : operators::Tensor::full;
+  const auto tensor = trace <= 1e-12 * largest ? operators::Tensor::deviator
+                                               : operators::Tensor::full;
   const Box whole = Box::whole(grid);
   const auto cut = [&](const double* from, double* to) { extract(from, whole, to, box); };
-  const auto places = operators::components(plastic->tensor);
-  plastic->strain.resize(places.size() * box.volume_size());
+  const auto places = operators::components(tensor);
+  PlasticFields fields{box, Field(places.size() * box.volume_size()),
+                       Field(box.volume_size(), 0.0),
+                       Field(5 * laws.size() * box.volume_size(), 0.0)};
   for (std::size_t c = 0; c < places.size(); ++c) {
-    cut(strain.data() + places[c] * cells, plastic->strain.data() + c * box.volume_size());
+    cut(strain.data() + places[c] * cells, fields.strain.data() + c * box.volume_size());
   }
-  plastic->equivalent.assign(box.volume_size(), 0.0);
-  if (!equivalent.empty()) cut(equivalent.data(), plastic->equivalent.data());
-  plastic->backstress.assign(5 * laws.size() * box.volume_size(), 0.0);
+  if (!equivalent.empty()) cut(equivalent.data(), fields.equivalent.data());
   if (!backstress.empty()) {
     const auto five = operators::components(operators::Tensor::deviator);
     for (std::size_t c = 0; c < 5 * laws.size(); ++c) {
       cut(backstress.data() + (c / 5 * 6 + five[c % 5]) * cells,
-          plastic->backstress.data() + c * box.volume_size());
+          fields.backstress.data() + c * box.volume_size());
     }
   }
   if (settings_.residual_stress == ResidualChoice::automatic && strained <= few_cells &&
       cells <= large_volume) {
     state_.method = operators::ResidualMethod::exact;
   }
-  state_.plastic[body] = std::move(plastic);
+  state_.plastic[body] =
+      std::make_shared<const PlasticState>(nullptr, fft::Symmetry::none, tensor, fields);
+  state_.flow_box[body] = box;
 }
 
 void Simulation::restore(const State& state, const Counters& counters) {
@@ -454,8 +423,7 @@ std::size_t Simulation::volume_bytes() const {
   for (int b = 0; b < 2; ++b) {
     if (const auto& plastic = state_.plastic[b]) {
       if (b == 1 && plastic == state_.plastic[0]) continue;
-      bytes += (plastic->strain.size() + plastic->equivalent.size() + plastic->backstress.size()) *
-               sizeof(double);
+      bytes += plastic->bytes();
     }
     if (scans_[b] && (b == 0 || scans_[b] != scans_[0])) bytes += scans_[b]->bytes();
   }

@@ -10,6 +10,7 @@
 #include "samcontact/operators/surface_displacement.hpp"
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
+#include "samcontact/simulation/outside_strain.hpp"
 
 namespace samcontact::simulation {
 namespace {
@@ -42,95 +43,16 @@ void complete(const double* deviator, std::size_t n, double* full) {
   for (std::size_t i = 0; i < n; ++i) full[2 * n + i] = -(full[i] + full[n + i]);
 }
 
-/// All six components of the plastic strain in its box.
-Field six_components(const PlasticState& plastic) {
-  if (plastic.tensor == Tensor::full) return plastic.strain;
-  const std::size_t n = plastic.box.volume_size();
+/// All six components of a strain with those of `tensor`.
+Field six_components(Field strain, Tensor tensor) {
+  if (tensor == Tensor::full) return strain;
+  const std::size_t n = strain.size() / 5;
   Field full(6 * n);
-  complete(plastic.strain.data(), n, full.data());
+  complete(strain.data(), n, full.data());
   return full;
 }
 
-/// Components of a field of the box placed into the whole volume, zero elsewhere.
-Field embed(const Field& field, const Box& box, const Grid& grid, int components) {
-  const Box whole = Box::whole(grid);
-  if (box == whole) return field;
-  Field out(components * grid.volume_size(), 0.0);
-  for (int c = 0; c < components; ++c) {
-    insert(field.data() + c * box.volume_size(), box, out.data() + c * grid.volume_size(), whole);
-  }
-  return out;
-}
-
-/// One plane, given from the mirror planes on, in a box with fewer of them.
-void unfold(const double* from, const Box& stored, fft::Symmetry had, bool odd_x, bool odd_y,
-            double* to, const Box& box, const Grid& grid) {
-  for (int i = 0; i < box.nx; ++i) {
-    for (int j = 0; j < box.ny; ++j) {
-      int gi = box.i0 + i, gj = box.j0 + j;
-      bool negative = false;
-      if (gi < stored.i0 && had == fft::Symmetry::xy) {
-        gi = grid.nx - 1 - gi;
-        negative = odd_x;
-      }
-      if (gj < stored.j0) {
-        gj = grid.ny - 1 - gj;
-        negative = negative != odd_y;
-      }
-      const double value =
-          from[static_cast<std::size_t>(gi - stored.i0) * stored.ny + (gj - stored.j0)];
-      to[static_cast<std::size_t>(i) * box.ny + j] = negative ? -value : value;
-    }
-  }
-}
-
 }  // namespace
-
-bool same(const std::shared_ptr<const PlasticState>& a,
-          const std::shared_ptr<const PlasticState>& b) {
-  return a == b || (a && b && *a == *b);
-}
-
-std::shared_ptr<const PlasticState> unfolded(const std::shared_ptr<const PlasticState>& history,
-                                             const Grid& grid, fft::Symmetry symmetry) {
-  if (!history || history->symmetry == symmetry) return history;
-  auto out = std::make_shared<PlasticState>();
-  out->symmetry = symmetry;
-  out->tensor = history->tensor;
-  Box whole = whole_box(history->box, grid, history->symmetry);
-  // From the planes that remain on.
-  const Box part = stored_part(grid, symmetry);
-  if (symmetry != fft::Symmetry::none) {
-    whole.ny -= part.j0 - whole.j0;
-    whole.j0 = part.j0;
-  }
-  out->box = whole;
-  const auto places = operators::components(out->tensor);
-  const std::size_t from = history->box.surface_size(), to = whole.surface_size();
-  const std::size_t layers = whole.nz;
-  out->strain.resize(places.size() * layers * to);
-  out->equivalent.resize(layers * to);
-  const std::size_t terms = history->backstress.size() / (5 * layers * from);
-  out->backstress.resize(5 * terms * layers * to);
-  const auto copy = [&](const Field& old, Field& young, std::size_t plane, bool odd_x, bool odd_y) {
-    unfold(old.data() + plane * from, history->box, history->symmetry, odd_x, odd_y,
-           young.data() + plane * to, whole, grid);
-  };
-  for (std::size_t k = 0; k < layers; ++k) {
-    copy(history->equivalent, out->equivalent, k, false, false);
-    for (std::size_t c = 0; c < places.size(); ++c) {
-      const bool odd_x = places[c] == 4 || places[c] == 5, odd_y = places[c] == 3 || places[c] == 5;
-      copy(history->strain, out->strain, c * layers + k, odd_x, odd_y);
-    }
-    const auto five = operators::components(Tensor::deviator);
-    for (std::size_t c = 0; c < 5 * terms; ++c) {
-      const int place = five[c % 5];
-      copy(history->backstress, out->backstress, c * layers + k, place == 4 || place == 5,
-           place == 3 || place == 5);
-    }
-  }
-  return out;
-}
 
 operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,
                             const Box& box) {
@@ -182,9 +104,32 @@ fft::Symmetry State::heat_symmetry_so_far() const {
   return common(past_symmetry, common(flux, symmetry_of(heating)));
 }
 
+State State::moved(const Travel& to) const {
+  State state = *this;
+  state.travel = to;
+  const Grid& grid = scene_->grid;
+  const Placement from = placement(), place = state.placement();
+  const auto cells = static_cast<int>(std::lround(place.origin - from.origin));
+  state.tractions.pressure = simulation::moved(tractions.pressure, grid, cells);
+  state.tractions.shear_x = simulation::moved(tractions.shear_x, grid, cells);
+  state.tractions.shear_y = simulation::moved(tractions.shear_y, grid, cells);
+  state.contact_gap.clear();
+  for (int b = 0; b < 2; ++b) {
+    if (!plastic[b]) continue;
+    const int by = from.first[b] - place.first[b];
+    if (b == 1 && plastic[0] == plastic[1] && by == from.first[0] - place.first[0]) {
+      state.plastic[1] = state.plastic[0];
+      continue;
+    }
+    const auto symmetry = common(plastic[b]->symmetry(), fft::Symmetry::y);
+    state.plastic[b] = unfolded(plastic[b], grid, symmetry)->moved(by);
+  }
+  return state;
+}
+
 Field State::gap() const {
   if (!contact_gap.empty()) return contact_gap;
-  Field gap = scene_->initial_gap;
+  Field gap = scene_->gap(travel);
   const double moved = std::isfinite(approach) ? approach : 0.0;
   for (double& g : gap) g -= moved;
   for (int body = 0; body < 2; ++body) {
@@ -194,6 +139,16 @@ Field State::gap() const {
   return gap;
 }
 
+operators::Tractions State::tractions_on(int body) const {
+  return seen_from_body(tractions, scene_->grid, placement().offset[body]);
+}
+
+bool State::has_moved(int body) const {
+  const auto& history = plastic[body];
+  return history &&
+         flow_box[body] != whole_box(history->box(), scene_->grid, history->symmetry());
+}
+
 Field State::total_stress(int body, bool with_tractions) const {
   const Grid& grid = scene_->grid;
   scene_->require_volume(body);
@@ -201,13 +156,23 @@ Field State::total_stress(int body, bool with_tractions) const {
   const Box whole = Box::whole(grid);
   if (!plastic[body] && !with_tractions) return Field(6 * grid.volume_size(), 0.0);
   const operators::Heating heat = with_tractions ? heating[body] : operators::Heating{};
+  const operators::Tractions loads = tractions_on(body);
+  const auto of_tractions = [&] {
+    return scene_->volume(body, whole, Tensor::full, method, fft::Symmetry::none, heat)
+        ->stress(nullptr, &loads, sign);
+  };
+  if (has_moved(body)) {
+    Field out = residual_stress(body, whole);
+    if (with_tractions) add(of_tractions(), out);
+    return out;
+  }
 
   // In the box the very stress that the flow was computed with: the fast operator depends a little
   // on period and mirrors.
   const bool exact = method == operators::ResidualMethod::exact;
   auto symmetry = fft::Symmetry::none;
   if (plastic[body] && !exact) {
-    symmetry = plastic[body]->symmetry;
+    symmetry = plastic[body]->symmetry();
     if (with_tractions) {
       symmetry = common(symmetry, symmetry_of(tractions, grid));
       symmetry = common(symmetry, past_symmetry);
@@ -215,31 +180,49 @@ Field State::total_stress(int body, bool with_tractions) const {
     }
   }
   const auto history = unfolded(plastic[body], grid, symmetry);
-  const Box box = history ? whole_box(history->box, grid, symmetry) : Box{};
+  const Box box = history ? whole_box(history->box(), grid, symmetry) : Box{};
 
   Field out;
   if (exact || box != whole) {
-    const auto all = unfolded(history, grid, fft::Symmetry::none);
-    const Field strain = all ? embed(six_components(*all), box, grid, 6) : Field{};
+    const Field strain = history ? plastic_strain(body, whole) : Field{};
     out = scene_->volume(body, whole, Tensor::full, method, fft::Symmetry::none, heat)
-              ->stress(all ? strain.data() : nullptr, with_tractions ? &tractions : nullptr, sign);
+              ->stress(history ? strain.data() : nullptr, with_tractions ? &loads : nullptr, sign);
     if (!history || exact) return out;
   } else {
     out.resize(6 * grid.volume_size());
   }
   const auto operators = scene_->volume(body, box, Tensor::full, method, symmetry, heat);
-  const operators::Tractions here = window(tractions, grid, history->box);
+  const operators::Tractions here = window(loads, grid, history->box());
+  const Box& stored = history->box();
   const Field part =
-      operators->stress(six_components(*history).data(), with_tractions ? &here : nullptr, sign);
+      operators->stress(six_components(history->strain(stored), history->tensor()).data(),
+                        with_tractions ? &here : nullptr, sign);
   Field plane(box.surface_size());
   Box layer = box, surface = Box::surface(grid);
   layer.nz = 1;
   for (int c = 0; c < 6; ++c) {
     for (int k = 0; k < box.nz; ++k) {
-      unfold(part.data() + (c * box.nz + k) * history->box.surface_size(), history->box, symmetry,
+      unfold(part.data() + (c * box.nz + k) * stored.surface_size(), stored, symmetry,
              c == 4 || c == 5, c == 3 || c == 5, plane.data(), box, grid);
       insert(plane.data(), layer, out.data() + (c * grid.nz + k) * grid.surface_size(), surface);
     }
+  }
+  return out;
+}
+
+Field State::residual_stress(int body, const Box& region) const {
+  scene_->require_volume(body);
+  Field out(6 * region.volume_size(), 0.0);
+  if (!plastic[body]) return out;
+  const auto history = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
+  const Box around = acting_box(*history, region, scene_->reach);
+  const auto operators =
+      scene_->volume(body, around, Tensor::full, method, fft::Symmetry::none, {});
+  const Field strain = six_components(history->strain(around), history->tensor());
+  const Field stress = operators->stress(strain.data(), nullptr, 1.0);
+  for (int c = 0; c < 6; ++c) {
+    extract(stress.data() + c * around.volume_size(), around,
+            out.data() + c * region.volume_size(), region);
   }
   return out;
 }
@@ -262,72 +245,70 @@ Field State::hydrostatic(int body) const {
 }
 
 Field State::plastic_strain(int body) const {
+  return plastic_strain(body, Box::whole(scene_->grid));
+}
+
+Field State::plastic_strain(int body, const Box& region) const {
   scene_->require_volume(body);
-  if (!plastic[body]) return Field(6 * scene_->grid.volume_size(), 0.0);
+  if (!plastic[body]) return Field(6 * region.volume_size(), 0.0);
   const auto history = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
-  return embed(six_components(*history), history->box, scene_->grid, 6);
+  return six_components(history->strain(region), history->tensor());
 }
 
 Field State::equivalent_plastic_strain(int body) const {
+  return equivalent_plastic_strain(body, Box::whole(scene_->grid));
+}
+
+Field State::equivalent_plastic_strain(int body, const Box& region) const {
   scene_->require_volume(body);
-  if (!plastic[body]) return Field(scene_->grid.volume_size(), 0.0);
-  const auto history = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
-  return embed(history->equivalent, history->box, scene_->grid, 1);
+  if (!plastic[body]) return Field(region.volume_size(), 0.0);
+  return unfolded(plastic[body], scene_->grid, fft::Symmetry::none)->equivalent(region);
 }
 
 double State::max_equivalent_plastic_strain(int body) const {
-  const auto& history = plastic[body];
-  return history ? *std::max_element(history->equivalent.begin(), history->equivalent.end()) : 0.0;
+  return plastic[body] ? plastic[body]->max_equivalent() : 0.0;
 }
 
 double State::max_plastic_strain(int body) const {
-  const auto& history = plastic[body];
-  if (!history) return 0.0;
-  const bool full = history->tensor == Tensor::full;
-  const std::ptrdiff_t n = history->box.volume_size();
-  const double* e = history->strain.data();
-  double largest = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : largest) if (10.0 * n > worth_threads)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const double xx = e[i], yy = e[n + i], zz = full ? e[2 * n + i] : -(xx + yy);
-    const double* shear = e + (full ? 3 : 2) * n + i;
-    largest = std::max(
-        largest, xx * xx + yy * yy + zz * zz +
-                     2 * (shear[0] * shear[0] + shear[n] * shear[n] + shear[2 * n] * shear[2 * n]));
-  }
-  return std::sqrt(2.0 / 3 * largest);
+  return plastic[body] ? plastic[body]->max_strain() : 0.0;
 }
 
 Field State::backstress(int body) const {
   const Grid& grid = scene_->grid;
   scene_->require_volume(body);
+  const std::size_t cells = grid.volume_size();
   const std::size_t terms = scene_->materials[body].backstresses.size();
-  Field out(6 * terms * grid.volume_size(), 0.0);
-  const auto history = unfolded(plastic[body], grid, fft::Symmetry::none);
-  if (!history) return out;
-  const std::size_t cells = history->box.volume_size();
-  Field full(6 * terms * cells);
+  Field out(6 * terms * cells, 0.0);
+  if (!plastic[body] || terms == 0) return out;
+  const Field deviators =
+      unfolded(plastic[body], grid, fft::Symmetry::none)->backstress(Box::whole(grid));
   for (std::size_t n = 0; n < terms; ++n) {
-    complete(history->backstress.data() + 5 * n * cells, cells, full.data() + 6 * n * cells);
+    complete(deviators.data() + 5 * n * cells, cells, out.data() + 6 * n * cells);
   }
-  return embed(full, history->box, grid, static_cast<int>(6 * terms));
+  return out;
 }
 
 Field State::residual_displacement(int body) const {
   const Grid& grid = scene_->grid;
-  Field out(grid.surface_size(), 0.0);
+  const Field own = residual_displacement(body, {0, 0, grid.nx, grid.ny, 0});
+  return seen_from_body(own, grid, -placement().offset[body]);
+}
+
+Field State::residual_displacement(int body, const Box& region) const {
+  const Box surface{region.i0, region.j0, region.nx, region.ny, 1};
+  Field out(surface.surface_size(), 0.0);
   if (!plastic[body]) return out;
-  const auto whole_history = unfolded(plastic[body], grid, fft::Symmetry::none);
-  const PlasticState& history = *whole_history;
-  Box wide = Box::whole(grid);
-  wide.nz = history.box.nz;
+  const auto history = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
+  const Box around = acting_box(*history, surface, scene_->reach);
   const auto operators =
-      scene_->volume(body, wide, history.tensor, method, fft::Symmetry::none, {});
+      scene_->volume(body, around, history->tensor(), method, fft::Symmetry::none, {});
   operators::VolumeSpectrum spectrum = operators->make_spectrum();
-  const int parts = operators::count(history.tensor);
-  operators::forward(operators->transform(),
-                     embed(history.strain, history.box, wide.grid(grid), parts).data(), spectrum);
-  operators->residual_displacement().apply(spectrum, out.data());
+  operators::forward(operators->transform(), history->strain(around).data(), spectrum);
+  Field displacement(around.surface_size());
+  operators->residual_displacement().apply(spectrum, displacement.data());
+  Box plane = around;
+  plane.nz = 1;
+  extract(displacement.data(), plane, out.data(), surface);
   return out;
 }
 
@@ -348,7 +329,8 @@ Field State::surface_displacement(int body) const {
 
 Field State::temperature(int body) const {
   scene_->require_volume(body);
-  Field rise = scene_->temperature(heating[body])->rise(tractions.pressure.data());
+  const Field pressure = tractions_on(body).pressure;
+  Field rise = scene_->temperature(heating[body])->rise(pressure.data());
   if (past[body]) add(past[body]->temperature(heating[body].time, scene_->grid.z()), rise);
   return rise;
 }

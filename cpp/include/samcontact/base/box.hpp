@@ -25,6 +25,8 @@ struct Box {
   Grid grid(const Grid& of) const { return {nx, ny, of.dx, of.dy, nz, of.dz}; }
 
   bool contains(const Box& other) const;
+  /// What both contain; empty when nothing.
+  Box intersected(const Box& other) const;
   /// Smallest box that contains both; an empty one counts for its depth only.
   Box united(const Box& other) const;
   /// Wider by `cells` on every side and at the bottom, within the grid.
@@ -51,5 +53,7 @@ Box bounding_box(const Grid& grid, const Pick& pick) {
 /// Copies layers [k][i][j] between a box and one that contains it.
 void insert(const double* small, const Box& from, double* large, const Box& into);
 void extract(const double* large, const Box& from, double* small, const Box& into);
+/// Copies what both contain; the rest of `to` stays.
+void copy_common(const double* from, const Box& from_box, double* to, const Box& to_box);
 
 }  // namespace samcontact

@@ -10,6 +10,7 @@
 #include "samcontact/plasticity/return_mapping.hpp"
 #include "samcontact/simulation/active_cells.hpp"
 #include "samcontact/simulation/heat_of_increment.hpp"
+#include "samcontact/simulation/outside_strain.hpp"
 #include "samcontact/simulation/simulation.hpp"
 
 namespace samcontact::simulation {
@@ -19,7 +20,8 @@ namespace samcontact::simulation {
 /// itself.
 class PlasticIncrement {
  public:
-  /// scans: by body, null where nothing can yield.
+  /// from: with the bodies where the increment takes them. scans: by body, null where nothing can
+  /// yield.
   PlasticIncrement(const State& from, const Target& target, const Scans& scans,
                    const Settings& settings, Counters& counters);
 
@@ -51,7 +53,8 @@ class PlasticIncrement {
   struct Body {
     int index;
     const YieldScan* scan;
-    Box box;  // from the mirror planes on
+    std::shared_ptr<const PlasticState> history;  // before the increment; null: none
+    Box box;                                       // from the mirror planes on
     operators::Tensor tensor;
     Scene::Operators operators;
     std::vector<operators::VolumeSpectrum> spectrum;  // one, or none without a box
@@ -61,7 +64,10 @@ class PlasticIncrement {
     std::vector<int> active;  // per cell: its place among the active ones, or -1
     bool strained = false;
     double rim_displacement = 0.0;  // largest residual displacement at the rim of the window
-    Field past_stress;              // of past heat, as the strain in its box
+    OutsideStrain outside;          // what the history outside of the box does
+    Field given_stress;             // of that and of past heat, as the strain in its box
+    double offset = 0.0;            // of its cells from the grid's, see Placement
+    operators::Tractions seen;      // the tractions from there; see tractions_on()
     std::shared_ptr<const Field> softening;  // of the yield stress [k][i][j] of the grid
     double weakest = 1.0;                    // its smallest value
     int copies = 1;  // 2: the other body is its mirror image in the contact plane
@@ -75,7 +81,11 @@ class PlasticIncrement {
   Box fit(const Box& needed, const Box& before) const;
   void scatter(const Field& guess);
   void residual_displacement(Body& body, Field& gap);
+  /// Adds a surface field of a body, on a box from the mirror planes on, to the gap.
+  void open(const Body& body, const Box& box, const Field& displacement, Field& gap) const;
   contact::Solution solve_contact(const Field& gap, double tol);
+  void look_from_bodies();
+  const operators::Tractions& tractions_on(const Body& body) const;
   /// Whether the residual displacement, which is known over the boxes only, could close the gap
   /// somewhere else.
   bool may_touch_outside(const Field& gap) const;
@@ -83,7 +93,7 @@ class PlasticIncrement {
   void soften();
   /// The place of a box's cell in fields of the whole grid.
   std::size_t grid_cell(const Body& body, std::uint32_t cell) const;
-  Box contact_window() const;
+  Box contact_window(const Body& body) const;
   /// Whether a box had to grow for the contact or, at first, for the elastic stress.
   bool fit_boxes(const Field& gap);
   /// Stress of the active cells, and the cells that yield and were not active: now they are.
@@ -93,6 +103,8 @@ class PlasticIncrement {
   /// Those of one cell before the increment, into the first places; how many.
   std::span<const plasticity::Tensor> backstresses(const Body& body, std::uint32_t cell,
                                                    plasticity::Tensors& place) const;
+  /// Active cell number n, at the end of the increment.
+  void flow(State& state, Body& body, std::size_t n, const Field& mapped) const;
   /// Grows the boxes whose rim flows.
   bool grow_at_rim();
 
@@ -104,7 +116,8 @@ class PlasticIncrement {
   fft::Symmetry symmetry_ = fft::Symmetry::none;
   std::vector<Body> bodies_;  // inelastic ones
   int components_ = 5;
-  operators::Tractions tractions_;
+  operators::Tractions tractions_;  // [i][j] of the grid
+  Field initial_gap_;
   HeatOfIncrement heat_;
   Field gap_;  // without the elastic displacement, of the last evaluation
   bool scanned_ = false, softened_ = false;

@@ -12,6 +12,8 @@
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
 #include "samcontact/plasticity/material.hpp"
+#include "samcontact/simulation/mirror.hpp"
+#include "samcontact/simulation/motion.hpp"
 #include "samcontact/simulation/past_heat.hpp"
 
 namespace samcontact::simulation {
@@ -19,14 +21,22 @@ namespace samcontact::simulation {
 /// Bodies are indexed 0 (upper) and 1 (lower).
 class Scene {
  public:
+  /// reach: how far beyond the grid plastic strain acts along x [cells].
   Scene(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
-        Field initial_gap, double friction, double image_tol, const HeatMarch& march = {});
+        Field initial_gap, double friction, double image_tol, const HeatMarch& march, int reach,
+        Reliefs reliefs);
 
   const Grid grid;
   const std::array<plasticity::Material, 2> materials;
   const Field initial_gap;
   const double friction;
   const HeatMarch march;
+  const int reach;
+  const Reliefs reliefs;
+
+  Placement placement(const Travel& travel) const;
+  /// Separation of the undeformed bodies [i][j].
+  Field gap(const Travel& travel) const;
 
   /// The contact of the scene with this heat; the last one is kept. Thread-safe.
   std::shared_ptr<const contact::ContactSolver> solver(const operators::HeatingPair& heating) const;
@@ -51,8 +61,8 @@ class Scene {
                    operators::ResidualMethod method, fft::Symmetry symmetry,
                    const operators::Heating& heating) const;
 
-  /// Mirror planes that the initial gap, friction and grid leave to all fields.
-  fft::Symmetry symmetry() const { return symmetry_; }
+  /// Mirror planes that gap, friction and grid leave to all fields.
+  fft::Symmetry symmetry(const Travel& travel) const;
 
   /// Memory of the operators that are kept.
   std::size_t operator_bytes() const;
@@ -79,18 +89,5 @@ class Scene {
   mutable operators::HeatingPair solver_heating_;
   mutable std::shared_ptr<const contact::ContactSolver> solver_;
 };
-
-/// Mirror planes that heat leaves.
-fft::Symmetry symmetry_of(const operators::HeatingPair& heating);
-/// Mirror planes of a surface field, to 1e-10 of its largest value.
-fft::Symmetry symmetry_of(const Field& field, const Grid& grid);
-/// Those of tractions, which are along x and y.
-fft::Symmetry symmetry_of(const operators::Tractions& tractions, const Grid& grid);
-/// Those that both have.
-fft::Symmetry common(fft::Symmetry a, fft::Symmetry b);
-/// The cells of the grid from the mirror planes on, all layers.
-Box stored_part(const Grid& grid, fft::Symmetry symmetry);
-/// The whole box of which `stored` is the part from the mirror planes on, and that part of a box.
-Box whole_box(const Box& stored, const Grid& grid, fft::Symmetry symmetry);
 
 }  // namespace samcontact::simulation

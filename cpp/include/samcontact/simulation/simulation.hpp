@@ -16,6 +16,7 @@ struct Target {
   enum class Kind { load, approach, tractions } kind;
   double value = 0.0;
   operators::Tractions tractions;
+  Travel advance{};                // on the way there
   operators::HeatingPair heating;  // that goes with the pressure
   PastHeat past;                   // filled in by the simulation
   fft::Symmetry past_symmetry = fft::Symmetry::xy;
@@ -38,6 +39,8 @@ struct Settings {
   ResidualChoice residual_stress = ResidualChoice::automatic;
   /// Fast residual stress: error due to periodic images, relative to the largest stress.
   double image_tol = 1e-3;
+  /// How far beyond the grid plastic strain acts along x [cells].
+  int reach = 0;
   /// By body; empty: none. Asked once an increment, or part of one.
   std::array<Softening, 2> softening;
 };
@@ -62,7 +65,7 @@ class Simulation {
   /// Throws std::invalid_argument: wrong gap, an inelastic body on a grid without volume, tol.
   Simulation(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
              Field initial_gap, double friction, const Settings& settings,
-             const HeatMarch& march = {});
+             const HeatMarch& march = {}, Reliefs reliefs = {});
 
   /// One increment; halves it where the fixed point does not converge. The present state changes
   /// only on success. Throws std::invalid_argument, GridTooSmallError, ConvergenceError.
@@ -87,7 +90,7 @@ class Simulation {
   void check(const Target& target) const;
   /// Walks from the present state to the target in as many parts as convergence and the increment
   /// tolerance ask for.
-  State advance(const Target& target);
+  State walk(const Target& target);
   /// With the heat of a target.
   const Scans& scans(const operators::HeatingPair& heating);
   std::vector<std::string> border_complaints(const State& reached, const Target& target) const;

@@ -8,23 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "samcontact/simulation/plastic_state.hpp"
 #include "samcontact/simulation/scene.hpp"
 
 namespace samcontact::simulation {
-
-/// Plastic history of one body in the box that holds all of it; never changed once made. With
-/// mirror planes the box is the part from them on.
-struct PlasticState {
-  Box box;
-  fft::Symmetry symmetry = fft::Symmetry::none;
-  operators::Tensor tensor = operators::Tensor::deviator;
-  Field strain;      // [component][k][i][j] of the box
-  Field equivalent;  // [k][i][j] of the box
-  Field backstress;  // [term][component][k][i][j] of the box: deviators; empty: no kinematic
-                     // hardening
-
-  bool operator==(const PlasticState&) const = default;
-};
 
 class State {
  public:
@@ -44,15 +31,25 @@ class State {
   double approach = 0.0;  // [m]; NaN under prescribed tractions
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
   operators::ResidualMethod method;
+  Travel travel{};
+  /// Whole boxes in which the plastic strain was last solved for.
+  std::array<Box, 2> flow_box;
 
   bool converged = true;
   int plastic_iterations = 0, contact_iterations = 0, substeps = 0;
   double plastic_residual = 0.0;  // relative change of the plastic strain increment when accepted
   double yield_excess = 0.0;      // max (von Mises - yield)/yield when accepted
+  /// In this increment: whether a body flowed, and whether it did at the bottom and at a side of
+  /// the grid.
+  std::array<bool, 2> flowed{}, flow_at_bottom{}, flow_at_side{};
   std::vector<std::string> warnings;
 
   const Scene& scene() const { return *scene_; }
   const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
+
+  Placement placement() const { return scene_->placement(travel); }
+  /// The same with the bodies moved on, nothing solved.
+  State moved(const Travel& to) const;
 
   /// Past heat as the next step finds it: with that of this one.
   PastHeat heat_so_far() const;
@@ -61,8 +58,9 @@ class State {
   /// Separation of the surfaces under load [i][j] [m]; under prescribed tractions for approach 0.
   Field gap() const;
 
-  /// Fields of a body (0 or 1), layers at mid-depth: [component][k][i][j] or [k][i][j]. Throw
-  /// std::invalid_argument for a grid without volume or a rigid body.
+  /// Fields of a body (0 or 1), layers at mid-depth: [component][k][i][j] or [k][i][j], in the
+  /// body's cells (see Placement). Throw std::invalid_argument for a grid without volume or a rigid
+  /// body.
   Field stress(int body) const;
   Field residual_stress(int body) const;
   Field von_mises(int body) const;
@@ -75,6 +73,13 @@ class State {
   double max_plastic_strain(int body) const;
   /// [term][component][k][i][j], as many terms as the material has backstresses.
   Field backstress(int body) const;
+  /// Fields of the plastic strain over cells of the body beside or in the grid; [i][j] or
+  /// [component][k][i][j] of the region.
+  Field residual_displacement(int body, const Box& region) const;
+  Field residual_stress(int body, const Box& region) const;
+  Field plastic_strain(int body, const Box& region) const;
+  Field equivalent_plastic_strain(int body, const Box& region) const;
+
   /// Surface fields [i][j] [m], positive into the body: of the plastic strain, and of all.
   Field residual_displacement(int body) const;
   Field surface_displacement(int body) const;
@@ -84,17 +89,13 @@ class State {
 
  private:
   Field total_stress(int body, bool with_tractions) const;
+  /// As the body's cells see them.
+  operators::Tractions tractions_on(int body) const;
+  /// Whether its plastic strain has moved.
+  bool has_moved(int body) const;
 
   std::shared_ptr<const Scene> scene_;
 };
-
-/// Whether two histories, or their absence, are the same.
-bool same(const std::shared_ptr<const PlasticState>& a,
-          const std::shared_ptr<const PlasticState>& b);
-
-/// The same with fewer mirror planes.
-std::shared_ptr<const PlasticState> unfolded(const std::shared_ptr<const PlasticState>& history,
-                                             const Grid& grid, fft::Symmetry symmetry);
 
 /// The part of the surface fields over a box.
 operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plastic strain that a moving contact leaves beside it: what it still does.
+#pragma once
+
+#include "samcontact/simulation/scene.hpp"
+#include "samcontact/simulation/plastic_state.hpp"
+
+namespace samcontact::simulation {
+
+/// A box and the strain that acts on it, at most `reach` cells beyond it along x. The size takes few
+/// values, so that operators on it can be kept.
+Box acting_box(const PlasticState& history, const Box& wanted, int reach);
+
+/// What the strain outside of a box does in it, and to the surface.
+struct OutsideStrain {
+  Box surface;         // where the displacement is known: all of the grid along x
+  Field displacement;  // [i][j] of that; empty: nothing acts
+  Field stress;        // [component][k][i][j] of the box
+};
+
+/// box: within the grid, from the mirror planes of the history on.
+OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,
+                             const Box& box, operators::ResidualMethod method);
+
+}  // namespace samcontact::simulation

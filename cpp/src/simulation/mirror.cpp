@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/mirror.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace samcontact::simulation {
+
+fft::Symmetry symmetry_of(const operators::HeatingPair& heating) {
+  auto symmetry = fft::Symmetry::xy;
+  for (const auto& h : heating) {
+    if (!h.is_on()) continue;
+    if (h.speed_x != 0) symmetry = common(symmetry, fft::Symmetry::y);
+    if (h.speed_y != 0) symmetry = fft::Symmetry::none;
+  }
+  return symmetry;
+}
+
+fft::Symmetry symmetry_of(const Field& field, const Grid& grid) {
+  const auto at = [&](int i, int j) { return field[static_cast<std::size_t>(i) * grid.ny + j]; };
+  double largest = 0.0;
+  for (const double value : field) largest = std::max(largest, std::fabs(value));
+  const double rounding = 1e-10 * largest;
+  bool x = true, y = true;
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      y = y && std::fabs(at(i, j) - at(i, grid.ny - 1 - j)) <= rounding;
+      x = x && std::fabs(at(i, j) - at(grid.nx - 1 - i, j)) <= rounding;
+    }
+  }
+  if (!y) return fft::Symmetry::none;
+  return x ? fft::Symmetry::xy : fft::Symmetry::y;
+}
+
+fft::Symmetry symmetry_of(const operators::Tractions& tractions, const Grid& grid) {
+  if (!tractions.shear_y.empty()) return fft::Symmetry::none;
+  fft::Symmetry symmetry = symmetry_of(tractions.pressure, grid);
+  if (!tractions.shear_x.empty()) {
+    symmetry = common(symmetry, common(fft::Symmetry::y, symmetry_of(tractions.shear_x, grid)));
+  }
+  return symmetry;
+}
+
+fft::Symmetry common(fft::Symmetry a, fft::Symmetry b) { return std::min(a, b); }
+
+Box stored_part(const Grid& grid, fft::Symmetry symmetry) {
+  Box part = Box::whole(grid);
+  if (symmetry != fft::Symmetry::none) {
+    part.j0 = grid.ny / 2;
+    part.ny = grid.ny - part.j0;
+  }
+  if (symmetry == fft::Symmetry::xy) {
+    part.i0 = grid.nx / 2;
+    part.nx = grid.nx - part.i0;
+  }
+  return part;
+}
+
+Box whole_box(const Box& stored, const Grid& grid, fft::Symmetry symmetry) {
+  Box whole = stored;
+  if (symmetry != fft::Symmetry::none) {
+    whole.j0 = grid.ny - (stored.j0 + stored.ny);
+    whole.ny = grid.ny - 2 * whole.j0;
+  }
+  if (symmetry == fft::Symmetry::xy) {
+    whole.i0 = grid.nx - (stored.i0 + stored.nx);
+    whole.nx = grid.nx - 2 * whole.i0;
+  }
+  return whole;
+}
+
+Box part_of(const Box& whole, const Grid& grid, fft::Symmetry symmetry) {
+  const Box part = stored_part(grid, symmetry);
+  Box out = whole;
+  if (symmetry != fft::Symmetry::none) {
+    out.j0 = std::max(whole.j0, part.j0);
+    out.ny = std::max(0, whole.j0 + whole.ny - out.j0);
+  }
+  if (symmetry == fft::Symmetry::xy) {
+    out.i0 = std::max(whole.i0, part.i0);
+    out.nx = std::max(0, whole.i0 + whole.nx - out.i0);
+  }
+  return out;
+}
+
+void unfold(const double* from, const Box& stored, fft::Symmetry had, bool odd_x, bool odd_y,
+            double* to, const Box& box, const Grid& grid) {
+  for (int i = 0; i < box.nx; ++i) {
+    for (int j = 0; j < box.ny; ++j) {
+      int gi = box.i0 + i, gj = box.j0 + j;
+      bool negative = false;
+      if (gi < stored.i0 && had == fft::Symmetry::xy) {
+        gi = grid.nx - 1 - gi;
+        negative = odd_x;
+      }
+      if (gj < stored.j0) {
+        gj = grid.ny - 1 - gj;
+        negative = negative != odd_y;
+      }
+      const double value =
+          from[static_cast<std::size_t>(gi - stored.i0) * stored.ny + (gj - stored.j0)];
+      to[static_cast<std::size_t>(i) * box.ny + j] = negative ? -value : value;
+    }
+  }
+}
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/outside_strain.hpp"
+
+#include <algorithm>
+
+namespace samcontact::simulation {
+
+Box acting_box(const PlasticState& history, const Box& wanted, int reach) {
+  const int step = std::max(8, (reach + 3) / 4);
+  const auto beyond = [&](int cells) {
+    return std::clamp((cells + step - 1) / step * step, 0, reach);
+  };
+  const Box& past = history.box();
+  const int left = beyond(wanted.i0 - past.i0);
+  const int right = beyond(past.i0 + past.nx - (wanted.i0 + wanted.nx));
+  const Box long_box{wanted.i0 - left, past.j0, wanted.nx + left + right, past.ny, past.nz};
+  return wanted.united(long_box);
+}
+
+OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,
+                             const Box& box, operators::ResidualMethod method) {
+  if (!box.empty() && box.contains(history.box())) return {};
+  const Grid& grid = scene.grid;
+  const fft::Symmetry symmetry = history.symmetry();
+  const Box part = stored_part(grid, symmetry);
+  const Box around = acting_box(history, Box{part.i0, part.j0, part.nx, 1, 1}.united(box),
+                                scene.reach);
+  Field strain = history.strain(around);
+  const std::size_t cells = around.volume_size();
+  const int components = operators::count(history.tensor());
+  const Field inside(box.volume_size(), 0.0);
+  for (int c = 0; c < components; ++c) {
+    if (!box.empty()) insert(inside.data(), box, strain.data() + c * cells, around);
+  }
+  if (std::all_of(strain.begin(), strain.end(), [](double v) { return v == 0; })) return {};
+
+  const auto operators = scene.volume(body, whole_box(around, grid, symmetry), history.tensor(),
+                                      method, symmetry, {});
+  operators::VolumeSpectrum spectrum = operators->make_spectrum();
+  operators::forward(operators->transform(), strain.data(), spectrum);
+  OutsideStrain out;
+  Field displacement(around.surface_size());
+  operators->residual_displacement().apply(spectrum, displacement.data());
+  out.surface = {part.i0, around.j0, part.nx, around.ny, 1};
+  out.displacement.resize(out.surface.surface_size());
+  Box surface = around;
+  surface.nz = 1;
+  extract(displacement.data(), surface, out.displacement.data(), out.surface);
+  if (box.empty()) return out;
+
+  out.stress.resize(components * box.volume_size());
+  Box layer = box;
+  layer.nz = 1;
+  operators->for_each_layer(spectrum, strain.data(), nullptr, 1.0, [&](int k, const double* s) {
+    if (k >= box.nz) return;
+    for (int c = 0; c < components; ++c) {
+      extract(s + c * surface.surface_size(), surface,
+              out.stress.data() + (c * box.nz + k) * box.surface_size(), layer);
+    }
+  });
+  return out;
+}
+
+}  // namespace samcontact::simulation

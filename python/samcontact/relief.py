@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Roughness, dents and furrows that move with the surface of a body."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ._checks import FloatArray, finite_array
+from .grid import Grid
+
+__all__ = ["Relief"]
+
+
+@dataclass(frozen=True, eq=False)
+class Relief:
+    """Heights of a body's surface, fixed to the body.
+
+    Parameters
+    ----------
+    heights : array_like, shape (rows, ny)
+        [m], positive out of the body, on cells as large as the grid's; any number of rows along x.
+    first : int, optional
+        Row of the grid over which the first of these rows starts; may be negative. As a body moves
+        towards +x, rows before it enter the grid.
+    periodic : bool, optional
+        Repeat the rows along x for ever; by default the surface is flat (0) beyond them.
+
+    Raises
+    ------
+    ValueError
+        Heights that are not finite or not two-dimensional.
+    """
+
+    heights: FloatArray
+    first: int = 0
+    periodic: bool = False
+
+    def __post_init__(self) -> None:
+        heights = np.asarray(self.heights)
+        if heights.ndim != 2:
+            raise ValueError(f"heights must have shape (rows, ny), got {heights.shape}")
+        checked = np.array(finite_array("heights", heights, heights.shape), order="C")
+        checked.flags.writeable = False
+        object.__setattr__(self, "heights", checked)
+
+
+def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool] | None:
+    """The parts of a relief for the core."""
+    if relief is None:
+        return None
+    if not isinstance(relief, Relief):
+        raise TypeError(f"{name} must be a Relief, got {type(relief).__name__}")
+    if relief.heights.shape[1] != grid.ny or relief.heights.shape[0] == 0:
+        raise ValueError(
+            f"{name} must have heights of shape (rows, {grid.ny}), got {relief.heights.shape}"
+        )
+    return relief.heights, int(relief.first), bool(relief.periodic)
