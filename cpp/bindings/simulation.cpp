@@ -129,14 +129,12 @@ void bind_track(py::class_<State>& state) {
   const auto bind = [&](const char* name, auto method) {
     state.def(name, method, py::arg("body"), py::arg("first_row"), py::arg("rows"));
   };
-  bind("track_residual_displacement",
-       track_method<Rank::surface>(&State::residual_displacement));
+  bind("track_residual_displacement", track_method<Rank::surface>(&State::residual_displacement));
   bind("track_residual_stress", track_method<Rank::tensor>(&State::residual_stress));
   bind("track_plastic_strain", track_method<Rank::tensor>(&State::plastic_strain));
   bind("track_equivalent_plastic_strain",
        track_method<Rank::scalar>(&State::equivalent_plastic_strain));
-  state
-      .def_readonly("travel", &State::travel)
+  state.def_readonly("travel", &State::travel)
       .def_property_readonly("origin", [](const State& s) { return s.placement().origin; })
       .def_property_readonly("offset", [](const State& s) { return s.placement().offset; })
       .def_property_readonly("first_cell", [](const State& s) { return s.placement().first; })
@@ -392,10 +390,9 @@ void bind_simulation(py::module_& m) {
                if (!softening[b].is_none())
                  settings.softening[b] = softening_law(softening[b], grid);
              }
-             return std::make_unique<Simulation>(grid, body1, body2, to_field(gap), friction,
-                                                 settings,
-                                                 simulation::HeatMarch{march[0], march[1]},
-                                                 to_reliefs(reliefs));
+             return std::make_unique<Simulation>(
+                 grid, body1, body2, to_field(gap), friction, settings,
+                 simulation::HeatMarch{march[0], march[1]}, to_reliefs(reliefs));
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"), py::arg("friction"),
            py::arg("tol"), py::arg("increment_tol"), py::arg("max_iterations"),

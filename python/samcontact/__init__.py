@@ -21,8 +21,10 @@ from ._core import version as __version__
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
 from .grid import Grid
 from .material import Material
+from .relief import Relief
 from .simulation import CheckpointError, PlasticStrainWarning, Simulation
 from .state import State
+from .track import Track
 
 __all__ = [
     "CheckpointError",
@@ -34,8 +36,10 @@ __all__ = [
     "GridTooSmallWarning",
     "Material",
     "PlasticStrainWarning",
+    "Relief",
     "Simulation",
     "State",
+    "Track",
     "__version__",
     "critical",
     "flattening",

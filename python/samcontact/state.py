@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from ._checks import FloatArray, choice
+from ._checks import FloatArray, choice, integer
 from .grid import Grid
+from .track import Track
 
 
 class State:
@@ -69,6 +70,46 @@ class State:
     def time(self) -> float:
         """Time [s] since the start of a simulation with `heat_history`; 0 otherwise."""
         return float(self._core.time)
+
+    @property
+    def travel(self) -> tuple[float, float]:
+        """How far the surfaces of body 1 and 2 have moved through the contact, in +x [m]."""
+        first, second = self._core.travel
+        return first * self.grid.dx, second * self.grid.dx
+
+    @property
+    def origin(self) -> float:
+        """Where x = 0 of the contact lies in the grid [m], within half a cell of its middle.
+
+        The cells of the grid are those of the body whose plastic strain it follows (body 2 where
+        it is inelastic), so the contact moves in the grid by what is not a whole cell.
+        """
+        return float(self._core.origin) * self.grid.dx
+
+    def offset(self, body: int = 2) -> float:
+        """How far volume fields of a body lie from the grid's cells, along x [m].
+
+        Within half a cell; not zero only where two inelastic bodies moved differently by parts of
+        a cell.
+        """
+        return -float(self._core.offset[choice("body", body, (1, 2)) - 1]) * self.grid.dx
+
+    def track(self, body: int = 2, margin: int | None = None) -> Track:
+        """What the whole way of the contact left in a body, beyond the grid too.
+
+        Parameters
+        ----------
+        body : {1, 2}
+        margin : int, optional
+            Cells before and behind the plastic strain, >= 0; default a quarter of the grid's.
+
+        Returns
+        -------
+        Track
+        """
+        choice("body", body, (1, 2))
+        cells = self.grid.nx // 4 if margin is None else integer("margin", margin, 0)
+        return Track(self._core, self.grid, body, cells)
 
     @property
     def converged(self) -> bool:

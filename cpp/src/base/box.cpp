@@ -71,8 +71,8 @@ void copy_common(const double* from, const Box& from_box, double* to, const Box&
     // The same row of the other box.
     const std::size_t j = source % from_box.ny, ki = source / from_box.ny;
     const std::size_t i = ki % from_box.nx, k = ki / from_box.nx;
-    const std::size_t row = (k * to_box.nx + (i + from_box.i0 - to_box.i0)) * to_box.ny + j +
-                            from_box.j0 - to_box.j0;
+    const std::size_t row =
+        (k * to_box.nx + (i + from_box.i0 - to_box.i0)) * to_box.ny + j + from_box.j0 - to_box.j0;
     std::copy_n(from + source, common.ny, to + row);
   });
 }

@@ -23,8 +23,8 @@ OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& h
   const Grid& grid = scene.grid;
   const fft::Symmetry symmetry = history.symmetry();
   const Box part = stored_part(grid, symmetry);
-  const Box around = acting_box(history, Box{part.i0, part.j0, part.nx, 1, 1}.united(box),
-                                scene.reach);
+  const Box around =
+      acting_box(history, Box{part.i0, part.j0, part.nx, 1, 1}.united(box), scene.reach);
   Field strain = history.strain(around);
   const std::size_t cells = around.volume_size();
   const int components = operators::count(history.tensor());
@@ -34,8 +34,8 @@ OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& h
   }
   if (std::all_of(strain.begin(), strain.end(), [](double v) { return v == 0; })) return {};
 
-  const auto operators = scene.volume(body, whole_box(around, grid, symmetry), history.tensor(),
-                                      method, symmetry, {});
+  const auto operators =
+      scene.volume(body, whole_box(around, grid, symmetry), history.tensor(), method, symmetry, {});
   operators::VolumeSpectrum spectrum = operators->make_spectrum();
   operators::forward(operators->transform(), strain.data(), spectrum);
   OutsideStrain out;

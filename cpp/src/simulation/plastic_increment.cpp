@@ -362,9 +362,10 @@ bool PlasticIncrement::fit_boxes(const Field& gap) {
     if (!scanned_) {
       const auto& hardening = scene_.materials[body.index].hardening;
       const double limit = near_yield * body.weakest * hardening.yield_stress(0.0);
-      const Box near = heat_.has_past(body.index)
-                           ? heat_.above(body.index, tractions_on(body), from_.method, limit)
-                           : body.scan->box(tractions_on(body), body.index == 1 ? 1.0 : -1.0, limit);
+      const Box near =
+          heat_.has_past(body.index)
+              ? heat_.above(body.index, tractions_on(body), from_.method, limit)
+              : body.scan->box(tractions_on(body), body.index == 1 ? 1.0 : -1.0, limit);
       if (!near.empty()) needed = needed.united(near.widened(margin, grid));
     }
     if (needed.empty()) continue;
@@ -634,8 +635,8 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
     if (state.flowed[i]) {
       const PlasticFields fields{body.box, std::move(body.strain), std::move(body.equivalent),
                                  std::move(body.backstress)};
-      state.plastic[i] = std::make_shared<const PlasticState>(body.history.get(), symmetry_,
-                                                              body.tensor, fields);
+      state.plastic[i] =
+          std::make_shared<const PlasticState>(body.history.get(), symmetry_, body.tensor, fields);
       state.flow_box[i] = whole_box(body.box, scene_.grid, symmetry_);
     }
     if (body.copies == 1) continue;

@@ -24,9 +24,7 @@ Field fitted(const Field& column, const Box& from, const Box& to, std::size_t pa
 }
 
 /// Whether columns of both boxes have the same cells.
-bool aligned(const Box& a, const Box& b) {
-  return a.j0 == b.j0 && a.ny == b.ny && a.nz == b.nz;
-}
+bool aligned(const Box& a, const Box& b) { return a.j0 == b.j0 && a.ny == b.ny && a.nz == b.nz; }
 
 }  // namespace
 
@@ -79,8 +77,7 @@ std::shared_ptr<const PlasticState::Column> PlasticState::finished(Field values)
     const double xx = e[n], yy = e[cells + n], zz = full ? e[2 * cells + n] : -(xx + yy);
     const double* shear = e + (full ? 3 : 2) * cells + n;
     const double yz = shear[0], xz = shear[cells], xy = shear[2 * cells];
-    largest = std::max(largest,
-                       xx * xx + yy * yy + zz * zz + 2 * (yz * yz + xz * xz + xy * xy));
+    largest = std::max(largest, xx * xx + yy * yy + zz * zz + 2 * (yz * yz + xz * xz + xy * xy));
   }
   column->max_strain = std::sqrt(2.0 / 3 * largest);
   column->values = std::move(values);
@@ -160,8 +157,7 @@ PlasticState PlasticState::unfolded(const Grid& grid, fft::Symmetry symmetry) co
     whole.j0 = part.j0;
   }
   const PlasticFields had = fields(box_);
-  PlasticFields out{whole, Field(strain_parts() * whole.volume_size()),
-                    Field(whole.volume_size()),
+  PlasticFields out{whole, Field(strain_parts() * whole.volume_size()), Field(whole.volume_size()),
                     Field(backstress_parts_ * whole.volume_size())};
   const std::size_t from = box_.surface_size(), to = whole.surface_size();
   const auto copy = [&](const Field& old, Field& young, int c, bool odd_x, bool odd_y) {
@@ -185,10 +181,9 @@ PlasticState PlasticState::unfolded(const Grid& grid, fft::Symmetry symmetry) co
 
 bool PlasticState::operator==(const PlasticState& other) const {
   if (box_ != other.box_ || symmetry_ != other.symmetry_ || tensor_ != other.tensor_) return false;
-  return std::equal(columns_.begin(), columns_.end(), other.columns_.begin(),
-                    [](const auto& a, const auto& b) {
-                      return a == b || (a && b && a->values == b->values);
-                    });
+  return std::equal(
+      columns_.begin(), columns_.end(), other.columns_.begin(),
+      [](const auto& a, const auto& b) { return a == b || (a && b && a->values == b->values); });
 }
 
 bool same(const std::shared_ptr<const PlasticState>& a,

@@ -156,8 +156,7 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
     : scene_(
           (require_field(initial_gap, grid.surface_size(), "gap", shape_text({grid.nx, grid.ny})),
            std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
-                                   settings.image_tol, march, settings.reach,
-                                   std::move(reliefs)))),
+                                   settings.image_tol, march, settings.reach, std::move(reliefs)))),
       settings_(settings),
       state_(scene_, choose(settings.residual_stress, grid.volume_size() <= small_volume)) {
   require(settings.tol >= 1e-11 && settings.tol < 1, "tol", "in [1e-11, 1)", settings.tol);
@@ -384,13 +383,12 @@ void Simulation::set_plastic_state(int body, const Field& strain, const Field& e
     return;
   }
   // Plastic strain has no trace but for rounding.
-  const auto tensor = trace <= 1e-12 * largest ? operators::Tensor::deviator
-                                               : operators::Tensor::full;
+  const auto tensor =
+      trace <= 1e-12 * largest ? operators::Tensor::deviator : operators::Tensor::full;
   const Box whole = Box::whole(grid);
   const auto cut = [&](const double* from, double* to) { extract(from, whole, to, box); };
   const auto places = operators::components(tensor);
-  PlasticFields fields{box, Field(places.size() * box.volume_size()),
-                       Field(box.volume_size(), 0.0),
+  PlasticFields fields{box, Field(places.size() * box.volume_size()), Field(box.volume_size(), 0.0),
                        Field(5 * laws.size() * box.volume_size(), 0.0)};
   for (std::size_t c = 0; c < places.size(); ++c) {
     cut(strain.data() + places[c] * cells, fields.strain.data() + c * box.volume_size());

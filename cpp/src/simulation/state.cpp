@@ -145,8 +145,7 @@ operators::Tractions State::tractions_on(int body) const {
 
 bool State::has_moved(int body) const {
   const auto& history = plastic[body];
-  return history &&
-         flow_box[body] != whole_box(history->box(), scene_->grid, history->symmetry());
+  return history && flow_box[body] != whole_box(history->box(), scene_->grid, history->symmetry());
 }
 
 Field State::total_stress(int body, bool with_tractions) const {
@@ -221,8 +220,8 @@ Field State::residual_stress(int body, const Box& region) const {
   const Field strain = six_components(history->strain(around), history->tensor());
   const Field stress = operators->stress(strain.data(), nullptr, 1.0);
   for (int c = 0; c < 6; ++c) {
-    extract(stress.data() + c * around.volume_size(), around,
-            out.data() + c * region.volume_size(), region);
+    extract(stress.data() + c * around.volume_size(), around, out.data() + c * region.volume_size(),
+            region);
   }
   return out;
 }

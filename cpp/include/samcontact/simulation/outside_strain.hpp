@@ -2,13 +2,13 @@
 // The plastic strain that a moving contact leaves beside it: what it still does.
 #pragma once
 
-#include "samcontact/simulation/scene.hpp"
 #include "samcontact/simulation/plastic_state.hpp"
+#include "samcontact/simulation/scene.hpp"
 
 namespace samcontact::simulation {
 
-/// A box and the strain that acts on it, at most `reach` cells beyond it along x. The size takes few
-/// values, so that operators on it can be kept.
+/// A box and the strain that acts on it, at most `reach` cells beyond it along x. The size takes
+/// few values, so that operators on it can be kept.
 Box acting_box(const PlasticState& history, const Box& wanted, int reach);
 
 /// What the strain outside of a box does in it, and to the surface.

@@ -54,7 +54,7 @@ class PlasticIncrement {
     int index;
     const YieldScan* scan;
     std::shared_ptr<const PlasticState> history;  // before the increment; null: none
-    Box box;                                       // from the mirror planes on
+    Box box;                                      // from the mirror planes on
     operators::Tensor tensor;
     Scene::Operators operators;
     std::vector<operators::VolumeSpectrum> spectrum;  // one, or none without a box

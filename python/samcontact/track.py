@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All of the plastic strain that a moving contact left in a body."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ._checks import FloatArray
+from .grid import Grid
+
+__all__ = ["Track"]
+
+
+class Track:
+    """What is left in one body along its whole track, unloaded, in the frame of the body.
+
+    Made by `State.track`. The origin of x is where the contact stood on the body at the start of
+    the simulation.
+    """
+
+    def __init__(self, core: Any, grid: Grid, body: int, margin: int) -> None:
+        self._core = core
+        self.body = body
+        start, rows = core.history_rows(body - 1) or (0, grid.nx)
+        self._first_row = start - margin
+        self.grid = Grid(
+            rows + 2 * margin, grid.ny, grid.dx, grid.dy, nz=grid.nz, dz=grid.dz if grid.nz else None
+        )
+        """The cells of the track; its own x is counted from the middle, see `x`."""
+        # The body's cell number n stood at (n - (nx - 1)/2) dx of the grid at the start.
+        cells = self._first_row + core.first_cell[body - 1] + np.arange(self.grid.nx)
+        self.x: FloatArray = (cells - 0.5 * (grid.nx - 1)) * grid.dx
+        """Positions of the cells on the body [m]."""
+        self.contact = -core.travel[body - 1] * grid.dx
+        """Where the contact stands on the body now [m]."""
+
+    @property
+    def y(self) -> FloatArray:
+        """Cell centres along y [m]."""
+        return self.grid.y
+
+    @property
+    def z(self) -> FloatArray:
+        """Mid-depths of the layers [m]."""
+        return self.grid.z
+
+    def residual_displacement(self) -> FloatArray:
+        """Permanent print [m], shape (len(x), ny), positive into the body."""
+        return self._field("residual_displacement")
+
+    def residual_stress(self) -> FloatArray:
+        """Stress of the plastic strain [Pa], shape (6, len(x), ny, nz)."""
+        return self._field("residual_stress")
+
+    def residual_von_mises(self) -> FloatArray:
+        """Von Mises stress of the residual stress [Pa], shape (len(x), ny, nz)."""
+        xx, yy, zz, yz, xz, xy = self.residual_stress()
+        normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+        equivalent: FloatArray = np.sqrt(0.5 * normal + 3 * (yz**2 + xz**2 + xy**2))
+        return equivalent
+
+    def residual_hydrostatic(self) -> FloatArray:
+        """Mean normal residual stress [Pa], shape (len(x), ny, nz)."""
+        mean: FloatArray = self.residual_stress()[:3].mean(axis=0)
+        return mean
+
+    def plastic_strain(self) -> FloatArray:
+        """Plastic strain [-], tensor components, shape (6, len(x), ny, nz)."""
+        return self._field("plastic_strain")
+
+    def equivalent_plastic_strain(self) -> FloatArray:
+        """Accumulated equivalent plastic strain [-], shape (len(x), ny, nz)."""
+        return self._field("equivalent_plastic_strain")
+
+    def _field(self, name: str) -> FloatArray:
+        method = getattr(self._core, f"track_{name}")
+        field: FloatArray = method(self.body - 1, self._first_row, self.grid.nx)
+        return field
+
+    def __repr__(self) -> str:
+        return (
+            f"Track(body={self.body}, x=[{self.x[0]:.6g}, {self.x[-1]:.6g}] m, "
+            f"contact={self.contact:.6g} m)"
+        )
