@@ -111,6 +111,17 @@ class State:
     plastic_residual: float
     yield_excess: float
     warnings: list[str]
+    travel: tuple[float, float]
+    origin: float
+    offset: tuple[float, float]
+    first_cell: tuple[int, int]
+    def history_rows(self, body: int) -> tuple[int, int] | None: ...
+    def track_residual_displacement(self, body: int, first_row: int, rows: int) -> FloatArray: ...
+    def track_residual_stress(self, body: int, first_row: int, rows: int) -> FloatArray: ...
+    def track_plastic_strain(self, body: int, first_row: int, rows: int) -> FloatArray: ...
+    def track_equivalent_plastic_strain(
+        self, body: int, first_row: int, rows: int
+    ) -> FloatArray: ...
     def gap(self) -> FloatArray: ...
     def history(self, body: int) -> dict[str, Any] | None: ...
     def past(self, body: int) -> FloatArray | None: ...
@@ -147,6 +158,8 @@ class Simulation:
         image_tol: float,
         softening: list[Callable[[FloatArray], FloatArray] | None],
         march: tuple[float, float],
+        reach: int,
+        reliefs: list[tuple[FloatArray, int, bool] | None],
     ) -> None: ...
     def step(
         self,
@@ -156,6 +169,7 @@ class Simulation:
         shear_x: FloatArray | None,
         shear_y: FloatArray | None,
         heating: list[Heating],
+        advance: tuple[float, float],
     ) -> State: ...
     def set_plastic_state(
         self,

@@ -235,12 +235,12 @@ class Simulation:
         else:
             value = number(kind, load if kind == "load" else approach)
         dx = self.grid.dx
-        travel = tuple(s / dx for s in finite_array("advance", advance, (2,)))
+        first, second = finite_array("advance", advance, (2,)) / dx
         factors = self.heat_factor if heat_factor is None else pair(heat_factor)
         entries = self._heating(factors, self._time_of_step(duration))
         if kind == "approach":
             require_reference(entries, self.heat_reference)
-        core = self._core.step(kind, value, p, shear_x, shear_y, entries, travel)
+        core = self._core.step(kind, value, p, shear_x, shear_y, entries, (first, second))
         self.heat_factor = factors
         for warning in core.warnings:
             warnings.warn(warning, GridTooSmallWarning, stacklevel=2)

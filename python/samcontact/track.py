@@ -26,7 +26,12 @@ class Track:
         start, rows = core.history_rows(body - 1) or (0, grid.nx)
         self._first_row = start - margin
         self.grid = Grid(
-            rows + 2 * margin, grid.ny, grid.dx, grid.dy, nz=grid.nz, dz=grid.dz if grid.nz else None
+            rows + 2 * margin,
+            grid.ny,
+            grid.dx,
+            grid.dy,
+            nz=grid.nz,
+            dz=grid.dz if grid.nz else None,
         )
         """The cells of the track; its own x is counted from the middle, see `x`."""
         # The body's cell number n stood at (n - (nx - 1)/2) dx of the grid at the start.
