@@ -42,7 +42,13 @@ class FixedPoint {
         contact_tol_(problem_.has_plastic_body() ? loosest : contact_share * settings.tol) {}
 
   State solve() {
+    x_ = problem_.first_guess();
     evaluate();
+    if (!any(mapped_) && any(x_)) {
+      // Nothing flows this time.
+      std::fill(x_.begin(), x_.end(), 0.0);
+      evaluate();
+    }
     while (result_.grown && !any(mapped_)) evaluate();
     // Plastic flow only widens the contact: what is too large now will not fit later.
     if (settings_.on_border == contact::OnBorder::error &&

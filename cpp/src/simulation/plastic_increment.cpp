@@ -573,6 +573,57 @@ void PlasticIncrement::flow(State& state, Body& body, std::size_t n, const Field
   state.flow_at_side[body.index] |= at_side && !at_bottom;
 }
 
+Field PlasticIncrement::first_guess() {
+  const auto& last = from_.last_flow;
+  const Travel& by = from_.advance;
+  if (!last || by == Travel{} || last->symmetry != symmetry_) return {};
+  // The same way, with steps that may be longer or shorter.
+  const int main = std::fabs(last->advance[0]) > std::fabs(last->advance[1]) ? 0 : 1;
+  const double ratio = by[main] / last->advance[main];
+  const bool same_way = std::fabs(by[1 - main] - ratio * last->advance[1 - main]) <=
+                        1e-6 * std::fabs(by[main]);
+  if (!same_way || !(ratio > 0 && ratio <= 2)) return {};
+  const auto near = [](double a, double b) { return std::fabs(a - b) <= 0.05 * std::fabs(b); };
+  if (target_.kind == Target::Kind::load && !near(target_.value, from_.load)) return {};
+  if (target_.kind == Target::Kind::approach && !near(target_.value, from_.approach)) return {};
+
+  Field guess;
+  const Grid& grid = scene_.grid;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Body& body = bodies_[b];
+    const auto& flow = last->bodies[body.index];
+    for (std::size_t n = 0; n < flow.cells.size(); ++n) {
+      const int j = static_cast<int>(flow.cells[n] % grid.ny) - body.box.j0;
+      const int i = static_cast<int>(flow.cells[n] / grid.ny % grid.nx) - body.box.i0;
+      const int k = static_cast<int>(flow.cells[n] / grid.ny / grid.nx);
+      if (i < 0 || i >= body.box.nx || j < 0 || j >= body.box.ny || k >= body.box.nz) continue;
+      const auto cell = static_cast<std::uint32_t>((k * body.box.nx + i) * body.box.ny + j);
+      activate(static_cast<std::uint8_t>(b), cell, {});
+      for (int c = 0; c < components_; ++c) {
+        guess.push_back(ratio * flow.strain[n * components_ + c]);
+      }
+    }
+  }
+  return guess;
+}
+
+void PlasticIncrement::remember_flow(State& state, const Field& mapped) const {
+  state.last_flow = nullptr;
+  if (from_.advance == Travel{}) return;
+  auto flow = std::make_shared<Flow>();
+  flow->symmetry = symmetry_;
+  flow->advance = from_.advance;
+  for (std::size_t n = 0; n < active_.size(); ++n) {
+    if (equivalent_[n] == 0) continue;
+    const Body& body = bodies_[active_.cells[n].body];
+    auto& kept = flow->bodies[body.index];
+    kept.cells.push_back(static_cast<std::uint32_t>(grid_cell(body, active_.cells[n].cell)));
+    for (int c = 0; c < components_; ++c) kept.strain.push_back(mapped[n * components_ + c]);
+  }
+  if (flow->bodies[0].cells.empty() && flow->bodies[1].cells.empty()) return;
+  state.last_flow = std::move(flow);
+}
+
 PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact_tol,
                                                     Field& mapped) {
   scatter(guess);
@@ -625,6 +676,8 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.load = result.contact.load;
   state.approach = result.contact.approach;
   state.flowed = state.flow_at_bottom = state.flow_at_side = {};
+  state.advance = {};
+  remember_flow(state, mapped);
   scatter(mapped);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];

@@ -107,6 +107,7 @@ fft::Symmetry State::heat_symmetry_so_far() const {
 State State::moved(const Travel& to) const {
   State state = *this;
   state.travel = to;
+  state.advance = {to[0] - travel[0], to[1] - travel[1]};
   const Grid& grid = scene_->grid;
   const Placement from = placement(), place = state.placement();
   const auto cells = static_cast<int>(std::lround(place.origin - from.origin));

@@ -37,6 +37,10 @@ class PlasticIncrement {
     bool grown = false;  // a box was too small: evaluate again before accepting
   };
 
+  /// A guess to start from: the flow of the last increment, where the bodies go on in the same way;
+  /// else empty.
+  Field first_guess();
+
   /// mapped = G(guess). New active cells are appended to both. contact_tol applies to load and
   /// approach.
   Result evaluate(Field& guess, double contact_tol, Field& mapped);
@@ -103,6 +107,7 @@ class PlasticIncrement {
   /// Those of one cell before the increment, into the first places; how many.
   std::span<const plasticity::Tensor> backstresses(const Body& body, std::uint32_t cell,
                                                    plasticity::Tensors& place) const;
+  void remember_flow(State& state, const Field& mapped) const;
   /// Active cell number n, at the end of the increment.
   void flow(State& state, Body& body, std::size_t n, const Field& mapped) const;
   /// Grows the boxes whose rim flows.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,18 @@
 #include "samcontact/simulation/scene.hpp"
 
 namespace samcontact::simulation {
+
+/// What flowed in an increment, as a guess for the next one of a steady motion.
+struct Flow {
+  fft::Symmetry symmetry;
+  Travel advance;
+  struct Body {
+    std::vector<std::uint32_t> cells;  // [k][i][j] of the grid
+    Field strain;                      // [cell][component], as the increment's unknowns
+  };
+  std::array<Body, 2> bodies;
+  bool operator==(const Flow&) const = default;
+};
 
 class State {
  public:
@@ -32,8 +45,10 @@ class State {
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
   operators::ResidualMethod method;
   Travel travel{};
+  Travel advance{};  // by which moved() has just taken it there
   /// Whole boxes in which the plastic strain was last solved for.
   std::array<Box, 2> flow_box;
+  std::shared_ptr<const Flow> last_flow;  // null: none, or the bodies stood still
 
   bool converged = true;
   int plastic_iterations = 0, contact_iterations = 0, substeps = 0;
