@@ -90,6 +90,44 @@ std::shared_ptr<const simulation::PlasticState> to_history(const py::dict& saved
   return std::make_shared<const simulation::PlasticState>(nullptr, symmetry, tensor, fields);
 }
 
+/// Flow of the last increment of a moving contact; None without.
+py::object last_flow(const State& state) {
+  if (!state.last_flow) return py::none();
+  py::dict d;
+  d["mirrored"] = static_cast<int>(state.last_flow->symmetry);
+  d["advance"] = state.last_flow->advance;
+  for (int b = 0; b < 2; ++b) {
+    const auto& body = state.last_flow->bodies[b];
+    const std::string number = std::to_string(b + 1);
+    d[("cells" + number).c_str()] =
+        py::array_t<std::uint32_t>(static_cast<py::ssize_t>(body.cells.size()), body.cells.data());
+    d[("strain" + number).c_str()] =
+        py::array_t<double>(static_cast<py::ssize_t>(body.strain.size()), body.strain.data());
+  }
+  return d;
+}
+
+/// The reverse.
+std::shared_ptr<const simulation::Flow> to_flow(const py::object& saved, const Grid& grid) {
+  if (saved.is_none()) return nullptr;
+  auto flow = std::make_shared<simulation::Flow>();
+  flow->symmetry = static_cast<fft::Symmetry>(std::clamp(saved["mirrored"].cast<int>(), 0, 2));
+  flow->advance = saved["advance"].cast<simulation::Travel>();
+  for (int b = 0; b < 2; ++b) {
+    auto& body = flow->bodies[b];
+    const std::string number = std::to_string(b + 1);
+    body.cells = saved[("cells" + number).c_str()].cast<std::vector<std::uint32_t>>();
+    body.strain = to_field(saved[("strain" + number).c_str()].cast<Array>());
+    const std::size_t n = body.cells.size();
+    const bool inside = std::all_of(body.cells.begin(), body.cells.end(),
+                                    [&](std::uint32_t cell) { return cell < grid.volume_size(); });
+    if (!inside || (body.strain.size() != 5 * n && body.strain.size() != 6 * n)) {
+      throw std::invalid_argument("the flow of the last increment does not fit the grid");
+    }
+  }
+  return flow;
+}
+
 enum class Rank { surface, scalar, tensor };
 
 template <Rank rank>
@@ -135,6 +173,7 @@ void bind_track(py::class_<State>& state) {
   bind("track_equivalent_plastic_strain",
        track_method<Rank::scalar>(&State::equivalent_plastic_strain));
   state.def_readonly("travel", &State::travel)
+      .def("last_flow", &last_flow)
       .def_property_readonly("origin", [](const State& s) { return s.placement().origin; })
       .def_property_readonly("offset", [](const State& s) { return s.placement().offset; })
       .def_property_readonly("first_cell", [](const State& s) { return s.placement().first; })
@@ -359,6 +398,7 @@ void restore(Simulation& simulation, const py::dict& saved) {
       }
     }
   }
+  state.last_flow = to_flow(saved["last_flow"], simulation.scene().grid);
   simulation.restore(state, c);
 }
 

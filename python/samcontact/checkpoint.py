@@ -127,6 +127,14 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
             _dataset(kept, "equivalent", history["equivalent"])
             if history["backstress"].size:
                 _dataset(kept, "backstress", history["backstress"])
+    flow = core.last_flow()
+    if flow is not None:
+        kept = state.create_group("last_flow")
+        for name, value in flow.items():
+            if name in ("mirrored", "advance"):
+                kept.attrs[name] = value
+            elif len(value):
+                _dataset(kept, name, value)
     file.create_group("counters").attrs.update(simulation.counters)
 
 
@@ -162,6 +170,17 @@ def read_checkpoint(
         raise
     except (OSError, KeyError, ValueError, TypeError) as error:
         raise CheckpointError(f"{os.fspath(path)!r} is damaged: {error}") from error
+
+
+def _read_flow(group: h5py.Group) -> dict[str, Any]:
+    flow: dict[str, Any] = {
+        "mirrored": int(group.attrs["mirrored"]),
+        "advance": [float(cells) for cells in group.attrs["advance"]],
+    }
+    for body in (1, 2):
+        for name, kind in ((f"cells{body}", np.uint32), (f"strain{body}", np.float64)):
+            flow[name] = group[name][...] if name in group else np.zeros(0, kind)
+    return flow
 
 
 def _plain(value: Any) -> Any:
@@ -230,5 +249,6 @@ def _read_state(file: h5py.File) -> dict[str, Any]:
                     kept["backstress"][...] if "backstress" in kept else np.zeros(0)
                 ),
             }
+    saved["last_flow"] = _read_flow(group["last_flow"]) if "last_flow" in group else None
     saved["counters"] = {k: _plain(v) for k, v in file["counters"].attrs.items()}
     return saved

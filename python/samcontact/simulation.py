@@ -235,7 +235,8 @@ class Simulation:
         else:
             value = number(kind, load if kind == "load" else approach)
         dx = self.grid.dx
-        first, second = finite_array("advance", advance, (2,)) / dx
+        first, second = (float(s) / dx for s in finite_array("advance", advance, (2,)))
+        self._check_motion(first, second, duration)
         factors = self.heat_factor if heat_factor is None else pair(heat_factor)
         entries = self._heating(factors, self._time_of_step(duration))
         if kind == "approach":
@@ -286,6 +287,25 @@ class Simulation:
                 f"got {seconds!r}"
             )
         return seconds
+
+    def _check_motion(self, first: float, second: float, duration: float | None) -> None:
+        """Past heat is known at the cells of the grid, and moves with the velocities."""
+        if self.heat_history is None or first == second == 0:
+            return
+        for n, cells in ((1, first), (2, second)):
+            moved = cells * self.grid.dx
+            if abs(cells - round(cells)) > 1e-6:
+                raise ValueError(
+                    f"advance of body {n} must be a whole number of cells of {self.grid.dx!r} m in "
+                    f"a simulation with heat_history, got {moved!r} m"
+                )
+            expected = self.velocity[n - 1][0] * (duration or 0.0)
+            heated = self.heat_factor[n - 1] > 0
+            if heated and abs(moved - expected) > 1e-6 * self.grid.dx:
+                raise ValueError(
+                    f"advance of body {n} must be its velocity times duration, {expected!r} m, "
+                    f"got {moved!r} m"
+                )
 
     def _heating(self, factors: tuple[float, float], time: float | None) -> list[Any]:
         return heating(

@@ -6,7 +6,7 @@
 namespace samcontact::simulation {
 
 Box acting_box(const PlasticState& history, const Box& wanted, int reach) {
-  const int step = std::max(8, (reach + 3) / 4);
+  const int step = std::max(8, (wanted.nx + 3) / 4);
   const auto beyond = [&](int cells) {
     return std::clamp((cells + step - 1) / step * step, 0, reach);
   };

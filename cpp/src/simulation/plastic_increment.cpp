@@ -580,8 +580,8 @@ Field PlasticIncrement::first_guess() {
   // The same way, with steps that may be longer or shorter.
   const int main = std::fabs(last->advance[0]) > std::fabs(last->advance[1]) ? 0 : 1;
   const double ratio = by[main] / last->advance[main];
-  const bool same_way = std::fabs(by[1 - main] - ratio * last->advance[1 - main]) <=
-                        1e-6 * std::fabs(by[main]);
+  const bool same_way =
+      std::fabs(by[1 - main] - ratio * last->advance[1 - main]) <= 1e-6 * std::fabs(by[main]);
   if (!same_way || !(ratio > 0 && ratio <= 2)) return {};
   const auto near = [](double a, double b) { return std::fabs(a - b) <= 0.05 * std::fabs(b); };
   if (target_.kind == Target::Kind::load && !near(target_.value, from_.load)) return {};
@@ -592,6 +592,7 @@ Field PlasticIncrement::first_guess() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const Body& body = bodies_[b];
     const auto& flow = last->bodies[body.index];
+    if (flow.strain.size() != components_ * flow.cells.size()) return {};
     for (std::size_t n = 0; n < flow.cells.size(); ++n) {
       const int j = static_cast<int>(flow.cells[n] % grid.ny) - body.box.j0;
       const int i = static_cast<int>(flow.cells[n] / grid.ny % grid.nx) - body.box.i0;
