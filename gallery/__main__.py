@@ -21,6 +21,9 @@ PARTS = (
     "heat",
     "transient_heat",
     "rolling",
+    "rolling_ellipticity",
+    "rolling_load",
+    "rolling_two_bodies",
 )
 
 

@@ -1,0 +1,297 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pressed against rolled, one body inelastic or both, and linear hardening: section 3.2.2."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import samcontact as sc
+
+from .page import Number, Picture, Statement
+from .profiles import finish
+from .track import BALL, CERAMIC, ELASTIC, STEEL_52100, Mesh, Run, ellipse, roll, top
+
+TITLE = "Pressed and rolled"
+INTRODUCTION = """
+Section 3.2.2 of the thesis: what rolling changes. First two bodies of steel 52100 with a circular
+(k = 1) or elliptic (k = 8) contact, one of them elastic (E_EP) or both inelastic (EP_EP), pressed,
+or rolled twice over both bodies along the minor axis. The contacts are exact ones of the Hertz
+pressure p0; the thesis does not say how it made those of k = 8, see
+[effect of the ellipticity](rolling_ellipticity.md). Then a ceramic ball of 9.525 mm diameter on a
+flat with linear hardening, tangent modulus E_t over Young's modulus from 0 to 0.8. Its yield stress
+and load are not stated: taken here are the micro-yield stress of 52100, 1477 MPa, and 5.7 GPa.
+"""
+
+MICRO_YIELD = float(STEEL_52100.yield_stress(20e-6))
+PAIRS = {"E_EP": (ELASTIC, STEEL_52100), "EP_EP": (STEEL_52100, STEEL_52100)}
+E_STAR = sc.hertz.effective_modulus(ELASTIC, STEEL_52100)
+SLOPES = (0.0, 0.2, 0.4, 0.6, 0.8)
+Key = tuple[str, int]
+
+
+@dataclass
+class Results:
+    runs: dict[Key, dict[float, Run]]
+    """By pair, k, and Hertz pressure [GPa]."""
+    again: Run
+    """Pressed twice, without rolling."""
+    hardening: dict[float, Run]
+    mesh: str
+    hardening_mesh: str
+
+
+def compute(quick: bool) -> Results:
+    cells, loading = (5, 8) if quick else (8, 16)
+    pressures = (4.5, 6.5) if quick else (4.0, 5.0, 6.0, 7.0, 8.0)
+    runs: dict[Key, dict[float, Run]] = {}
+    for pair, bodies in PAIRS.items():
+        for k in (1, 8):
+            depths = {p: 2.0 + (0.5 * (k > 1) + 0.3) * max(p - 3.0, 0.0) for p in pressures}
+            runs[pair, k] = {}
+            for pressure, depth in depths.items():
+                mesh = Mesh(cells, cells, 2.5 if quick else 3.5, 1.8, depth, loading)
+                contact = ellipse(k, pressure * 1e9, E_STAR)
+                way = (4 if quick else 6) * contact.a_x
+                runs[pair, k][pressure] = roll(bodies, contact, mesh, way, 2, 0.7)
+    fine = Mesh(6, 6, loading=8) if quick else Mesh(12, 12, depth=3.0, loading=16)
+    hardening, way = {}, (4 if quick else 6) * BALL.a
+    for slope in SLOPES:
+        E = STEEL_52100.E
+        flat = sc.Material.linear_hardening(E, STEEL_52100.nu, MICRO_YIELD, slope * E)
+        hardening[slope] = roll((CERAMIC, flat), ellipse(1), fine, way)
+    again = roll(PAIRS["E_EP"], ellipse(1, 8e9, E_STAR), mesh, 0.0, 2)
+    return Results(runs, again, hardening, str(mesh), str(fine))
+
+
+def stated(results: Results) -> list[Number | Statement]:
+    return [*stated_pairs(results), *stated_hardening(results)]
+
+
+@dataclass(frozen=True)
+class Curves:
+    """Against the Hertz pressure: largest pressure over it, and largest plastic strain."""
+
+    p0: np.ndarray
+    pressed: np.ndarray
+    pressed_gamma: np.ndarray
+    rolled: np.ndarray
+    rolled_gamma: np.ndarray
+
+
+def curves(runs: dict[float, Run]) -> Curves:
+    p0 = np.array([run.p0 for run in runs.values()])
+    return Curves(
+        p0,
+        np.array([run.loading[-1, 1] for run in runs.values()]) / p0,
+        np.array([run.loading[-1, 2] for run in runs.values()]),
+        np.array([run.p_max() for run in runs.values()]) / p0,
+        np.array([run.steady.peak("gamma")[0] for run in runs.values()]),
+    )
+
+
+def percents(values: np.ndarray) -> str:
+    return ", ".join(f"{100 * value:.3g}" for value in values) + " %"
+
+
+def stated_pairs(results: Results) -> list[Number | Statement]:
+    mesh = results.mesh
+    found = {key: curves(runs) for key, runs in results.runs.items()}
+    loads = ", ".join(f"{pressure:g}" for pressure in next(iter(results.runs.values())))
+    entries: list[Number | Statement] = []
+    for (pair, k), c in found.items():
+        entries.append(
+            Statement(
+                f"largest pressure over p0, pressed and rolled, {pair}, k = {k}, {loads} GPa",
+                "significantly higher when rolled",
+                f"{percents(c.pressed)} and {percents(c.rolled)}",
+                bool(np.all(c.rolled > c.pressed)) and c.rolled[-1] > 1.02 * c.pressed[-1],
+                mesh,
+            )
+        )
+        entries.append(
+            Statement(
+                f"largest plastic strain, pressed and rolled, {pair}, k = {k}, {loads} GPa",
+                "significantly higher when rolled",
+                f"{percents(c.pressed_gamma)} and {percents(c.rolled_gamma)}",
+                c.rolled_gamma[-1] > 1.15 * c.pressed_gamma[-1]
+                and bool(np.all(c.rolled_gamma >= 0.98 * c.pressed_gamma)),
+                mesh,
+            )
+        )
+    for k in (1, 8):
+        one, two = found["E_EP", k], found["EP_EP", k]
+        lower = [(two.pressed, one.pressed), (two.rolled, one.rolled),
+                 (two.pressed_gamma, one.pressed_gamma),
+                 (two.rolled_gamma, one.rolled_gamma)]  # fmt: skip
+        change = ", ".join(f"{100 * (b[-1] / a[-1] - 1):.1f}" for b, a in lower)
+        entries.append(
+            Statement(
+                f"pressure and strain, pressed and rolled, EP_EP against E_EP, k = {k}",
+                "both lower, the pressure pronouncedly",
+                f"pressure {change.split(', ')[0]} and {change.split(', ')[1]} %, strain "
+                f"{change.split(', ')[2]} and {change.split(', ')[3]} % at the highest load",
+                all(bool(np.all(b < a)) for b, a in lower),
+                mesh,
+            )
+        )
+    round_, long = found["E_EP", 1], found["E_EP", 8]
+    entries += [
+        Statement(
+            "largest pressure and strain, k = 1 against 8, E_EP rolled at the highest load",
+            "affected by the geometry of the contact",
+            f"{100 * round_.rolled[-1]:.1f} and {100 * long.rolled[-1]:.1f} % of p0, "
+            f"{100 * round_.rolled_gamma[-1]:.2f} and {100 * long.rolled_gamma[-1]:.2f} %",
+            abs(round_.rolled[-1] / long.rolled[-1] - 1) > 0.01
+            and abs(round_.rolled_gamma[-1] / long.rolled_gamma[-1] - 1) > 0.02,
+            mesh,
+        ),
+        Statement(
+            "pressed a second time without rolling, 8 GPa",
+            "stabilised after one cycle",
+            f"plastic strain grows by {100 * again(results):.2g} %",
+            again(results) < 1e-4,
+            mesh,
+        ),
+    ]
+    return entries
+
+
+def again(results: Results) -> float:
+    """Relative growth of the plastic strain when pressed once more."""
+    first, second = results.again.cycles
+    return float(second.gamma.max() / first.gamma.max() - 1)
+
+
+def lean(run: Run) -> tuple[float, float]:
+    """Position of the largest pressure and of the resultant, rolled, over a."""
+    p = run.pressure_along[-1]
+    return top(run.x, p)[1] / run.a, float(np.sum(p * run.x) / np.sum(p)) / run.a
+
+
+def stated_hardening(results: Results) -> list[Number | Statement]:
+    runs, mesh = results.hardening, results.hardening_mesh
+    pressed = [run.loading[-1, 1] * 1e-9 for run in runs.values()]
+    rolled = [run.p_max() * 1e-9 for run in runs.values()]
+    places = [lean(run)[0] for run in runs.values()]
+    steady = [float(np.ptp(run.history[-1][-8:, 1])) / run.p_max() for run in runs.values()]
+    across = [run.pressure_across[-1] for run in runs.values()]
+    beside = [float(p.max() / p[len(p) // 2] - 1) for p in across]
+    skew = [
+        float(np.abs(run.vertical_pressure - run.vertical_pressure[::-1]).max()) / run.p0
+        for run in runs.values()
+    ]
+    name = ", ".join(f"{slope:g}" for slope in runs)
+    return [
+        Statement(
+            f"largest pressure, pressed, E_t / E = {name}",
+            "curves, no numbers",
+            ", ".join(f"{value:.3g}" for value in pressed) + " GPa",
+            bool(np.all(np.diff(pressed) > 0)) and pressed[-1] < 5.7,
+            mesh,
+        ),
+        Statement(
+            "the same, rolled",
+            "another shape, higher than pressed",
+            ", ".join(f"{value:.3g}" for value in rolled) + " GPa",
+            all(r > p for r, p in zip(rolled, pressed, strict=True)),
+            mesh,
+        ),
+        Statement(
+            "steady regime within the first cycle",
+            "reached",
+            f"largest pressure varies by {100 * max(steady):.1f} % at most in the last steps",
+            max(steady) < 0.02,
+            mesh,
+        ),
+        Statement(
+            f"place of the largest pressure x/a, rolled to +x, E_t / E = {name}",
+            "not symmetric, on the side of the rolling direction",
+            ", ".join(f"{value:+.3f}" for value in places),
+            min(places) > 0 and max(skew) < 1e-6,
+            mesh,
+            remark="By a parabola through three cells. The resultant lies at "
+            + ", ".join(f"{lean(run)[1]:+.3f}" for run in runs.values())
+            + " a in the plane y = 0. Pressed, the profile is symmetric.",
+        ),
+        Statement(
+            "largest pressure across the track, rolled",
+            "in the middle",
+            "in the middle"
+            + (f", {100 * beside[0]:.1f} % higher beside it for E_t = 0" if beside[0] > 0 else ""),
+            max(beside) < 0.01 and max(beside[1:]) == 0,
+            mesh,
+            remark="Without hardening the profile is flat, and the plastic strain reaches 6 %, "
+            "more than small-strain theory can bear.",
+        ),
+    ]
+
+
+def figures(results: Results) -> list[Picture]:
+    return [loads(results), laws(), distributions(results)]
+
+
+def loads(results: Results) -> Picture:
+    figure = Figure(figsize=(9.0, 6.4), layout="constrained")
+    (first, second), (third, fourth) = figure.subplots(2, 2, sharex=True, sharey="row")
+    for n, (pair, k) in enumerate(results.runs):
+        c, label = curves(results.runs[pair, k]), f"{pair}, k = {k}"
+        x = c.p0 / MICRO_YIELD
+        first.plot(x, c.pressed, f"C{n}o-", markersize=3, label=label)
+        second.plot(x, c.rolled, f"C{n}o-", markersize=3, label=label)
+        third.plot(x, 100 * c.pressed_gamma, f"C{n}o-", markersize=3)
+        fourth.plot(x, 100 * c.rolled_gamma, f"C{n}o-", markersize=3)
+    for ax, title in ((first, "pressed"), (second, "rolled, second cycle")):
+        ax.axhline(1.0, color="k", linestyle="--", linewidth=1, label="E_E (Hertz)")
+        ax.set_title(title, fontsize="medium")
+    finish(first, "", "largest pressure / p0")
+    finish(second, legend=False)
+    finish(third, "p0 / micro-yield stress", "largest plastic strain [%]", legend=False)
+    finish(fourth, "p0 / micro-yield stress", legend=False)
+    return Picture(
+        "rolling_two_bodies_load",
+        "Figure 3.29: largest pressure and plastic strain against the Hertz pressure.",
+        figure,
+    )
+
+
+def laws() -> Picture:
+    figure = Figure(figsize=(5.0, 3.4), layout="constrained")
+    ax = figure.subplots()
+    strain = np.linspace(0.0, 0.02, 101)
+    for slope in SLOPES:
+        flat = sc.Material.linear_hardening(STEEL_52100.E, 0.3, MICRO_YIELD, slope * STEEL_52100.E)
+        ax.plot(100 * strain, flat.uniaxial_stress(strain) * 1e-9, label=f"{slope:g}")
+    finish(ax, "strain [%]", "stress [GPa]")
+    ax.get_legend().set_title("E_t / E")
+    return Picture(
+        "rolling_two_bodies_laws", "Figure 3.30: laws of linear hardening, in tension.", figure
+    )
+
+
+def distributions(results: Results) -> Picture:
+    figure = Figure(figsize=(10.0, 3.8), layout="constrained")
+    left, middle, right = figure.subplots(1, 3, sharey=True)
+    fine = np.linspace(-1.6, 1.6, 321)
+    for ax in (left, middle, right):
+        ax.plot(fine, BALL.pressure(fine * BALL.a) * 1e-9, "k--", linewidth=1, label="Hertz")
+        ax.set_xlim(-1.6, 1.6)
+    for slope, run in results.hardening.items():
+        label = f"E_t / E = {slope:g}"
+        left.plot(run.x / BALL.a, run.vertical_pressure * 1e-9, label=label)
+        middle.plot(run.x / BALL.a, run.pressure_along[-1] * 1e-9, label=label)
+        right.plot(run.y / BALL.a, run.pressure_across[-1] * 1e-9, label=label)
+    left.set_title("pressed", fontsize="medium")
+    middle.set_title("rolled to the right", fontsize="medium")
+    right.set_title("rolled, across the track", fontsize="medium")
+    finish(left, "x/a", "pressure [GPa]")
+    finish(middle, "x/a", legend=False)
+    finish(right, "y/a", legend=False)
+    return Picture(
+        "rolling_two_bodies_pressure",
+        "Figures 3.31 to 3.33: pressure of a ball that is pressed, and rolled to the right; the "
+        "last across the track through the largest pressure.",
+        figure,
+    )
