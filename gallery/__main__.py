@@ -20,6 +20,7 @@ PARTS = (
     "friction",
     "heat",
     "transient_heat",
+    "rolling",
 )
 
 

@@ -52,6 +52,8 @@ class Statement:
     holds: bool
     mesh: str
     remark: str = ""
+    contradicted: bool = False
+    """Whether a mesh study contradicts the thesis; `holds` is then about what that found."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +100,8 @@ def table(entries: list[Number | Statement]) -> str:
                 f"{100 * entry.difference:+.1f} %",
             )
         else:
-            cells = (entry.thesis, entry.ours, "agrees" if entry.holds else "differs")
+            verdict = "agrees" if entry.holds and not entry.contradicted else "differs"
+            cells = (entry.thesis, entry.ours, verdict)
         lines.append(f"| {entry.quantity}{note} | {' | '.join(cells)} | {entry.mesh} |")
     text = "\n".join(lines) + "\n"
     if remarks:

@@ -1,0 +1,321 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A ceramic ball that rolls over a flat of steel: sections 3.2.1.1 and 3.2.1.2."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+import samcontact as sc
+
+from .page import Number, Picture, Statement
+from .profiles import finish, succession
+from .track import BALL, CERAMIC, RADIUS, STEEL_52100, STEEL_M50, Cycle, Mesh, Run, ellipse, roll
+
+TITLE = "Rolling, and its cycles"
+INTRODUCTION = """
+Sections 3.2.1.1 and 3.2.1.2 of the thesis: a ceramic ball of 9.525 mm diameter rolls over a flat of
+steel, without friction. First 460 N on steel M50 or 52100, as in a thrust bearing. The profiles
+measured there (figures 3.8, 3.9 and 3.12) have no numbers in the text, so only the computed ones
+are here; figures 3.6 and 3.7 show the bearing. Then a Hertz pressure of 5.7 GPa on steel 52100:
+load, roll to the right, unload, go back unloaded, and again. a is the Hertz contact radius at
+5.7 GPa. The moduli of 310 and 210 MPa in 3.2.1.1 are GPa. Sections across the track are taken at
+60 % of the way. Tensile stress is positive.
+"""
+
+BEARING_LOAD = 460.0
+BODIES = (CERAMIC, STEEL_52100)
+
+
+@dataclass
+class Results:
+    bearing: dict[str, Run]
+    rolled: Run
+    """4 mm, two cycles."""
+    repeated: Run
+    """2 mm, three cycles."""
+    mesh: str
+    bearing_mesh: str
+
+
+def compute(quick: bool) -> Results:
+    fine = BALL.a / 25e-6
+    mesh = Mesh(7, 9) if quick else Mesh(fine, fine)
+    coarse = Mesh(7, 9) if quick else Mesh(12, 12)
+    contact = sc.hertz.elliptic(RADIUS, RADIUS, BALL.E_star, load=BEARING_LOAD)
+    bearing = {
+        name: roll((CERAMIC, steel), contact, coarse, 8 * contact.a_x)
+        for name, steel in (("52100", STEEL_52100), ("M50", STEEL_M50))
+    }
+    return Results(
+        bearing,
+        roll(BODIES, ellipse(1), mesh, 3e-3 if quick else 4e-3, cycles=2),
+        roll(BODIES, ellipse(1), mesh, 2e-3, cycles=3),
+        str(mesh),
+        str(coarse),
+    )
+
+
+def stated(results: Results) -> list[Number | Statement]:
+    return [*stated_bearing(results), *stated_print(results), *stated_stress(results)]
+
+
+def stated_bearing(results: Results) -> list[Number | Statement]:
+    soft, hard = (results.bearing[name].steady for name in ("52100", "M50"))
+    p0 = results.bearing["M50"].p0
+    return [
+        Number("Hertz pressure at 460 N", 4.2, p0 * 1e-9, "GPa", "closed form", tolerance=0.01),
+        Statement(
+            "steady prints at 460 N, 52100 and M50",
+            "curves, no numbers",
+            f"{soft.depth * 1e9:.0f} and {hard.depth * 1e9:.0f} nm deep, {soft.width() * 1e6:.0f} "
+            f"and {hard.width() * 1e6:.0f} µm wide",
+            0 < hard.depth < soft.depth and hard.width() < soft.width(),
+            results.bearing_mesh,
+            remark="Width: between the points of zero displacement. The steel of the higher yield "
+            "stress takes the smaller print.",
+        ),
+    ]
+
+
+def stated_print(results: Results) -> list[Number | Statement]:
+    mesh, a, run = results.mesh, BALL.a, results.rolled
+    first, pressed = run.cycles[0], run.vertical
+    deepest, pressed_depth = float(first.along.max()), float(pressed.along.max())
+    inside = (first.x > 4 * a) & (first.x < run.way - 2 * a)
+    change = float(np.ptp(first.along[inside])) / first.depth
+    before, beyond, beside = (1e9 * height for height in first.shoulders())
+    depths = [cycle.depth for cycle in results.repeated.cycles]
+    growth = np.diff(depths) / depths[-1]
+    counters = run.counters
+    return [
+        Number("Hertz contact radius at 5.7 GPa", 310.0, a * 1e6, "µm", "closed form"),
+        Number("load at 5.7 GPa", 1152.9, BALL.load, "N", "closed form", tolerance=0.001),
+        Statement(
+            "largest depth of the print, rolled and only pressed",
+            "higher for rolling",
+            f"{deepest * 1e6:.2f} and {pressed_depth * 1e6:.2f} µm",
+            deepest > 1.1 * pressed_depth,
+            mesh,
+        ),
+        Statement(
+            "depth of the print along the way",
+            "decreases after a transient, asymptotic after a few contact radii",
+            f"{deepest * 1e6:.2f} µm at x/a = {first.x[first.along.argmax()] / a:.1f}, "
+            f"{first.depth * 1e6:.2f} µm at {first.steady / a:.1f}, varies by "
+            f"{100 * change:.1f} % from 4 a to 2 a before the end",
+            first.depth < 0.85 * deepest and change < 0.03,
+            mesh,
+            remark="With cells of a/8, a/12 and a/16, each as long as a step, the depth at 60 % of "
+            "2 mm is 1.067, 1.077 and 1.081 µm, the largest 1.449, 1.470 and 1.481 µm.",
+        ),
+        Statement(
+            "shoulders at the ends of the print",
+            "higher where the ball is unloaded than where it is loaded",
+            f"{beyond:.0f} and {before:.0f} nm",
+            beyond > 1.5 * before,
+            mesh,
+        ),
+        Statement(
+            "shoulder beyond the end against those beside the track",
+            "slightly lower",
+            f"{beyond:.0f} and {beside:.0f} nm",
+            0.75 * beside < beyond < beside,
+            mesh,
+            remark="Stated in 3.2.1.3 for k = 1.",
+        ),
+        Statement(
+            "print after 1, 2 and 3 cycles",
+            "stabilised after 2 or 3 cycles",
+            ", ".join(f"{depth * 1e6:.3f}" for depth in depths) + " µm in the steady region",
+            0 < growth[1] < 0.5 * growth[0] and growth[1] < 0.015,
+            mesh,
+        ),
+        Statement(
+            f"work of two cycles of {run.way * 1e3:.2g} mm, a step for each cell",
+            "not stated",
+            f"{run.increments} increments, {counters['plastic_iterations']} plastic iterations, "
+            f"{counters['contact_iterations']} contact iterations, {counters['halvings']} halvings",
+            counters["halvings"] == 0 and counters["plastic_iterations"] < 15 * run.increments,
+            mesh,
+        ),
+    ]
+
+
+def surface_peak(y: np.ndarray, values: np.ndarray) -> float:
+    """Distance of the largest value in the first layer from the middle of the track."""
+    return abs(float(y[int(values[:, 0].argmax())]))
+
+
+def stated_stress(results: Results) -> list[Number | Statement]:
+    mesh, a, p0 = results.mesh, BALL.a, BALL.p0
+    first, second = results.rolled.cycles
+    gamma, gamma_depth = second.peak("gamma")
+    stress, depth = second.peak("von_mises")
+    loaded, elastic = float(results.rolled.loaded.max()), BALL.max_von_mises(0.3)[0]
+    band = surface_peak(second.y, second.von_mises_across)
+    tension = surface_peak(second.y, second.hydrostatic_across)
+    half_width = 0.5 * second.width()
+    middle = len(second.y) // 2
+    surface = second.hydrostatic_across[:, 0] * 1e-6
+    signs = ", ".join(succession(second.profile("hydrostatic"), 2e-3 * p0))
+    wanted = "tensile, compressive, tensile"
+    again = np.abs(second.von_mises_across - first.von_mises_across).max()
+    return [
+        Statement(
+            "largest von Mises stress under load, second cycle",
+            "lower than the elastic one",
+            f"{loaded * 1e-9:.2f} and {elastic * 1e-9:.2f} GPa",
+            loaded < 0.9 * elastic,
+            mesh,
+        ),
+        Number(
+            "largest plastic strain after two cycles", 0.9, 100 * gamma, "%", mesh,
+            remark="In words, approximately 0.9 %. After one cycle of 2 mm it is 0.910, 0.924 and "
+            "0.932 % with cells and steps of a/8, a/12 and a/16; with cells of a/16 and steps of "
+            "a/8 and a/4 it is 0.909 and 0.869 %: the length of a step matters, the mesh hardly "
+            "does.",
+        ),
+        Number("its depth, the Hertz depth", 0.48, gamma_depth / a, "a", mesh),
+        Number(
+            "largest residual von Mises stress on the axis of the track", 570.0, stress * 1e-6,
+            "MPa", mesh, converged=605.0,
+            remark="In words, up to 10 % of 5.7 GPa. Converged 605 MPa: 602 to 603 MPa with a/8, "
+            "a/12 and a/16 after one cycle of 2 mm, 606 MPa with layers of a/16, 607 MPa in two "
+            "cycles; a grid 1.6 times as long or as wide gives the same four digits.",
+        ),
+        Statement(
+            "bands of high residual von Mises stress",
+            "at the Hertz depth, and two at the surface near the border of the contact, inside "
+            "the print",
+            f"{stress * 1e-6:.0f} MPa at z/a = {depth / a:.2f}; at the surface "
+            f"{second.von_mises_across[:, 0].max() * 1e-6:.0f} MPa at y/a = ±{band / a:.2f}, "
+            f"{second.von_mises_across[middle, 0] * 1e-6:.0f} in the middle",
+            0.4 < depth / a < 0.6
+            and 0.4 * a < band < half_width
+            and second.von_mises_across[:, 0].max() > 2 * second.von_mises_across[middle, 0],
+            mesh,
+            remark="The surface: the middle of the first layer. Half the width of the print is "
+            f"{half_width / a:.2f} a.",
+        ),
+        Statement(
+            "residual hydrostatic stress below the middle of the track",
+            wanted,
+            signs,
+            signs == wanted,
+            mesh,
+        ),
+        Statement(
+            "residual hydrostatic stress at the surface",
+            "tensile, with maxima on both sides of the middle",
+            f"{surface.max():.0f} MPa at y/a = ±{tension / a:.2f}, {surface[middle]:.0f} in the "
+            "middle",
+            tension > 0.3 * a and 0 < surface[middle] < 0.8 * surface.max(),
+            mesh,
+        ),
+        Statement(
+            "residual von Mises stress after the first and second cycle",
+            "almost no difference",
+            f"at most {again * 1e-6:.0f} MPa apart in the section",
+            float(again) < 0.1 * stress,
+            mesh,
+        ),
+    ]  # fmt: skip
+
+
+def figures(results: Results) -> list[Picture]:
+    return [bearing(results), prints(results), across(results), along(results)]
+
+
+def bearing(results: Results) -> Picture:
+    figure = Figure(figsize=(9.0, 3.4), layout="constrained")
+    left, right = figure.subplots(1, 2, sharey=True)
+    for k, (name, run) in enumerate(results.bearing.items()):
+        last = run.steady
+        left.plot(last.y * 1e6, -last.across * 1e6, color=f"C{k}", label=name)
+        right.plot(last.x * 1e6, -last.along * 1e6, color=f"C{k}", label=name)
+    finish(left, "across the track y [µm]", "height of the surface [µm]")
+    finish(right, "rolling direction x [µm]")
+    return Picture(
+        "rolling_bearing",
+        "Figures 3.8 and 3.9, computed profiles only: prints across and along the track, 460 N.",
+        figure,
+    )
+
+
+def prints(results: Results) -> Picture:
+    a, run = BALL.a, results.rolled
+    figure = Figure(figsize=(9.0, 6.4), layout="constrained")
+    upper, lower = figure.subplots(2, 1)
+    shown = run.vertical
+    upper.plot(shown.x / a, -1e3 * shown.along / a, "ks", markersize=3, markerfacecolor="none",
+               label="pressed and unloaded")  # fmt: skip
+    upper.plot(run.cycles[0].x / a, -1e3 * run.cycles[0].along / a, color="C0", label="rolled")
+    upper.set_xlim(-3, run.way / a + 3)
+    finish(upper, "rolling direction x/a", "height of the surface [a/1000]")
+    left, right = lower.get_subplotspec().subgridspec(1, 2).subplots(sharey=True)
+    lower.remove()
+    for n, cycle in enumerate(results.repeated.cycles):
+        label = f"{n + 1} cycle{'s' if n else ''}"
+        left.plot(cycle.x / a, -1e3 * cycle.along / a, color=f"C{n}", label=label)
+        right.plot(cycle.y / a, -1e3 * cycle.across / a, color=f"C{n}", label=label)
+    finish(left, "rolling direction x/a", "height of the surface [a/1000]")
+    finish(right, "across the track y/a")
+    return Picture(
+        "rolling_prints",
+        "Figures 3.10 to 3.12: print of a ball that is pressed, or rolled to the right, once "
+        f"({run.way * 1e3:.2g} mm); and of up to three cycles (2 mm) along and across the track. "
+        "Of figure 3.12 only the computed profiles.",
+        figure,
+    )
+
+
+def contours(
+    ax: Axes, x: np.ndarray, z: np.ndarray, values: np.ndarray, title: str, colours: str
+) -> None:
+    figure = ax.get_figure()
+    assert figure is not None
+    shown = ax.contourf(x / BALL.a, z / BALL.a, values.T, levels=12, cmap=colours)
+    figure.colorbar(shown, ax=ax, shrink=0.9, aspect=12)
+    ax.set(ylim=(2.0, 0.0), ylabel="depth z/a")
+    ax.set_title(title, fontsize="medium")
+
+
+def across(results: Results) -> Picture:
+    run: Run = results.rolled
+    last: Cycle = run.steady
+    figure = Figure(figsize=(10.0, 2.6), layout="constrained")
+    fields = (
+        ("von Mises stress under load / p0", run.loaded, "viridis"),
+        ("residual von Mises stress / p0", last.von_mises_across, "viridis"),
+        ("residual hydrostatic stress / p0", last.hydrostatic_across, "coolwarm"),
+    )
+    for ax, (title, values, colours) in zip(figure.subplots(1, 3), fields, strict=True):
+        contours(ax, last.y, last.z, values / BALL.p0, title, colours)
+        ax.set(xlabel="y/a", xlim=(-1.6, 1.6))
+    return Picture(
+        "rolling_across",
+        "Figures 3.13, 3.14 and 3.16: sections across the track in the second cycle.",
+        figure,
+    )
+
+
+def along(results: Results) -> Picture:
+    run = results.rolled
+    last = run.steady
+    figure = Figure(figsize=(9.0, 4.6), layout="constrained")
+    fields = (
+        ("residual von Mises stress / p0", last.von_mises / BALL.p0),
+        ("equivalent plastic strain [%]", 100 * last.gamma),
+    )
+    for ax, (title, values) in zip(figure.subplots(2, 1), fields, strict=True):
+        contours(ax, last.x, last.z, values, title, "viridis")
+        ax.set(xlabel="rolling direction x/a", xlim=(-2, run.way / BALL.a + 2))
+    return Picture(
+        "rolling_along",
+        "Figures 3.15 and 3.17: plane y = 0 after the second cycle, rolled to the right.",
+        figure,
+    )

@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the parts on rolling share: bodies, ellipses, and one run of loading, rolling, unloading."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from scipy.optimize import brentq
+
+import samcontact as sc
+
+RADIUS = 4.7625e-3
+CERAMIC = sc.Material.elastic(310e9, 0.29)
+ELASTIC = sc.Material.elastic(210e9, 0.3)
+STEEL_52100 = sc.Material.swift(210e9, 0.3, B=945e6, C=20, n=0.121)
+STEEL_M50 = sc.Material.swift(210e9, 0.3, B=1280e6, C=4, n=0.095)
+BALL = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(CERAMIC, STEEL_52100), p0=5.7e9)
+"""The reference: 5.7 GPa."""
+
+
+def ellipse(k: float, p0: float = BALL.p0, E_star: float = BALL.E_star) -> sc.hertz.EllipticContact:
+    """Exact contact of ellipticity k: its semi-axis along x is that of the ball, at any p0."""
+    across, reference = 1.0, sc.hertz.point(RADIUS, E_star, p0=p0)
+    if k > 1:
+
+        def excess(ratio: float) -> float:
+            return sc.hertz.elliptic(1.0, ratio, E_star, p0=1.0).k - k
+
+        across = float(brentq(excess, 1.0, k**2))
+    unit = sc.hertz.elliptic(RADIUS, RADIUS * across, E_star, p0=p0)
+    Rx = RADIUS * reference.a / unit.a_x
+    return sc.hertz.elliptic(Rx, Rx * across, E_star, p0=p0)
+
+
+def table_ellipse(k: float, load: float) -> sc.hertz.EllipticContact:
+    """As tables 3.2 and 3.3 have it: the ball's R_x, R_y / R_x = k^(pi/2), and the load."""
+    return sc.hertz.elliptic(RADIUS, RADIUS * k ** (0.5 * np.pi), BALL.E_star, load=load)
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """Cells per semi-axis, extent of the grid in semi-axes, and how the load comes and rolls."""
+
+    cells: float
+    layers: float
+    """Per semi-axis along x."""
+    length: float = 4.0
+    width: float = 1.8
+    """Half of the grid, along x in a_x and along y in a_y."""
+    depth: float = 2.6
+    loading: int = 10
+
+    def grid(self, contact: sc.hertz.EllipticContact) -> sc.Grid:
+        dx, dy, dz = contact.a_x / self.cells, contact.a_y / self.cells, contact.a_x / self.layers
+        return sc.Grid(
+            2 * int(self.length * self.cells) + 1,
+            2 * int(self.width * self.cells) + 1,
+            dx,
+            dy,
+            int(self.depth * self.layers),
+            dz,
+        )
+
+    def __str__(self) -> str:
+        along = f"a/{self.cells:.3g}"
+        return along if self.layers == self.cells else f"{along}, layers a/{self.layers:.3g}"
+
+
+@dataclass
+class Cycle:
+    """What one pass left in the lower body, along its track and across it where it is steady."""
+
+    x: np.ndarray
+    y: np.ndarray
+    z: np.ndarray
+    steady: float
+    """Position of the section across [m]."""
+    along: np.ndarray
+    across: np.ndarray
+    """Permanent print, positive into the body."""
+    gamma: np.ndarray
+    von_mises: np.ndarray
+    hydrostatic: np.ndarray
+    """In the plane y = 0, (x, z)."""
+    gamma_across: np.ndarray
+    von_mises_across: np.ndarray
+    hydrostatic_across: np.ndarray
+    """Across the track, (y, z)."""
+    largest_von_mises: float
+    """Of all cells of the section across."""
+
+    @property
+    def row(self) -> int:
+        return int(np.abs(self.x - self.steady).argmin())
+
+    @property
+    def depth(self) -> float:
+        """Of the steady print [m]."""
+        return float(self.along[self.row])
+
+    def profile(self, name: str) -> np.ndarray:
+        """gamma, von_mises or hydrostatic below the middle of the steady track."""
+        return np.asarray(getattr(self, name)[self.row])
+
+    def peak(self, name: str) -> tuple[float, float]:
+        """Largest value of a profile and its depth, by the parabola through three layers."""
+        return top(self.z, self.profile(name))
+
+    def shoulders(self) -> tuple[float, float, float]:
+        """Heights before the start, beyond the end, and beside the steady track [m]."""
+        middle = self.x < self.steady
+        return (
+            -float(self.along[middle].min()),
+            -float(self.along[~middle].min()),
+            -float(self.across.min()),
+        )
+
+    def width(self) -> float:
+        """Of the steady print between the points of zero displacement [m]."""
+        y, u = self.y[self.y >= 0], self.across[self.y >= 0]
+        if np.all(u > 0):
+            return float("nan")
+        j = int(np.flatnonzero(u <= 0)[0])
+        return 2 * float(np.interp(0.0, [u[j], u[j - 1]], [y[j], y[j - 1]]))
+
+
+@dataclass
+class Run:
+    """Loading, rolling and unloading, once or several times."""
+
+    contact: sc.hertz.EllipticContact
+    x: np.ndarray
+    y: np.ndarray
+    z: np.ndarray
+    way: float
+    vertical: Cycle
+    """At the full load, before it rolls."""
+    vertical_pressure: np.ndarray
+    loading: np.ndarray
+    """Load, largest pressure, largest plastic strain."""
+    cycles: list[Cycle] = field(default_factory=list)
+    pressure_along: list[np.ndarray] = field(default_factory=list)
+    pressure_across: list[np.ndarray] = field(default_factory=list)
+    """At the end of each pass, through the largest and through the centre of the contact."""
+    history: list[np.ndarray] = field(default_factory=list)
+    """Of each pass: way, largest pressure, largest plastic strain."""
+    loaded: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    """Von Mises stress under the load at the end of the last pass, (y, z)."""
+    loaded_axis: list[np.ndarray] = field(default_factory=list)
+    counters: dict[str, int] = field(default_factory=dict)
+    increments: int = 0
+
+    @property
+    def a(self) -> float:
+        return self.contact.a_x
+
+    @property
+    def p0(self) -> float:
+        return self.contact.p0
+
+    def p_max(self, cycle: int = -1) -> float:
+        """Largest pressure at the end of a pass."""
+        return float(self.pressure_along[cycle].max())
+
+    @cached_property
+    def steady(self) -> Cycle:
+        return self.cycles[-1]
+
+
+def top(x: np.ndarray, values: np.ndarray) -> tuple[float, float]:
+    """Largest value and its position, by the parabola through the three largest samples."""
+    k = int(values.argmax())
+    if k in (0, len(values) - 1):
+        return float(values[k]), float(x[k])
+    c = np.polyfit(x[k - 1 : k + 2] - x[k], values[k - 1 : k + 2], 2)
+    at = -c[1] / (2 * c[0])
+    return float(np.polyval(c, at)), float(x[k] + at)
+
+
+def section(state: sc.State, steady: float, body: int = 2) -> Cycle:
+    track = state.track(body)
+    middle = len(track.y) // 2
+    row = int(np.abs(track.x - steady).argmin())
+    print_, gamma = track.residual_displacement(), track.equivalent_plastic_strain()
+    stress, hydrostatic = track.residual_von_mises(), track.residual_hydrostatic()
+    return Cycle(
+        x=track.x.copy(),
+        y=track.y.copy(),
+        z=track.z.copy(),
+        steady=float(track.x[row]),
+        along=print_[:, middle].copy(),
+        across=print_[row].copy(),
+        gamma=gamma[:, middle].copy(),
+        von_mises=stress[:, middle].copy(),
+        hydrostatic=hydrostatic[:, middle].copy(),
+        gamma_across=gamma[row].copy(),
+        von_mises_across=stress[row].copy(),
+        hydrostatic_across=hydrostatic[row].copy(),
+        largest_von_mises=float(stress[row].max()),
+    )
+
+
+def roll(
+    bodies: tuple[sc.Material, sc.Material],
+    contact: sc.hertz.EllipticContact,
+    mesh: Mesh,
+    way: float,
+    cycles: int = 1,
+    steady: float = 0.6,
+) -> Run:
+    """Press, roll by `way` towards +x over both bodies, unload, go back, and again.
+
+    steady: where on the way the section across is taken.
+    """
+    grid = mesh.grid(contact)
+    gap = sc.surfaces.paraboloid(grid, contact.Rx, contact.Ry)
+    run = sc.Simulation(grid, *bodies, gap, residual_stress="fast")
+    middle, centre = grid.ny // 2, grid.nx // 2
+    steps = round(way / grid.dx)
+    loading = []
+    for load in np.linspace(0.0, contact.load, mesh.loading + 1)[1:]:
+        state = run.step(load=float(load))
+        loading.append((load, state.pressure.max(), state.max_equivalent_plastic_strain()))
+    vertical = section(state, 0.0)
+    pressure = state.pressure[:, middle].copy()
+    done = Run(contact, grid.x, grid.y, grid.z, steps * grid.dx, vertical, pressure,
+               np.array(loading))  # fmt: skip
+    done.increments = mesh.loading
+    for cycle in range(cycles):
+        if cycle:
+            run.step(load=0.0, advance=(steps * grid.dx, steps * grid.dx))
+            state = run.step(load=contact.load)
+            done.increments += 2
+        history = [(0.0, state.pressure.max(), state.max_equivalent_plastic_strain())]
+        for n in range(1, steps + 1):
+            state = run.step(load=contact.load, advance=(-grid.dx, -grid.dx))
+            strain = state.max_equivalent_plastic_strain()
+            history.append((n * grid.dx, state.pressure.max(), strain))
+        done.history.append(np.array(history))
+        done.pressure_along.append(state.pressure[:, middle].copy())
+        done.pressure_across.append(state.pressure[int(state.pressure[:, middle].argmax())].copy())
+        von_mises = state.von_mises()
+        done.loaded_axis.append(von_mises[centre, middle].copy())
+        done.loaded = von_mises[centre].copy()
+        unloaded = run.step(load=0.0)
+        done.cycles.append(section(unloaded, steady * steps * grid.dx))
+        done.increments += steps + 1
+    done.counters = run.counters
+    return done
