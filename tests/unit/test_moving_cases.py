@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Case files that move: segments, reliefs, and what is refused in which words."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -268,6 +269,15 @@ def test_cases_that_come_with_the_package(name):
     ways = np.array([step["advance"] for step in path if "advance" in step])
     cells = ways / simulation.grid.dx
     np.testing.assert_allclose(cells, np.round(cells), atol=1e-6)
+
+
+def test_the_path_that_the_documentation_shows(write):
+    page = (CASES.parent / "docs" / "case_files.md").read_text(encoding="utf-8")
+    (block,) = re.findall(r"^```toml\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    case = load_case(write(("[[path]]\nload = 600.0\nincrements = 2\n" + ROLL, block)))
+    assert case.steps() == paths.rolling(
+        load=1000.0, distance=1e-3, step=25e-6, passes=3, increments=10
+    )
 
 
 def test_dictionaries_are_cases_too():
