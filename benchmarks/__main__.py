@@ -21,6 +21,7 @@ PARTS = (
     "images",
     "nano_indentation",
     "heat",
+    "rolling",
     "scaling",
     "counts",
 )

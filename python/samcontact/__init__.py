@@ -6,6 +6,7 @@ from . import _load_core  # noqa: F401  (before anything that needs the core)
 # isort: split
 from . import (
     critical,
+    dents,
     flattening,
     heat,
     heat_kernels,
@@ -42,6 +43,7 @@ __all__ = [
     "Track",
     "__version__",
     "critical",
+    "dents",
     "flattening",
     "heat",
     "heat_kernels",

@@ -6,29 +6,26 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
-import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
 from . import surfaces
+from ._case_base import (
+    Count,
+    HeatFactor,
+    HeightsFile,
+    NonNegative,
+    Poisson,
+    Positive,
+    Radius,
+    Section,
+    Velocity,
+    read_heights,
+)
 from ._checks import FloatArray
 
 if TYPE_CHECKING:
     from .grid import Grid
     from .material import Material
-
-Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
-Radius = Annotated[float, Field(gt=0.0)]  # inf is straight
-NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
-Poisson = Annotated[float, Field(ge=0.0, lt=0.5)]
-Count = Annotated[int, Field(ge=1)]
-HeatFactor = NonNegative | Annotated[list[NonNegative], Field(min_length=2, max_length=2)]
-_Finite = Annotated[float, Field(allow_inf_nan=False)]
-_Pair = Annotated[list[_Finite], Field(min_length=2, max_length=2)]
-Velocity = _Pair | Annotated[list[_Pair], Field(min_length=2, max_length=2)]
-
-
-class Section(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
 
 class GridSection(Section):
@@ -270,16 +267,9 @@ class FileSurface(_Surface):
     """Measured heights of body 2 (.npy or text, nx rows of ny values), under a paraboloid."""
 
     shape: Literal["file"]
-    path: str
+    path: HeightsFile
     Rx: Radius | None = None
     Ry: Radius | None = None
-
-    @field_validator("path")
-    @classmethod
-    def _known_format(cls, value: str) -> str:
-        if Path(value).suffix.lower() not in (".npy", ".txt", ".csv", ".dat"):
-            raise ValueError(f"must end in .npy, .txt, .dat or .csv, got {value!r}")
-        return value
 
     @model_validator(mode="after")
     def _Ry_needs_Rx(self) -> FileSurface:
@@ -288,15 +278,7 @@ class FileSurface(_Surface):
         return self
 
     def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
-        path = folder / self.path
-        try:
-            if path.suffix.lower() == ".npy":
-                heights = np.load(path, allow_pickle=False)
-            else:
-                delimiter = "," if path.suffix.lower() == ".csv" else None
-                heights = np.loadtxt(path, delimiter=delimiter, ndmin=2)
-        except (OSError, ValueError) as error:
-            raise ValueError(f"path: cannot read heights from {path}: {error}") from error
+        heights = read_heights(folder / self.path)
         upper = None if self.Rx is None else surfaces.paraboloid(grid, self.Rx, self.Ry)
         return surfaces.from_heights(grid, heights, upper)
 
@@ -321,35 +303,13 @@ class ContactSection(Section):
     heating_time: Positive | None = None
     heat_reference: Positive | None = None
     heat_history: Annotated[list[Positive], Field(min_length=2, max_length=2)] | None = None
+    reach: NonNegative | None = None
 
     @model_validator(mode="after")
     def _one_time(self) -> ContactSection:
         if self.heating_time is not None and self.heat_history is not None:
             raise ValueError("give heat_history or heating_time, not both")
         return self
-
-
-class Segment(Section):
-    """[[path]]: a ramp from the value reached so far to this one."""
-
-    load: NonNegative | None = None
-    approach: Annotated[float, Field(allow_inf_nan=False)] | None = None
-    increments: Count = 10
-    start: Annotated[float, Field(allow_inf_nan=False)] | None = None
-    spacing: Literal["linear", "power"] = "linear"
-    exponent: Positive = 2.0
-    duration: Positive | None = None
-    heat_factor: HeatFactor | None = None
-
-    @model_validator(mode="after")
-    def _one_target(self) -> Segment:
-        if (self.load is None) == (self.approach is None):
-            raise ValueError("give exactly one of load, approach")
-        return self
-
-    @property
-    def quantity(self) -> str:
-        return "load" if self.load is not None else "approach"
 
 
 class OutputSection(Section):

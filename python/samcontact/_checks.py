@@ -97,3 +97,10 @@ def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatAr
         index = tuple(int(i) for i in bad[0])
         raise ValueError(f"{name} must be finite everywhere, got {array[index]} at index {index}")
     return array
+
+
+def load_or_approach(load: float | None, approach: float | None) -> tuple[str, float]:
+    """Return the name and value of the only one that is given."""
+    name = exactly_one(load=load, approach=approach)
+    # an approach below zero separates the bodies; a negative load would be adhesion
+    return name, non_negative("load", load) if name == "load" else finite("approach", approach)

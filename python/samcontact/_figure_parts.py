@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import TwoSlopeNorm
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
@@ -22,6 +23,7 @@ QUANTITIES = {
     "hydrostatic": ("hydrostatic stress", 1e-6, "MPa", "RdBu_r"),
     "equivalent_plastic_strain": ("equivalent plastic strain", 1e2, "%", "magma_r"),
     "residual_von_mises": ("residual von Mises stress", 1e-6, "MPa", "viridis"),
+    "residual_hydrostatic": ("residual hydrostatic stress", 1e-6, "MPa", "RdBu_r"),
     "stress": ("stress", 1e-6, "MPa", "RdBu_r"),
     "temperature": ("rise of temperature", 1.0, "K", "inferno"),
 }
@@ -62,3 +64,41 @@ def surface_line(
     if axis == "x":
         return np.asarray(grid.x), values[:, nearest(grid.y, 0.0)]
     return np.asarray(grid.y), values[nearest(grid.x, 0.0), :]
+
+
+def show_section(
+    ax: Axes | None,
+    across: FloatArray,
+    depth: FloatArray,
+    values: FloatArray,
+    quantity: str,
+    name: str,
+    label: str | None,
+    *,
+    titled: bool = False,
+) -> Axes:
+    """A plane of a volume field with a colour bar, depth downward.
+
+    `across` and `depth` are edges of cells [m], `values` the field on them in SI units, `name` that
+    of the coordinate, and `label`, if any, replaces that of the quantity. `titled`: the label is
+    the title, for sections that are too flat for it beside them.
+    """
+    text, factor, unit, colours = QUANTITIES[quantity]
+    shown = values * factor
+    ax = axes_or_new(ax)
+    options: dict[str, Any] = {}
+    if colours == "RdBu_r" and np.any(shown):
+        span = float(np.max(np.abs(shown)))  # white is zero
+        options["norm"] = TwoSlopeNorm(0.0, -span, span)
+    mesh = ax.pcolormesh(
+        across * 1e6, depth * 1e6, shown.T, cmap=colours, rasterized=True, **options
+    )
+    full = f"{label or text} [{unit}]"
+    ax.figure.colorbar(mesh, ax=ax, label="" if titled else full)
+    if titled:
+        ax.set_title(full, fontsize="medium")
+    ax.set_aspect("equal")
+    ax.set_xlabel(f"{name} [µm]")
+    ax.set_ylabel("depth z [µm]")
+    ax.invert_yaxis()
+    return ax

@@ -12,16 +12,17 @@ from pydantic import Field, PrivateAttr, ValidationError, model_validator
 
 from . import hertz as _hertz
 from . import paths
+from ._case_base import Section
 from ._case_errors import explain
+from ._case_motion import ReliefSection, Segment
 from ._case_sections import (
     BodySection,
     ContactSection,
     GridSection,
     OutputSection,
-    Section,
-    Segment,
     SurfaceSection,
 )
+from ._heating import pair, velocities
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -51,6 +52,8 @@ class Case(Section):
     body1: BodySection
     body2: BodySection
     surface: SurfaceSection
+    relief1: ReliefSection | None = None
+    relief2: ReliefSection | None = None
     contact: ContactSection = ContactSection()
     path: Annotated[list[Segment], Field(min_length=1)]
     output: OutputSection = OutputSection()
@@ -68,9 +71,10 @@ class Case(Section):
                 raise ValueError(f"{name} is inelastic ({body.law}): [grid] needs nz and dz")
         marches = self.contact.heat_history is not None
         for index, segment in enumerate(self.path):
-            if (segment.duration is not None) != marches:
+            if segment.is_timed != marches:
+                name = "duration" if segment.passes is None else "speed"
                 raise ValueError(
-                    f"path[{index}]: duration and contact.heat_history go together: give both or "
+                    f"path[{index}]: {name} and contact.heat_history go together: give both or "
                     "neither"
                 )
         selected = self.output.body
@@ -100,41 +104,43 @@ class Case(Section):
     def steps(self) -> paths.Path:
         """The loading path as keyword dictionaries for `Simulation.run`."""
         steps: paths.Path = []
-        previous = ("", 0.0)
+        reached = ("", 0.0)
         for index, segment in enumerate(self.path):
-            name = segment.quantity
-            start = segment.start
-            if start is None:
-                if index > 0 and previous[0] != name:
-                    raise ValueError(
-                        f"path[{index}] changes from {previous[0]} to {name}: give start, "
-                        f"the {name} it starts from"
-                    )
-                start = previous[1]
-            target = getattr(segment, name)
-            held = target == start and (segment.duration, segment.heat_factor) != (None, None)
             try:
-                if held:
-                    steps += paths.hold(
-                        increments=segment.increments,
-                        duration=segment.duration,
-                        heat_factor=segment.heat_factor,
-                        **{name: target},
-                    )
-                else:
-                    steps += paths.ramp(
-                        increments=segment.increments,
-                        start=start,
-                        spacing=segment.spacing,
-                        exponent=segment.exponent,
-                        duration=segment.duration,
-                        heat_factor=segment.heat_factor,
-                        **{name: target},
-                    )
+                made, reached = segment.steps(reached)
+                self._check_motion(made)
             except ValueError as error:
                 raise ValueError(f"path[{index}]: {error}") from error
-            previous = (name, target)
+            steps += made
         return steps
+
+    @property
+    def moves(self) -> bool:
+        """Whether a body moves through the contact."""
+        return any(any(step.get("advance", ())) for step in self.steps())
+
+    def _check_motion(self, steps: paths.Path) -> None:
+        """Friction and heat know their directions: bodies under load must move along them."""
+        factors, speeds = pair(self.contact.heat_factor), velocities(self.contact.velocity)
+        for step in steps:
+            if step.get("load") == 0.0 or "advance" not in step:
+                continue
+            first, second = step["advance"]
+            if self.contact.friction > 0 and first < second:
+                raise ValueError(
+                    "friction pulls body 2 towards +x, so body 1 must slide towards +x over it, "
+                    f"advance[0] >= advance[1], got {[first, second]}: turn the direction, or set "
+                    "friction = 0"
+                )
+            for body in (1, 2):
+                if "duration" in step and factors[body - 1] > 0:
+                    speed = step["advance"][body - 1] / step["duration"]
+                    given = speeds[body - 1][0]
+                    if abs(speed - given) > 1e-6 * max(abs(speed), abs(given)):
+                        raise ValueError(
+                            f"heated body {body} moves at {speed:.9g} m/s along x, but "
+                            f"contact.velocity gives it {given:.9g} m/s: make them equal"
+                        )
 
     def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
         """Hertz contact of this case at a load [N] > 0; None when there is none.
@@ -142,6 +148,8 @@ class Case(Section):
         There is one for smooth paraboloids and spheres with finite radii.
         """
         radii = self.surface.radii()
+        if self.relief1 is not None or self.relief2 is not None:
+            return None
         if radii is None or self.surface.roughness is not None or not np.all(np.isfinite(radii)):
             return None
         E_star = _hertz.effective_modulus(self.body1.build(), self.body2.build())
@@ -163,6 +171,7 @@ class Case(Section):
         CaseError
             A section that cannot be realised, e.g. a surface file of the wrong shape.
         """
+        from .relief import relief_rows
         from .simulation import Simulation
 
         section = "grid"
@@ -174,8 +183,15 @@ class Case(Section):
             body2 = self.body2.build()
             section = "surface"
             gap = self.surface.build(grid, self._source.parent)
+            reliefs = {}
+            for section in ("relief1", "relief2"):
+                given = getattr(self, section)
+                if given is not None:
+                    reliefs[section] = given.build(grid, self._source.parent)
+                    relief_rows(section, reliefs[section], grid)
             section = "contact"
-            simulation = Simulation(grid, body1, body2, gap, **self.contact.model_dump())
+            settings = self.contact.model_dump()
+            simulation = Simulation(grid, body1, body2, gap, **settings, **reliefs)
         except ValueError as error:
             raise CaseError(f"{self._source}: [{section}] {error}") from error
         return simulation, self.steps()

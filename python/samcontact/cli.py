@@ -30,6 +30,7 @@ __all__ = ["main"]
 
 BAD_INPUT = 2
 FAILED = 1
+MOST_FRAMES = 120  # of an animation
 
 
 def _print_version(context: click.Context, _: click.Parameter, value: bool) -> None:
@@ -79,21 +80,38 @@ def main() -> None:
 @click.argument("case_file", metavar="CASE.toml", type=click.Path(path_type=Path))
 @click.option("--output", type=click.Path(path_type=Path), help="Directory of the results.")
 @click.option("--no-figures", is_flag=True, help="Write no figures.")
+@click.option(
+    "--animate", is_flag=True, help="Write rolling.gif too, for a path that moves the bodies."
+)
+@click.option(
+    "--resume",
+    is_flag=True,
+    help="Write a checkpoint after each increment, and go on from those of an interrupted run.",
+)
 @click.option("--quiet", is_flag=True, help="Print the paths of the results only.")
-def run(case_file: Path, output: Path | None, no_figures: bool, quiet: bool) -> None:
+def run(
+    case_file: Path, output: Path | None, no_figures: bool, animate: bool, resume: bool, quiet: bool
+) -> None:
     """Solve a case file; write results.nc and figures."""
     with _short_errors():
         from . import results
         from .cases import load_case
 
         case = load_case(case_file)
+        if animate and not (case.moves and case.grid.nz > 0):
+            raise ValueError("--animate needs a path that moves a body, and a grid with layers")
         simulation, path = case.build()
         directory = case.output_directory if output is None else output
         # before the computation: a directory that cannot be made must not cost a run
         directory.mkdir(parents=True, exist_ok=True)
         console = Console(quiet=quiet)
         console.print(case.title, style="bold", markup=False, highlight=False)
-        states = simulation.run(path, progress=not quiet)
+        if resume:
+            from ._resume import remove_checkpoints, run_with_checkpoints
+
+            states = run_with_checkpoints(simulation, path, case, directory, not quiet)
+        else:
+            states = simulation.run(path, progress=not quiet)
         dataset = results.to_dataset(simulation, states, case)
         written = [results.save(dataset, directory / "results.nc")]
         console.print(_summary(dataset, case.output.body))
@@ -108,6 +126,14 @@ def run(case_file: Path, output: Path | None, no_figures: bool, quiet: bool) -> 
             written += summary_figures(
                 simulation, states, directory, body=case.output.body, hertz=reference
             )
+        if animate:
+            from .animation import rolling_animation, save_animation
+
+            shown = states[:: math.ceil(len(states) / MOST_FRAMES)]
+            animation = rolling_animation(shown, body=case.output.body)
+            written.append(save_animation(animation, directory / "rolling.gif"))
+        if resume:
+            remove_checkpoints(directory)
         for file in written:
             click.echo(str(file))
 
@@ -129,6 +155,7 @@ def _summary(dataset: xr.Dataset, body: int) -> Table:
         (f"max_von_mises_body{body}", "von Mises\n[MPa]", 1e-6, ".1f"),
         (f"max_equivalent_plastic_strain_body{body}", "plastic\nstrain [%]", 1e2, ".4f"),
         (f"max_temperature_body{body}", "heating\n[K]", 1.0, ".1f"),
+        (f"travel_body{body}", "travel\n[µm]", 1e6, ".2f"),
         ("iterations", "itera-\ntions", 1, ".0f"),
     ]
     shown = [column for column in wanted if column[0] in dataset]

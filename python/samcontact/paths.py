@@ -8,9 +8,19 @@ from typing import Any
 
 import numpy as np
 
-from ._checks import FloatArray, choice, exactly_one, finite, integer, non_negative, positive
+from ._checks import (
+    FloatArray,
+    choice,
+    finite,
+    finite_array,
+    integer,
+    load_or_approach,
+    non_negative,
+    positive,
+)
+from ._passes import rolling, sliding
 
-__all__ = ["Path", "hold", "load_unload", "ramp"]
+__all__ = ["Path", "hold", "load_unload", "ramp", "rolling", "sliding"]
 
 Path = list[dict[str, Any]]
 
@@ -25,21 +35,21 @@ def _fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
     return fractions
 
 
-def _target(load: float | None, approach: float | None) -> tuple[str, float]:
-    name = exactly_one(load=load, approach=approach)
-    # an approach below zero separates the bodies; a negative load would be adhesion
-    return name, non_negative("load", load) if name == "load" else finite("approach", approach)
-
-
 def _steps(name: str, start: float, end: float, fractions: FloatArray) -> Path:
     values = start * (1.0 - fractions) + end * fractions
     return [{name: float(value)} for value in values]
 
 
-def _with_heat(
-    steps: Path, duration: float | None, heat_factor: float | Sequence[float] | None
+def _with_parts(
+    steps: Path,
+    advance: Sequence[float] | None,
+    duration: float | None,
+    heat_factor: float | Sequence[float] | None,
 ) -> Path:
-    """The steps in equal parts of a duration, the first of which sets the heat factor."""
+    """The steps in equal parts of a way and a duration; the first sets the heat factor."""
+    if advance is not None:
+        first, second = (float(s) / len(steps) for s in finite_array("advance", advance, (2,)))
+        steps = [{**step, "advance": (first, second)} for step in steps]
     if duration is not None:
         part = positive("duration", duration) / len(steps)
         steps = [{**step, "duration": part} for step in steps]
@@ -53,10 +63,11 @@ def hold(
     load: float | None = None,
     approach: float | None = None,
     increments: int = 1,
+    advance: Sequence[float] | None = None,
     duration: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
 ) -> Path:
-    """Steps at one load or approach, while heat flows.
+    """Steps at one load or approach, while the bodies move or heat flows.
 
     Parameters
     ----------
@@ -64,6 +75,8 @@ def hold(
         Load [N], >= 0, or approach [m]; give one.
     increments : int
         Number of steps, >= 1.
+    advance : pair of floats, optional
+        How far body 1 and 2 move towards +x, in all steps together [m].
     duration : float, optional
         Of all together [s], for a simulation with `heat_history`.
     heat_factor : float or pair of floats, optional
@@ -79,9 +92,9 @@ def hold(
     ValueError
         Both or neither of load and approach, or a value outside its range.
     """
-    name, value = _target(load, approach)
+    name, value = load_or_approach(load, approach)
     count = integer("increments", increments, 1)
-    return _with_heat([{name: value} for _ in range(count)], duration, heat_factor)
+    return _with_parts([{name: value} for _ in range(count)], advance, duration, heat_factor)
 
 
 def ramp(
@@ -92,6 +105,7 @@ def ramp(
     start: float = 0.0,
     spacing: str = "linear",
     exponent: float = 2.0,
+    advance: Sequence[float] | None = None,
     duration: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
 ) -> Path:
@@ -109,7 +123,7 @@ def ramp(
         "power" takes fractions (i/increments)^exponent: small steps first for exponent > 1.
     exponent : float
         Of the power spacing, > 0 [-].
-    duration, heat_factor : optional
+    advance, duration, heat_factor : optional
         As in `hold`.
 
     Returns
@@ -127,12 +141,12 @@ def ramp(
     >>> ramp(load=300.0, increments=3)
     [{'load': 100.0}, {'load': 200.0}, {'load': 300.0}]
     """
-    name, end = _target(load, approach)
+    name, end = load_or_approach(load, approach)
     begin = non_negative("start", start) if name == "load" else finite("start", start)
     if begin == end:
         raise ValueError(f"start must differ from {name}, got {begin!r} for both")
     steps = _steps(name, begin, end, _fractions(increments, spacing, exponent))
-    return _with_heat(steps, duration, heat_factor)
+    return _with_parts(steps, advance, duration, heat_factor)
 
 
 def load_unload(
@@ -168,7 +182,7 @@ def load_unload(
     ValueError
         Both or neither of load and approach, or a value outside its range.
     """
-    name, peak = _target(load, approach)
+    name, peak = load_or_approach(load, approach)
     last = non_negative("end", end) if name == "load" else finite("end", end)
     if not peak > max(last, 0.0):
         raise ValueError(f"{name} must be > {max(last, 0.0)!r}, got {peak!r}")

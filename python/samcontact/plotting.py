@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import TwoSlopeNorm
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
@@ -27,9 +26,12 @@ from ._figure_parts import (
     finish,
     nearest,
     new_figure,
+    show_section,
     surface_line,
 )
+from .animation import rolling_animation, save_animation
 from .hertz import EllipticContact, PointContact
+from .track_figures import loaded_section, track_print, track_section, track_summary
 
 if TYPE_CHECKING:
     from .grid import Grid
@@ -39,11 +41,16 @@ if TYPE_CHECKING:
 __all__ = [
     "axis_profile",
     "load_approach",
+    "loaded_section",
     "pressure_profile",
     "print_profile",
+    "rolling_animation",
+    "save_animation",
     "section",
     "summary_figures",
     "temperature_profile",
+    "track_print",
+    "track_section",
 ]
 
 HertzContact = PointContact | EllipticContact
@@ -122,7 +129,7 @@ def section(
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", \
-"residual_von_mises", "stress", "temperature"}
+"residual_von_mises", "residual_hydrostatic", "stress", "temperature"}
         Decides label, unit and colours.
     plane : {"y", "x"}
         Coordinate that is constant on the section.
@@ -152,28 +159,7 @@ def section(
     else:
         values = values[nearest(grid.x, position), :, :]
         across, name = edges(grid.y, grid.dy), "y"
-    text, factor, unit, colours = QUANTITIES[quantity]
-    shown = values * factor
-
-    ax = axes_or_new(ax)
-    options: dict[str, Any] = {}
-    if colours == "RdBu_r" and np.any(shown):
-        span = float(np.max(np.abs(shown)))  # white is zero
-        options["norm"] = TwoSlopeNorm(0.0, -span, span)
-    mesh = ax.pcolormesh(
-        across * 1e6,
-        edges(grid.z, grid.dz) * 1e6,
-        shown.T,
-        cmap=colours,
-        rasterized=True,
-        **options,
-    )
-    ax.figure.colorbar(mesh, ax=ax, label=f"{label or text} [{unit}]")
-    ax.set_aspect("equal")
-    ax.set_xlabel(f"{name} [µm]")
-    ax.set_ylabel("depth z [µm]")
-    ax.invert_yaxis()
-    return ax
+    return show_section(ax, across, edges(grid.z, grid.dz), values, quantity, name, label)
 
 
 def load_approach(
@@ -404,7 +390,8 @@ def summary_figures(
     list of Path
         pressure.png and load_approach.png; with a volume axis_stress.png and sections.png;
         for a heated body flash_temperature.png and, with a volume, temperature.png (hottest
-        increment); for an inelastic body print.png and residual.png (last increment).
+        increment); for an inelastic body print.png and residual.png (last increment) and, when it
+        moved, track_print.png and track_sections.png.
 
     Raises
     ------
@@ -444,6 +431,8 @@ def summary_figures(
         print_profile(last, grid, panel("print"), body=body)
         residual = _von_mises(np.asarray(last.residual_stress(body=body)))
         section(residual, grid, panel("residual"), quantity="residual_von_mises")
+        if any(state.travel[body - 1] for state in states):
+            figures |= track_summary(states, body)
 
     written = []
     for name, figure in figures.items():

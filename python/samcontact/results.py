@@ -18,6 +18,8 @@ import numpy as np
 import xarray as xr
 
 from ._checks import choice
+from ._track_results import COMPONENTS, add_motion
+from ._track_results import variable as _variable
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -29,7 +31,6 @@ if TYPE_CHECKING:
 
 __all__ = ["COMPONENTS", "open_results", "save", "scalars", "to_dataset"]
 
-COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
 VOLUME_CHOICES = ("none", "last", "peak_and_last", "all")
 
 _SURFACE = ("increment", "x", "y")
@@ -75,7 +76,8 @@ def to_dataset(
     Returns
     -------
     xarray.Dataset
-        Dimensions increment, x, y and, with a volume, volume_increment, z, component.
+        Dimensions increment, x, y and, with a volume, volume_increment, z, component; for an
+        inelastic body that moved, track_x_body1 or track_x_body2: its whole track at the end.
         Every variable has ``units`` (SI) and ``long_name``.
 
     Raises
@@ -103,12 +105,9 @@ def to_dataset(
         if chosen:
             _add_volume(dataset, states, bodies, chosen)
             _add_volume_temperatures(dataset, states, heated, chosen)
+    add_motion(dataset, states, _inelastic(simulation), volume != "none")
     dataset.attrs = _attributes(simulation, case)
     return dataset
-
-
-def _variable(dims: Any, data: Any, units: str, long_name: str) -> xr.Variable:
-    return xr.Variable(dims, data, {"units": units, "long_name": long_name})
 
 
 def _coordinates(simulation: Simulation) -> dict[str, xr.Variable]:
@@ -261,6 +260,7 @@ def _attributes(simulation: Simulation, case: Case | None) -> dict[str, Any]:
         "samcontact_version": __version__,
         "created": datetime.now(timezone.utc).isoformat(timespec="seconds"),
         "friction": float(simulation.friction),
+        "reach": float(simulation.reach),
         "heat_factor": [float(factor) for factor in simulation.heat_factor],
     }
     for body in (1, 2):

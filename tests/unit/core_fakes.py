@@ -28,6 +28,7 @@ class FakeState:
 
     def __init__(self, grid, load):
         self.grid, self.load, self.time = grid, load, 0.0
+        self.travel = (0.0, 0.0)
         shape = (grid.nx, grid.ny)
         self.shear, self.gap = np.zeros((2, *shape)), np.zeros(shape)
         self.converged, self.iterations, self.contact_iterations, self.substeps = True, 3, 20, 1
@@ -82,6 +83,7 @@ def make_simulation(nz=4, body1=ELASTIC, body2=SWIFT):
         body2=body2,
         initial_gap=gap,
         friction=0.0,
+        reach=1e-3,
         heat_factor=(0.0, 0.0),
         counters={},
     )

@@ -78,6 +78,7 @@ def test_defaults_and_steps(write):
         "heating_time": None,
         "heat_reference": None,
         "heat_history": None,
+        "reach": None,
     }
     assert (case.output.body, case.output.volume, case.output.figures) == (2, "peak_and_last", True)
     assert case.output_directory == Path("results/scene")
@@ -146,7 +147,7 @@ def test_every_law_and_shape_is_accepted(write):
         ("increments = 2", "increments = 0", r"path\[0\]\.increments: .* equal to 1, got 0"),
         ("load = 600.0", "load = -1.0", r"path\[0\]\.load: .*greater than or equal to 0"),
         ("load = 600.0", "load = 1.0\napproach = 1.0", r"path\[0\]: give exactly one of load, app"),
-        ("load = 0.0", "approach = 0.0", r"path\[1\] changes from load to approach: give start"),
+        ("load = 0.0", "approach = 0.0", r"path\[1\]: changes from load to approach: give start"),
         ("load = 0.0", "load = 600.0", r"path\[1\]: start must differ from load"),
         ("[grid]", "[output]\nvolume = 'some'\n[grid]", r"output\.volume: input should be 'none'"),
         ("[grid]", "[contact]\ntol = 2\n[grid]", r"contact\.tol: input should be less than 1"),

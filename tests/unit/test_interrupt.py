@@ -4,6 +4,7 @@
 Each runs in its own process, whose step takes seconds if nobody stops it.
 """
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -35,7 +36,7 @@ small = sim.step(load=1.0)
 before = digest(small)
 print("ready", flush=True)
 try:
-    sim.step(load=200.0)
+    sim.step(load=400.0)
     raise SystemExit("the step was over before it could be interrupted")
 except KeyboardInterrupt:
     print("interrupted", flush=True)
@@ -75,9 +76,17 @@ def start(script):
     return subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
 
 
-def test_ctrl_c_stops_a_long_step():
-    process = start(INTERRUPTED)
+@contextlib.contextmanager
+def killed(process):
+    """Do not wait for it when the test fails."""
     try:
+        yield
+    finally:
+        process.kill()
+
+
+def test_ctrl_c_stops_a_long_step():
+    with start(INTERRUPTED) as process, killed(process):
         assert process.stdout.readline().strip() == "ready"
         time.sleep(0.7)
         assert process.poll() is None
@@ -90,18 +99,11 @@ def test_ctrl_c_stops_a_long_step():
         rest, _ = process.communicate(timeout=60)
         assert rest.strip() == "usable"
         assert process.returncode == 0
-    finally:
-        process.kill()
-        process.wait()
 
 
 def test_other_threads_go_on_during_a_step():
-    process = start(GIL)
-    try:
+    with start(GIL) as process, killed(process):
         output, _ = process.communicate(timeout=120)
-    finally:
-        process.kill()
-        process.wait()
     assert process.returncode == 0
     duration, longest_pause = map(float, output.split())
     assert duration > 0.5  # long enough to tell

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Loading paths: end points exact, monotone, strict about their arguments."""
 
+import doctest
+import math
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from samcontact import paths
+import samcontact as sc
+from samcontact import _passes, paths
 
 
 def test_ramp_linear():
@@ -97,3 +101,159 @@ class TestHeat:
     def test_bad_duration(self, duration):
         with pytest.raises(ValueError, match="duration must be"):
             paths.hold(load=1.0, duration=duration)
+
+
+def moved(path, body):
+    return math.fsum(step.get("advance", (0.0, 0.0))[body - 1] for step in path)
+
+
+class TestRolling:
+    def test_one_pass(self):
+        path = paths.rolling(load=8.0, distance=0.75, step=0.5, increments=2, unload_increments=4)
+        assert path == [
+            {"load": 4.0},
+            {"load": 8.0},
+            {"load": 8.0, "advance": (-0.5, -0.5)},
+            {"load": 8.0, "advance": (-0.25, -0.25)},
+            {"load": 6.0},
+            {"load": 4.0},
+            {"load": 2.0},
+            {"load": 0.0},
+        ]
+
+    def test_passes_start_from_the_same_place_unloaded(self):
+        options = {"load": 8.0, "distance": -1.0, "step": 0.5, "increments": 1}
+        once, thrice = paths.rolling(**options), paths.rolling(**options, passes=3)
+        back = {"load": 0.0, "advance": (-1.0, -1.0)}
+        assert once[1] == {"load": 8.0, "advance": (0.5, 0.5)}
+        assert thrice == [*once, back, *once, back, *once]
+
+    def test_back_and_forth_is_loaded_once(self):
+        path = paths.rolling(
+            approach=1e-6, distance=1.0, step=1.0, increments=1, passes=3, back_and_forth=True
+        )
+        ways = [step["advance"][0] for step in path if "advance" in step]
+        assert ways == [-1.0, 1.0, -1.0]
+        assert [step.get("approach") for step in path] == [1e-6] * 4 + [None]
+        assert path[-1] == {"load": 0.0}
+
+    @given(
+        distance=st.floats(1e-6, 1e-2),
+        sign=st.sampled_from([-1, 1]),
+        parts=st.floats(1.0, 60.0),
+        ratio=st.floats(-2.0, 2.0),
+        passes=st.integers(1, 3),
+    )
+    def test_advances_add_up_to_the_distance(self, distance, sign, parts, ratio, passes):
+        path = paths.rolling(
+            load=1.0,
+            distance=sign * distance,
+            step=distance / parts,
+            slide_to_roll=ratio,
+            passes=passes,
+        )
+        # the ways back undo all passes but the last
+        ways = [moved(path, body) for body in (1, 2)]
+        expected = [-sign * distance * (1 + s * ratio / 2) for s in (1, -1)]
+        np.testing.assert_allclose(ways, expected, rtol=1e-12, atol=1e-12 * distance)
+        loaded = [step for step in path if step["load"] > 0 and "advance" in step]
+        assert len(loaded) in (passes * math.ceil(parts), passes * math.floor(parts + 1e-6))
+        np.testing.assert_allclose(moved(loaded, 1), passes * expected[0], atol=1e-11 * distance)
+
+    def test_whole_steps_are_exactly_whole(self):
+        # 0.3/0.1 is a little less than 3 in floating point, and 0.3 - 0.2 is not 0.1
+        path = paths.rolling(load=1.0, distance=0.3, step=0.1)
+        assert [s["advance"] for s in path if "advance" in s] == [(-0.1, -0.1)] * 3
+
+    def test_slide_to_roll(self):
+        path = paths.rolling(load=1.0, distance=1.0, step=1.0, slide_to_roll=-0.1)
+        first, second = next(step["advance"] for step in path if "advance" in step)
+        assert (first - second) / ((first + second) / 2) == pytest.approx(-0.1, rel=1e-14)
+        assert (first + second) / 2 == -1.0
+
+    def test_durations_follow_the_speed(self):
+        path = paths.rolling(
+            load=1.0,
+            distance=0.75,
+            step=0.5,
+            increments=1,
+            passes=2,
+            speed=2.0,
+            heat_factor=(0.0, 0.1),
+        )
+        one = [0.25, 0.25, 0.125, 0.25]
+        assert [step["duration"] for step in path] == [*one, 0.375, *one]
+        assert [step.get("heat_factor") for step in path] == [(0.0, 0.1)] + [None] * 8
+
+
+def test_sliding_keeps_the_contact_on_the_slider():
+    options = {"load": 1.0, "distance": 1.0, "step": 0.5, "increments": 1}
+    path = paths.sliding(**options)
+    assert [s["advance"] for s in path if "advance" in s] == [(0.0, -0.5)] * 2
+    path = paths.sliding(**options, slider=2, passes=2)
+    assert (moved(path, 1), moved(path, 2)) == (-1.0, 0.0)
+    # no minus zeros, which would be written into files
+    assert all(math.copysign(1.0, s.get("advance", (0, 0))[1]) == 1.0 for s in path)
+    # the limit of rolling: the mean of the ways over both bodies is half of that over one
+    options |= {"distance": 0.5, "step": 0.25}
+    assert paths.rolling(**options, slide_to_roll=-2.0) == paths.sliding(
+        **{**options, "distance": 1.0, "step": 0.5}
+    )
+
+
+def test_passes_run():
+    grid = sc.Grid(9, 9, 2e-5, 2e-5)
+    steel = sc.Material.elastic(210e9, 0.3)
+    path = paths.rolling(load=2.0, distance=5e-5, step=2e-5, increments=2, passes=2)
+    sim = sc.Simulation(grid, steel, steel, sc.surfaces.paraboloid(grid, 7.5e-3))
+    states = sim.run(path, progress=False)
+    np.testing.assert_allclose(states[4].travel, [-5e-5, -5e-5], rtol=1e-12)
+    np.testing.assert_allclose(states[7].travel, 0.0, atol=1e-18)
+    np.testing.assert_allclose(states[-1].travel, [-5e-5, -5e-5], rtol=1e-12)
+
+
+def test_ramp_and_hold_while_the_bodies_move():
+    assert paths.ramp(load=2.0, increments=2, advance=(-1.0, 3.0)) == [
+        {"load": 1.0, "advance": (-0.5, 1.5)},
+        {"load": 2.0, "advance": (-0.5, 1.5)},
+    ]
+    assert paths.hold(load=0.0, advance=(1.0, 1.0)) == [{"load": 0.0, "advance": (1.0, 1.0)}]
+    with pytest.raises(ValueError, match=r"advance must have shape \(2,\), got \(3,\)"):
+        paths.hold(load=1.0, advance=(1.0, 2.0, 3.0))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"load": None}, "exactly one of load, approach; got none"),
+        ({"load": 0.0}, r"load must be > 0, got 0\.0"),
+        ({"load": None, "approach": -1.0}, r"approach must be > 0, got -1\.0"),
+        ({"distance": 0.0}, "distance must not be 0"),
+        ({"distance": math.inf}, "distance must be a finite number, got inf"),
+        ({"step": -0.5}, r"step must be a finite number > 0, got -0\.5"),
+        ({"step": 2.0}, r"step must be at most the distance, 1\.0, got 2\.0"),
+        ({"passes": 0}, "passes must be an integer >= 1, got 0"),
+        ({"increments": 0}, "increments must be an integer >= 1, got 0"),
+        ({"unload_increments": 0}, "unload_increments must be an integer >= 1, got 0"),
+        ({"slide_to_roll": 2.5}, r"slide_to_roll must be in \[-2, 2\], got 2\.5"),
+        ({"slide_to_roll": math.nan}, r"slide_to_roll must be in \[-2, 2\], got nan"),
+        ({"speed": 0.0}, r"speed must be a finite number > 0, got 0\.0"),
+    ],
+)
+def test_bad_passes_are_named(arguments, message):
+    with pytest.raises(ValueError, match=message):
+        paths.rolling(**{"load": 1.0, "distance": 1.0, "step": 0.5, **arguments})
+    if "slide_to_roll" not in arguments:
+        with pytest.raises(ValueError, match=message):
+            paths.sliding(**{"load": 1.0, "distance": 1.0, "step": 0.5, **arguments})
+
+
+def test_unknown_slider():
+    with pytest.raises(ValueError, match="slider must be one of 1, 2, got 3"):
+        paths.sliding(load=1.0, distance=1.0, step=0.5, slider=3)
+
+
+def test_examples_of_the_docstrings():
+    for module, count in ((paths, 1), (_passes, 2)):
+        results = doctest.testmod(module)
+        assert (results.failed, results.attempted) == (0, count)

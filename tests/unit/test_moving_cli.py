@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command with cases that move: figures, animation, and going on after being killed."""
+
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from matplotlib.figure import Figure
+from PIL import Image
+from test_cases import MINIMAL
+from test_cli import check_failure, invoke
+from test_moving_cases import MOVING
+
+from samcontact import cli, results
+
+
+@pytest.fixture
+def case_file(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text(MOVING)
+    return path
+
+
+def test_figures_and_animation(case_file, tmp_path, monkeypatch):
+    draw = Figure.savefig
+
+    def savefig(self, file, **options):
+        """Only the frames of the animation; what figures show is tested elsewhere."""
+        return file.touch() if isinstance(file, Path) else draw(self, file, **options)
+
+    monkeypatch.setattr(Figure, "savefig", savefig)
+    monkeypatch.setattr(cli, "MOST_FRAMES", 4)
+    case_file.write_text(MOVING.replace("passes = 2", "passes = 1"))
+    outcome = invoke("run", case_file, "--output", tmp_path / "out", "--animate")
+    assert outcome.exit_code == 0, outcome.output
+    files = [line.rsplit("/", 1)[1] for line in outcome.stdout.splitlines() if "/out/" in line]
+    assert files[0] == "results.nc"
+    assert files[-4:] == ["residual.png", "track_print.png", "track_sections.png", "rolling.gif"]
+    with Image.open(tmp_path / "out" / "rolling.gif") as image:
+        assert image.n_frames == 3  # every second of 6 increments
+    assert "travel" in outcome.stdout
+    assert "-180.00" in outcome.stdout
+
+
+def test_animation_of_what_does_not_move(case_file, tmp_path):
+    case_file.write_text(MINIMAL)
+    outcome = invoke("run", case_file, "--output", tmp_path / "out", "--animate")
+    check_failure(outcome, 2, "--animate needs a path that moves a body, and a grid with layers")
+    assert not (tmp_path / "out").exists()
+
+
+# As from the command line, but killed in the middle of writing one of its checkpoints.
+KILLED = """
+import os, signal, sys
+from samcontact import Simulation, checkpoint
+from samcontact.cli import main
+write, count = checkpoint._write, 0
+def counted(file, simulation):
+    global count
+    write(file, simulation)
+    count += 1
+    if count == int(sys.argv[1]):
+        file.flush()
+        os.kill(os.getpid(), signal.SIGKILL)
+checkpoint._write = counted
+main(sys.argv[2:])
+"""
+
+
+def fields(folder):
+    with results.open_results(folder / "results.nc") as data:
+        del data.attrs["created"]
+        return data.load()
+
+
+def test_goes_on_after_being_killed(case_file, tmp_path):
+    plain, resumed = tmp_path / "plain", tmp_path / "resumed"
+    options = ("--no-figures", "--quiet")
+    assert invoke("run", case_file, "--output", plain, *options).exit_code == 0
+    arguments = ["run", str(case_file), "--output", str(resumed), "--resume", *options]
+    # first under way with load, then, by another process, on the second pass
+    for count, left in ((5, 4), (5, 8)):
+        command = [sys.executable, "-c", KILLED, str(count), *arguments]
+        assert subprocess.run(command, check=False).returncode == -signal.SIGKILL
+        whole = sorted((resumed / "checkpoints").glob("*.h5"))
+        assert [file.name for file in whole] == [
+            f"increment_{number:05d}.h5" for number in range(1, left + 1)
+        ]
+        assert not (resumed / "results.nc").exists()
+    outcome = invoke(*arguments)
+    assert outcome.exit_code == 0, outcome.output
+    assert [path.name for path in resumed.iterdir()] == ["results.nc"]
+    expected = fields(plain)
+    assert float(np.abs(expected["track_residual_stress_body2"]).max()) > 0
+    xr.testing.assert_identical(fields(resumed), expected)
+
+
+class TestForeignCheckpoints:
+    @pytest.fixture
+    def folder(self, case_file, tmp_path, monkeypatch):
+        """Checkpoints of one increment of the case."""
+        from samcontact import Simulation
+
+        step = Simulation.step
+
+        def once(self, **arguments):
+            if self.state.load > 0:
+                raise KeyboardInterrupt
+            return step(self, **arguments)
+
+        with monkeypatch.context() as patch:
+            patch.setattr(Simulation, "step", once)
+            assert invoke(*self.command(case_file, tmp_path)).exit_code != 0
+        found = tmp_path / "out" / "checkpoints"
+        assert sorted(path.name for path in found.iterdir()) == [
+            "case.toml",
+            "increment_00001.h5",
+        ]
+        return found
+
+    @staticmethod
+    def command(case_file, tmp_path):
+        return ("run", case_file, "--output", tmp_path / "out", "--resume", "--quiet")
+
+    def test_another_text(self, folder, case_file, tmp_path):
+        case_file.write_text(MOVING.replace("load = 600.0", "load = 500.0"))
+        outcome = invoke(*self.command(case_file, tmp_path))
+        check_failure(outcome, 2, str(folder), "of another case: remove it, or choose another")
+
+    def test_without_a_case(self, folder, case_file, tmp_path):
+        (folder / "case.toml").unlink()
+        check_failure(invoke(*self.command(case_file, tmp_path)), 2, "of another case")
+
+    def test_damaged(self, folder, case_file, tmp_path):
+        file = folder / "increment_00001.h5"
+        file.write_bytes(file.read_bytes()[:-500])
+        check_failure(invoke(*self.command(case_file, tmp_path)), 2, str(file), "is damaged")
+
+
+def test_heights_that_changed_are_another_case(case_file, tmp_path, monkeypatch):
+    relief = '[relief2]\nkind = "file"\npath = "h.npy"\n[contact]'
+    case_file.write_text(MOVING.replace("[contact]", relief, 1))
+    np.save(tmp_path / "h.npy", np.zeros((3, 13)))
+    command = ("run", case_file, "--output", tmp_path / "out", "--resume", "--quiet")
+    with monkeypatch.context() as patch:
+        patch.setattr(results, "save", lambda *_: (_ for _ in ()).throw(OSError("disk full")))
+        check_failure(invoke(*command), 1, "disk full")
+    np.save(tmp_path / "h.npy", np.full((3, 13), 1e-9))
+    check_failure(invoke(*command), 2, "of another case")
