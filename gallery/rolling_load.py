@@ -69,7 +69,7 @@ class Results:
 
 def compute(quick: bool) -> Results:
     runs = {}
-    cells, layers = (5, 7) if quick else (10, 10)
+    cells, layers = (7, 7) if quick else (10, 10)
     for pressure, load in LOADS.items():
         depth = 2.6 if pressure < 5 else 4.3 if pressure < 7 else 4.6
         mesh = Mesh(cells, layers, 2.5, 1.45 if quick else 1.8, depth, 5 if quick else 10)
