@@ -128,27 +128,32 @@ std::shared_ptr<const simulation::Flow> to_flow(const py::object& saved, const G
   return flow;
 }
 
-enum class Rank { surface, scalar, tensor };
+enum class Rank { surface, scalar, tensor, tensors };
+
+template <Rank rank>
+py::array to_array(Field field, const Grid& grid) {
+  if constexpr (rank == Rank::surface) return surface_array(std::move(field), grid);
+  if constexpr (rank == Rank::scalar) return volume_array(std::move(field), grid, grid.nz);
+  if constexpr (rank == Rank::tensor) return tensor_array(std::move(field), grid, grid.nz);
+  if constexpr (rank == Rank::tensors) return tensors_array(std::move(field), grid, grid.nz);
+}
 
 template <Rank rank>
 auto field_method(Field (State::*method)(int) const) {
-  return [method](const State& state, int body) -> py::array {
+  return [method](const State& state, int body) {
     Field field;
     {
       py::gil_scoped_release release;
       field = (state.*method)(body);
     }
-    const Grid& grid = state.scene().grid;
-    if constexpr (rank == Rank::surface) return surface_array(std::move(field), grid);
-    if constexpr (rank == Rank::scalar) return volume_array(std::move(field), grid, grid.nz);
-    if constexpr (rank == Rank::tensor) return tensor_array(std::move(field), grid, grid.nz);
+    return to_array<rank>(std::move(field), state.scene().grid);
   };
 }
 
 /// A field over the cells first_row <= i < first_row + rows, which may lie beside the grid.
 template <Rank rank>
 auto track_method(Field (State::*method)(int, const Box&) const) {
-  return [method](const State& state, int body, int first_row, int rows) -> py::array {
+  return [method](const State& state, int body, int first_row, int rows) {
     const Grid& grid = state.scene().grid;
     const Box region{first_row, 0, rows, grid.ny, grid.nz};
     Field field;
@@ -156,10 +161,7 @@ auto track_method(Field (State::*method)(int, const Box&) const) {
       py::gil_scoped_release release;
       field = (state.*method)(body, region);
     }
-    const Grid part = region.grid(grid);
-    if constexpr (rank == Rank::surface) return surface_array(std::move(field), part);
-    if constexpr (rank == Rank::scalar) return volume_array(std::move(field), part, part.nz);
-    if constexpr (rank == Rank::tensor) return tensor_array(std::move(field), part, part.nz);
+    return to_array<rank>(std::move(field), region.grid(grid));
   };
 }
 
@@ -172,6 +174,7 @@ void bind_track(py::class_<State>& state) {
   bind("track_plastic_strain", track_method<Rank::tensor>(&State::plastic_strain));
   bind("track_equivalent_plastic_strain",
        track_method<Rank::scalar>(&State::equivalent_plastic_strain));
+  bind("track_backstress", track_method<Rank::tensors>(&State::backstress));
   state.def_readonly("travel", &State::travel)
       .def("last_flow", &last_flow)
       .def_property_readonly("origin", [](const State& s) { return s.placement().origin; })
@@ -250,18 +253,7 @@ void bind_state(py::module_& m) {
       .def_readonly("warnings", &State::warnings)
       .def("stress", field_method<Rank::tensor>(&State::stress), py::arg("body"))
       .def("residual_stress", field_method<Rank::tensor>(&State::residual_stress), py::arg("body"))
-      .def(
-          "backstress",
-          [](const State& state, int body) -> py::array {
-            Field field;
-            {
-              py::gil_scoped_release release;
-              field = state.backstress(body);
-            }
-            const Grid& grid = state.scene().grid;
-            return tensors_array(std::move(field), grid, grid.nz);
-          },
-          py::arg("body"))
+      .def("backstress", field_method<Rank::tensors>(&State::backstress), py::arg("body"))
       .def("plastic_strain", field_method<Rank::tensor>(&State::plastic_strain), py::arg("body"))
       .def(
           "softening",
@@ -442,12 +434,14 @@ void bind_simulation(py::module_& m) {
            py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"), py::arg("advance"))
       .def(
           "set_plastic_state",
-          [](Simulation& s, int body, const Array& strain, const py::object& equivalent,
-             const py::object& backstress) {
-            s.set_plastic_state(body, to_field(strain), to_field_or_empty(equivalent),
+          [](Simulation& s, int body, int first_row, const Array& strain,
+             const py::object& equivalent, const py::object& backstress) {
+            s.set_plastic_state(body, first_row, static_cast<int>(strain.shape(2)),
+                                to_field(strain), to_field_or_empty(equivalent),
                                 to_field_or_empty(backstress));
           },
-          py::arg("body"), py::arg("strain"), py::arg("equivalent"), py::arg("backstress"))
+          py::arg("body"), py::arg("first_row"), py::arg("strain"), py::arg("equivalent"),
+          py::arg("backstress"))
       .def_property_readonly("state", [](const Simulation& s) { return s.state(); })
       .def_property_readonly("counters", &counters)
       .def("restore", &restore, py::arg("saved"));

@@ -55,11 +55,11 @@ def poisson_ratio(name: str, value: Any) -> float:
     return result
 
 
-def integer(name: str, value: Any, minimum: int) -> int:
-    """Return `value` as an int >= `minimum`."""
+def integer(name: str, value: Any, minimum: int | None = None) -> int:
+    """Return `value` as an int, >= `minimum`."""
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, Integral):
         raise TypeError(f"{name} must be an integer, got {value!r}")
-    if value < minimum:
+    if minimum is not None and value < minimum:
         raise ValueError(f"{name} must be an integer >= {minimum}, got {value}")
     return int(value)
 

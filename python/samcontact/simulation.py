@@ -28,7 +28,7 @@ from .checkpoint import CheckpointError, read_checkpoint, write_checkpoint
 from .contact import GridTooSmallWarning, require_type
 from .grid import Grid
 from .material import Material
-from .operators import depth_major, shear_components
+from .operators import shear_components
 from .relief import Relief, relief_rows
 from .state import State
 
@@ -360,6 +360,7 @@ class Simulation:
         strain: ArrayLike,
         equivalent: ArrayLike | None = None,
         backstress: ArrayLike | None = None,
+        first: int | None = None,
     ) -> None:
         """Set the plastic strain (or any eigenstrain) of an inelastic body to go on from.
 
@@ -373,19 +374,35 @@ class Simulation:
         backstress : array_like, shape (terms, 6, nx, ny, nz), optional
             For a material with kinematic hardening: a deviator [Pa] for each of its backstresses,
             as `State.backstress` returns them; default 0.
+        first : int, optional
+            Row of the grid over which the first row of these fields lies; may be negative. They may
+            then have any number of rows along x instead of nx, e.g. those of a whole track:
+            ``set_plastic_strain(2, track.plastic_strain(), first=track.first)``.
+
+        Raises
+        ------
+        ValueError
+            A field of another shape, not finite, or with values outside their range.
         """
         index = choice("body", body, (1, 2)) - 1
+        rows, ny, nz = self.grid.volume_shape
+        if first is not None:
+            integer("first", first)
+            given = np.shape(strain)
+            rows = given[1] if len(given) == 4 and given[1] > 0 else rows
+        shape = (rows, ny, nz)
+        checked = finite_array("strain", strain, (6, *shape))
+        depthwise = np.ascontiguousarray(np.moveaxis(checked, 3, 1))
         history: FloatArray | None = None
         if equivalent is not None:
-            checked = finite_array("equivalent", equivalent, self.grid.volume_shape)
+            checked = finite_array("equivalent", equivalent, shape)
             history = np.ascontiguousarray(np.moveaxis(checked, 2, 0))
         centre: FloatArray | None = None
         if backstress is not None:
             terms = len((self.body1, self.body2)[index].kinematic)
-            checked = finite_array("backstress", backstress, (terms, 6, *self.grid.volume_shape))
+            checked = finite_array("backstress", backstress, (terms, 6, *shape))
             centre = np.ascontiguousarray(np.moveaxis(checked, 4, 2))
-        depthwise = depth_major(self.grid, "strain", strain)
-        self._core.set_plastic_state(index, depthwise, history, centre)
+        self._core.set_plastic_state(index, first or 0, depthwise, history, centre)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a checkpoint (HDF5), replacing an old one only when the new one is complete."""

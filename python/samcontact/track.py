@@ -25,6 +25,8 @@ class Track:
         self.body = body
         start, rows = core.history_rows(body - 1) or (0, grid.nx)
         self._first_row = start - margin
+        self.first = self._first_row + core.first_cell[body - 1]
+        """Row of the grid, as it lay at the start, over which its first row lies."""
         self.grid = Grid(
             rows + 2 * margin,
             grid.ny,
@@ -35,7 +37,7 @@ class Track:
         )
         """The cells of the track; its own x is counted from the middle, see `x`."""
         # The body's cell number n stood at (n - (nx - 1)/2) dx of the grid at the start.
-        cells = self._first_row + core.first_cell[body - 1] + np.arange(self.grid.nx)
+        cells = self.first + np.arange(self.grid.nx)
         self.x: FloatArray = (cells - 0.5 * (grid.nx - 1)) * grid.dx
         """Positions of the cells on the body [m]."""
         self.contact = -core.travel[body - 1] * grid.dx
@@ -78,6 +80,10 @@ class Track:
     def equivalent_plastic_strain(self) -> FloatArray:
         """Accumulated equivalent plastic strain [-], shape (len(x), ny, nz)."""
         return self._field("equivalent_plastic_strain")
+
+    def backstress(self) -> FloatArray:
+        """Each backstress of kinematic hardening [Pa], shape (terms, 6, len(x), ny, nz)."""
+        return self._field("backstress")
 
     def _field(self, name: str) -> FloatArray:
         method = getattr(self._core, f"track_{name}")

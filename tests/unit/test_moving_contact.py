@@ -427,3 +427,44 @@ def test_a_checkpoint_keeps_the_relief(tmp_path):
     assert again.reach == 1e-3
     move = {"load": 0.5 * LOAD, "advance": (3 * CELL, 0.0)}
     assert np.array_equal(again.step(**move).pressure, simulation.step(**move).pressure)
+
+
+@pytest.mark.parametrize("body2", [STEEL, KINEMATIC], ids=["swift", "kinematic"])
+def test_a_track_can_be_gone_on_from_in_another_simulation(body2):
+    """Longer than the grid: it is set by rows that lie beside it."""
+    settings = {"tol": 1e-10, "residual_stress": "exact"}
+    first = ball(body2=body2, **settings)
+    there = 34
+    first.run([{"load": LOAD}, *roll(there, 0.0, -CELL), {"load": 0.0}], progress=False)
+    back = first.step(load=0.0, advance=(0.0, there * CELL))
+    track = back.track(margin=3)
+    assert track.grid.nx > first.grid.nx
+
+    second = ball(body2=body2, **settings)
+    second.set_plastic_strain(
+        2,
+        track.plastic_strain(),
+        track.equivalent_plastic_strain(),
+        track.backstress(),
+        track.first,
+    )
+    again = [{"load": LOAD}, *roll(3, 0.0, -CELL), {"load": 0.0}]
+    states = [s.run(again, progress=False)[-1] for s in (first, second)]
+    assert_same_track(*states)
+    tracks = [s.track(margin=0) for s in states]
+    last = min(t.first + t.grid.nx for t in tracks)
+    start = max(t.first for t in tracks)
+    expected, found = (t.backstress()[:, :, start - t.first : last - t.first] for t in tracks)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-8 * np.abs(expected).max(initial=1))
+
+
+def test_a_track_that_does_not_fit():
+    simulation = ball()
+    shape = (6, 5, simulation.grid.ny, simulation.grid.nz)
+    with pytest.raises(ValueError, match=r"strain must have shape"):
+        simulation.set_plastic_strain(2, np.zeros(shape))
+    simulation.set_plastic_strain(2, np.zeros(shape), first=-2)
+    with pytest.raises(ValueError, match=r"equivalent must have shape"):
+        simulation.set_plastic_strain(2, np.zeros(shape), np.zeros((4, *shape[2:])), first=-2)
+    with pytest.raises(TypeError, match="first must be an integer"):
+        simulation.set_plastic_strain(2, np.zeros(shape), first=0.5)

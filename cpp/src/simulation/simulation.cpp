@@ -344,9 +344,10 @@ const State& Simulation::step(const Target& target) {
   return state_;
 }
 
-void Simulation::set_plastic_state(int body, const Field& strain, const Field& equivalent,
-                                   const Field& backstress) {
-  const Grid& grid = scene_->grid;
+void Simulation::set_plastic_state(int body, int first_row, int rows, const Field& strain,
+                                   const Field& equivalent, const Field& backstress) {
+  const Box whole{first_row, 0, rows, scene_->grid.ny, scene_->grid.nz};
+  const Grid grid = whole.grid(scene_->grid);
   if (!scene_->materials[body].is_plastic()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
                                 " is not inelastic: it has no plastic strain to set");
@@ -375,7 +376,7 @@ void Simulation::set_plastic_state(int body, const Field& strain, const Field& e
     if (empty) continue;
     const int j = static_cast<int>(n % grid.ny), i = static_cast<int>(n / grid.ny % grid.nx);
     const int k = static_cast<int>(n / grid.ny / grid.nx);
-    box = box.united({i, j, 1, 1, k + 1});
+    box = box.united({first_row + i, j, 1, 1, k + 1});
   }
   state_.contact_gap.clear();
   if (box.empty()) {
@@ -385,7 +386,6 @@ void Simulation::set_plastic_state(int body, const Field& strain, const Field& e
   // Plastic strain has no trace but for rounding.
   const auto tensor =
       trace <= 1e-12 * largest ? operators::Tensor::deviator : operators::Tensor::full;
-  const Box whole = Box::whole(grid);
   const auto cut = [&](const double* from, double* to) { extract(from, whole, to, box); };
   const auto places = operators::components(tensor);
   PlasticFields fields{box, Field(places.size() * box.volume_size()), Field(box.volume_size(), 0.0),
@@ -407,7 +407,7 @@ void Simulation::set_plastic_state(int body, const Field& strain, const Field& e
   }
   state_.plastic[body] =
       std::make_shared<const PlasticState>(nullptr, fft::Symmetry::none, tensor, fields);
-  state_.flow_box[body] = box;
+  state_.flow_box[body] = box.intersected(Box::whole(scene_->grid));
 }
 
 void Simulation::restore(const State& state, const Counters& counters) {

@@ -273,15 +273,16 @@ double State::max_plastic_strain(int body) const {
   return plastic[body] ? plastic[body]->max_strain() : 0.0;
 }
 
-Field State::backstress(int body) const {
-  const Grid& grid = scene_->grid;
+Field State::backstress(int body) const { return backstress(body, Box::whole(scene_->grid)); }
+
+Field State::backstress(int body, const Box& region) const {
   scene_->require_volume(body);
-  const std::size_t cells = grid.volume_size();
+  const std::size_t cells = region.volume_size();
   const std::size_t terms = scene_->materials[body].backstresses.size();
   Field out(6 * terms * cells, 0.0);
   if (!plastic[body] || terms == 0) return out;
   const Field deviators =
-      unfolded(plastic[body], grid, fft::Symmetry::none)->backstress(Box::whole(grid));
+      unfolded(plastic[body], scene_->grid, fft::Symmetry::none)->backstress(region);
   for (std::size_t n = 0; n < terms; ++n) {
     complete(deviators.data() + 5 * n * cells, cells, out.data() + 6 * n * cells);
   }

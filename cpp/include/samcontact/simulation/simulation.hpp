@@ -72,9 +72,10 @@ class Simulation {
   const State& step(const Target& target);
 
   /// Plastic state of body 0 or 1 to go on from: any symmetric strain, e.g. a given eigenstrain.
-  /// Without equivalent plastic strain or backstress when these are empty.
-  void set_plastic_state(int body, const Field& strain, const Field& equivalent,
-                         const Field& backstress);
+  /// Over `rows` rows of cells from one of the grid's on, or from one before it. Without equivalent
+  /// plastic strain or backstress when these are empty.
+  void set_plastic_state(int body, int first_row, int rows, const Field& strain,
+                         const Field& equivalent, const Field& backstress);
 
   /// Continues from a saved state of the same scene.
   void restore(const State& state, const Counters& counters);

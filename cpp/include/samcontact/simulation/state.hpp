@@ -88,6 +88,7 @@ class State {
   double max_plastic_strain(int body) const;
   /// [term][component][k][i][j], as many terms as the material has backstresses.
   Field backstress(int body) const;
+  Field backstress(int body, const Box& region) const;
   /// Fields of the plastic strain over cells of the body beside or in the grid; [i][j] or
   /// [component][k][i][j] of the region.
   Field residual_displacement(int body, const Box& region) const;
