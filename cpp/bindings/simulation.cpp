@@ -220,6 +220,12 @@ void bind_state(py::module_& m) {
              }
              return surface_array(std::move(gap), state.scene().grid);
            })
+      .def(
+          "relief",
+          [](const State& s, int body) {
+            return surface_array(s.scene().relief(body, s.travel), s.scene().grid);
+          },
+          py::arg("body"))
       .def_property_readonly("contact_gap",
                              [](const py::object& self) {
                                return surface_view(self, self.cast<const State&>().contact_gap);

@@ -5,8 +5,10 @@ from . import _load_core  # noqa: F401  (before anything that needs the core)
 
 # isort: split
 from . import (
+    asperities,
     critical,
     dents,
+    energy,
     flattening,
     heat,
     heat_kernels,
@@ -42,8 +44,10 @@ __all__ = [
     "State",
     "Track",
     "__version__",
+    "asperities",
     "critical",
     "dents",
+    "energy",
     "flattening",
     "heat",
     "heat_kernels",

@@ -7,6 +7,7 @@ Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad in
 from __future__ import annotations
 
 import math
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -106,12 +107,8 @@ def run(
         directory.mkdir(parents=True, exist_ok=True)
         console = Console(quiet=quiet)
         console.print(case.title, style="bold", markup=False, highlight=False)
-        if resume:
-            from ._resume import remove_checkpoints, run_with_checkpoints
-
-            states = run_with_checkpoints(simulation, path, case, directory, not quiet)
-        else:
-            states = simulation.run(path, progress=not quiet)
+        checkpoints = directory / "checkpoints" if resume else None
+        states = simulation.run(path, progress=not quiet, checkpoint=checkpoints)
         dataset = results.to_dataset(simulation, states, case)
         written = [results.save(dataset, directory / "results.nc")]
         console.print(_summary(dataset, case.output.body))
@@ -132,8 +129,8 @@ def run(
             shown = states[:: math.ceil(len(states) / MOST_FRAMES)]
             animation = rolling_animation(shown, body=case.output.body)
             written.append(save_animation(animation, directory / "rolling.gif"))
-        if resume:
-            remove_checkpoints(directory)
+        if checkpoints is not None:
+            shutil.rmtree(checkpoints)
         for file in written:
             click.echo(str(file))
 

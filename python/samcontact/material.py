@@ -226,9 +226,28 @@ class Material:
         strain = np.asarray(g, dtype=np.float64)
         bad = ~(np.isfinite(strain) & (strain >= 0))
         if bad.any():
-            raise ValueError(f"g must be finite and >= 0, got {strain[bad].flat[0]!r}")
+            raise ValueError(f"g must be finite and >= 0, got {float(strain[bad].flat[0])!r}")
         values = self._core.yield_stress(np.ascontiguousarray(strain).ravel())
         return float(values[0]) if strain.ndim == 0 else values.reshape(strain.shape)
+
+    def plastic_work(self, g: ArrayLike) -> float | FloatArray:
+        """Work of the yield stress up to equivalent plastic strain g, its integral [J/m^3].
+
+        What is dissipated per volume, without what kinematic hardening does (its backstress) and
+        without thermal softening. Scalar or array (same shape); 0 for a body that cannot yield.
+        Raises ValueError where g is negative or not finite.
+        """
+        highest = self.yield_stress(g)  # checks g
+        if not self.is_plastic:
+            return 0.0 * np.asarray(g, dtype=np.float64) if np.ndim(g) else 0.0
+        strain = np.asarray(g, dtype=np.float64)
+        if self.law == "swift":
+            B, C, n = (self.parameters[name] for name in ("B", "C", "n"))
+            grown = (C + 1e6 * strain) ** (n + 1) - C ** (n + 1)
+            work = B * grown / (1e6 * (n + 1))
+        else:  # straight lines
+            work = 0.5 * (self.yield_stress(0.0) + highest) * strain
+        return work if np.ndim(g) else float(work)
 
     def uniaxial_stress(self, strain: ArrayLike) -> FloatArray:
         """Axial stress in a bar of this material that is stretched and compressed.

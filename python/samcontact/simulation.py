@@ -24,6 +24,7 @@ from ._checks import (
     positive,
 )
 from ._heating import heating, march, pair, require_reference, velocities
+from ._journal import Journal
 from .checkpoint import CheckpointError, read_checkpoint, write_checkpoint
 from .contact import GridTooSmallWarning, require_type
 from .grid import Grid
@@ -316,7 +317,13 @@ class Simulation:
             self.heat_reference,
         )
 
-    def run(self, path: Iterable[Mapping[str, Any]], *, progress: bool = True) -> list[State]:
+    def run(
+        self,
+        path: Iterable[Mapping[str, Any]],
+        *,
+        progress: bool = True,
+        checkpoint: str | os.PathLike[str] | None = None,
+    ) -> list[State]:
         """Run a list of step() arguments, e.g. ``[{"load": 300.0}, {"load": 0.0}]``.
 
         Parameters
@@ -325,18 +332,32 @@ class Simulation:
             See `samcontact.paths` for helpers.
         progress : bool, optional
             Show a progress bar.
+        checkpoint : path, optional
+            Folder in which to keep each increment. The same call of a new simulation goes on from
+            it, with the same bits as without interruption. Remove it when it is no longer needed.
 
         Returns
         -------
         list of State
             One per increment. When an increment fails, its error is raised with those before it in
             the attribute `states`, and the simulation stands at the last good one.
+
+        Raises
+        ------
+        ValueError
+            `checkpoint` holds those of another run; and as `step`.
         """
-        states = []
-        with tqdm(list(path), disable=not progress, unit="increment") as bar:
+        steps, states = list(path), []
+        journal = None if checkpoint is None else Journal(checkpoint, self, steps)
+        with tqdm(steps, disable=not progress, unit="increment") as bar:
             for arguments in bar:
                 try:
-                    states.append(self.step(**arguments))
+                    state = journal.next() if journal else None
+                    if state is None:
+                        state = self.step(**arguments)
+                        if journal:
+                            journal.add()
+                    states.append(state)
                 except Exception as error:
                     error.states = states  # type: ignore[attr-defined]
                     raise
@@ -403,6 +424,15 @@ class Simulation:
             checked = finite_array("backstress", backstress, (terms, 6, *shape))
             centre = np.ascontiguousarray(np.moveaxis(checked, 4, 2))
         self._core.set_plastic_state(index, first or 0, depthwise, history, centre)
+
+    def __repr__(self) -> str:
+        settings = (
+            "friction", "tol", "increment_tol", "on_border", "max_iterations", "residual_stress",
+            "image_tol", "heat_factor", "velocity", "heating_time", "heat_reference",
+            "heat_history", "reach",
+        )  # fmt: skip
+        listed = ", ".join(f"{name}={getattr(self, name)!r}" for name in settings)
+        return f"Simulation({self.grid!r}, {self.body1!r}, {self.body2!r}, {listed})"
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a checkpoint (HDF5), replacing an old one only when the new one is complete."""

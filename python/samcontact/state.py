@@ -183,6 +183,10 @@ class State:
         """
         return float(self._core.max_plastic_strain(choice("body", body, (1, 2)) - 1))
 
+    def relief(self, body: int = 2) -> FloatArray:
+        """Heights of the body's `Relief` where it stands now [m], shape (nx, ny); 0 without."""
+        return self._field("relief", body)
+
     def residual_displacement(self, body: int = 2) -> FloatArray:
         """Permanent print [m], shape (nx, ny): u_z of the plastic strain, positive inwards."""
         return self._field("residual_displacement", body)

@@ -117,8 +117,8 @@ class TestForeignCheckpoints:
             assert invoke(*self.command(case_file, tmp_path)).exit_code != 0
         found = tmp_path / "out" / "checkpoints"
         assert sorted(path.name for path in found.iterdir()) == [
-            "case.toml",
             "increment_00001.h5",
+            "run.txt",
         ]
         return found
 
@@ -126,14 +126,14 @@ class TestForeignCheckpoints:
     def command(case_file, tmp_path):
         return ("run", case_file, "--output", tmp_path / "out", "--resume", "--quiet")
 
-    def test_another_text(self, folder, case_file, tmp_path):
+    def test_another_load(self, folder, case_file, tmp_path):
         case_file.write_text(MOVING.replace("load = 600.0", "load = 500.0"))
         outcome = invoke(*self.command(case_file, tmp_path))
-        check_failure(outcome, 2, str(folder), "of another case: remove it, or choose another")
+        check_failure(outcome, 2, str(folder), "of another run: remove it, or choose another")
 
-    def test_without_a_case(self, folder, case_file, tmp_path):
-        (folder / "case.toml").unlink()
-        check_failure(invoke(*self.command(case_file, tmp_path)), 2, "of another case")
+    def test_without_a_description(self, folder, case_file, tmp_path):
+        (folder / "run.txt").unlink()
+        check_failure(invoke(*self.command(case_file, tmp_path)), 2, "of another run")
 
     def test_damaged(self, folder, case_file, tmp_path):
         file = folder / "increment_00001.h5"
@@ -141,7 +141,7 @@ class TestForeignCheckpoints:
         check_failure(invoke(*self.command(case_file, tmp_path)), 2, str(file), "is damaged")
 
 
-def test_heights_that_changed_are_another_case(case_file, tmp_path, monkeypatch):
+def test_heights_that_changed_are_another_run(case_file, tmp_path, monkeypatch):
     relief = '[relief2]\nkind = "file"\npath = "h.npy"\n[contact]'
     case_file.write_text(MOVING.replace("[contact]", relief, 1))
     np.save(tmp_path / "h.npy", np.zeros((3, 13)))
@@ -150,4 +150,4 @@ def test_heights_that_changed_are_another_case(case_file, tmp_path, monkeypatch)
         patch.setattr(results, "save", lambda *_: (_ for _ in ()).throw(OSError("disk full")))
         check_failure(invoke(*command), 1, "disk full")
     np.save(tmp_path / "h.npy", np.full((3, 13), 1e-9))
-    check_failure(invoke(*command), 2, "of another case")
+    check_failure(invoke(*command), 2, "of another run")

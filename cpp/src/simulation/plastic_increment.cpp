@@ -547,7 +547,8 @@ bool PlasticIncrement::grow_at_rim() {
   return grown;
 }
 
-void PlasticIncrement::flow(State& state, Body& body, std::size_t n, const Field& mapped) const {
+void PlasticIncrement::flow(State& state, Body& body, std::size_t n, const Field& mapped,
+                            double negligible) const {
   const std::uint32_t cell = active_.cells[n].cell;
   const Box& box = body.box;
   body.equivalent[cell] += equivalent_[n];
@@ -565,10 +566,11 @@ void PlasticIncrement::flow(State& state, Body& body, std::size_t n, const Field
   const Grid& grid = scene_.grid;
   const int j = box.j0 + static_cast<int>(cell % box.ny), ki = static_cast<int>(cell / box.ny);
   const int i = box.i0 + ki % box.nx, k = ki / box.nx;
+  state.flowed[body.index] = true;
+  if (equivalent_[n] <= negligible) return;
   // Mirror planes lie inside.
   const bool at_side = i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1;
   const bool at_bottom = k == grid.nz - 1;
-  state.flowed[body.index] = true;
   state.flow_at_bottom[body.index] |= at_bottom;
   state.flow_at_side[body.index] |= at_side && !at_bottom;
 }
@@ -683,8 +685,18 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
     const int i = body.index;
+    // Material that past flow left at the yield stress creeps when it is unloaded, far from the
+    // contact too; where that is little against what is there, the grid need not hold it.
+    const auto& material = scene_.materials[i];
+    double strain = material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
+    if (body.history) strain = std::max(strain, body.history->max_equivalent());
     for (std::size_t n = 0; n < active_.size(); ++n) {
-      if (active_.cells[n].body == b && equivalent_[n] != 0) flow(state, body, n, mapped);
+      if (active_.cells[n].body == b) strain = std::max(strain, equivalent_[n]);
+    }
+    const double negligible = 1e-4 * strain;
+    for (std::size_t n = 0; n < active_.size(); ++n) {
+      if (active_.cells[n].body == b && equivalent_[n] != 0)
+        flow(state, body, n, mapped, negligible);
     }
     if (state.flowed[i]) {
       const PlasticFields fields{body.box, std::move(body.strain), std::move(body.equivalent),

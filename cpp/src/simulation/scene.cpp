@@ -43,22 +43,30 @@ Placement Scene::placement(const Travel& travel) const {
   return {travel, remembers(1) ? 1 : remembers(0) ? 0 : -1};
 }
 
-Field Scene::gap(const Travel& travel) const {
+Field Scene::relief(int body, const Travel& travel) const {
+  const Relief& relief = reliefs[body];
+  Field heights(grid.surface_size(), 0.0);
+  if (relief.heights.empty()) return heights;
   const Placement place = placement(travel);
-  Field gap = shifted_gap(initial_gap, grid, place.origin);
-  for (int b = 0; b < 2; ++b) {
-    const Relief& relief = reliefs[b];
-    if (relief.heights.empty()) continue;
-    const double offset = place.offset[b], part = std::fabs(offset);
-    const int side = offset > 0 ? 1 : -1;
-    for (int i = 0; i < grid.nx; ++i) {
-      const int row = i + place.first[b];
-      for (int j = 0; j < grid.ny; ++j) {
-        double height = relief.at(row, j, grid.ny);
-        if (part > 0) height += part * (relief.at(row + side, j, grid.ny) - height);
-        gap[static_cast<std::size_t>(i) * grid.ny + j] -= height;
-      }
+  const double offset = place.offset[body], part = std::fabs(offset);
+  const int side = offset > 0 ? 1 : -1;
+  for (int i = 0; i < grid.nx; ++i) {
+    const int row = i + place.first[body];
+    for (int j = 0; j < grid.ny; ++j) {
+      double height = relief.at(row, j, grid.ny);
+      if (part > 0) height += part * (relief.at(row + side, j, grid.ny) - height);
+      heights[static_cast<std::size_t>(i) * grid.ny + j] = height;
     }
+  }
+  return heights;
+}
+
+Field Scene::gap(const Travel& travel) const {
+  Field gap = shifted_gap(initial_gap, grid, placement(travel).origin);
+  for (int b = 0; b < 2; ++b) {
+    if (reliefs[b].heights.empty()) continue;
+    const Field heights = relief(b, travel);
+    for (std::size_t n = 0; n < gap.size(); ++n) gap[n] -= heights[n];
   }
   return gap;
 }

@@ -35,6 +35,8 @@ class Scene {
   const Reliefs reliefs;
 
   Placement placement(const Travel& travel) const;
+  /// Heights of a body's relief in the grid [i][j]; 0 without one.
+  Field relief(int body, const Travel& travel) const;
   /// Separation of the undeformed bodies [i][j].
   Field gap(const Travel& travel) const;
 

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs that survive being killed: a checkpoint after each increment, and going on from them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._heating import pair
+from .checkpoint import read_checkpoint
+
+if TYPE_CHECKING:
+    from .simulation import Simulation
+    from .state import State
+
+
+class Journal:
+    """Checkpoints of the increments of one run, in a folder of their own.
+
+    Going on from them gives the same bits as a run that was not interrupted.
+
+    Parameters
+    ----------
+    folder : path
+        Made when it is missing.
+    simulation : Simulation
+        That makes the increments.
+    what : object
+        Whose repr tells this run from another of the same simulation, e.g. its path; checkpoints of
+        another run are refused.
+
+    Raises
+    ------
+    ValueError
+        The folder holds something else, or checkpoints of another run.
+    """
+
+    def __init__(
+        self, folder: str | os.PathLike[str], simulation: Simulation, what: object
+    ) -> None:
+        self.folder, self.simulation = Path(folder), simulation
+        self.count = 0
+        """Increments so far, restored or new."""
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self._claim(f"{simulation!r}\n{what!r}\n")
+
+    def next(self) -> State | None:
+        """The state after the next increment, where it was kept; the simulation stands there."""
+        if not (file := self._file(self.count + 1)).exists():
+            return None
+        arguments, saved = read_checkpoint(file, (None, None))
+        if not _same_surfaces(self.simulation, arguments):  # they may come from other files
+            raise self._foreign()
+        try:
+            self.simulation._core.restore(saved)
+        except (ValueError, TypeError) as error:
+            raise ValueError(f"{file} is damaged: {error}") from error
+        self.simulation.heat_factor = pair(arguments["heat_factor"])
+        self.count += 1
+        return self.simulation.state
+
+    def add(self) -> None:
+        """Keep the simulation as it stands after a new increment."""
+        self.simulation.save(self._file(self.count + 1))
+        self.count += 1
+
+    def _file(self, number: int) -> Path:
+        return self.folder / f"increment_{number:05d}.h5"
+
+    def _foreign(self) -> ValueError:
+        return ValueError(
+            f"{self.folder} holds checkpoints of another run: remove it, or choose another folder"
+        )
+
+    def _claim(self, description: str) -> None:
+        """Leave the description beside the checkpoints, or compare it with what is there."""
+        mark = self.folder / "run.txt"
+        if mark.exists():
+            if mark.read_text(encoding="utf-8") != description:
+                raise self._foreign()
+        elif any(self.folder.iterdir()):
+            raise self._foreign()
+        else:
+            part = self.folder.parent / f".{self.folder.name}.part"
+            part.write_text(description, encoding="utf-8")
+            part.replace(mark)
+
+
+def _same_surfaces(simulation: Simulation, arguments: Mapping[str, Any]) -> bool:
+    if not np.array_equal(arguments["gap"], simulation.initial_gap):
+        return False
+    for name in ("relief1", "relief2"):
+        old, new = arguments.get(name), getattr(simulation, name)
+        if old is None or new is None:
+            if old is not new:
+                return False
+        elif not np.array_equal(old.heights, new.heights):
+            return False
+    return True
