@@ -24,6 +24,7 @@ PARTS = (
     "rolling_ellipticity",
     "rolling_load",
     "rolling_two_bodies",
+    "tugging",
 )
 
 

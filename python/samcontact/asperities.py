@@ -110,7 +110,7 @@ class Collision:
         increments: int = 24,
         cells_per_increment: int = 1,
         *,
-        width: float = 1.6,
+        width: float = 1.8,
         depth: float = 1.9,
         dy: float = 1.0,
         dz: float = 1.0,

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Two elastic-plastic asperities that slide past each other: part 4."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import samcontact as sc
+from samcontact import tugging_figures
+from samcontact.asperities import Collision, Tugging, tug
+
+from .page import Number, Picture, Statement
+
+TITLE = "Tugging of two asperities"
+INTRODUCTION = """
+Part 4 of the thesis: two spheres of 1 m radius, perfectly plastic with 0.9115 GPa, slide past each
+other at a constant height, without friction and without rotating. Forces, energy and interference
+are divided by their values at the onset of yield (Green 2005). X is the offset of the centres,
+negative before they are aligned, R = 0.5 m. A positive tangential force resists the motion; the
+thesis's figures show both forces of the first pass. The kinematics are derived anew, see
+[theory](../theory.md#tugging): the thesis's equations (4.2), (4.13) and (4.15) contain slips.
+"""
+
+STEEL = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)
+ELASTIC = sc.Material.elastic(200e9, 0.32)
+CRITICAL = sc.critical.green(0.5, sc.hertz.effective_modulus(STEEL, STEEL), 0.32, 0.9115e9)
+
+
+@dataclass
+class Results:
+    runs: dict[float, Tugging]
+    """By interference over the critical one."""
+    elastic: Tugging
+    again: Tugging
+    """Three passes."""
+    mesh: str
+
+
+def compute(quick: bool) -> Results:
+    relative = (1.0, 1.15, 3.0, 9.0) if quick else (1.0, 1.15, 3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 15.0)
+    increments = 24 if quick else 36
+
+    def run(ratio: float, material: sc.Material, passes: int = 1) -> Tugging:
+        which = Collision(1.0, 1.0, ratio * CRITICAL.interference)
+        grid = which.grid(increments, depth=1.7)
+        return tug(which, material, material, grid, passes=passes, progress=False)
+
+    runs = {ratio: run(ratio, STEEL) for ratio in relative}
+    grid = runs[9.0].simulation.grid
+    mesh = f"{grid.nx} x {grid.ny} x {grid.nz}, {increments} increments"
+    return Results(runs, run(relative[-1], ELASTIC), run(relative[-1], STEEL, 3), mesh)
+
+
+def stated(results: Results) -> list[Number | Statement]:
+    return [*critical_values(results), *forces(results), *ratios(results), *energies(results)]
+
+
+def critical_values(results: Results) -> list[Number | Statement]:
+    return [
+        Number("critical interference", 2.2143e-4, CRITICAL.interference, "m", "closed form", 1e-4),
+        Number("critical load", 3.461e5, CRITICAL.load, "N", "closed form", 1e-4),
+        Number("critical energy", 30.654, CRITICAL.energy, "J", "closed form", 1e-4),
+    ]
+
+
+def curve(result: Tugging, name: str) -> tuple[np.ndarray, np.ndarray]:
+    """Offset and a force of the first pass."""
+    series = result.series.isel({"pass": 0})
+    return series["offset"].values, series[name].values
+
+
+def unlike(result: Tugging, name: str, sign: float) -> float:
+    """How far a curve is from its (anti)symmetric image, over its maximum."""
+    x, f = curve(result, name)
+    return float(np.abs(f - sign * np.interp(-x, x, f)).max() / np.abs(f).max())
+
+
+def listed(values: list[float], form: str = ".3g") -> str:
+    return ", ".join(f"{value:{form}}" for value in values)
+
+
+def forces(results: Results) -> list[Number | Statement]:
+    runs, mesh = results.runs, results.mesh
+    name = "ω/ωc = " + listed(list(runs))
+    odd = [unlike(run, "force_x", -1.0) for run in runs.values()]
+    even = [unlike(run, "force_z", 1.0) for run in runs.values()]
+    aligned = [float(np.interp(0.0, *curve(run, "force_x"))) for run in runs.values()]
+    of_peak = [
+        f / curve(r, "force_x")[1].max() for f, r in zip(aligned, runs.values(), strict=True)
+    ]
+    last = list(runs.values())[-1]
+    x, f = curve(last, "force_x")
+    before, after = (float(np.trapezoid(np.where(part, f, 0.0), x)) for part in (x < 0, x > 0))
+    return [
+        Statement(
+            f"tangential force against its antisymmetric image, over its maximum, {name}",
+            "antisymmetric for low interference, not for high",
+            f"{listed([100 * value for value in odd])} %",
+            max(odd[:2]) < 0.01 and odd[-1] > 0.5 and bool(np.all(np.diff(odd) > 0)),
+            mesh,
+        ),
+        Statement(
+            f"normal force against its symmetric image, {name}",
+            "symmetric for low, less asymmetric than the tangential one for high",
+            f"{listed([100 * value for value in even])} %",
+            max(even[:2]) < 0.01 and all(e < o for e, o in zip(even, odd, strict=True))
+            and bool(np.all(np.diff(even[1:]) > 0)),
+            mesh,
+        ),
+        Statement(
+            f"tangential force when aligned, over its maximum, {name}",
+            "vanishes for low interference, does not for high",
+            f"{listed([100 * value for value in of_peak])} %",
+            abs(of_peak[0]) < 0.005 and of_peak[-1] > 0.2 and bool(np.all(np.diff(of_peak) > 0)),
+            mesh,
+        ),
+        Statement(
+            "work before and after being aligned, highest interference",
+            "most is taken before, little is given back after",
+            f"{before / CRITICAL.energy:.3g} and {after / CRITICAL.energy:.3g} U_c",
+            0 < -after < 0.5 * before,
+            mesh,
+        ),
+        Statement(
+            "elastic spheres, highest interference",
+            "not stated",
+            f"net energy {float(results.elastic.series.net_energy[0]) / CRITICAL.energy:.1g} U_c",
+            abs(float(results.elastic.series.net_energy[0])) < 1e-6 * CRITICAL.energy,
+            mesh,
+        ),
+    ]  # fmt: skip
+
+
+def at_exit(result: Tugging) -> float:
+    """Load ratio where the contact ends, by the parabola through the last four increments."""
+    series = result.series.isel({"pass": 0})
+    touching = np.flatnonzero(series["normal_force"].values > 0)[-4:]
+    end = result.collision.half_way
+    x, ratio = (series[name].values[touching] for name in ("offset", "load_ratio"))
+    return float(np.polyval(np.polyfit(x / end - 1.0, ratio, 2), 0.0))
+
+
+def ratios(results: Results) -> list[Number | Statement]:
+    runs, mesh = results.runs, results.mesh
+    name = "ω/ωc = " + listed(list(runs))
+    high = [at_exit(run) for ratio, run in runs.items() if ratio >= 9]
+    entry = [float(np.nanmax(curve(run, "load_ratio")[1])) for run in runs.values()]
+    aligned = []
+    for run in runs.values():
+        x, ratio = curve(run, "load_ratio")
+        touching = np.isfinite(ratio)
+        aligned.append(float(np.interp(0.0, x[touching], ratio[touching])))
+    return [
+        Statement(
+            "load ratio at the end of the contact, " + listed([r for r in runs if r >= 9]),
+            "tends to 0.045",
+            listed(high, ".3f"),
+            all(-0.055 < value < -0.03 for value in high),
+            mesh,
+            remark=EXIT_NOTE,
+        ),
+        Statement(f"largest load ratio, at the start, {name}", "increases with the interference",
+                  listed(entry), bool(np.all(np.diff(entry) > 0)), mesh),
+        Statement(f"load ratio when aligned, {name}", "not nil, grows with the interference",
+                  listed(aligned, ".2g"),
+                  bool(np.all(np.diff(aligned) > 0)) and aligned[-1] > 3e-3, mesh),
+    ]  # fmt: skip
+
+
+EXIT_NOTE = ""
+ENERGY_NOTE = ""
+DEPTH_NOTE = ""
+AGAIN_NOTE = ""
+
+
+def energies(results: Results) -> list[Number | Statement]:
+    runs, mesh = results.runs, results.mesh
+    name = "ω/ωc = " + listed(list(runs))
+    net = [float(run.series.net_energy[0]) / CRITICAL.energy for run in runs.values()]
+    missing = [
+        abs(float(run.series.energy_imbalance[0] / run.series.net_energy[0]))
+        for ratio, run in runs.items()
+        if ratio >= 3
+    ]
+    deepest = [float(run.series.residual_displacement[0].max()) for run in runs.values()]
+    share = [d / r.collision.interference for d, r in zip(deepest, runs.values(), strict=True)]
+    again = results.again.series.net_energy.values / results.again.series.net_energy.values[0]
+    return [
+        Statement(f"net energy over the critical one, {name}", "grows with the interference",
+                  listed(net), bool(np.all(np.diff(net) > 0)), mesh, ENERGY_NOTE),
+        Statement("work of the forces against dissipation and residual energy, from ω/ωc = 3",
+                  "not stated", f"within {100 * max(missing):.1f} %", max(missing) < 0.03, mesh,
+                  "First order in the increments."),
+        Statement(f"largest residual displacement over the interference, {name}",
+                  "up to 25 %", f"{listed([100 * s for s in share])} %",
+                  bool(np.all(np.diff(share) > 0)) and 0.22 < share[list(runs).index(9.0)] < 0.27,
+                  mesh, DEPTH_NOTE),
+        Statement("net energy of three passes over that of the first, highest interference",
+                  "not stated", f"{listed(list(again), '.2g')}", 0.2 > again[1] > again[2],
+                  mesh, AGAIN_NOTE),
+    ]  # fmt: skip
+
+
+def figures(results: Results) -> list[Picture]:
+    shown = [run for ratio, run in results.runs.items() if ratio != 1.15]
+    pictures = []
+    for name, draw, caption in (
+        ("x", tugging_figures.force, "Figure 4.7: tangential force"),
+        ("z", tugging_figures.force, "Figure 4.8: normal force"),
+        ("energy", tugging_figures.net_energy, "Figure 4.9: net energy of a pass"),
+        ("ratio", tugging_figures.load_ratio, "Figure 4.10: load ratio"),
+        ("print", tugging_figures.residual_displacement, "Figure 4.11: largest depth of the print"),
+    ):
+        figure = Figure(figsize=(6.2, 4.2), layout="constrained")
+        options = {"component": name} if draw is tugging_figures.force else {}
+        ax = draw(shown, figure.subplots(), critical=CRITICAL, **options)
+        if name == "ratio":
+            ax.axhline(-0.045, color="k", linestyle=":", linewidth=1)
+        pictures.append(Picture(f"tugging_{name}", caption + ".", figure))
+    return pictures

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of tugging asperities show the series they are given."""
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from samcontact import tugging_figures
+from samcontact.asperities import Collision, tug
+
+ELASTIC = sc.Material.elastic(200e9, 0.32)
+STEEL = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)
+CRITICAL = sc.critical.green(0.5, sc.hertz.effective_modulus(STEEL, STEEL), 0.32, 0.9115e9)
+
+
+@pytest.fixture(scope="module")
+def results():
+    found = []
+    for relative in (2.0, 4.0):
+        which = Collision(1.0, 1.0, relative * CRITICAL.interference)
+        found.append(tug(which, ELASTIC, STEEL, which.grid(8), passes=2, progress=False))
+    return found
+
+
+def lines(ax):
+    """The curves, without the axes' own zero lines."""
+    return [line for line in ax.lines if not line.get_label().startswith("_")]
+
+
+@pytest.mark.parametrize(("component", "number"), [("x", 1), ("z", 2)])
+def test_force(results, component, number):
+    ax = tugging_figures.force(results, component=component, number=number)
+    assert len(lines(ax)) == 2
+    for line, result in zip(lines(ax), results, strict=True):
+        series = result.series.sel({"pass": number})
+        np.testing.assert_allclose(line.get_xdata(), series["offset"].values / 0.5)
+        np.testing.assert_array_equal(line.get_ydata(), series[f"force_{component}"].values)
+    assert "[N]" in ax.get_ylabel()
+    over = tugging_figures.force(results, component=component, number=number, critical=CRITICAL)
+    scaled = lines(over)[0]
+    np.testing.assert_allclose(scaled.get_ydata() * CRITICAL.load, lines(ax)[0].get_ydata())
+    assert scaled.get_label() == "ω/ωc = 2"
+    assert lines(ax)[0].get_label() == f"{2e6 * CRITICAL.interference:.4g} µm"
+
+
+def test_load_ratio(results):
+    ax = tugging_figures.load_ratio(results)
+    shown = lines(ax)[1].get_ydata()
+    np.testing.assert_array_equal(shown, results[1].series.load_ratio.values[0])
+    assert np.isnan(shown[0])
+
+
+def test_energy_and_print_against_the_interference(results):
+    ax = tugging_figures.net_energy(results, critical=CRITICAL)
+    assert [line.get_label() for line in lines(ax)] == [
+        "net energy", "pass 2", "of this in residual stress"
+    ]  # fmt: skip
+    first = lines(ax)[0]
+    np.testing.assert_allclose(first.get_xdata(), [2, 4])
+    expected = [float(r.series.net_energy[0]) / CRITICAL.energy for r in results]
+    np.testing.assert_allclose(first.get_ydata(), expected)
+
+    ax = tugging_figures.residual_displacement(results)
+    depths = {line.get_label(): line.get_ydata() for line in lines(ax)}
+    assert not np.any(depths["body 1, pass 1"])  # elastic
+    expected = [float(r.series.residual_displacement[1, 1]) for r in results]
+    np.testing.assert_array_equal(depths["body 2, pass 2"], expected)
+
+
+def test_bad_arguments(results):
+    with pytest.raises(ValueError, match="component must be one of 'x', 'z', got 'y'"):
+        tugging_figures.force(results, component="y")
+    with pytest.raises(ValueError, match="number must be that of a pass, 1 to 2, got 3"):
+        tugging_figures.load_ratio(results, number=3)
