@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, PrivateAttr
 
 from ._checks import FloatArray
 
@@ -30,8 +30,44 @@ Velocity = Pair | Annotated[list[Pair], Field(min_length=2, max_length=2)]
 HeightsFile = Annotated[str, AfterValidator(_known_format)]
 
 
+class CaseError(ValueError):
+    """A case file that cannot be used; the message names the file, the field and the remedy."""
+
+
 class Section(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+
+class OutputPlace(Section):
+    """Where results go."""
+
+    directory: Annotated[str, Field(min_length=1)] | None = None
+    figures: bool = True
+
+
+class CaseFile(Section):
+    """What every kind of case file has: where it came from, and where its results go."""
+
+    if TYPE_CHECKING:  # the last field of each kind
+        output: OutputPlace
+
+    _source: Path = PrivateAttr(default=Path("case.toml"))
+    _text: str = PrivateAttr(default="")
+
+    @property
+    def source(self) -> Path:
+        """The file this case was read from."""
+        return self._source
+
+    @property
+    def text(self) -> str:
+        """The text of the case file, as stored with the results."""
+        return self._text
+
+    @property
+    def output_directory(self) -> Path:
+        """[output] directory, or results/<name of the case file>; relative to the working one."""
+        return Path(self.output.directory or Path("results") / self._source.stem)
 
 
 def read_heights(path: Path) -> FloatArray:

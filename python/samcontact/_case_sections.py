@@ -14,6 +14,7 @@ from ._case_base import (
     HeatFactor,
     HeightsFile,
     NonNegative,
+    OutputPlace,
     Poisson,
     Positive,
     Radius,
@@ -312,10 +313,8 @@ class ContactSection(Section):
         return self
 
 
-class OutputSection(Section):
+class OutputSection(OutputPlace):
     """[output]: where the results go and what is stored."""
 
-    directory: Annotated[str, Field(min_length=1)] | None = None
-    figures: bool = True
     body: Literal[1, 2] = 2
     volume: Literal["none", "last", "peak_and_last", "all"] = "peak_and_last"

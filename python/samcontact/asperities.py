@@ -195,7 +195,8 @@ def tug(
     progress : bool
         Show a progress bar.
     **settings
-        Of `Simulation`, e.g. increment_tol, tol, residual_stress, reach.
+        Of `Simulation`, e.g. increment_tol, tol (1e-8 by default for elastic spheres),
+        residual_stress, reach.
 
     Returns
     -------
@@ -216,6 +217,8 @@ def tug(
         longer than a quarter of the way, or a `checkpoint` of another call; and as `Simulation`.
     """
     require_type("collision", collision, Collision)
+    require_type("body1", body1, Material)
+    require_type("body2", body2, Material)
     require_type("grid", grid, Grid)
     for name in ("friction", "heat_factor", "heat_history"):
         if settings.get(name):
@@ -228,6 +231,8 @@ def tug(
         )
     count = integer("passes", passes, 1)
     gap = surfaces.paraboloid(grid, collision.R)
+    if not (body1.is_plastic or body2.is_plastic):
+        settings = {"tol": 1e-8, **settings}  # a net energy of nothing, at a fifth more work
     simulation = Simulation(grid, body1, body2, gap, relief1=relief1, relief2=relief2, **settings)
     journal = None
     if checkpoint is not None:

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
-from pydantic import Field, PrivateAttr, ValidationError, model_validator
+from pydantic import Field, ValidationError, model_validator
 
 from . import hertz as _hertz
 from . import paths
-from ._case_base import Section
+from ._case_base import CaseError, CaseFile
 from ._case_errors import explain
 from ._case_motion import ReliefSection, Segment
 from ._case_sections import (
@@ -22,6 +22,7 @@ from ._case_sections import (
     OutputSection,
     SurfaceSection,
 )
+from ._case_tugging import TuggingCase
 from ._heating import pair, velocities
 
 if sys.version_info >= (3, 11):
@@ -32,14 +33,10 @@ else:
 if TYPE_CHECKING:
     from .simulation import Simulation
 
-__all__ = ["Case", "CaseError", "load_case"]
+__all__ = ["Case", "CaseError", "TuggingCase", "load_case"]
 
 
-class CaseError(ValueError):
-    """A case file that cannot be used; the message names the file, the field and the remedy."""
-
-
-class Case(Section):
+class Case(CaseFile):
     """A validated case.
 
     Read one with `load_case`, or validate a dictionary of the same layout with
@@ -57,9 +54,6 @@ class Case(Section):
     contact: ContactSection = ContactSection()
     path: Annotated[list[Segment], Field(min_length=1)]
     output: OutputSection = OutputSection()
-
-    _source: Path = PrivateAttr(default=Path("case.toml"))
-    _text: str = PrivateAttr(default="")
 
     @model_validator(mode="after")
     def _consistent(self) -> Case:
@@ -85,21 +79,6 @@ class Case(Section):
             )
         self.steps()
         return self
-
-    @property
-    def source(self) -> Path:
-        """The file this case was read from."""
-        return self._source
-
-    @property
-    def text(self) -> str:
-        """The text of the case file, as stored with the results."""
-        return self._text
-
-    @property
-    def output_directory(self) -> Path:
-        """[output] directory, or results/<name of the case file>; relative to the working one."""
-        return Path(self.output.directory or Path("results") / self._source.stem)
 
     def steps(self) -> paths.Path:
         """The loading path as keyword dictionaries for `Simulation.run`."""
@@ -197,7 +176,7 @@ class Case(Section):
         return simulation, self.steps()
 
 
-def load_case(path: str | Path) -> Case:
+def load_case(path: str | Path) -> Case | TuggingCase:
     """Read and validate a case file.
 
     Parameters
@@ -207,7 +186,8 @@ def load_case(path: str | Path) -> Case:
 
     Returns
     -------
-    Case
+    Case or TuggingCase
+        The latter for a file with a section [tugging].
 
     Raises
     ------
@@ -223,10 +203,11 @@ def load_case(path: str | Path) -> Case:
         raise CaseError(f"{source}: cannot read the case file: {reason}") from error
     except tomllib.TOMLDecodeError as error:
         raise CaseError(f"{source}: not valid TOML: {error}") from error
+    kind = TuggingCase if "tugging" in content else Case
     try:
-        case = Case.model_validate(content)
+        case = kind.model_validate(content)
     except ValidationError as error:
-        lines = [explain(Case, item) for item in error.errors()]
+        lines = [explain(kind, item) for item in error.errors()]
         raise CaseError("\n".join(f"{source}: {line}" for line in lines)) from error
     case._source, case._text = source, text
     return case

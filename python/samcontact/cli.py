@@ -96,18 +96,28 @@ def run(
     """Solve a case file; write results.nc and figures."""
     with _short_errors():
         from . import results
-        from .cases import load_case
+        from .cases import TuggingCase, load_case
 
         case = load_case(case_file)
+        directory = case.output_directory if output is None else output
+        checkpoints = directory / "checkpoints" if resume else None
+        console = Console(quiet=quiet)
+        if isinstance(case, TuggingCase):
+            if animate:
+                raise ValueError("--animate is not for a case with [tugging]")
+            from ._tugging_command import solve_tugging
+
+            directory.mkdir(parents=True, exist_ok=True)
+            console.print(case.title, style="bold", markup=False, highlight=False)
+            written = solve_tugging(case, directory, checkpoints, console, not no_figures)
+            _finish(written, checkpoints)
+            return
         if animate and not (case.moves and case.grid.nz > 0):
             raise ValueError("--animate needs a path that moves a body, and a grid with layers")
         simulation, path = case.build()
-        directory = case.output_directory if output is None else output
         # before the computation: a directory that cannot be made must not cost a run
         directory.mkdir(parents=True, exist_ok=True)
-        console = Console(quiet=quiet)
         console.print(case.title, style="bold", markup=False, highlight=False)
-        checkpoints = directory / "checkpoints" if resume else None
         states = simulation.run(path, progress=not quiet, checkpoint=checkpoints)
         dataset = results.to_dataset(simulation, states, case)
         written = [results.save(dataset, directory / "results.nc")]
@@ -129,10 +139,15 @@ def run(
             shown = states[:: math.ceil(len(states) / MOST_FRAMES)]
             animation = rolling_animation(shown, body=case.output.body)
             written.append(save_animation(animation, directory / "rolling.gif"))
-        if checkpoints is not None:
-            shutil.rmtree(checkpoints)
-        for file in written:
-            click.echo(str(file))
+        _finish(written, checkpoints)
+
+
+def _finish(written: list[Path], checkpoints: Path | None) -> None:
+    """The results are safe: no more checkpoints, and what was written to stdout."""
+    if checkpoints is not None:
+        shutil.rmtree(checkpoints)
+    for file in written:
+        click.echo(str(file))
 
 
 def _table(title: str, *columns: str) -> Table:

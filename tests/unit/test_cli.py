@@ -82,7 +82,7 @@ def test_load_beyond_the_grid_is_exit_code_2(case_file, tmp_path):
 
 
 def test_no_convergence_is_exit_code_1(case_file, tmp_path, monkeypatch):
-    def diverge(self, path, progress=True):
+    def diverge(self, path, **_):
         raise samcontact.ConvergenceError("residual 0.1 after 200 iterations")
 
     monkeypatch.setattr(samcontact.Simulation, "run", diverge)
