@@ -16,6 +16,7 @@ from . import (
     paths,
     softening,
     surfaces,
+    wear,
 )
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
@@ -53,4 +54,5 @@ __all__ = [
     "paths",
     "softening",
     "surfaces",
+    "wear",
 ]
