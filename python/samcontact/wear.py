@@ -208,12 +208,15 @@ def _wear(scene: Scene, standing: Standing, moments: Moments) -> Standing:
     heights = {body: list(before) for body, before in standing.heights.items()}
     sums: list[tuple[float, float, float]] = []
     for body in scene.worn:
-        worn, volume = _worn_depth(scene, body, strains.get(body))
+        exact = _worn_depth(scene, body, strains.get(body))
+        volume = math.fsum(exact.flat) * scene.grid.cell_area
+        worn = smooth(exact, scene.window, scene.order)
         heights[body].append(heights[body][-1] - worn)
         lost = math.fsum((heights[body][-2] - heights[body][-1]).flat) * scene.grid.cell_area
         sums.append((volume, lost, float(worn.max())))
         if body in strains and volume > 0:
-            strains[body] = _moved_up(scene, body, strains[body], worn)
+            # By the exact depth, so that nothing beyond the threshold stays at the surface.
+            strains[body] = _moved_up(scene, body, strains[body], exact)
     volumes, losts, depths = zip(*sums, strict=True)
     bodies = [found[body] for body in scene.worn]
     record = Cycle(
@@ -234,14 +237,14 @@ def _largest(kept: Strain | None, layers: slice) -> float:
     return 0.0 if kept is None else float(kept.equivalent[:, :, layers].max())
 
 
-def _worn_depth(scene: Scene, body: int, kept: Strain | None) -> tuple[FloatArray, float]:
-    """Smoothed wear depth on the rows of `heights` [m], and the volume that is removed [m^3]."""
+def _worn_depth(scene: Scene, body: int, kept: Strain | None) -> FloatArray:
+    """Wear depth on the rows of `heights`, not yet smoothed [m]."""
     grid = scene.grid
     assert grid.dz is not None
     first, rows = met_rows(scene, body)
     found = np.zeros((rows, grid.ny))
     if kept is None:
-        return found, 0.0
+        return found
     place = slice(kept.first - first, kept.first - first + len(kept.equivalent))
     found[place] = depth(kept.equivalent, grid.dz, scene.threshold)
     side = scene.window[1] // 2
@@ -250,8 +253,7 @@ def _worn_depth(scene: Scene, body: int, kept: Strain | None) -> tuple[FloatArra
             f"body {body} wears within half a window of the sides of the grid, y = "
             f"+-{0.5 * grid.ny * grid.dy!r} m: enlarge ny dy, or take a smaller window"
         )
-    volume = math.fsum(found.flat) * grid.cell_area
-    return smooth(found, scene.window, scene.order), volume
+    return found
 
 
 def _moved_up(scene: Scene, body: int, kept: Strain, worn: FloatArray) -> Strain:

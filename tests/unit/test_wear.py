@@ -179,13 +179,14 @@ def test_first_wear_is_that_of_a_simulation(worn):
 
 def test_next_cycle_starts_from_the_worn_surface_and_what_is_left(worn):
     first = worn.first[1]
-    removed = -worn.profile(1)[11:-11]
-    simulation = sc.Simulation(GRID, ELASTIC, STEEL, GAP, 0.4, relief2=sc.Relief(-removed))
-    simulation.set_plastic_strain(
-        2,
-        shift_deviator(first.plastic_strain(), removed, GRID.dz),
-        np.maximum(wear.shift(first.equivalent_plastic_strain(), removed, GRID.dz), 0.0),
+    strain = first.equivalent_plastic_strain()
+    removed = wear.depth(strain, GRID.dz, 2e-3)
+    simulation = sc.Simulation(
+        GRID, ELASTIC, STEEL, GAP, 0.4, relief2=sc.Relief(-wear.smooth(removed, 7))
     )
+    left = np.maximum(wear.shift(strain, removed, GRID.dz), 0.0)
+    assert strain[..., 0].max() > 2e-3 > left[..., 0].max() > 1e-3
+    simulation.set_plastic_strain(2, shift_deviator(first.plastic_strain(), removed, GRID.dz), left)
     second = simulation.step(**PATH[0])
     assert second.pressure.max() == pytest.approx(worn.cycles[1].max_pressure, rel=1e-6)
 
