@@ -40,6 +40,7 @@ class Scene:
     worn: tuple[int, ...]
     window: tuple[int, int]
     order: int
+    strain_depth: str
     friction: float
     reliefs: tuple[Relief | None, Relief | None]
     settings: dict[str, Any]
@@ -54,6 +55,7 @@ def make_scene(
     worn: Sequence[int],
     window: Window,
     order: int,
+    strain_depth: str,
     friction: float,
     reliefs: tuple[Relief | None, Relief | None],
     settings: dict[str, Any],
@@ -92,6 +94,7 @@ def make_scene(
         tuple(sorted(numbers)),
         (sides[0], sides[1]),
         degree,
+        choice("strain_depth", strain_depth, ("exact", "smoothed")),
         number("friction", friction),
         reliefs,
         settings,

@@ -43,6 +43,7 @@ def run(
     worn: Sequence[int] = (2,),
     window: Window = 5,
     order: int = 2,
+    strain_depth: str = "exact",
     friction: float = 0.0,
     relief1: Relief | None = None,
     relief2: Relief | None = None,
@@ -69,6 +70,11 @@ def run(
     window, order : int or pair of int, and int, optional
         Of the filter that smooths the border of the wear, see `smooth`; the window is not larger
         than the contact.
+    strain_depth : {"exact", "smoothed"}, optional
+        By how much the plastic strain moves up. "exact": by the depth to which it exceeded the
+        threshold, so that it nowhere exceeds it at the new surface. "smoothed": by what the surface
+        lost, so that material beyond the threshold stays where the filter takes less than that, and
+        wears in a later cycle.
     checkpoint : str or Path, optional
         File that is written after each cycle. A later call with the same arguments (more `cycles`
         are allowed) goes on from it, bit-identically; delete it to start anew.
@@ -98,6 +104,7 @@ def run(
         worn,
         window,
         order,
+        strain_depth,
         friction,
         (relief1, relief2),
         settings,
@@ -215,8 +222,8 @@ def _wear(scene: Scene, standing: Standing, moments: Moments) -> Standing:
         lost = math.fsum((heights[body][-2] - heights[body][-1]).flat) * scene.grid.cell_area
         sums.append((volume, lost, float(worn.max())))
         if body in strains and volume > 0:
-            # By the exact depth, so that nothing beyond the threshold stays at the surface.
-            strains[body] = _moved_up(scene, body, strains[body], exact)
+            moved = exact if scene.strain_depth == "exact" else worn
+            strains[body] = _moved_up(scene, body, strains[body], moved)
     volumes, losts, depths = zip(*sums, strict=True)
     bodies = [found[body] for body in scene.worn]
     record = Cycle(

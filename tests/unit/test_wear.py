@@ -191,6 +191,16 @@ def test_next_cycle_starts_from_the_worn_surface_and_what_is_left(worn):
     assert second.pressure.max() == pytest.approx(worn.cycles[1].max_pressure, rel=1e-6)
 
 
+def test_strain_may_move_up_by_the_smoothed_depth(worn):
+    """Then some of what exceeds the threshold stays, and wears without new flow."""
+    result = wearing(strain_depth="smoothed", cycles=2)
+    first = worn.first[1].equivalent_plastic_strain()
+    left = wear.shift(first, -worn.profile(1)[11:-11], GRID.dz)
+    assert left[..., 0].max() > 2e-3
+    assert result.cycles[0] == worn.cycles[0]
+    assert result.cycles[1].volume[0] > worn.cycles[1].volume[0]
+
+
 def test_symmetry_is_kept(worn):
     heights = worn.profile()
     np.testing.assert_allclose(heights, heights[:, ::-1], atol=1e-12 * np.ptp(heights))
@@ -338,6 +348,7 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
         ({"window": 3, "order": 3}, "order must be less than window = 3, got 3"),
         ({"window": 13}, "window must not be larger than the contact, which is 9 cells long"),
         ({"window": (5, 13)}, "cells long along y at the largest load, got 13"),
+        ({"strain_depth": "raw"}, "strain_depth must be one of 'exact', 'smoothed', got 'raw'"),
         ({"worn": (1,)}, "worn must name inelastic bodies; body 1 is elastic"),
         ({"worn": ()}, r"worn must be \(1,\), \(2,\) or \(1, 2\), got \(\)"),
         ({"worn": (3,)}, "worn must be one of 1, 2, got 3"),
