@@ -24,6 +24,8 @@ PARTS = (
     "rolling_ellipticity",
     "rolling_load",
     "rolling_two_bodies",
+    "wear",
+    "running_in",
 )
 
 

@@ -6,15 +6,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 
 from ._checks import FloatArray, choice, integer
-from ._track_results import variable
 from .grid import Grid
 from .relief import Relief
 from .state import State
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 Moments = tuple[State, State]
 """Under the largest load of a cycle, and unloaded at its end."""
@@ -103,6 +105,10 @@ class WearResult:
             Dimensions cycle, body (the worn ones), and for each of those state (0: before the first
             cycle), x_body1 or x_body2, y. Save it with `samcontact.results.save`.
         """
+        import xarray as xr  # here, since importing the package should not load it
+
+        from ._track_results import variable
+
         numbers = [cycle.number for cycle in self.cycles]
         dataset = xr.Dataset(
             coords={

@@ -99,7 +99,7 @@ def worn_profile(
         ax.plot(along * 1e6, line * 1e6, linewidth=1.0, color=colour, label=f"{n}")
     ax.set_xlabel(f"{axis} [µm]")
     ax.set_ylabel("height [µm]")
-    ax.legend(title="cycles", frameon=False, fontsize="small", ncols=2)
+    ax.legend(title="cycles", frameon=False, fontsize="small", ncols=2, loc="lower left")
     return finish(ax)
 
 
