@@ -103,9 +103,12 @@ class WearResult:
         -------
         xarray.Dataset
             Dimensions cycle, body (the worn ones), and for each of those state (0: before the first
-            cycle), x_body1 or x_body2, y. Save it with `samcontact.results.save`.
+            cycle), x_body1 or x_body2, y. Save it with `samcontact.results.save`,
+            read it with `open_results`.
         """
         import xarray as xr  # here, since importing the package should not load it
+
+        from samcontact import __version__
 
         from ._track_results import variable
 
@@ -133,7 +136,7 @@ class WearResult:
             dataset[f"heights_body{body}"] = variable(
                 ("state", name, "y"), self.heights[body], "m", f"heights of body {body}, outwards"
             )
-        dataset.attrs["stopped"] = int(self.stopped)
+        dataset.attrs = {"samcontact_version": __version__, "stopped": int(self.stopped)}
         return dataset
 
 
