@@ -25,6 +25,8 @@ PARTS = (
     "rolling_load",
     "rolling_two_bodies",
     "tugging",
+    "wear",
+    "running_in",
 )
 
 

@@ -18,6 +18,7 @@ from . import (
     paths,
     softening,
     surfaces,
+    wear,
 )
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
@@ -57,4 +58,5 @@ __all__ = [
     "paths",
     "softening",
     "surfaces",
+    "wear",
 ]

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Running-in of a rough surface: section 5.2.2, figures 5.12 to 5.15."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import samcontact as sc
+from samcontact import wear_figures
+
+from .page import Number, Picture, Statement
+from .profiles import finish
+from .wear import E_STAR, ELASTIC, FRICTION, RADIUS, STEEL, THRESHOLD
+from .wear import HERTZ as SMOOTH
+
+TITLE = "Running-in of a rough surface"
+INTRODUCTION = """
+Section 5.2.2 of the thesis: the balls and the steel of [wear of a flat surface](wear.md) under
+30 N, where one surface has the roughness A sin(2πx/λ) sin(2πy/λ), A = 0.5 µm and λ = 50 µm.
+Friction 0.4, threshold 0.2 %. Body 2 is rough, yields and wears; body 1 is smooth and elastic. The
+filter that smooths the border of the wear, whose window the thesis does not state, is a moving mean
+over 5 x 5 cells, half a wavelength wide. Sections are through the crests next to the middle,
+y = 12.5 µm.
+"""
+
+LOAD, AMPLITUDE, WAVELENGTH = 30.0, 0.5e-6, 50e-6
+FILTER = {"window": 5, "order": 1}
+CREST = 0.25 * WAVELENGTH
+STATED_CYCLES = 7
+CYCLES_NOTE = (
+    "With layers of 0.5 µm 8 cycles wear, with one load increment or four, the eighth a "
+    "thousandth of the volume; with layers of 1 µm 7. It depends on the filter (layers of 1 µm): "
+    "a moving mean over 3 x 3 cells makes it 4, over 7 x 7 cells 12; second order over 5 x 5 or "
+    "7 x 7 cells 3, over 9 x 9 cells 4. A moving mean over 9 x 9 cells, almost a wavelength, "
+    "puts the wear of the crests into the valleys too, and does not stop. Where the strain moves "
+    "up by what the surface lost, the moving mean over 5 x 5 cells does not stop within 12 "
+    "cycles either, since what it leaves wears without new strain; second order over 5 x 5 cells "
+    "makes it 14, with 1 µm 10."
+)
+ROUGHNESS_NOTE = (
+    "Standard deviation of the heights within 75 µm of the middle. Filters of second order leave "
+    "the crests as holes: the strain exceeds the threshold down to 6 µm below them, twelve times "
+    "A."
+)
+STRAIN_NOTE = "Below the surface it is up to 0.3 %, where it is not connected to the surface."
+
+
+@dataclass
+class Results:
+    wear: sc.wear.WearResult
+    mesh: str
+
+
+def compute(quick: bool) -> Results:
+    dz, depth = (1e-6, 20e-6) if quick else (0.5e-6, 25e-6)
+    grid = sc.Grid(67, 67, 5e-6, 5e-6, round(depth / dz), dz)
+    found = sc.wear.run(
+        grid,
+        ELASTIC,
+        STEEL,
+        sc.surfaces.paraboloid(grid, RADIUS),
+        cycle=sc.paths.load_unload(load=LOAD, increments=1 if quick else 4, unload_increments=1),
+        threshold=THRESHOLD,
+        cycles=30,
+        **FILTER,
+        friction=FRICTION,
+        relief2=sc.Relief(sc.surfaces.sinusoidal(grid, AMPLITUDE, WAVELENGTH, WAVELENGTH)),
+        progress=False,
+    )
+    return Results(found, f"5 and {dz * 1e6:g} µm")
+
+
+def stated(results: Results) -> list[Number | Statement]:
+    found, mesh = results.wear, results.mesh
+    first, last = found.cycles[0], found.cycles[-1]
+    worn = len(found.cycles) - 1
+    share = found.rate[:STATED_CYCLES].sum() / found.rate.sum()
+    conserved = max(abs(c.lost[0] / c.volume[0] - 1) for c in found.cycles[:-1])
+    x, y = found.x(), found.grid.y
+    middle = np.hypot(x[:, None], y[None, :]) < 75e-6
+    before, after = (float(found.profile(n)[middle].std()) for n in (0, -1))
+    micro = float(STEEL.yield_stress(20e-6))
+    critical = sc.critical.onset_sliding(RADIUS, E_STAR, 0.3, micro, FRICTION)
+    return [
+        Statement(
+            "the same load on smooth surfaces",
+            "purely elastic",
+            f"yield begins at {critical.load:.0f} N",
+            critical.load > LOAD,
+            "closed form",
+        ),
+        Statement(
+            "largest pressure of the first cycle",
+            "magnitude of that of the smooth surfaces under 2000 N",
+            f"{first.max_pressure * 1e-9:.2f} GPa; {SMOOTH.p0 * 1e-9:.2f} GPa (Hertz)",
+            0.7 < first.max_pressure / SMOOTH.p0 < 1.4,
+            mesh,
+        ),
+        Statement(
+            "running-in",
+            "a surface profile that does not change any more",
+            f"nothing wears in cycle {worn + 1}",
+            found.stopped,
+            mesh,
+        ),
+        Statement(
+            "cycles until then",
+            f"{STATED_CYCLES}",
+            f"{worn}; {100 * share:.1f} % of the volume in the first {STATED_CYCLES}",
+            abs(worn - STATED_CYCLES) <= 1 and share > 0.99,
+            mesh,
+            remark=CYCLES_NOTE,
+        ),
+        Statement(
+            "roughness under the contact",
+            "a flattening of the roughness pattern",
+            f"{1e6 * before:.3f} µm, {1e6 * after:.3f} µm in the end",
+            after < 0.8 * before,
+            mesh,
+            remark=ROUGHNESS_NOTE,
+        ),
+        Statement(
+            "plastic strain then",
+            "lower than the threshold of 0.2 %",
+            f"{100 * last.surface_strain[0]:.3f} % at the surface",
+            last.surface_strain[0] <= THRESHOLD,
+            mesh,
+            remark=STRAIN_NOTE,
+        ),
+        Statement(
+            "largest pressure and von Mises stress, first and last cycle",
+            "the stress level decreases with cycles",
+            f"{first.max_pressure * 1e-9:.2f} and {last.max_pressure * 1e-9:.2f} GPa, "
+            f"{first.max_von_mises * 1e-9:.2f} and {last.max_von_mises * 1e-9:.2f} GPa",
+            last.max_pressure < 0.97 * first.max_pressure
+            and last.max_von_mises < 0.92 * first.max_von_mises,
+            mesh,
+        ),
+        Statement(
+            "volume lost by the surface, and removed",
+            "conserved by the smoothing",
+            f"the same to {conserved:.0e}" if conserved > 0 else "the same",
+            conserved < 1e-12,
+            mesh,
+        ),
+    ]
+
+
+def figures(results: Results) -> list[Picture]:
+    found = results.wear
+    return [
+        surface(found, 0, "running_in_initial", "Figure 5.12: initial surface."),
+        panels(found.first, "running_in_first", "Figure 5.13: first cycle, plane y = 12.5 µm."),
+        surface(found, -1, "running_in_final", "Figure 5.14: the surface after running-in."),
+        panels(found.last, "running_in_last", "Figure 5.15: last cycle, plane y = 12.5 µm."),
+        history(found),
+    ]
+
+
+def surface(found: sc.wear.WearResult, cycle: int, name: str, caption: str) -> Picture:
+    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
+    left, right = figure.subplots(1, 2)
+    last = len(found.cycles)
+    wear_figures.surface_map(found, left, cycle=cycle)
+    wear_figures.worn_profile(
+        found, right, position=CREST, cycles=(0,) if cycle == 0 else (0, 1, 3, 7, last)
+    )
+    for ax in (left, right):
+        ax.set_xlim(-150, 150)
+    left.set_ylim(-150, 150)
+    return Picture(name, caption + " Right: profile along y = 12.5 µm.", figure)
+
+
+def panels(moments: tuple[sc.State, sc.State], name: str, caption: str) -> Picture:
+    figure = wear_figures.cycle_panels(moments, position=CREST, width=150e-6, depth=18e-6)
+    return Picture(name, caption, figure)
+
+
+def history(found: sc.wear.WearResult) -> Picture:
+    figure = Figure(figsize=(9.0, 3.6), layout="constrained")
+    left, right = figure.subplots(1, 2)
+    wear_figures.wear_rate(found, left)
+    left.axvline(STATED_CYCLES, color="k", linestyle="--", linewidth=1, label="stated: 7 cycles")
+    finish(left, "cycle", "worn volume per cycle [µm³]")
+    numbers = np.arange(1, len(found.cycles) + 1)
+    for name, label in (("max_pressure", "pressure"), ("max_von_mises", "von Mises stress")):
+        values = [getattr(cycle, name) * 1e-9 for cycle in found.cycles]
+        right.plot(numbers, values, "o-", markersize=3, label=f"largest {label}")
+    right.set_ylim(bottom=0)
+    finish(right, "cycle", "[GPa]")
+    return Picture(
+        "running_in_history",
+        "Not in the thesis: worn volume, largest pressure and von Mises stress of each cycle.",
+        figure,
+    )

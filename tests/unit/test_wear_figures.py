@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of wear: the data that artists show."""
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import samcontact as sc
+from samcontact import wear_figures
+
+GRID = sc.Grid(29, 27, 5e-6, 5e-6, 28, 1.6e-6)
+
+
+@pytest.fixture(scope="module")
+def result():
+    return sc.wear.run(
+        GRID,
+        sc.Material.elastic(210e9, 0.3),
+        sc.Material.swift(210e9, 0.3, 1735e6, 16.0, 0.067),
+        sc.surfaces.paraboloid(GRID, 4e-4),
+        cycle=[{"load": 5.0}, {"load": 0.0}],
+        threshold=2e-3,
+        cycles=2,
+        friction=0.4,
+        progress=False,
+    )
+
+
+@pytest.fixture
+def ax():
+    return Figure().subplots()
+
+
+def test_tresca():
+    """Uniaxial, hydrostatic, and pure shear."""
+    stress = np.zeros((6, 3))
+    stress[0, 0] = -5.0
+    stress[:3, 1] = 7.0
+    stress[5, 2] = 2.0
+    np.testing.assert_allclose(wear_figures.tresca(stress), [5.0, 0.0, 4.0], atol=1e-14)
+
+
+def test_tresca_does_not_depend_on_the_frame():
+    rng = np.random.default_rng(3)
+    full = rng.normal(size=(3, 3))
+    full += full.T
+    turn, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+    pairs = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+    both = [np.array([m[p] for p in pairs]) for m in (full, turn @ full @ turn.T)]
+    first, second = (wear_figures.tresca(s) for s in both)
+    assert first == pytest.approx(second, rel=1e-12)
+
+
+def test_worn_profile(result, ax):
+    wear_figures.worn_profile(result, ax, cycles=(0, 2))
+    first, last = ax.get_lines()
+    np.testing.assert_allclose(first.get_ydata(), 0.0)
+    np.testing.assert_allclose(last.get_ydata(), result.profile(2)[:, 13] * 1e6)
+    assert last.get_xdata()[np.argmin(np.abs(result.x()))] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_worn_profile_across(result, ax):
+    wear_figures.worn_profile(result, ax, axis="y", position=5e-6)
+    row = np.argmin(np.abs(result.x() - 5e-6))
+    assert len(ax.get_lines()) == 3
+    np.testing.assert_allclose(ax.get_lines()[1].get_ydata(), result.profile(1)[row] * 1e6)
+
+
+def test_surface_map(result, ax):
+    wear_figures.surface_map(result, ax, cycle=1)
+    shown = ax.collections[0].get_array().reshape(27, -1)
+    np.testing.assert_allclose(shown, result.profile(1).T * 1e6)
+
+
+def test_wear_rate(result, ax):
+    wear_figures.wear_rate(result, ax)
+    np.testing.assert_allclose(ax.get_lines()[0].get_ydata(), result.rate * 1e18)
+
+
+def test_panels(result):
+    figure = wear_figures.cycle_panels(result.last, position=5e-6, width=6e-5, depth=3e-5)
+    pressure, tresca, *_ = figure.axes
+    loaded = result.last[0]
+    np.testing.assert_allclose(pressure.get_lines()[0].get_ydata(), loaded.pressure[:, 14] * 1e-9)
+    shown = tresca.collections[0].get_array().reshape(28, 29)
+    expected = wear_figures.tresca(loaded.stress()[:, :, 14]).T * 1e-6
+    np.testing.assert_allclose(shown, expected)
+    assert tresca.get_ylim() == pytest.approx((30.0, 0.0))
+    assert pressure.get_xlim() == pytest.approx((-60.0, 60.0))
+
+
+def test_bad_input_is_named(result):
+    with pytest.raises(ValueError, match=r"stress must have shape \(6, ...\), got \(3, 2\)"):
+        wear_figures.tresca(np.zeros((3, 2)))
+    with pytest.raises(ValueError, match="axis must be one of 'x', 'y', got 'z'"):
+        wear_figures.worn_profile(result, axis="z")
+    with pytest.raises(ValueError, match="cycle must be in"):
+        wear_figures.surface_map(result, cycle=3)
+    with pytest.raises(ValueError, match="body must be one of 2, got 1"):
+        wear_figures.surface_map(result, body=1)
