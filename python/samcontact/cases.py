@@ -23,6 +23,7 @@ from ._case_sections import (
     SurfaceSection,
 )
 from ._case_tugging import TuggingCase
+from ._case_wear import WearSection
 from ._heating import pair, velocities
 
 if sys.version_info >= (3, 11):
@@ -53,6 +54,7 @@ class Case(CaseFile):
     relief2: ReliefSection | None = None
     contact: ContactSection = ContactSection()
     path: Annotated[list[Segment], Field(min_length=1)]
+    wear: WearSection | None = None
     output: OutputSection = OutputSection()
 
     @model_validator(mode="after")

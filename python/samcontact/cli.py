@@ -25,7 +25,7 @@ from ._checks import poisson_ratio
 if TYPE_CHECKING:
     import xarray as xr
 
-    from .cases import Case
+    from .cases import Case, TuggingCase
 
 __all__ = ["main"]
 
@@ -102,15 +102,15 @@ def run(
         directory = case.output_directory if output is None else output
         checkpoints = directory / "checkpoints" if resume else None
         console = Console(quiet=quiet)
-        if isinstance(case, TuggingCase):
+        if isinstance(case, TuggingCase) or case.wear is not None:
+            section = "tugging" if isinstance(case, TuggingCase) else "wear"
             if animate:
-                raise ValueError("--animate is not for a case with [tugging]")
-            from ._tugging_command import solve_tugging
-
+                raise ValueError(f"--animate is not for a case with [{section}]")
             directory.mkdir(parents=True, exist_ok=True)
             console.print(case.title, style="bold", markup=False, highlight=False)
-            written = solve_tugging(case, directory, checkpoints, console, not no_figures)
-            _finish(written, checkpoints)
+            _finish(
+                _solve_study(case, directory, checkpoints, console, not no_figures), checkpoints
+            )
             return
         if animate and not (case.moves and case.grid.nz > 0):
             raise ValueError("--animate needs a path that moves a body, and a grid with layers")
@@ -140,6 +140,25 @@ def run(
             animation = rolling_animation(shown, body=case.output.body)
             written.append(save_animation(animation, directory / "rolling.gif"))
         _finish(written, checkpoints)
+
+
+def _solve_study(
+    case: Case | TuggingCase,
+    directory: Path,
+    checkpoints: Path | None,
+    console: Console,
+    figures: bool,
+) -> list[Path]:
+    """Tugging, or the cycles of wear."""
+    from .cases import TuggingCase
+
+    if isinstance(case, TuggingCase):
+        from ._tugging_command import solve_tugging
+
+        return solve_tugging(case, directory, checkpoints, console, figures)
+    from ._wear_command import solve_wear
+
+    return solve_wear(case, directory, checkpoints, console, figures)
 
 
 def _finish(written: list[Path], checkpoints: Path | None) -> None:
