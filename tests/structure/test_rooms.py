@@ -141,7 +141,7 @@ def test_the_architecture_page_names_every_room():
 
 @pytest.mark.parametrize(
     "folder",
-    ["cpp", "python", "tests", "cmake", "cases", "docs", "scripts", "benchmarks", "gallery"],
+    ["cpp", "python", "tests", "cmake", "cases", "docs", "scripts", "benchmarks"],
 )
 def test_files_begin_with_the_licence(folder):
     kinds = {".hpp", ".cpp", ".py", ".pyi", ".cmake", ".toml", ".md", ".sh"}

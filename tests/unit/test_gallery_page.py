@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The frame of the gallery: what holds, what the table says, what is written."""
 
+import re
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 from matplotlib.figure import Figure
+from test_cli import check_failure, invoke
 
-from gallery import __main__, page
+from samcontact.gallery import page, parts
 
 NEAR = page.Number("depth", 100.0, 104.0, "nm", "coarse")
 FAR = page.Number("depth", 100.0, 106.0, "nm", "coarse", remark="why")
@@ -49,8 +52,42 @@ def test_a_page_has_its_table_and_figures(tmp_path):
     assert (tmp_path / "new" / "name.png").stat().st_size > 0
 
 
-def test_unknown_parts_are_refused(capsys):
-    assert __main__.arguments([]).parts == list(__main__.PARTS)
-    with pytest.raises(SystemExit):
-        __main__.arguments(["frction"])
-    assert "unknown part frction: choose from nano_indentation" in capsys.readouterr().err
+def test_parts_by_name_and_by_figure():
+    assert parts.part_of("friction") == "friction"
+    assert parts.part_of("2.12") == "flattening"
+    assert parts.part_of("3.8") == "rolling"
+    assert parts.part_of("2.14") == "nano_indentation"
+    for name, text in (
+        ("frction", "unknown part 'frction' of the gallery: did you mean friction"),
+        ("zzz", "choose from nano_indentation"),
+        ("1.1", "figure 1.1 is not in the gallery"),
+    ):
+        with pytest.raises(ValueError, match=text):
+            parts.part_of(name)
+
+
+def test_the_command_makes_a_part(tmp_path):
+    outcome = invoke("gallery", "2.12", "--quick", "--output", tmp_path)
+    assert outcome.exit_code == 0, outcome.output
+    assert "flattening: " in outcome.stdout
+    assert "# Flattening" in (tmp_path / "flattening.md").read_text()
+    assert list(tmp_path.glob("*.png"))
+    listed = invoke("gallery", "--list").stdout
+    assert "tugging" in listed
+    assert "4.7 to 4.11" in listed
+    check_failure(invoke("gallery", "frction"), 2, "did you mean friction")
+
+
+def test_every_part_says_its_figures_on_the_first_page():
+    text = (Path(__file__).parents[2] / "docs" / "gallery.md").read_text()
+    for name in parts.PARTS:
+        assert re.search(rf"\(gallery/{name}\.md\) \| {parts.figures_of(name)} ", text), name
+
+
+def test_finite_element_curves_are_those_of_the_tests():
+    shipped = Path(parts.__file__).parent / "fem"
+    files = [path.relative_to(shipped) for path in shipped.rglob("*.csv")]
+    assert len(files) == 3
+    for file in files:
+        original = Path(__file__).parents[1] / "data" / "fem" / file
+        assert (shipped / file).read_bytes() == original.read_bytes()

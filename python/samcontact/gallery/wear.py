@@ -77,7 +77,7 @@ def compute(quick: bool) -> Results:
     dx, dz, window, side = (60e-6, 24e-6, 5, 4.2e-3) if quick else (45e-6, 12e-6, 7, 3.6e-3)
     cells = int(side / dx) | 1
     grid = sc.Grid(cells, cells, dx, dx, int(650e-6 / dz), dz)
-    found = [
+    exact, smoothed = (
         sc.wear.run(
             grid,
             ELASTIC,
@@ -93,9 +93,10 @@ def compute(quick: bool) -> Results:
             tol=1e-4,
         )
         for strain_depth in ("exact", "smoothed")
-    ]
+    )
     # Few cells carry the rim on the coarse grid, and one of them more or less shows.
-    return Results(*found, f"{dx * 1e6:.0f} and {dz * 1e6:.0f} µm", 0.3 if quick else 0.15)
+    mesh = f"{dx * 1e6:.0f} and {dz * 1e6:.0f} µm"
+    return Results(exact, smoothed, mesh, 0.3 if quick else 0.15)
 
 
 def stated(results: Results) -> list[Number | Statement]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -78,7 +79,7 @@ def hertz(load: float) -> sc.hertz.PointContact:
 
 
 def simulation(
-    pair: str, a: float, cells: int, width: float, depth: float, **options: float
+    pair: str, a: float, cells: int, width: float, depth: float, **options: Any
 ) -> tuple[sc.Grid, sc.Simulation]:
     n, d = 2 * int(width * cells) + 1, a / cells
     grid = sc.Grid(n, n, d, d, int(depth * cells), d)

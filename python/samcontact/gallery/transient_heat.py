@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -36,8 +37,9 @@ real one would be left behind.
 RADIUS, LOAD, FACTOR = 3.75e-3, 1500.0, 0.12
 SPEED, TIME = 0.95, 23e-3
 HERTZ = sc.hertz.point(R=RADIUS, E_star=E_STAR, load=LOAD)
+assert STEEL.thermal is not None
 CONDUCTIVITY, _, DIFFUSIVITY = STEEL.thermal
-KINDS: dict[str, dict] = {
+KINDS: dict[str, dict[str, Any]] = {
     "no heat": {"heat_factor": 0.0},
     "(i)": {"heat_factor": FACTOR, "heating_time": TIME},
     "(ii)": {"heat_factor": FACTOR},
@@ -102,7 +104,7 @@ def largest(field: np.ndarray, x: np.ndarray, z: np.ndarray) -> tuple[float, flo
     return float(field[i, k]), float(x[i]), float(z[k])
 
 
-def solver(cells: int, **heat) -> tuple[sc.ContactSolver, np.ndarray]:
+def solver(cells: int, **heat: Any) -> tuple[sc.ContactSolver, np.ndarray]:
     """Of an elastic flat, and its pressure."""
     n, d = 2 * int(1.8 * cells) + 1, HERTZ.a / cells
     grid = sc.Grid(n, n, d, d)
@@ -110,7 +112,7 @@ def solver(cells: int, **heat) -> tuple[sc.ContactSolver, np.ndarray]:
     return found, found.solve(sc.surfaces.paraboloid(grid, RADIUS), load=LOAD).pressure
 
 
-def elastic_case(cells: int, depths: int, heat: dict) -> Elastic:
+def elastic_case(cells: int, depths: int, heat: dict[str, Any]) -> Elastic:
     contact, pressure = solver(cells, **heat)
     x, m = contact.grid.x, contact.grid.ny // 2
     z = np.linspace(0.0, 1.2, depths) * HERTZ.a
@@ -345,9 +347,8 @@ def temperatures(results: Results) -> Picture:
 def stresses(results: Results) -> Picture:
     figure = Figure(figsize=(10.0, 5.4), layout="compressed")
     rows = figure.subplots(2, 3, sharex=True, sharey=True)
-    for row, cases, name in zip(
-        rows, (results.elastic, results.plastic), ("elastic", "elastic-plastic"), strict=True
-    ):
+    both: tuple[dict[str, Any], ...] = (results.elastic, results.plastic)
+    for row, cases, name in zip(rows, both, ("elastic", "elastic-plastic"), strict=True):
         for ax, kind in zip(row, NAMES, strict=True):
             case = cases[kind]
             stress, x, z = case.largest
@@ -373,7 +374,9 @@ def stresses(results: Results) -> Picture:
     )
 
 
-def panel(ax: Axes, x: np.ndarray, z: np.ndarray, field: np.ndarray, colours: str, title: str):
+def panel(
+    ax: Axes, x: np.ndarray, z: np.ndarray, field: np.ndarray, colours: str, title: str
+) -> Any:
     shown = ax.contourf(x / HERTZ.a, z / HERTZ.a, field.T, levels=12, cmap=colours)
     ax.set(xlim=(-1.7, 1.7), ylim=(1.15, 0), aspect="equal", xlabel="x/a")
     ax.set_title(title, fontsize="medium")

@@ -265,7 +265,7 @@ def laws() -> Picture:
         flat = sc.Material.linear_hardening(STEEL_52100.E, 0.3, MICRO_YIELD, slope * STEEL_52100.E)
         ax.plot(100 * strain, flat.uniaxial_stress(strain) * 1e-9, label=f"{slope:g}")
     finish(ax, "strain [%]", "stress [GPa]")
-    ax.get_legend().set_title("E_t / E")
+    ax.legend(fontsize="small", title="E_t / E")
     return Picture(
         "rolling_two_bodies_laws", "Figure 3.30: laws of linear hardening, in tension.", figure
     )

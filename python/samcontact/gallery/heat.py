@@ -486,7 +486,9 @@ def stated_stress(results: Results) -> list[Number | Statement]:
     return entries
 
 
-def depths(name: str, thesis: tuple[int, ...], found: list[float], mesh: str, remark: str = ""):
+def depths(
+    name: str, thesis: tuple[int, ...], found: list[float], mesh: str, remark: str = ""
+) -> Statement:
     ours = [1e6 * value for value in found]
     return Statement(
         f"depth of these stresses, {name}, Q_f = 0, 0.05, 0.12, 0.20 m/s",

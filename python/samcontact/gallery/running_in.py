@@ -27,7 +27,7 @@ y = 12.5 µm.
 """
 
 LOAD, AMPLITUDE, WAVELENGTH = 30.0, 0.5e-6, 50e-6
-FILTER = {"window": 5, "order": 1}
+WINDOW, ORDER = 5, 1
 CREST = 0.25 * WAVELENGTH
 STATED_CYCLES = 7
 CYCLES_NOTE = (
@@ -65,7 +65,8 @@ def compute(quick: bool) -> Results:
         cycle=sc.paths.load_unload(load=LOAD, increments=1 if quick else 4, unload_increments=1),
         threshold=THRESHOLD,
         cycles=30,
-        **FILTER,
+        window=WINDOW,
+        order=ORDER,
         friction=FRICTION,
         relief2=sc.Relief(sc.surfaces.sinusoidal(grid, AMPLITUDE, WAVELENGTH, WAVELENGTH)),
         progress=False,

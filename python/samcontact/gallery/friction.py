@@ -25,7 +25,7 @@ pressure of 5.05 GPa needs 10 mm, which is what the start of the section says. a
 contact radius at the largest load.
 """
 
-FEM = Path(__file__).parents[1] / "tests" / "data" / "fem" / "2a"
+FEM = Path(__file__).parent / "fem" / "2a"
 RADIUS = 10e-3
 RIGID = sc.Material.rigid()
 ELASTIC = sc.Material.elastic(210e9, 0.3)
@@ -279,9 +279,9 @@ def stated_rigid(results: Results) -> list[Number | Statement]:
             remark="Hertz pressure with the shear µp, `samcontact.critical.onset_sliding`.",
         ),
     ]  # fmt: skip
-    cases = (results.elastic[0.0], results.plastic[0.0])
-    top = [float(case.pressure.max()) * 1e-9 for case in cases]
-    edge = [contact_radius(case.x / a, case.pressure) for case in cases]
+    both: tuple[Elastic, Plastic] = (results.elastic[0.0], results.plastic[0.0])
+    top = [float(case.pressure.max()) * 1e-9 for case in both]
+    edge = [contact_radius(case.x / a, case.pressure) for case in both]
     fem_pressure, fem_axis = read_fem("pressure_r"), read_fem("axis_loaded")
     ours = results.plastic[0.0]
     inside = (ours.x > 0) & (ours.x < 0.9 * a)
@@ -328,7 +328,7 @@ def bound(mu: float, pressure: float) -> float:
     The von Mises stress is at least sqrt(3) µp there, and must not exceed the yield stress.
     """
     B, C, n = (M50.parameters[name] for name in "BCn")
-    return max(0.0, (math.sqrt(3) * mu * pressure / B) ** (1 / n) - C) * 1e-6
+    return max(0.0, float((math.sqrt(3) * mu * pressure / B) ** (1 / n)) - C) * 1e-6
 
 
 def stated_elastic_ball(results: Results) -> list[Number | Statement]:

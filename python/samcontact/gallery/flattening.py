@@ -49,7 +49,7 @@ RANGES = (1.0, 4.0, 14.0, 40.0, 110.0)
 SMALL, LARGE = (2.0, 4.0, 6.0, 8.0, 11.0), (12.0, 20.0, 40.0, 70.0, 110.0)
 COMPARED = (2.0, 4.0, 6.0, 10.0, 20.0, 30.0)
 FRICTION = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5)
-FEM = Path(__file__).parents[1] / "tests" / "data" / "fem" / "2d" / "load_displacement.csv"
+FEM = Path(__file__).parent / "fem" / "2d" / "load_displacement.csv"
 REACHED = 5.0
 """Mesh study of the interference at which the zone reaches the surface, see `stated`."""
 

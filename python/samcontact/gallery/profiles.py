@@ -11,7 +11,8 @@ def von_mises(stress: np.ndarray) -> np.ndarray:
     """Of a tensor xx, yy, zz, yz, xz, xy, shape (6, ...)."""
     xx, yy, zz, yz, xz, xy = stress
     normal = 0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2)
-    return np.sqrt(normal + 3 * (yz**2 + xz**2 + xy**2))
+    equivalent: np.ndarray = np.sqrt(normal + 3 * (yz**2 + xz**2 + xy**2))
+    return equivalent
 
 
 def succession(values: np.ndarray, negligible: float) -> list[str]:
