@@ -52,7 +52,7 @@ class ContactSolution:
         All transforms of the solve, those of the preconditioner, of its cheap displacements and of
         coarser grids included, in units of one exact displacement [-].
     error : float
-        Largest violation of p >= 0, g >= 0, p g = 0: max |min(p/max p, g/max u)| [-].
+        Largest violation of p >= 0, g >= 0, p g = 0: largest size of min(p/max p, g/max u) [-].
     converged : bool
         Whether error <= tol (a solve that is not raises ConvergenceError).
     """

@@ -151,7 +151,7 @@ def onset(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSp
     Returns
     -------
     CriticalSphere
-        With 1/C = max over z of |sigma_zz - sigma_rr| / p0, Johnson (1985), (3.45).
+        With 1/C = (sigma_rr - sigma_zz)/p0 where it is largest, Johnson (1985), (3.45).
     """
     return _sphere(R, E_star, 1.0 / point_max_von_mises(nu)[0], yield_stress)
 

@@ -66,7 +66,7 @@ def partition(
     -------
     float
         beta in (0, 1): the maximum of a parabolic source is taken as proportional to
-        1/(k sqrt(1.273 + Pe)), Pe = |V| a/(2 kappa). X. Tian, F. E. Kennedy, J. Tribol. 116 (1994)
+        1/(k sqrt(1.273 + Pe)), Pe = V a/(2 kappa). X. Tian, F. E. Kennedy, J. Tribol. 116 (1994)
         167-174, doi:10.1115/1.2927035; without motion Charron's k2/(k1 + k2).
 
     Raises

@@ -185,7 +185,7 @@ def cycle_panels(
     position : float
         Value of y [m]; the nearest row of cells is shown.
     width, depth : float, optional
-        What is shown [m]: |x| up to `width`, z down to `depth`; default the whole grid.
+        What is shown [m]: x from -`width` to `width`, z down to `depth`; default the whole grid.
 
     Returns
     -------
