@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._heating import pair
-from .checkpoint import read_checkpoint
+from .checkpoint import read_checkpoint, write_checkpoint
 
 if TYPE_CHECKING:
     from .simulation import Simulation
@@ -63,9 +63,9 @@ class Journal:
         self.count += 1
         return self.simulation.state
 
-    def add(self) -> None:
-        """Keep the simulation as it stands after a new increment."""
-        self.simulation.save(self._file(self.count + 1))
+    def add(self, state: State | None = None) -> None:
+        """Keep the simulation after a new increment: as it stands, or an earlier state of it."""
+        write_checkpoint(self._file(self.count + 1), self.simulation, state)
         self.count += 1
 
     def _file(self, number: int) -> Path:
@@ -82,7 +82,7 @@ class Journal:
         if mark.exists():
             if mark.read_text(encoding="utf-8") != description:
                 raise self._foreign()
-        elif any(self.folder.iterdir()):
+        elif any(self.folder.glob("*.h5")):
             raise self._foreign()
         else:
             part = self.folder.parent / f".{self.folder.name}.part"

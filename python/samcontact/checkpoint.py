@@ -22,6 +22,7 @@ from .softening import JohnsonCook
 
 if TYPE_CHECKING:
     from .simulation import Simulation
+    from .state import State
 
 Softening = tuple[Callable[[FloatArray], Any] | None, Callable[[FloatArray], Any] | None]
 _FORMAT = "samcontact checkpoint"
@@ -44,14 +45,19 @@ class CheckpointError(ValueError):
     """The file is no checkpoint of this package, or it is damaged."""
 
 
-def write_checkpoint(path: str | os.PathLike[str], simulation: Simulation) -> None:
-    """Write to a temporary file beside `path`, then replace: a failure leaves the old file."""
+def write_checkpoint(
+    path: str | os.PathLike[str], simulation: Simulation, state: State | None = None
+) -> None:
+    """Write to a temporary file beside `path`, then replace: a failure leaves the old file.
+
+    state: an earlier one of the simulation, instead of the present one.
+    """
     target = Path(path)
     handle, name = tempfile.mkstemp(prefix=target.name, suffix=".part", dir=target.parent)
     os.close(handle)
     try:
         with h5py.File(name, "w") as file:
-            _write(file, simulation)
+            _write(file, simulation, state)
         with open(name, "rb") as written:
             os.fsync(written.fileno())
         os.replace(name, target)
@@ -60,7 +66,7 @@ def write_checkpoint(path: str | os.PathLike[str], simulation: Simulation) -> No
         raise
 
 
-def _write(file: h5py.File, simulation: Simulation) -> None:
+def _write(file: h5py.File, simulation: Simulation, earlier: State | None = None) -> None:
     file.attrs.update(
         format=_FORMAT, format_version=_FORMAT_VERSION, samcontact_version=_core.version
     )
@@ -99,7 +105,7 @@ def _write(file: h5py.File, simulation: Simulation) -> None:
         if relief is not None:
             _dataset(file, name, relief.heights)
             file[name].attrs.update(first=relief.first, periodic=relief.periodic)
-    core = simulation._core.state
+    core = simulation._core.state if earlier is None else earlier._core
     state = file.create_group("state")
     state.attrs.update({name: getattr(core, name) for name in _SCALARS})
     for name in _SURFACE:

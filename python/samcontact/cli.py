@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The command ``samcontact``: run case files, print Hertz values.
 
-Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad input.
+Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad input,
+130 interrupted.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 import numpy as np
@@ -31,6 +32,7 @@ __all__ = ["main"]
 
 BAD_INPUT = 2
 FAILED = 1
+INTERRUPTED = 130
 MOST_FRAMES = 120  # of an animation
 
 
@@ -100,17 +102,19 @@ def run(
 
         case = load_case(case_file)
         directory = case.output_directory if output is None else output
-        checkpoints = directory / "checkpoints" if resume else None
         console = Console(quiet=quiet)
         if isinstance(case, TuggingCase) or case.wear is not None:
             section = "tugging" if isinstance(case, TuggingCase) else "wear"
             if animate:
                 raise ValueError(f"--animate is not for a case with [{section}]")
-            directory.mkdir(parents=True, exist_ok=True)
+            # their checkpoints cost little
+            checkpoints = _folder_of_checkpoints(directory, case)
             console.print(case.title, style="bold", markup=False, highlight=False)
-            _finish(
-                _solve_study(case, directory, checkpoints, console, not no_figures), checkpoints
-            )
+            try:
+                written = _solve_study(case, directory, checkpoints, console, not no_figures)
+            except KeyboardInterrupt:
+                _say_how_to_resume(directory)
+            _finish(written, checkpoints)
             return
         if animate and not (case.moves and case.grid.nz > 0):
             raise ValueError("--animate needs a path that moves a body, and a grid with layers")
@@ -118,7 +122,16 @@ def run(
         # before the computation: a directory that cannot be made must not cost a run
         directory.mkdir(parents=True, exist_ok=True)
         console.print(case.title, style="bold", markup=False, highlight=False)
-        states = simulation.run(path, progress=not quiet, checkpoint=checkpoints)
+        kept = _folder_of_checkpoints(directory, case) if resume else None
+        try:
+            states = simulation.run(path, progress=not quiet, checkpoint=kept)
+        except KeyboardInterrupt as stop:
+            if kept is None:
+                from ._interrupt import keep_states
+
+                kept = _folder_of_checkpoints(directory, case)
+                keep_states(kept, simulation, path, getattr(stop, "states", ()))
+            _say_how_to_resume(directory)
         dataset = results.to_dataset(simulation, states, case)
         written = [results.save(dataset, directory / "results.nc")]
         console.print(_summary(dataset, case.output.body))
@@ -139,7 +152,35 @@ def run(
             shown = states[:: math.ceil(len(states) / MOST_FRAMES)]
             animation = rolling_animation(shown, body=case.output.body)
             written.append(save_animation(animation, directory / "rolling.gif"))
-        _finish(written, checkpoints)
+        _finish(written, kept)
+
+
+def _folder_of_checkpoints(directory: Path, case: Case | TuggingCase) -> Path:
+    from ._interrupt import remember_case
+
+    return remember_case(directory, case)
+
+
+def _say_how_to_resume(directory: Path) -> NoReturn:
+    click.echo(f"interrupted: go on with\n  samcontact resume {directory}", err=True)
+    raise SystemExit(INTERRUPTED)
+
+
+@main.command()
+@click.argument("directory", type=click.Path(path_type=Path))
+@click.option("--no-figures", is_flag=True, help="Write no figures.")
+@click.option("--quiet", is_flag=True, help="Print the paths of the results only.")
+@click.pass_context
+def resume(context: click.Context, directory: Path, no_figures: bool, quiet: bool) -> None:
+    """Go on with a run that was interrupted, from the directory of its results."""
+    with _short_errors():
+        from ._interrupt import interrupted_case
+
+        file = interrupted_case(directory)
+    context.invoke(
+        run, case_file=file, output=directory, no_figures=no_figures, animate=False, resume=True,
+        quiet=quiet,
+    )  # fmt: skip
 
 
 def _solve_study(

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -37,6 +38,23 @@ __all__ = ["CheckpointError", "PlasticStrainWarning", "Simulation"]
 
 SMALL_STRAIN = 0.05
 """Equivalent plastic strain sqrt(2/3 e:e) up to which small-strain theory is trusted [-]."""
+
+
+_logger = logging.getLogger("samcontact")
+
+
+def _log(state: State, number: int, count: int) -> None:
+    """One increment of a run."""
+    if not _logger.isEnabledFor(logging.INFO):
+        return
+    _logger.info(
+        "increment %d of %d: load %.6g N, approach %.6g m, largest pressure %.6g Pa",
+        number, count, state.load, state.approach, state.pressure.max(),
+    )  # fmt: skip
+    _logger.debug(
+        "increment %d: %d plastic and %d contact iterations in %d parts, residual %.2g",
+        number, state.iterations, state.contact_iterations, state.substeps, state.plastic_residual,
+    )  # fmt: skip
 
 
 class PlasticStrainWarning(UserWarning):
@@ -339,8 +357,9 @@ class Simulation:
         Returns
         -------
         list of State
-            One per increment. When an increment fails, its error is raised with those before it in
-            the attribute `states`, and the simulation stands at the last good one.
+            One per increment. When an increment fails or is interrupted (Ctrl-C), the error is
+            raised with those before it in the attribute `states`, and the simulation stands at the
+            last good one. The logger "samcontact" tells each (INFO) and its iterations (DEBUG).
 
         Raises
         ------
@@ -358,10 +377,14 @@ class Simulation:
                         if journal:
                             journal.add()
                     states.append(state)
-                except Exception as error:
+                except BaseException as error:  # Ctrl-C too
                     error.states = states  # type: ignore[attr-defined]
                     raise
-                bar.set_postfix(iterations=states[-1].iterations)
+                _log(states[-1], len(states), len(steps))
+                if not bar.disable:
+                    bar.set_postfix(
+                        iterations=states[-1].iterations, plastic_cells=states[-1].plastic_cells()
+                    )
         return states
 
     @property

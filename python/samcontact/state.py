@@ -157,6 +157,14 @@ class State:
         """Mean normal stress [Pa], shape (nx, ny, nz)."""
         return self._field("hydrostatic", body)
 
+    def plastic_cells(self) -> int:
+        """How many cells of both bodies have yielded so far, on their whole tracks."""
+        bodies = (body for body in (1, 2) if self.max_equivalent_plastic_strain(body) > 0)
+        return sum(
+            int(np.count_nonzero(self.track(body, margin=0).equivalent_plastic_strain()))
+            for body in bodies
+        )
+
     def plastic_strain(self, body: int = 2) -> FloatArray:
         """Plastic strain [-], tensor components, shape (6, nx, ny, nz)."""
         return self._field("plastic_strain", body)

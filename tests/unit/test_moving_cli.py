@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The command with cases that move: figures, animation, and going on after being killed."""
 
+import logging
 import signal
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from test_cli import check_failure, invoke
 from test_moving_cases import MOVING
 
 from samcontact import cli, results
+from samcontact.cases import load_case
 
 
 @pytest.fixture
@@ -59,9 +61,9 @@ import os, signal, sys
 from samcontact import Simulation, checkpoint
 from samcontact.cli import main
 write, count = checkpoint._write, 0
-def counted(file, simulation):
+def counted(file, *arguments):
     global count
-    write(file, simulation)
+    write(file, *arguments)
     count += 1
     if count == int(sys.argv[1]):
         file.flush()
@@ -117,6 +119,7 @@ class TestForeignCheckpoints:
             assert invoke(*self.command(case_file, tmp_path)).exit_code != 0
         found = tmp_path / "out" / "checkpoints"
         assert sorted(path.name for path in found.iterdir()) == [
+            "case.txt",
             "increment_00001.h5",
             "run.txt",
         ]
@@ -151,3 +154,58 @@ def test_heights_that_changed_are_another_run(case_file, tmp_path, monkeypatch):
         check_failure(invoke(*command), 1, "disk full")
     np.save(tmp_path / "h.npy", np.full((3, 13), 1e-9))
     check_failure(invoke(*command), 2, "of another run")
+
+
+INTERRUPTED = """
+import os, signal, sys
+from samcontact import Simulation
+from samcontact.cli import main
+step, count = Simulation.step, 0
+def counted(self, **arguments):
+    global count
+    if count == 4:
+        os.kill(os.getpid(), signal.SIGINT)
+    count += 1
+    return step(self, **arguments)
+Simulation.step = counted
+main(sys.argv[1:])
+"""
+
+
+def test_ctrl_c_says_how_to_go_on(case_file, tmp_path):
+    plain, stopped = tmp_path / "plain", tmp_path / "stopped"
+    options = ("--no-figures", "--quiet")
+    assert invoke("run", case_file, "--output", plain, *options).exit_code == 0
+    command = [sys.executable, "-c", INTERRUPTED, "run", str(case_file)]
+    ended = subprocess.run(
+        [*command, "--output", str(stopped), *options], capture_output=True, text=True, check=False
+    )
+    assert ended.returncode == 130
+    assert f"samcontact resume {stopped}" in ended.stderr
+    assert len(list((stopped / "checkpoints").glob("*.h5"))) == 4
+    outcome = invoke("resume", stopped, *options)
+    assert outcome.exit_code == 0, outcome.output
+    assert [path.name for path in stopped.iterdir()] == ["results.nc"]
+    xr.testing.assert_identical(fields(stopped), fields(plain))
+    check_failure(invoke("resume", stopped), 2, "has no interrupted run")
+
+
+def test_resume_refuses_a_case_that_changed(case_file, tmp_path):
+    folder = tmp_path / "out" / "checkpoints"
+    folder.mkdir(parents=True)
+    (folder / "case.txt").write_text(f"{case_file}\n{MOVING}")
+    case_file.write_text(MOVING.replace("600.0", "500.0"))
+    check_failure(
+        invoke("resume", tmp_path / "out"), 2, "is not the case file that was interrupted"
+    )
+
+
+def test_a_run_tells_its_increments(case_file, caplog):
+    simulation, path = load_case(case_file).build()
+    with caplog.at_level(logging.DEBUG, logger="samcontact"):
+        states = simulation.run(path[:2], progress=False)
+    told = [record.getMessage() for record in caplog.records]
+    assert told[0].startswith(f"increment 1 of 2: load {states[0].load:.6g} N")
+    assert f"{states[1].contact_iterations} contact iterations" in told[3]
+    strain = states[1].track(margin=0).equivalent_plastic_strain()
+    assert states[1].plastic_cells() == (strain > 0).sum() > 0

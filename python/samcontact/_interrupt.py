@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the command keeps of a run that is interrupted, and finds again to go on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ._journal import Journal
+
+if TYPE_CHECKING:
+    from ._case_base import CaseFile
+    from .simulation import Simulation
+    from .state import State
+
+FOLDER = "checkpoints"
+CASE = "case.txt"
+
+
+def remember_case(directory: Path, case: CaseFile) -> Path:
+    """Leave where the case came from, and its text, beside its checkpoints; their folder."""
+    folder = directory / FOLDER
+    folder.mkdir(parents=True, exist_ok=True)
+    text = f"{case.source.resolve()}\n{case.text}"
+    (folder / CASE).write_text(text, encoding="utf-8")
+    return folder
+
+
+def keep_states(
+    folder: Path, simulation: Simulation, path: list[dict[str, Any]], states: Sequence[State]
+) -> None:
+    """Write the increments that a run had done, where a journal has not."""
+    journal = Journal(folder, simulation, path)
+    for state in states:
+        journal.add(state)
+
+
+def interrupted_case(directory: Path) -> Path:
+    """The case file of the run that was interrupted in a directory.
+
+    Raises ValueError when there is none, or when the case file is no longer what it was.
+    """
+    mark = directory / FOLDER / CASE
+    if not mark.exists():
+        raise ValueError(f"{directory} has no interrupted run: there is no {mark}")
+    name, _, text = mark.read_text(encoding="utf-8").partition("\n")
+    file = Path(name)
+    if not file.exists() or file.read_text(encoding="utf-8") != text:
+        raise ValueError(
+            f"{file} is not the case file that was interrupted any more: run it anew, or restore it"
+        )
+    return file
