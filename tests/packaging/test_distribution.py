@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What users install: the source distribution builds; recipes say what pyproject.toml says."""
+
+import re
+import subprocess
+import sys
+import tarfile
+from pathlib import Path
+
+import pytest
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+ROOT = Path(__file__).parents[2]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
+
+
+def test_the_conda_recipe_is_of_this_version_and_its_dependencies():
+    recipe = (ROOT / "packaging" / "conda" / "meta.yaml").read_text()
+    assert f'version = "{PROJECT["project"]["version"]}"' in recipe
+    run = recipe.partition("  run:\n")[2].partition("\ntest:")[0]
+    found = dict(re.findall(r"- ([\w-]+) >=([\d.]+)", run))
+    found["matplotlib"] = found.pop("matplotlib-base")
+    assert found.pop("python") == PROJECT["project"]["requires-python"].removeprefix(">=")
+    wanted = {}
+    for requirement in PROJECT["project"]["dependencies"]:
+        name, version = re.match(r"([\w-]+)>=([\d.]+)", requirement).groups()
+        wanted[name] = version
+    assert found == wanted
+
+
+def test_wheels_are_for_the_supported_versions():
+    builds = PROJECT["tool"]["cibuildwheel"]["build"].split()
+    lowest = PROJECT["project"]["requires-python"].removeprefix(">=").replace(".", "")
+    assert builds[0] == f"cp{lowest}-*"
+
+
+@pytest.mark.slow
+def test_the_source_distribution_builds_and_works(tmp_path):
+    def call(*command):
+        subprocess.run([str(part) for part in command], check=True, cwd=tmp_path)
+
+    call(sys.executable, "-m", "build", "--sdist", "--outdir", tmp_path, ROOT)
+    (archive,) = tmp_path.glob("*.tar.gz")
+    with tarfile.open(archive) as files:
+        names = files.getnames()
+    assert any(name.endswith("cpp/src/simulation/simulation.cpp") for name in names)
+    assert not any(name.endswith((".so", ".pyc")) for name in names)
+    call(sys.executable, "-m", "venv", tmp_path / "venv")
+    python = tmp_path / "venv" / "bin" / "python"
+    call(python, "-m", "pip", "install", "--quiet", archive)
+    call(python, "-m", "samcontact", "gallery", "--list")
+    call(python, "-c", "import samcontact as sc; sc.critical.green(0.5, 1e11, 0.3, 1e9)")
