@@ -6,6 +6,7 @@ from . import _load_core  # noqa: F401  (before anything that needs the core)
 # isort: split
 from . import (
     asperities,
+    bearings,
     critical,
     dents,
     energy,
@@ -45,6 +46,7 @@ __all__ = [
     "Track",
     "__version__",
     "asperities",
+    "bearings",
     "critical",
     "dents",
     "energy",
