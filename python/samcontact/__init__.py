@@ -15,10 +15,12 @@ from . import (
     heat_kernels,
     hertz,
     kernels,
+    measured,
     operators,
     paths,
     softening,
     surfaces,
+    units,
 )
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
@@ -55,8 +57,10 @@ __all__ = [
     "heat_kernels",
     "hertz",
     "kernels",
+    "measured",
     "operators",
     "paths",
     "softening",
     "surfaces",
+    "units",
 ]
