@@ -138,8 +138,9 @@ class MeasuredSurface:
             return self
         if count > MANY_UNDEFINED * self.heights.size:
             share = 100.0 * count / self.heights.size
+            source = f" of {self.attrs['source']}" if "source" in self.attrs else ""
             warnings.warn(
-                f"{share:.1f} % of the measured points are undefined and were interpolated",
+                f"{share:.1f} % of the measured points{source} are undefined and were interpolated",
                 stacklevel=2,
             )
         heights = self._topography().interpolate_undefined_data().heights()

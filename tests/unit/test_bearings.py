@@ -135,7 +135,7 @@ def test_load_zone_is_in_equilibrium_with_many_balls(radial):
     assert zone.half_angle == pytest.approx(edge, rel=1e-4)
 
 
-def test_pure_thrust_is_shared():
+def test_pure_thrust_loads_all_balls_alike():
     zone = bearings.load_zone(0.0, 800.0, 16, math.pi / 6)
     assert (zone.max_load, zone.epsilon) == (pytest.approx(100.0, rel=1e-13), math.inf)
     assert zone.load(2.0) == zone.max_load
