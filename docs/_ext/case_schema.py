@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
@@ -45,6 +46,17 @@ def limits(metadata: Any) -> str:
     return " " + ", ".join(dict.fromkeys(found)) if found else ""
 
 
+def units(parts: Any) -> set[str]:
+    """SI units among the constraints of a field, or of its parts."""
+    found = set()
+    for part in parts:
+        convert = getattr(part, "func", None)
+        if isinstance(convert, partial) and "unit" in convert.keywords:
+            found.add(convert.keywords["unit"])
+        found |= units(get_args(part))
+    return found
+
+
 def models_in(annotation: Any) -> list[type[BaseModel]]:
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return [annotation]
@@ -65,10 +77,12 @@ def default(field: Any) -> str:
 def table(model: type[BaseModel]) -> list[str]:
     """Markdown of one model."""
     first = (model.__doc__ or "").strip().splitlines()[0]
-    lines = [f"## {model.__name__}", "", first, "", "| field | kind | default |", "|---|---|---|"]
+    lines = [f"## {model.__name__}", "", first, "", "| field | unit | kind | default |"]
+    lines.append("|---|---|---|---|")
     for name, field in model.model_fields.items():
         said = kind(field.annotation) + limits(field.metadata)
-        lines.append(f"| {name} | {said} | {default(field)} |")
+        unit = ", ".join(sorted(units((field.annotation, *field.metadata))))
+        lines.append(f"| {name} | {unit} | {said} | {default(field)} |")
     return [*lines, ""]
 
 

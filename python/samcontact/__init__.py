@@ -6,6 +6,7 @@ from . import _load_core  # noqa: F401  (before anything that needs the core)
 # isort: split
 from . import (
     asperities,
+    bearings,
     critical,
     dents,
     energy,
@@ -14,10 +15,12 @@ from . import (
     heat_kernels,
     hertz,
     kernels,
+    measured,
     operators,
     paths,
     softening,
     surfaces,
+    units,
     wear,
 )
 from ._core import ConvergenceError, GridTooSmallError
@@ -46,6 +49,7 @@ __all__ = [
     "Track",
     "__version__",
     "asperities",
+    "bearings",
     "critical",
     "dents",
     "energy",
@@ -54,9 +58,11 @@ __all__ = [
     "heat_kernels",
     "hertz",
     "kernels",
+    "measured",
     "operators",
     "paths",
     "softening",
     "surfaces",
+    "units",
     "wear",
 ]

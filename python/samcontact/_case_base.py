@@ -1,33 +1,52 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the sections of a case file share: strict models, kinds of numbers, files of heights."""
+"""What the sections of a case file share: strict models, numbers with units, files of heights."""
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-import numpy as np
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, PrivateAttr
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PrivateAttr
 
+from . import measured
 from ._checks import FloatArray
+from .units import from_text
 
 
-def _known_format(value: str) -> str:
-    if Path(value).suffix.lower() not in (".npy", ".txt", ".csv", ".dat"):
-        raise ValueError(f"must end in .npy, .txt, .dat or .csv, got {value!r}")
-    return value
+def convert(value: Any, unit: str) -> Any:
+    """The value with all texts in it, also within lists, as numbers in the unit."""
+    if isinstance(value, list):
+        return [convert(item, unit) for item in value]
+    if not isinstance(value, str):
+        return value
+    try:
+        return from_text(value, unit)
+    except ImportError as error:  # pydantic collects errors of value only
+        raise ValueError(f"{error}; got {value!r}") from error
+
+
+def in_unit(name: str) -> BeforeValidator:
+    """Marks a field by its SI unit, to which texts such as "25 um" are converted."""
+    return BeforeValidator(partial(convert, unit=name))
 
 
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
-Radius = Annotated[float, Field(gt=0.0)]  # inf is straight
+Radius = Annotated[float, Field(gt=0.0), in_unit("m")]  # inf is straight
 NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Poisson = Annotated[float, Field(ge=0.0, lt=0.5)]
+Length = Annotated[Positive, in_unit("m")]
+Position = Annotated[Finite, in_unit("m")]
+Stress = Annotated[Positive, in_unit("Pa")]
 Count = Annotated[int, Field(ge=1)]
 Pair = Annotated[list[Finite], Field(min_length=2, max_length=2)]
-HeatFactor = NonNegative | Annotated[list[NonNegative], Field(min_length=2, max_length=2)]
-Velocity = Pair | Annotated[list[Pair], Field(min_length=2, max_length=2)]
-HeightsFile = Annotated[str, AfterValidator(_known_format)]
+HeatFactor = Annotated[
+    NonNegative | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], in_unit("m/s")
+]
+Velocity = Annotated[
+    Pair | Annotated[list[Pair], Field(min_length=2, max_length=2)], in_unit("m/s")
+]
 
 
 class CaseError(ValueError):
@@ -70,14 +89,43 @@ class CaseFile(Section):
         return Path(self.output.directory or Path("results") / self._source.stem)
 
 
-def read_heights(path: Path) -> FloatArray:
-    """Rows of heights from a file; a ValueError that names the path where it cannot be read."""
-    try:
-        if path.suffix.lower() == ".npy":
-            heights: Any = np.load(path, allow_pickle=False)
-        else:
-            delimiter = "," if path.suffix.lower() == ".csv" else None
-            heights = np.loadtxt(path, delimiter=delimiter, ndmin=2)
-    except (OSError, ValueError) as error:
-        raise ValueError(f"path: cannot read heights from {path}: {error}") from error
-    return np.asarray(heights)
+class HeightsFile(Section):
+    """Heights of a body from a file: plain rows on the grid's cells, or a measured surface."""
+
+    path: Annotated[str, Field(min_length=1)]
+    channel: int | str | None = None
+    detrend: Literal["none", "center", "height", "slope", "curvature"] | None = None
+    unit: str | None = None
+    dx: Length | None = None
+    dy: Length | None = None
+    y: Position | None = None
+    mirror: Literal["x", "y"] | None = None
+    method: Literal["cubic", "linear"] | None = None
+    average: bool | None = None
+    fill: Position | None = None
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is an array for exactly the cells of the grid."""
+        fields = self.model_fields_set & set(HeightsFile.model_fields) - {"path"}
+        return Path(self.path).suffix.lower() in measured.PLAIN_FORMATS and not fields
+
+    def plain(self, folder: Path) -> FloatArray:
+        return measured.plain_heights(folder / self.path)
+
+    def surface(self, folder: Path) -> measured.MeasuredSurface:
+        trend = "center" if self.detrend is None else self.detrend
+        surface = measured.read(
+            folder / self.path,
+            channel=self.channel,
+            detrend=None if trend == "none" else trend,
+            dx=self.dx,
+            dy=self.dy,
+            unit=self.unit,
+        )
+        return surface if self.mirror is None else surface.mirrored(self.mirror)
+
+    def placement(self) -> dict[str, Any]:
+        """Arguments of `MeasuredSurface.on` and `MeasuredSurface.relief`, besides x."""
+        names = ("y", "method", "average", "fill")
+        return {n: getattr(self, n) for n in names if getattr(self, n) is not None}

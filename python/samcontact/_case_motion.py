@@ -14,11 +14,14 @@ from ._case_base import (
     Finite,
     HeatFactor,
     HeightsFile,
+    Length,
     NonNegative,
     Pair,
+    Position,
     Positive,
     Section,
-    read_heights,
+    convert,
+    in_unit,
 )
 from ._case_sections import SelfAffineRoughness
 from .relief import Relief
@@ -28,12 +31,12 @@ if TYPE_CHECKING:
 
 
 class _Passes(Section):
-    distance: Finite
-    step: Positive
+    distance: Position
+    step: Length
     passes: Count = 1
     unload_increments: Count | None = None
     back_and_forth: bool = False
-    speed: Positive | None = None
+    speed: Annotated[Positive, in_unit("m/s")] | None = None
 
     @model_validator(mode="after")
     def _moves(self) -> _Passes:
@@ -57,17 +60,28 @@ class Sliding(_Passes):
 class Segment(Section):
     """[[path]]: a ramp from the value reached so far to this one, or passes at this one."""
 
-    load: NonNegative | None = None
-    approach: Finite | None = None
+    load: Annotated[NonNegative, in_unit("N")] | None = None
+    approach: Position | None = None
     increments: Count = 10
     start: Finite | None = None
     spacing: Literal["linear", "power"] = "linear"
     exponent: Positive = 2.0
-    advance: Pair | None = None
+    advance: Annotated[Pair, in_unit("m")] | None = None
     roll: Rolling | None = None
     slide: Sliding | None = None
-    duration: Positive | None = None
+    duration: Annotated[Positive, in_unit("s")] | None = None
     heat_factor: HeatFactor | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _start_in_its_unit(cls, data: Any) -> Any:
+        """Convert a start with a unit, which depends on what the segment changes."""
+        if not isinstance(data, dict) or not isinstance(data.get("start"), str):
+            return data
+        try:
+            return data | {"start": convert(data["start"], "N" if "load" in data else "m")}
+        except ValueError as error:
+            raise ValueError(f"start {error}") from error
 
     @model_validator(mode="after")
     def _one_target(self) -> Segment:
@@ -140,16 +154,18 @@ class Segment(Section):
         return ramp, (name, target)
 
 
-class FileRelief(Section):
+class FileRelief(HeightsFile):
     """Heights out of the body from a file: any number of rows along x, ny values each."""
 
     kind: Literal["file"]
-    path: HeightsFile
-    x: Finite = 0.0
+    x: Position = 0.0
     periodic: bool = False
 
     def build(self, grid: Grid, folder: Path) -> Relief:
-        heights = read_heights(folder / self.path)
+        if not self.is_plain:
+            surface = self.surface(folder)
+            return surface.relief(grid, self.x, periodic=self.periodic, **self.placement())
+        heights = self.plain(folder)
         first = round(self.x / grid.dx + 0.5 * (grid.nx - heights.shape[0]))
         return Relief(heights, first, self.periodic)
 
@@ -158,10 +174,10 @@ class DentRelief(Section):
     """See `dents.spherical`."""
 
     kind: Literal["dent"]
-    depth: Finite
-    radius: Positive
-    x: Finite = 0.0
-    y: Finite = 0.0
+    depth: Position
+    radius: Length
+    x: Position = 0.0
+    y: Position = 0.0
 
     def build(self, grid: Grid, folder: Path) -> Relief:
         return dents.spherical(grid, self.depth, self.radius, self.x, self.y)
@@ -171,10 +187,10 @@ class FurrowRelief(Section):
     """See `dents.furrow`."""
 
     kind: Literal["furrow"]
-    depth: Finite
-    half_width: Positive
+    depth: Position
+    half_width: Length
     along: Literal["y", "x"] = "y"
-    position: Finite = 0.0
+    position: Position = 0.0
 
     def build(self, grid: Grid, folder: Path) -> Relief:
         return dents.furrow(grid, self.depth, self.half_width, self.along, self.position)
@@ -184,11 +200,11 @@ class RoughRelief(Section):
     """Random roughness, repeated along x over the length of the grid."""
 
     kind: Literal["self_affine"]
-    rms_height: NonNegative
+    rms_height: Annotated[NonNegative, in_unit("m")]
     hurst: Annotated[float, Field(ge=0.0, le=1.0)]
-    wavelength_min: Positive | None = None
-    wavelength_max: Positive | None = None
-    roll_off: Positive | None = None
+    wavelength_min: Length | None = None
+    wavelength_max: Length | None = None
+    roll_off: Length | None = None
     seed: Annotated[int, Field(ge=0)]
 
     def build(self, grid: Grid, folder: Path) -> Relief:

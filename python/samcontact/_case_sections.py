@@ -13,14 +13,17 @@ from ._case_base import (
     Count,
     HeatFactor,
     HeightsFile,
+    Length,
     NonNegative,
     OutputPlace,
     Poisson,
+    Position,
     Positive,
     Radius,
     Section,
+    Stress,
     Velocity,
-    read_heights,
+    in_unit,
 )
 from ._checks import FloatArray
 
@@ -34,10 +37,10 @@ class GridSection(Section):
 
     nx: Count
     ny: Count
-    dx: Positive
-    dy: Positive
+    dx: Length
+    dy: Length
     nz: Annotated[int, Field(ge=0)] = 0
-    dz: Positive | None = None
+    dz: Length | None = None
 
     @model_validator(mode="after")
     def _volume_is_complete(self) -> GridSection:
@@ -54,7 +57,7 @@ class GridSection(Section):
 class KinematicHardening(Section):
     """Moves the yield surface with the plastic strain, see `Material.with_kinematic_hardening`."""
 
-    modulus: Positive | list[Positive]
+    modulus: Annotated[Positive | list[Positive], in_unit("Pa")]
     recovery: NonNegative | list[NonNegative] = 0.0
 
     @model_validator(mode="after")
@@ -73,19 +76,19 @@ class KinematicHardening(Section):
 class ThermalConstants(Section):
     """Of a body that frictional heat enters, see `Material.with_thermal`."""
 
-    conductivity: Positive
-    expansion: NonNegative
-    diffusivity: Positive
+    conductivity: Annotated[Positive, in_unit("W/(m*K)")]
+    expansion: Annotated[NonNegative, in_unit("1/K")]
+    diffusivity: Annotated[Positive, in_unit("m**2/s")]
 
 
 class JohnsonCookSoftening(Section):
     """Yield stress that falls with the temperature, see `softening.JohnsonCook`."""
 
     kind: Literal["johnson_cook"]
-    melting: Positive
+    melting: Annotated[Positive, in_unit("K")]
     m: Positive
-    reference: NonNegative = 293.15
-    ambient: NonNegative = 293.15
+    reference: Annotated[NonNegative, in_unit("K")] = 293.15
+    ambient: Annotated[NonNegative, in_unit("K")] = 293.15
     floor: Annotated[float, Field(gt=0.0, le=1.0)] = 0.01
 
     @model_validator(mode="after")
@@ -134,7 +137,7 @@ class ElasticBody(_ElasticBody):
     """Linear elasticity."""
 
     law: Literal["elastic"]
-    E: Positive
+    E: Stress
     nu: Poisson
 
 
@@ -142,19 +145,19 @@ class PerfectPlasticBody(_PlasticBody):
     """Elastic, perfectly plastic."""
 
     law: Literal["perfect_plastic"]
-    E: Positive
+    E: Stress
     nu: Poisson
-    yield_stress: Positive
+    yield_stress: Stress
 
 
 class LinearHardeningBody(_PlasticBody):
     """Linear isotropic hardening; tangent modulus of the uniaxial curve."""
 
     law: Literal["linear_hardening"]
-    E: Positive
+    E: Stress
     nu: Poisson
-    yield_stress: Positive
-    tangent_modulus: NonNegative
+    yield_stress: Stress
+    tangent_modulus: Annotated[NonNegative, in_unit("Pa")]
 
     @model_validator(mode="after")
     def _tangent_below_E(self) -> LinearHardeningBody:
@@ -169,9 +172,9 @@ class SwiftBody(_PlasticBody):
     """Swift hardening B (C + 1e6 g)^n."""
 
     law: Literal["swift"]
-    E: Positive
+    E: Stress
     nu: Poisson
-    B: Positive
+    B: Stress
     C: Positive
     n: Annotated[float, Field(ge=0.0, le=1.0)]
 
@@ -186,9 +189,9 @@ class SinusoidalRoughness(Section):
     """A sin(2 pi x/lx) sin(2 pi y/ly)."""
 
     kind: Literal["sinusoidal"]
-    amplitude: NonNegative
-    wavelength_x: Positive
-    wavelength_y: Positive
+    amplitude: Annotated[NonNegative, in_unit("m")]
+    wavelength_x: Length
+    wavelength_y: Length
 
     def build(self, grid: Grid) -> FloatArray:
         return surfaces.sinusoidal(grid, self.amplitude, self.wavelength_x, self.wavelength_y)
@@ -198,11 +201,11 @@ class SelfAffineRoughness(Section):
     """Random roughness, see `surfaces.rough_self_affine`."""
 
     kind: Literal["self_affine"]
-    rms_height: NonNegative
+    rms_height: Annotated[NonNegative, in_unit("m")]
     hurst: Annotated[float, Field(ge=0.0, le=1.0)]
-    wavelength_min: Positive | None = None
-    wavelength_max: Positive | None = None
-    roll_off: Positive | None = None
+    wavelength_min: Length | None = None
+    wavelength_max: Length | None = None
+    roll_off: Length | None = None
     seed: Annotated[int, Field(ge=0)]
 
     def build(self, grid: Grid) -> FloatArray:
@@ -244,7 +247,7 @@ class SphereSurface(_Surface):
     """Exact sphere."""
 
     shape: Literal["sphere"]
-    R: Positive
+    R: Length
 
     def radii(self) -> tuple[float, float] | None:
         return self.R, self.R
@@ -257,18 +260,18 @@ class CylinderSurface(_Surface):
     """Exact circular cylinder."""
 
     shape: Literal["cylinder"]
-    R: Positive
+    R: Length
     axis: Literal["x", "y"] = "y"
 
     def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
         return surfaces.cylinder(grid, self.R, self.axis)
 
 
-class FileSurface(_Surface):
-    """Measured heights of body 2 (.npy or text, nx rows of ny values), under a paraboloid."""
+class FileSurface(_Surface, HeightsFile):
+    """Heights of body 2 from a file, under a paraboloid."""
 
     shape: Literal["file"]
-    path: HeightsFile
+    x: Position | None = None
     Rx: Radius | None = None
     Ry: Radius | None = None
 
@@ -279,7 +282,11 @@ class FileSurface(_Surface):
         return self
 
     def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
-        heights = read_heights(folder / self.path)
+        if self.is_plain and self.x is None:
+            heights = self.plain(folder)
+        else:
+            x = 0.0 if self.x is None else self.x
+            heights = self.surface(folder).on(grid, x, **self.placement())
         upper = None if self.Rx is None else surfaces.paraboloid(grid, self.Rx, self.Ry)
         return surfaces.from_heights(grid, heights, upper)
 
@@ -301,10 +308,12 @@ class ContactSection(Section):
     image_tol: Annotated[float, Field(ge=1e-6, le=0.1)] = 1e-3
     heat_factor: HeatFactor = 0.0
     velocity: Velocity | None = None
-    heating_time: Positive | None = None
-    heat_reference: Positive | None = None
-    heat_history: Annotated[list[Positive], Field(min_length=2, max_length=2)] | None = None
-    reach: NonNegative | None = None
+    heating_time: Annotated[Positive, in_unit("s")] | None = None
+    heat_reference: Length | None = None
+    heat_history: (
+        Annotated[list[Positive], Field(min_length=2, max_length=2), in_unit("s")] | None
+    ) = None
+    reach: Annotated[NonNegative, in_unit("m")] | None = None
 
     @model_validator(mode="after")
     def _one_time(self) -> ContactSection:

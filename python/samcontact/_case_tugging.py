@@ -8,7 +8,17 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from ._case_base import CaseError, CaseFile, Count, NonNegative, OutputPlace, Positive, Section
+from ._case_base import (
+    CaseError,
+    CaseFile,
+    Count,
+    Length,
+    NonNegative,
+    OutputPlace,
+    Positive,
+    Section,
+    in_unit,
+)
 from ._case_motion import ReliefSection
 from ._case_sections import BodySection, GridSection
 from .asperities import Collision, Tugging, tug
@@ -18,9 +28,9 @@ from .relief import Relief, relief_rows
 class TuggingSection(Section):
     """[tugging]: the two spheres, how they pass, and the grid unless there is a [grid]."""
 
-    R1: Positive
-    R2: Positive
-    interference: Positive
+    R1: Length
+    R2: Length
+    interference: Length
     passes: Count = 1
     back_and_forth: bool = False
     cells_per_increment: Count = 1
@@ -50,7 +60,7 @@ class TuggingSolver(Section):
     on_border: Literal["error", "warn"] = "error"
     residual_stress: Literal["auto", "exact", "fast"] = "auto"
     image_tol: Annotated[float, Field(ge=1e-6, le=0.1)] = 1e-3
-    reach: NonNegative | None = None
+    reach: Annotated[NonNegative, in_unit("m")] | None = None
 
 
 class TuggingCase(CaseFile):
@@ -93,7 +103,7 @@ class TuggingCase(CaseFile):
                 if given is not None:
                     reliefs[section] = given.build(grid, self.source.parent)
                     relief_rows(section, reliefs[section], grid)
-        except ValueError as error:
+        except (ValueError, ImportError) as error:
             raise CaseError(f"{self.source}: [{section}] {error}") from error
         return tug(
             collision,

@@ -13,12 +13,18 @@ from numpy.typing import ArrayLike, NDArray
 FloatArray = NDArray[np.float64]
 
 
+def _has_unit(value: Any) -> bool:
+    """Whether it is a quantity, e.g. of pint, whose unit NumPy would drop."""
+    return hasattr(value, "to_base_units")
+
+
 def number(name: str, value: Any) -> float:
     """Return `value` as a float; raise TypeError unless it is a real number (not a bool)."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, Real):
-        raise TypeError(f"{name} must be a number, got {value!r}")
+        hint = ": convert it with samcontact.units.si" if _has_unit(value) else ""
+        raise TypeError(f"{name} must be a number, got {value!r}{hint}")
     return float(value)
 
 
@@ -84,6 +90,8 @@ def exactly_one(**given: Any) -> str:
 
 def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
     """Return `value` as a float64 array of exactly this `shape` with finite entries."""
+    if _has_unit(value):
+        raise TypeError(f"{name} has a unit: convert it with samcontact.units.si")
     try:
         array = np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError) as error:

@@ -173,7 +173,7 @@ class Case(CaseFile):
             section = "contact"
             settings = self.contact.model_dump()
             simulation = Simulation(grid, body1, body2, gap, **settings, **reliefs)
-        except ValueError as error:
+        except (ValueError, ImportError) as error:
             raise CaseError(f"{self._source}: [{section}] {error}") from error
         return simulation, self.steps()
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from ._checks import FloatArray, choice, finite, positive
-from .relief import Relief
+from .relief import Relief, rows_within
 from .surfaces import SurfaceGrid
 
 __all__ = ["furrow", "spherical"]
@@ -25,14 +25,6 @@ def _cap(r: FloatArray, depth: float, width: str, radius: float) -> FloatArray:
     # sqrt(R^2 - r^2) - sqrt(R^2 - a^2) without cancellation
     arc = inside / (np.sqrt(R2 - a**2 + inside) + np.sqrt(max(R2 - a**2, 0.0)) + (inside == 0))
     return np.asarray(-np.sign(d) * arc, dtype=np.float64)
-
-
-def _rows(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray, int]:
-    """Positions of the rows of cells within a radius of x, and the number of the first one."""
-    middle = 0.5 * (grid.nx - 1)
-    first = int(np.ceil((x - radius) / grid.dx + middle))
-    last = max(first, int(np.floor((x + radius) / grid.dx + middle)))
-    return np.asarray((np.arange(first, last + 1) - middle) * grid.dx, dtype=np.float64), first
 
 
 def spherical(
@@ -62,7 +54,7 @@ def spherical(
         An argument outside its range.
     """
     centre, across = finite("x", x), np.asarray(grid.y)[None, :] - finite("y", y)
-    along, first = _rows(grid, centre, positive("radius", radius))
+    along, first = rows_within(grid, centre, positive("radius", radius))
     r = np.hypot(along[:, None] - centre, across)
     return Relief(_cap(r, depth, "radius", radius), first)
 
@@ -99,6 +91,6 @@ def furrow(
     if choice("along", along, ("y", "x")) == "x":
         across = np.asarray(grid.y)[None, :] - middle
         return Relief(_cap(across, depth, "half_width", half_width), periodic=True)
-    x, first = _rows(grid, middle, positive("half_width", half_width))
+    x, first = rows_within(grid, middle, positive("half_width", half_width))
     profile = _cap(x - middle, depth, "half_width", half_width)
     return Relief(np.repeat(profile[:, None], grid.ny, axis=1), first)

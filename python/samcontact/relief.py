@@ -10,6 +10,7 @@ import numpy as np
 
 from ._checks import FloatArray, finite_array
 from .grid import Grid
+from .surfaces import SurfaceGrid
 
 __all__ = ["Relief"]
 
@@ -58,3 +59,11 @@ def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int,
             f"{name} must have heights of shape (rows, {grid.ny}), got {relief.heights.shape}"
         )
     return relief.heights, int(relief.first), bool(relief.periodic)
+
+
+def rows_within(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray, int]:
+    """Positions of the rows of cells within a radius of x, and the number of the first one."""
+    middle = 0.5 * (grid.nx - 1)
+    first = int(np.ceil((x - radius) / grid.dx + middle))
+    last = max(first, int(np.floor((x + radius) / grid.dx + middle)))
+    return np.asarray((np.arange(first, last + 1) - middle) * grid.dx, dtype=np.float64), first

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The documentation site builds without warnings, and shows what it should."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -48,3 +49,4 @@ def test_the_fields_of_case_files_come_from_the_models(site):
     text = (site / "case_reference.html").read_text()
     for expected in ("TuggingSection", "image_tol", "self_affine", "&gt; 0.0", "back_and_forth"):
         assert expected in text
+    assert re.search(r"<p>dx</p></td>\s*<td><p>m</p></td>", text)  # with its unit

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bearing contacts against the geometry of tori, textbook values, and sums over the balls."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.optimize import brentq
+
+from samcontact import bearings, hertz
+
+D, PITCH, F = 12.7e-3, 65e-3, 0.52  # the 209 deep groove bearing of Harris
+
+
+@pytest.mark.parametrize(
+    ("race", "total", "difference"), [("inner", 201.8, 0.93996), ("outer", 137.8, 0.91209)]
+)
+def test_textbook_example(race, total, difference):
+    # Harris: 1/D (4 - 1/f + 2 g/(1 - g)) inside, 1/D (4 - 1/f - 2 g/(1 + g)) outside, g = D/d_m
+    contact = bearings.ball_on_race(D, PITCH, conformity=F, race=race)
+    assert contact.curvature_sum == pytest.approx(total, rel=2e-4)
+    assert contact.curvature_difference == pytest.approx(difference, abs=1e-5)
+
+
+def torus(point, groove, radius):
+    """Zero on the torus about the axis z whose tube of radius `groove` has this centre line."""
+    return math.hypot(math.hypot(point[0], point[1]) - radius, point[2]) - groove
+
+
+def gap_of_sphere_and_torus(race, alpha, groove, along, across):
+    """Distance along the contact normal between ball and race, found from their equations."""
+    side = 1.0 if race == "outer" else -1.0
+    ball = np.array([PITCH / 2, 0.0, 0.0])
+    normal = np.array([side * math.cos(alpha), 0.0, math.sin(alpha)])  # towards the race
+    rolling, transverse = np.array([0.0, 1.0, 0.0]), np.cross(normal, [0.0, 1.0, 0.0])
+    centre = ball - (groove - D / 2) * normal  # of the cross-section of the groove
+    shift = np.array([0.0, 0.0, centre[2]])
+    start = ball + along * rolling + across * transverse
+
+    def race_at(t):
+        return torus(start + t * normal - shift, groove, centre[0])
+
+    on_ball = math.sqrt(D**2 / 4 - along**2 - across**2)
+    return brentq(race_at, 0.45 * D, 0.55 * D, xtol=1e-17, rtol=1e-15) - on_ball
+
+
+@pytest.mark.parametrize("race", ["inner", "outer"])
+@pytest.mark.parametrize("degrees", [0.0, 15.0, 40.0])
+def test_radii_are_those_of_the_gap(race, degrees):
+    alpha, groove, h = math.radians(degrees), 6.6e-3, 2e-4
+    contact = bearings.ball_on_race(D, PITCH, groove, contact_angle=alpha, race=race)
+    at = [gap_of_sphere_and_torus(race, alpha, groove, *p) for p in ((0, 0), (h, 0), (0, h))]
+    back = [gap_of_sphere_and_torus(race, alpha, groove, *p) for p in ((-h, 0), (0, -h))]
+    assert at[0] == pytest.approx(0.0, abs=1e-15)
+    # second differences; the fourth order leaves h^2/D^2, rounding 1e-17/h^2 times the radius
+    assert (at[1] + back[0]) / h**2 == pytest.approx(1.0 / contact.Rx, rel=1e-3)
+    assert (at[2] + back[1]) / h**2 == pytest.approx(1.0 / contact.Ry, rel=1e-3)
+
+
+def test_groove_radius_and_conformity_agree():
+    first = bearings.ball_on_race(D, PITCH, F * D, contact_angle=0.3)
+    second = bearings.ball_on_race(D, PITCH, conformity=F, contact_angle=0.3)
+    assert first.Rx == second.Rx
+    assert first.Ry == pytest.approx(second.Ry, rel=1e-13)
+    # a groove almost as wide as a plane is a plane
+    assert bearings.ball_on_race(D, PITCH, 1e6).Ry == pytest.approx(D / 2, rel=1e-8)
+    # a thrust bearing rolls on a flat in the rolling direction
+    thrust = bearings.ball_on_race(D, PITCH, conformity=F, contact_angle=math.pi / 2)
+    assert thrust.Rx == pytest.approx(D / 2, rel=1e-13)
+
+
+def test_radii_go_into_hertz():
+    contact = bearings.ball_on_race(D, PITCH, conformity=F)
+    ellipse = hertz.elliptic(contact.Rx, contact.Ry, 115.4e9, load=1000.0)
+    assert ellipse.a_y > 5.0 * ellipse.a_x  # long across the rolling direction
+
+
+def test_roller_radii_are_those_of_two_cylinders():
+    inner = bearings.roller_on_race(0.01, 0.06)
+    # 1/R = 2/D + 2/d_race, the race being d_m - D or, concave, d_m + D
+    assert 1.0 / inner.Rx == pytest.approx(2 / 0.01 + 2 / 0.05, rel=1e-13)
+    outer = bearings.roller_on_race(0.01, 0.06, race="outer", crown_radius=2.0)
+    assert 1.0 / outer.Rx == pytest.approx(2 / 0.01 - 2 / 0.07, rel=1e-13)
+    assert (inner.Ry, outer.Ry) == (math.inf, 2.0)
+    assert (inner.curvature_difference, inner.curvature_sum) == (1.0, 1.0 / inner.Rx)
+
+
+@pytest.mark.parametrize("n", [1.0, 10 / 9, 1.5])
+@pytest.mark.parametrize("epsilon", [0.01, 0.5, 0.999, 1.0, 1.001, 5.0])
+def test_sjovall_integrals_by_quadrature(n, epsilon):
+    edge = math.acos(max(-1.0, 1.0 - 2.0 * epsilon))
+
+    def load(psi):
+        return max(1.0 - (1.0 - math.cos(psi)) / (2.0 * epsilon), 0.0) ** n
+
+    J_r, J_a = bearings.sjovall(epsilon, n)
+    assert J_a == pytest.approx(quad(load, 0, edge)[0] / math.pi, rel=1e-8)
+    radial = quad(lambda psi: load(psi) * math.cos(psi), 0, edge)[0] / math.pi
+    assert J_r == pytest.approx(radial, rel=1e-8)
+
+
+def test_known_factors():
+    assert bearings.ball_load(1.0, 1) == pytest.approx(4.37, abs=5e-4)
+    assert bearings.ball_load(1.0, 1, exponent=10 / 9) == pytest.approx(4.08, abs=6e-3)
+    assert bearings.stribeck_load(900.0, 9, math.pi / 3) == pytest.approx(1000.0, rel=1e-13)
+    assert bearings.ball_load(900.0, 9) < bearings.stribeck_load(900.0, 9)
+
+
+def test_radial_load_is_in_equilibrium_with_many_balls():
+    count, angle = 10001, 0.4
+    # the inner ring moves by 1 along the load: balls in front are pressed by cos(psi)
+    psi = 2.0 * math.pi * np.arange(count) / count
+    loads = np.maximum(np.cos(psi), 0.0) ** 1.5
+    force = math.cos(angle) * np.sum(loads * np.cos(psi))
+    assert bearings.ball_load(force, count, angle) == pytest.approx(1.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("radial", [0.2, 0.9, 3.0])
+def test_load_zone_is_in_equilibrium_with_many_balls(radial):
+    count, angle = 10001, math.radians(40.0)
+    psi = 2.0 * math.pi * np.arange(count) / count
+    approach = math.sin(angle) + radial * math.cos(angle) * np.cos(psi)
+    loads = np.maximum(approach, 0.0) ** 1.5
+    F_a = math.sin(angle) * loads.sum()
+    F_r = math.cos(angle) * np.sum(loads * np.cos(psi))
+    zone = bearings.load_zone(F_r, F_a, count, angle)
+    assert zone.max_load == pytest.approx(loads.max(), rel=1e-6)
+    np.testing.assert_allclose([zone.load(p) for p in psi[:6000:500]], loads[:6000:500], atol=1e-5)
+    edge = (
+        math.pi
+        if radial * math.cos(angle) <= math.sin(angle)
+        else math.acos(-math.tan(angle) / radial)
+    )
+    assert zone.half_angle == pytest.approx(edge, rel=1e-4)
+
+
+def test_pure_thrust_loads_all_balls_alike():
+    zone = bearings.load_zone(0.0, 800.0, 16, math.pi / 6)
+    assert (zone.max_load, zone.epsilon) == (pytest.approx(100.0, rel=1e-13), math.inf)
+    assert zone.load(2.0) == zone.max_load
+    almost = bearings.load_zone(1e-6, 800.0, 16, math.pi / 6)
+    assert almost.max_load == pytest.approx(100.0, rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: bearings.ball_on_race(D, PITCH), "exactly one of groove_radius, conformity"),
+        (lambda: bearings.ball_on_race(D, PITCH, 6.3e-3), "must be > 0.5, got 0.49"),
+        (lambda: bearings.ball_on_race(D, 0.01, conformity=F), "pitch_diameter must be >"),
+        (lambda: bearings.ball_on_race(D, PITCH, conformity=F, race="cage"), "race must be one of"),
+        (
+            lambda: bearings.ball_on_race(D, PITCH, conformity=F, contact_angle=40.0),
+            r"contact_angle must be in \[0, pi/2\] rad, got 40.0",
+        ),
+        (lambda: bearings.ball_load(1.0, 0), "balls must be an integer >= 1"),
+        (lambda: bearings.ball_load(1.0, 8, math.pi / 2), "contact_angle must be < pi/2"),
+        (lambda: bearings.sjovall(0.0), "epsilon must be a finite number > 0"),
+        (lambda: bearings.load_zone(100.0, 50.0, 8, math.pi / 4), "axial_load must be > radial"),
+        (lambda: bearings.load_zone(100.0, 50.0, 8, 0.0), "contact_angle must be between"),
+    ],
+)
+def test_bad_input_is_named(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()
