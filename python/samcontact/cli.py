@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command ``samcontact``: run case files, print Hertz values.
+"""The command ``samcontact``: run case files, write reports and exports, print Hertz values.
 
 Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad input.
 """
@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import math
 import shutil
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +19,8 @@ from rich.text import Text
 
 from . import hertz as _hertz
 from ._checks import poisson_ratio
+from ._cli_errors import short_errors
+from ._result_commands import export
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -29,8 +29,6 @@ if TYPE_CHECKING:
 
 __all__ = ["main"]
 
-BAD_INPUT = 2
-FAILED = 1
 MOST_FRAMES = 120  # of an animation
 
 
@@ -41,27 +39,6 @@ def _print_version(context: click.Context, _: click.Parameter, value: bool) -> N
 
     click.echo(f"samcontact {__version__}")
     context.exit()
-
-
-@contextmanager
-def _short_errors() -> Iterator[None]:
-    """Turn the errors a user can cause into one message on stderr, without a traceback."""
-    from samcontact import ConvergenceError
-
-    code = BAD_INPUT
-    try:
-        yield
-        return
-    except ConvergenceError as error:
-        message, code = f"no convergence: {error}", FAILED
-    except ValueError as error:
-        message = str(error)
-    except BrokenPipeError:  # the reader of our output has left: click ends quietly
-        raise
-    except OSError as error:
-        message, code = str(error), FAILED
-    click.echo(f"error: {message}", err=True)
-    raise SystemExit(code)
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
@@ -94,7 +71,7 @@ def run(
     case_file: Path, output: Path | None, no_figures: bool, animate: bool, resume: bool, quiet: bool
 ) -> None:
     """Solve a case file; write results.nc and figures."""
-    with _short_errors():
+    with short_errors():
         from . import results
         from .cases import TuggingCase, load_case
 
@@ -229,7 +206,7 @@ def hertz_command(
     nu: float | None,
 ) -> None:
     """Hertz point or elliptic contact from one of --load, --approach, --p0."""
-    with _short_errors():
+    with short_errors():
         given: dict[str, Any] = {"load": load, "approach": approach, "p0": p0}
         contact: _hertz.PointContact | _hertz.EllipticContact
         rows: list[tuple[str, float]]
@@ -256,3 +233,6 @@ def hertz_command(
             rows += [("maximum von Mises stress [Pa]", stress), ("its depth [m]", depth)]
         for label, value in rows:
             click.echo(f"{label:<32}{value:.9g}")
+
+
+main.add_command(export)
