@@ -20,12 +20,12 @@ from rich.text import Text
 from . import hertz as _hertz
 from ._checks import poisson_ratio
 from ._cli_errors import short_errors
-from ._result_commands import export
+from ._doctor_command import doctor
+from ._hertz_rows import hertz_area, hertz_rows
+from ._result_commands import export, report
 
 if TYPE_CHECKING:
     import xarray as xr
-
-    from .cases import Case
 
 __all__ = ["main"]
 
@@ -103,7 +103,7 @@ def run(
         load = float(dataset["load"].values[peak])
         reference = case.hertz(load) if load > 0.0 else None
         if reference is not None:
-            console.print(_comparison(dataset, peak, reference, case))
+            console.print(_comparison(dataset, peak, reference, case.output.body))
         if case.output.figures and not no_figures:
             from .plotting import summary_figures
 
@@ -159,33 +159,21 @@ def _comparison(
     dataset: xr.Dataset,
     peak: int,
     reference: _hertz.PointContact | _hertz.EllipticContact,
-    case: Case,
+    body: int,
 ) -> Table:
     """Computed values at the peak load next to those of elastic Hertz contact."""
     table = _table(f"Against elastic Hertz contact at {reference.load:.6g} N", "", "Hertz", "here")
-    area = _area(reference)
-    unit, factor = ("mm²", 1e6) if area > 1e-8 else ("µm²", 1e12)
-    rows: list[tuple[str, float, str, float]] = [
-        ("p_max [MPa]", reference.p0, "max_pressure", 1e-6),
-        ("approach [µm]", reference.approach, "approach", 1e6),
-        (f"contact area [{unit}]", area, "contact_area", factor),
-    ]
-    material = case.body2 if case.output.body == 2 else case.body1
-    nu = getattr(material, "nu", None)
-    if isinstance(reference, _hertz.PointContact) and nu is not None:
-        name = f"max_von_mises_body{case.output.body}"
-        rows.append(("von Mises [MPa]", reference.max_von_mises(nu)[0], name, 1e-6))
-    for label, exact, name, factor in rows:
-        if name in dataset:
-            here = float(dataset[name].values[peak])
-            table.add_row(Text(label), f"{exact * factor:.6g}", f"{here * factor:.6g}")
+    unit, factor = ("mm²", 1e6) if hertz_area(reference) > 1e-8 else ("µm²", 1e12)
+    shown = {
+        "maximum pressure": ("p_max [MPa]", 1e-6),
+        "approach": ("approach [µm]", 1e6),
+        "contact area": (f"contact area [{unit}]", factor),
+        "maximum von Mises stress": ("von Mises [MPa]", 1e-6),
+    }
+    for name, _, exact, here in hertz_rows(dataset, peak, reference, body):
+        label, factor = shown[name]
+        table.add_row(Text(label), f"{exact * factor:.6g}", f"{here * factor:.6g}")
     return table
-
-
-def _area(contact: _hertz.PointContact | _hertz.EllipticContact) -> float:
-    if isinstance(contact, _hertz.PointContact):
-        return math.pi * contact.a**2
-    return math.pi * contact.a_x * contact.a_y
 
 
 @main.command("hertz")
@@ -235,4 +223,6 @@ def hertz_command(
             click.echo(f"{label:<32}{value:.9g}")
 
 
+main.add_command(doctor)
 main.add_command(export)
+main.add_command(report)
