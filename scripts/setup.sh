@@ -25,6 +25,14 @@ samcontact_system_packages() {
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq $missing > /dev/null
 }
 
+samcontact_browser_packages() {
+  if grep -qxs 'ID=ubuntu' /etc/os-release; then
+    echo chromium-browser chromium-chromedriver
+  else
+    echo chromium chromium-driver
+  fi
+}
+
 # What the installed package depends on: sources, build files, and the interpreter.
 samcontact_fingerprint() {
   { python3 --version; find CMakeLists.txt pyproject.toml cmake cpp python -type f \
@@ -34,7 +42,8 @@ samcontact_fingerprint() {
 # samcontact_setup EXTRAS: EXTRAS is "" or e.g. "[dev]".
 samcontact_setup() {
   local packages=(g++ libeigen3-dev libfftw3-dev) state
-  [ "$1" = "" ] || packages+=(doctest-dev valgrind)
+  # The browser shows reports to their test.
+  [ "$1" = "" ] || packages+=(doctest-dev valgrind $(samcontact_browser_packages))
   # A Python from elsewhere brings these two itself.
   python3 -c 'import ensurepip' 2> /dev/null || packages+=(python3-venv)
   python3 -c 'import os, sysconfig as s, sys

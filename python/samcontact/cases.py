@@ -34,7 +34,7 @@ else:
 if TYPE_CHECKING:
     from .simulation import Simulation
 
-__all__ = ["Case", "CaseError", "TuggingCase", "load_case"]
+__all__ = ["Case", "CaseError", "TuggingCase", "load_case", "parse_case"]
 
 
 class Case(CaseFile):
@@ -199,10 +199,35 @@ def load_case(path: str | Path) -> Case | TuggingCase:
     source = Path(path)
     try:
         text = source.read_text(encoding="utf-8")
-        content = tomllib.loads(text)
     except (OSError, UnicodeDecodeError) as error:
         reason = getattr(error, "strerror", None) or error
         raise CaseError(f"{source}: cannot read the case file: {reason}") from error
+    return parse_case(text, source)
+
+
+def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCase:
+    """Validate the text of a case file, e.g. the one that is stored with results.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    source : str or Path, optional
+        Where it is from: errors name it, and paths in it are relative to its folder.
+
+    Returns
+    -------
+    Case or TuggingCase
+        The latter for a text with a section [tugging].
+
+    Raises
+    ------
+    CaseError
+        The text is not TOML, or a field is missing, unknown or out of range.
+    """
+    source = Path(source)
+    try:
+        content = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise CaseError(f"{source}: not valid TOML: {error}") from error
     kind = TuggingCase if "tugging" in content else Case

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command ``samcontact``: run case files, print Hertz values.
+"""The command ``samcontact``: run case files, write reports and exports, print Hertz values.
 
 Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad input,
 130 interrupted.
@@ -9,8 +9,6 @@ from __future__ import annotations
 
 import math
 import shutil
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -22,6 +20,10 @@ from rich.text import Text
 
 from . import hertz as _hertz
 from ._checks import poisson_ratio
+from ._cli_errors import FAILED, INTERRUPTED, short_errors
+from ._doctor_command import doctor
+from ._hertz_rows import hertz_area, hertz_rows
+from ._result_commands import export, report
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -30,9 +32,6 @@ if TYPE_CHECKING:
 
 __all__ = ["main"]
 
-BAD_INPUT = 2
-FAILED = 1
-INTERRUPTED = 130
 MOST_FRAMES = 120  # of an animation
 
 
@@ -43,27 +42,6 @@ def _print_version(context: click.Context, _: click.Parameter, value: bool) -> N
 
     click.echo(f"samcontact {__version__}")
     context.exit()
-
-
-@contextmanager
-def _short_errors() -> Iterator[None]:
-    """Turn the errors a user can cause into one message on stderr, without a traceback."""
-    from samcontact import ConvergenceError
-
-    code = BAD_INPUT
-    try:
-        yield
-        return
-    except ConvergenceError as error:
-        message, code = f"no convergence: {error}", FAILED
-    except ValueError as error:
-        message = str(error)
-    except BrokenPipeError:  # the reader of our output has left: click ends quietly
-        raise
-    except OSError as error:
-        message, code = str(error), FAILED
-    click.echo(f"error: {message}", err=True)
-    raise SystemExit(code)
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
@@ -96,7 +74,7 @@ def run(
     case_file: Path, output: Path | None, no_figures: bool, animate: bool, resume: bool, quiet: bool
 ) -> None:
     """Solve a case file; write results.nc and figures."""
-    with _short_errors():
+    with short_errors():
         from . import results
         from .cases import TuggingCase, load_case
 
@@ -139,7 +117,7 @@ def run(
         load = float(dataset["load"].values[peak])
         reference = case.hertz(load) if load > 0.0 else None
         if reference is not None:
-            console.print(_comparison(dataset, peak, reference, case))
+            console.print(_comparison(dataset, peak, reference, case.output.body))
         if case.output.figures and not no_figures:
             from .plotting import summary_figures
 
@@ -173,7 +151,7 @@ def _say_how_to_resume(directory: Path) -> NoReturn:
 @click.pass_context
 def resume(context: click.Context, directory: Path, no_figures: bool, quiet: bool) -> None:
     """Go on with a run that was interrupted, from the directory of its results."""
-    with _short_errors():
+    with short_errors():
         from ._interrupt import interrupted_case
 
         file = interrupted_case(directory)
@@ -242,33 +220,21 @@ def _comparison(
     dataset: xr.Dataset,
     peak: int,
     reference: _hertz.PointContact | _hertz.EllipticContact,
-    case: Case,
+    body: int,
 ) -> Table:
     """Computed values at the peak load next to those of elastic Hertz contact."""
     table = _table(f"Against elastic Hertz contact at {reference.load:.6g} N", "", "Hertz", "here")
-    area = _area(reference)
-    unit, factor = ("mm²", 1e6) if area > 1e-8 else ("µm²", 1e12)
-    rows: list[tuple[str, float, str, float]] = [
-        ("p_max [MPa]", reference.p0, "max_pressure", 1e-6),
-        ("approach [µm]", reference.approach, "approach", 1e6),
-        (f"contact area [{unit}]", area, "contact_area", factor),
-    ]
-    material = case.body2 if case.output.body == 2 else case.body1
-    nu = getattr(material, "nu", None)
-    if isinstance(reference, _hertz.PointContact) and nu is not None:
-        name = f"max_von_mises_body{case.output.body}"
-        rows.append(("von Mises [MPa]", reference.max_von_mises(nu)[0], name, 1e-6))
-    for label, exact, name, factor in rows:
-        if name in dataset:
-            here = float(dataset[name].values[peak])
-            table.add_row(Text(label), f"{exact * factor:.6g}", f"{here * factor:.6g}")
+    unit, factor = ("mm²", 1e6) if hertz_area(reference) > 1e-8 else ("µm²", 1e12)
+    shown = {
+        "maximum pressure": ("p_max [MPa]", 1e-6),
+        "approach": ("approach [µm]", 1e6),
+        "contact area": (f"contact area [{unit}]", factor),
+        "maximum von Mises stress": ("von Mises [MPa]", 1e-6),
+    }
+    for name, _, exact, here in hertz_rows(dataset, peak, reference, body):
+        label, factor = shown[name]
+        table.add_row(Text(label), f"{exact * factor:.6g}", f"{here * factor:.6g}")
     return table
-
-
-def _area(contact: _hertz.PointContact | _hertz.EllipticContact) -> float:
-    if isinstance(contact, _hertz.PointContact):
-        return math.pi * contact.a**2
-    return math.pi * contact.a_x * contact.a_y
 
 
 @main.command()
@@ -287,7 +253,7 @@ def gallery(names: tuple[str, ...], quick: bool, listing: bool, output: Path) ->
 
     Exit code 1 when a value differs from what is stated.
     """
-    with _short_errors():
+    with short_errors():
         from .gallery import parts
 
         if listing:
@@ -317,7 +283,7 @@ def hertz_command(
     nu: float | None,
 ) -> None:
     """Hertz point or elliptic contact from one of --load, --approach, --p0."""
-    with _short_errors():
+    with short_errors():
         given: dict[str, Any] = {"load": load, "approach": approach, "p0": p0}
         contact: _hertz.PointContact | _hertz.EllipticContact
         rows: list[tuple[str, float]]
@@ -344,3 +310,8 @@ def hertz_command(
             rows += [("maximum von Mises stress [Pa]", stress), ("its depth [m]", depth)]
         for label, value in rows:
             click.echo(f"{label:<32}{value:.9g}")
+
+
+main.add_command(doctor)
+main.add_command(export)
+main.add_command(report)

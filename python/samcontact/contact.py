@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number
 from ._heating import heating, require_reference
+from ._repr import Rows, Shown, quantity
 from .grid import Grid
 from .material import Material
 from .operators import depths_of, shear_components
@@ -30,7 +31,7 @@ def require_type(name: str, value: Any, kind: type) -> None:
 
 
 @dataclass(frozen=True)
-class ContactSolution:
+class ContactSolution(Shown):
     """Solution of one elastic contact.
 
     Attributes
@@ -66,6 +67,18 @@ class ContactSolution:
     work: float
     error: float
     converged: bool
+
+    def _rows(self) -> Rows:
+        return [
+            ("load", quantity(self.load, "N")),
+            ("approach", quantity(self.approach, "m")),
+            ("maximum pressure", quantity(float(self.pressure.max()), "Pa")),
+            ("cells in contact", f"{np.count_nonzero(self.pressure)} of {self.pressure.size}"),
+            ("iterations", str(self.iterations)),
+            ("work", quantity(self.work)),
+            ("error", quantity(self.error)),
+            ("converged", "yes" if self.converged else "no"),
+        ]
 
 
 class ContactSolver:

@@ -14,6 +14,7 @@ from dataclasses import asdict, dataclass
 from ._checks import non_negative, poisson_ratio, positive
 from ._hertz_axis import line_max_von_mises, point_max_von_mises
 from ._hertz_field import sliding_max_von_mises
+from ._repr import Shown
 
 __all__ = [
     "CriticalCylinder",
@@ -30,7 +31,7 @@ __all__ = [
 
 
 @dataclass(frozen=True)
-class CriticalSphere:
+class CriticalSphere(Shown):
     """Onset of yield in a point contact.
 
     Attributes
@@ -72,7 +73,7 @@ class CriticalSlidingSphere(CriticalSphere):
 
 
 @dataclass(frozen=True)
-class CriticalCylinder:
+class CriticalCylinder(Shown):
     """Onset of yield in a line contact.
 
     Attributes

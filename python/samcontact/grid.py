@@ -11,10 +11,11 @@ import numpy as np
 
 from . import _core
 from ._checks import FloatArray, integer, number
+from ._repr import Rows, Shown, counts, lengths
 
 
 @dataclass(frozen=True)
-class Grid:
+class Grid(Shown):
     """Cell-centred regular grid.
 
     Points x_i = (i - (nx - 1)/2) dx, likewise y; layer k spans [k dz, (k + 1) dz] with z into the
@@ -91,6 +92,17 @@ class Grid:
     def cell_area(self) -> float:
         """Area of a surface cell [m^2]."""
         return self.dx * self.dy
+
+    def _rows(self) -> Rows:
+        rows = [("cells", counts(self.nx, self.ny)), ("cell size", lengths(self.dx, self.dy))]
+        extent = [self.nx * self.dx, self.ny * self.dy]
+        if self.dz is not None:
+            rows = [
+                ("cells", counts(self.nx, self.ny, self.nz)),
+                ("cell size", lengths(self.dx, self.dy, self.dz)),
+            ]
+            extent.append(self.nz * self.dz)
+        return [*rows, ("extent", lengths(*extent))]
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: getattr(self, name) for name in self.__dataclass_fields__}

@@ -19,6 +19,7 @@ from scipy.special import ellipkm1, elliprd
 from ._checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive
 from ._hertz_axis import line_axis, line_max_von_mises, point_axis, point_max_von_mises
 from ._hertz_field import field
+from ._repr import Shown
 
 __all__ = [
     "EllipticContact",
@@ -82,7 +83,7 @@ def _depth_ratio(z: ArrayLike, length: float) -> FloatArray:
 
 
 @dataclass(frozen=True)
-class PointContact:
+class PointContact(Shown):
     """Hertz contact of a sphere and a half-space (Johnson 1985, section 4.2).
 
     Attributes
@@ -233,7 +234,7 @@ def point(
 
 
 @dataclass(frozen=True)
-class EllipticContact:
+class EllipticContact(Shown):
     """Hertz contact with an elliptic contact area (Johnson 1985, sections 3.5 and 4.2).
 
     Attributes
@@ -349,7 +350,7 @@ def elliptic(
 
 
 @dataclass(frozen=True)
-class LineContact:
+class LineContact(Shown):
     """Hertz contact of a cylinder (axis y) and a half-space in plane strain (section 4.2(c)).
 
     Attributes

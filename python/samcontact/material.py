@@ -13,10 +13,11 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._checks import FloatArray, number
+from ._repr import Rows, Shown, material_rows
 
 
 @dataclass(frozen=True)
-class Material:
+class Material(Shown):
     """A material; make it with one of the factories, e.g. `Material.swift(...)`.
 
     Attributes
@@ -275,6 +276,9 @@ class Material:
         if history.ndim != 1 or not np.isfinite(history).all():
             raise ValueError("strain must be one-dimensional and finite everywhere")
         return np.asarray(self._core.uniaxial_stress(history.tolist()), dtype=np.float64)
+
+    def _rows(self) -> Rows:
+        return material_rows(self)
 
     def __hash__(self) -> int:
         parameters = tuple(sorted(self.parameters.items()))

@@ -17,7 +17,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
-from ._checks import FloatArray, choice, finite, finite_array
+from ._checks import choice, finite, finite_array
 from ._figure_parts import (
     COMPONENTS,
     QUANTITIES,
@@ -28,6 +28,7 @@ from ._figure_parts import (
     new_figure,
     show_section,
     surface_line,
+    von_mises_norm,
 )
 from .animation import rolling_animation, save_animation
 from .hertz import EllipticContact, PointContact
@@ -355,13 +356,6 @@ def axis_profile(
     return finish(ax)
 
 
-def _von_mises(tensor: FloatArray) -> FloatArray:
-    """Von Mises norm of a stress tensor, shape (6, ...)."""
-    xx, yy, zz, yz, xz, xy = tensor
-    normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
-    return np.asarray(np.sqrt(0.5 * normal + 3.0 * (yz**2 + xz**2 + xy**2)), dtype=np.float64)
-
-
 def summary_figures(
     simulation: Simulation,
     states: Sequence[State],
@@ -429,7 +423,7 @@ def summary_figures(
     if material.is_plastic:
         last = states[-1]
         print_profile(last, grid, panel("print"), body=body)
-        residual = _von_mises(np.asarray(last.residual_stress(body=body)))
+        residual = von_mises_norm(np.asarray(last.residual_stress(body=body)))
         section(residual, grid, panel("residual"), quantity="residual_von_mises")
         if any(state.travel[body - 1] for state in states):
             figures |= track_summary(states, body)

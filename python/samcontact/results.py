@@ -18,8 +18,10 @@ import numpy as np
 import xarray as xr
 
 from ._checks import choice
+from ._convergence_results import add_convergence
 from ._track_results import COMPONENTS, add_motion
 from ._track_results import variable as _variable
+from .vtk_export import to_vtk
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -29,7 +31,7 @@ if TYPE_CHECKING:
     from .simulation import Simulation
     from .state import State
 
-__all__ = ["COMPONENTS", "open_results", "save", "scalars", "to_dataset"]
+__all__ = ["COMPONENTS", "open_results", "save", "scalars", "to_dataset", "to_vtk"]
 
 VOLUME_CHOICES = ("none", "last", "peak_and_last", "all")
 
@@ -105,8 +107,10 @@ def to_dataset(
         if chosen:
             _add_volume(dataset, states, bodies, chosen)
             _add_volume_temperatures(dataset, states, heated, chosen)
-    add_motion(dataset, states, _inelastic(simulation), volume != "none")
-    dataset.attrs = _attributes(simulation, case)
+    inelastic = _inelastic(simulation)
+    add_convergence(dataset, states, inelastic)
+    add_motion(dataset, states, inelastic, volume != "none")
+    dataset.attrs = _attributes(simulation, case, body)
     return dataset
 
 
@@ -252,17 +256,23 @@ def _add_volume(
             dataset[f"{name}_body{body}"] = _variable(dims, fields, units, f"{text}, body {body}")
 
 
-def _attributes(simulation: Simulation, case: Case | None) -> dict[str, Any]:
+def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[str, Any]:
     from samcontact import __version__
 
     attributes: dict[str, Any] = {
         "title": case.title if case is not None else "",
         "samcontact_version": __version__,
         "created": datetime.now(timezone.utc).isoformat(timespec="seconds"),
+        "body": body,
+        "dx": float(simulation.grid.dx),
+        "dy": float(simulation.grid.dy),
         "friction": float(simulation.friction),
+        "tol": float(simulation.tol),
         "reach": float(simulation.reach),
         "heat_factor": [float(factor) for factor in simulation.heat_factor],
     }
+    if simulation.grid.dz is not None:
+        attributes["dz"] = float(simulation.grid.dz)
     for body in (1, 2):
         material = _material(simulation, body)
         attributes[f"body{body}_law"] = material.law

@@ -26,6 +26,7 @@ from ._checks import (
 )
 from ._heating import heating, march, pair, require_reference, velocities
 from ._journal import Journal
+from ._repr import Rows, Shown, counts, lengths, material_in_short, quantity
 from .checkpoint import CheckpointError, read_checkpoint, write_checkpoint
 from .contact import GridTooSmallWarning, require_type
 from .grid import Grid
@@ -61,7 +62,7 @@ class PlasticStrainWarning(UserWarning):
     """The plastic strain is beyond the small-strain theory."""
 
 
-class Simulation:
+class Simulation(Shown):
     """Elastic-plastic contact of two bodies, increment after increment.
 
     Each increment solves, implicitly, contact and plastic flow together: the plastic strain
@@ -447,6 +448,21 @@ class Simulation:
             checked = finite_array("backstress", backstress, (terms, 6, *shape))
             centre = np.ascontiguousarray(np.moveaxis(checked, 4, 2))
         self._core.set_plastic_state(index, first or 0, depthwise, history, centre)
+
+    def _rows(self) -> Rows:
+        grid, state = self.grid, self.state
+        cells = counts(*(grid.volume_shape if grid.dz is not None else grid.surface_shape))
+        sizes = lengths(*(size for size in (grid.dx, grid.dy, grid.dz) if size is not None))
+        return [
+            ("grid", f"{cells} cells of {sizes}"),
+            ("body 1", material_in_short(self.body1)),
+            ("body 2", material_in_short(self.body2)),
+            ("friction", quantity(self.friction)),
+            ("tolerance", quantity(self.tol)),
+            ("load", quantity(state.load, "N")),
+            ("approach", quantity(state.approach, "m")),
+            ("maximum pressure", quantity(float(state.pressure.max()), "Pa")),
+        ]
 
     def __repr__(self) -> str:
         settings = (

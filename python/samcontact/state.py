@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 
 from ._checks import FloatArray, choice, integer
+from ._repr import Rows, Shown, quantity
 from .grid import Grid
 from .track import Track
 
 
-class State:
+class State(Shown):
     """Fields of one moment, in SI units; volume fields are computed when they are asked for.
 
     Tensor components are xx, yy, zz, yz, xz, xy in the frame of the body (z into it); tension is
@@ -219,6 +220,31 @@ class State:
     def _field(self, name: str, body: int) -> FloatArray:
         field: FloatArray = getattr(self._core, name)(choice("body", body, (1, 2)) - 1)
         return field
+
+    def _rows(self) -> Rows:
+        """What costs nothing to tell: no volume field is computed."""
+        rows = [
+            ("load", quantity(self.load, "N")),
+            ("approach", quantity(self.approach, "m")),
+            ("maximum pressure", quantity(float(self.pressure.max()), "Pa")),
+            ("contact area", quantity(self.contact_area, "m²")),
+        ]
+        for body in (1, 2):
+            strain = self.max_equivalent_plastic_strain(body=body)
+            if strain > 0:
+                name = f"maximum equivalent plastic strain, body {body}"
+                rows.append((name, f"{100 * strain:.4g} %"))
+        if any(self.travel):
+            rows += [(f"travel, body {n}", quantity(self.travel[n - 1], "m")) for n in (1, 2)]
+        if self.time > 0:
+            rows.append(("time", quantity(self.time, "s")))
+        return [
+            *rows,
+            ("plastic iterations", str(self.iterations)),
+            ("plastic residual", quantity(self.plastic_residual)),
+            ("yield excess", quantity(self.yield_excess)),
+            ("converged", "yes" if self.converged else "no"),
+        ]
 
     def __repr__(self) -> str:
         return (

@@ -32,6 +32,7 @@ class FakeState:
         shape = (grid.nx, grid.ny)
         self.shear, self.gap = np.zeros((2, *shape)), np.zeros(shape)
         self.converged, self.iterations, self.contact_iterations, self.substeps = True, 3, 20, 1
+        self.plastic_residual, self.yield_excess = 1e-8, 2e-9
         if load > 0:
             contact = hertz.point(7.5e-3, 115384615384.6154, load=load)
             self.pressure = contact.pressure(grid.x[:, None], grid.y[None, :])
@@ -64,6 +65,9 @@ class FakeState:
     def equivalent_plastic_strain(self, body=2):
         return self._pattern() * 1e-9 * body
 
+    def max_plastic_strain(self, body=2):
+        return float(self.equivalent_plastic_strain(body=body).max())
+
     def residual_displacement(self, body=2):
         return np.broadcast_to(1e-7 * body * np.arange(self.grid.nx)[:, None], self.pressure.shape)
 
@@ -83,6 +87,7 @@ def make_simulation(nz=4, body1=ELASTIC, body2=SWIFT):
         body2=body2,
         initial_gap=gap,
         friction=0.0,
+        tol=1e-6,
         reach=1e-3,
         heat_factor=(0.0, 0.0),
         counters={},

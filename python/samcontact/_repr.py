@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How objects show themselves in notebooks: a small table of names and values with units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import fields
+from html import escape
+from typing import Any
+
+Rows = Sequence[tuple[str, str]]
+
+# Units of the fields of dataclasses that are shown as they are; "" is a pure number.
+UNITS = {
+    "C": "",
+    "E_star": "Pa",
+    "R": "m",
+    "Rx": "m",
+    "Ry": "m",
+    "a": "m",
+    "a_x": "m",
+    "a_y": "m",
+    "approach": "m",
+    "b": "m",
+    "energy": "J",
+    "interference": "m",
+    "k": "",
+    "load": "N",
+    "load_per_length": "N/m",
+    "p0": "Pa",
+    "x": "m",
+    "z": "m",
+}
+# Units whose prefixes are not powers of a thousand, with the factors that read well.
+_AREAS = (("m²", 1e-2), ("mm²", 1e-8), ("µm²", 0.0))
+_AREA_FACTORS = {"m²": 1.0, "mm²": 1e6, "µm²": 1e12}
+
+
+def quantity(value: float, unit: str = "", digits: int = 4) -> str:
+    """A number with its unit and the prefix that reads well, e.g. "25 µm" or "1.48 GPa".
+
+    Parameters
+    ----------
+    value : float
+        In SI units.
+    unit : str, optional
+        "m²" gets mm² or µm²; with "" the number is written without prefix.
+    digits : int, optional
+        Significant ones.
+
+    Returns
+    -------
+    str
+    """
+    if not math.isfinite(value):
+        return {math.inf: "∞", -math.inf: "-∞"}.get(value, "none")
+    if unit == "m²":
+        shown = next(name for name, least in _AREAS if abs(value) >= least)
+        return f"{value * _AREA_FACTORS[shown]:.{digits}g} {shown}"
+    if unit in ("", "K"):
+        return f"{value:.{digits}g} {unit}".strip()
+    # only here: the package itself loads no figure library
+    from matplotlib.ticker import EngFormatter
+
+    # rounded first: the formatter chooses the prefix by the number it is given
+    text = EngFormatter(unit=unit)(float(f"{value:.{digits}g}"))
+    return text.replace("\N{MINUS SIGN}", "-")  # can be copied as a number
+
+
+def lengths(*values: float) -> str:
+    """Sizes along the axes, as "25 µm × 30 µm"."""
+    return " × ".join(quantity(value, "m") for value in values)
+
+
+def counts(*values: int) -> str:
+    """Numbers of cells along the axes, as "31 × 31"."""
+    return " × ".join(str(value) for value in values)
+
+
+def html_table(title: str, rows: Rows) -> str:
+    """A table with a caption; names and values are escaped."""
+    style = "text-align: left"
+    body = "".join(
+        f'<tr><th scope="row" style="{style}">{escape(name)}</th>'
+        f'<td style="{style}">{escape(value)}</td></tr>'
+        for name, value in rows
+    )
+    caption = f'<caption style="{style}; font-weight: bold">{escape(title)}</caption>'
+    return f"<table>{caption}<tbody>{body}</tbody></table>"
+
+
+class Shown:
+    """Something that notebooks show as a table; dataclasses of numbers need nothing more."""
+
+    def _rows(self) -> Rows:
+        return [
+            (field.name, quantity(getattr(self, field.name), UNITS[field.name]))
+            for field in fields(self)  # type: ignore[arg-type]
+        ]
+
+    def _repr_html_(self) -> str:
+        return html_table(type(self).__name__, self._rows())
+
+
+def material_rows(material: Any) -> Rows:
+    """Law and constants of a material."""
+    units = {"E": "Pa", "yield_stress": "Pa", "tangent_modulus": "Pa", "B": "Pa"}
+    rows = [("law", material.law.replace("_", " "))]
+    for name, value in material.parameters.items():
+        text = f"{value:.4g} microstrain" if name == "C" else quantity(value, units.get(name, ""))
+        rows.append((name, text))
+    for number, (modulus, recovery) in enumerate(material.kinematic, 1):
+        text = f"modulus {quantity(modulus, 'Pa')}, recovery {recovery:.4g}"
+        rows.append((f"backstress {number}", text))
+    if material.thermal is not None:
+        conductivity, expansion, diffusivity = material.thermal
+        rows.append(("conductivity", f"{conductivity:.4g} W/(m K)"))
+        rows.append(("expansion", f"{expansion * 1e6:.4g} µm/(m K)"))
+        rows.append(("diffusivity", f"{diffusivity * 1e6:.4g} mm²/s"))
+    if material.softening is not None:
+        rows.append(("softening", repr(material.softening)))
+    return rows
+
+
+def material_in_short(material: Any) -> str:
+    """A material in one line, for the tables of what contains it."""
+    rows = material_rows(material)
+    constants = ", ".join(f"{name} = {value}" for name, value in rows[1:])
+    return f"{rows[0][1]} ({constants})" if constants else rows[0][1]

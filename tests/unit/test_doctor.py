@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The check-up: what it says of the installation is true, and it notices what is broken."""
+
+import os
+import platform
+import re
+import subprocess
+import sys
+import time
+from importlib import metadata
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import samcontact as sc
+from samcontact import doctor
+from samcontact.cli import main
+
+LINE = re.compile(r"(ok|failed) +(.+): (\S+), limit ([≤≥]) (\S+)")
+
+
+def invoke():
+    return CliRunner().invoke(main, ["doctor"])
+
+
+def verdict_lines(text):
+    """Word, name, number, sense and limit of each line of the self-check."""
+    return [LINE.fullmatch(line).groups() for line in text.split("\n\n")[1].splitlines()]
+
+
+def test_a_sound_installation():
+    start = time.perf_counter()
+    outcome = invoke()
+    assert time.perf_counter() - start < 20  # a second or two, on a machine that is not busy
+    assert outcome.exit_code == 0, outcome.output
+    lines = verdict_lines(outcome.stdout)
+    assert len(lines) == 7
+    for word, name, number, sense, limit in lines:
+        assert word == "ok", name
+        value, bound = float(number), float(limit)
+        assert value >= bound if sense == "≥" else value <= bound
+    assert {name.split(":")[0] for _, name, *_ in lines} == {
+        "Hertz",
+        "elastic-plastic",
+        "checkpoint",
+    }
+
+
+def test_versions():
+    told = dict(doctor.installation())
+    assert told["samcontact"] == sc.__version__
+    assert told["Python"].startswith(platform.python_version())
+    assert told["numpy"] == np.__version__
+    assert told["vtk"] == metadata.version("vtk")
+    assert re.match(r"\d+\.\d+\.\d+.*, plans by estimate", told["FFTW"])
+    assert re.search(r"(GCC|clang).*\d+\.\d+", told["compiler"])
+    assert "missing" not in " ".join(told.values())
+
+
+def test_threads_are_those_of_the_environment():
+    code = "from samcontact import doctor; print(dict(doctor.installation())['threads'])"
+    found = subprocess.run(
+        [sys.executable, "-c", code],
+        env=os.environ | {"OMP_NUM_THREADS": "3"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert found.stdout == f"3 of {os.cpu_count()} processors (OMP_NUM_THREADS=3)\n"
+
+
+@pytest.mark.parametrize(
+    ("flags", "level"),
+    [
+        ("sse2", "x86-64 (SSE2)"),
+        ("sse2 avx2 bmi1 bmi2 f16c fma abm movbe", "x86-64-v3 (AVX2)"),
+        # the lower level has to be complete too
+        ("sse2 avx512f avx512bw avx512cd avx512dq avx512vl", "x86-64 (SSE2)"),
+        (
+            "avx2 bmi1 bmi2 f16c fma abm movbe avx512f avx512bw avx512cd avx512dq avx512vl",
+            "x86-64-v4 (AVX-512)",
+        ),
+    ],
+)
+def test_level_of_the_processor(flags, level, monkeypatch):
+    monkeypatch.setattr(platform, "machine", lambda: "x86_64")
+    monkeypatch.setattr(doctor.Path, "read_text", lambda self: f"model\t: 1\nflags\t\t: {flags}\n")
+    assert doctor._simd() == level
+
+
+def test_an_absent_library_is_named_with_its_extra(monkeypatch):
+    def version(name):
+        if name == "vtk":
+            raise metadata.PackageNotFoundError(name)
+        return "1.0"
+
+    monkeypatch.setattr(metadata, "version", version)
+    outcome = invoke()
+    assert outcome.exit_code == 0  # it is optional
+    assert "absent (export for ParaView): pip install samcontact[vtk]" in outcome.stdout
+
+
+def failing(monkeypatch, name, value):
+    """Lines of a check-up in which a property of states is wrong."""
+    monkeypatch.setattr(sc.State, name, property(lambda self: value))
+    outcome = invoke()
+    assert outcome.exit_code == 1
+    return {name for word, name, *_ in verdict_lines(outcome.stdout) if word == "failed"}
+
+
+def test_wrong_numbers_fail(monkeypatch):
+    assert failing(monkeypatch, "approach", 1.0) == {"Hertz: approach against the closed form"}
+
+
+def test_residuals_beyond_the_tolerance_fail(monkeypatch):
+    failed = failing(monkeypatch, "plastic_residual", 1e-3)
+    assert failed == {"elastic-plastic: plastic residual"}
+
+
+def test_wrong_pressures_fail(monkeypatch):
+    assert failing(monkeypatch, "pressure", np.ones((15, 15))) == {
+        "Hertz: maximum pressure against the closed form",
+        "elastic-plastic: balance of the load",
+    }
+
+
+def test_an_error_is_told_and_the_others_go_on(monkeypatch):
+    def refuse(self, path):
+        raise OSError("disk full")
+
+    monkeypatch.setattr(sc.Simulation, "save", refuse)
+    outcome = invoke()
+    assert outcome.exit_code == 1
+    last = outcome.stdout.splitlines()[-1]
+    assert last == "failed  checkpoint: OSError: disk full: nan, limit ≤ 0"
+    assert outcome.stdout.count("\nok ") == 6

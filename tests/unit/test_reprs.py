@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables of notebooks: parsed as HTML, they show the numbers of the object with units."""
+
+import dataclasses
+import math
+from xml.etree import ElementTree
+
+import pytest
+
+import samcontact as sc
+from samcontact._repr import UNITS, html_table, quantity
+
+E_STAR = 115384615384.6154
+BALL = sc.Material.elastic(210e9, 0.3)
+STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+
+
+def parsed(thing):
+    """Caption and rows; as XML, so that a forgotten escape or end tag is an error."""
+    root = ElementTree.fromstring(thing._repr_html_())
+    assert root.tag == "table"
+    rows = {row.findtext("th"): row.findtext("td") for row in root.iter("tr")}
+    assert None not in rows
+    assert None not in rows.values()
+    return root.findtext("caption"), rows
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "text"),
+    [
+        (25e-6, "m", "25 µm"),
+        (1.48e9, "Pa", "1.48 GPa"),
+        (999.96, "N", "1 kN"),  # rounded before the prefix is chosen
+        (0.0, "N", "0 N"),
+        (-3.2e-7, "m", "-320 nm"),
+        (1.234567e-6, "m", "1.235 µm"),
+        (2.5e-7, "m²", "0.25 mm²"),
+        (3e-10, "m²", "300 µm²"),
+        (0.0, "m²", "0 µm²"),
+        (0.5, "m²", "0.5 m²"),
+        (1234.5, "K", "1234 K"),
+        (0.3, "", "0.3"),
+        (math.inf, "m", "∞"),
+        (math.nan, "m", "none"),
+    ],
+)
+def test_quantities(value, unit, text):
+    assert quantity(value, unit) == text
+
+
+def test_grid():
+    assert parsed(sc.Grid(31, 21, 25e-6, 30e-6, 10, 5e-6)) == (
+        "Grid",
+        {
+            "cells": "31 × 21 × 10",
+            "cell size": "25 µm × 30 µm × 5 µm",
+            "extent": "775 µm × 630 µm × 50 µm",
+        },
+    )
+    _, rows = parsed(sc.Grid(4, 5, 1e-3, 2e-3))
+    assert rows["cells"] == "4 × 5"
+    assert rows["extent"] == "4 mm × 10 mm"
+
+
+def test_material():
+    material = STEEL.with_kinematic_hardening(2e9, 30.0).with_thermal(50.2, 11.7e-6, 1.37e-5)
+    material = material.with_softening(sc.softening.JohnsonCook(1800.0, 1.0))
+    name, rows = parsed(material)
+    assert name == "Material"
+    assert rows.pop("softening").startswith("JohnsonCook(")
+    assert rows == {
+        "law": "swift",
+        "E": "210 GPa",
+        "nu": "0.3",
+        "B": "945 MPa",
+        "C": "20 microstrain",
+        "n": "0.121",
+        "backstress 1": "modulus 2 GPa, recovery 30",
+        "conductivity": "50.2 W/(m K)",
+        "expansion": "11.7 µm/(m K)",
+        "diffusivity": "13.7 mm²/s",
+    }
+    assert parsed(sc.Material.rigid()) == ("Material", {"law": "rigid"})
+
+
+def test_names_are_escaped():
+    class Law:
+        def __call__(self, rise):
+            return rise
+
+        def __repr__(self):
+            return "<script>alert('x' & 1)</script>"
+
+    material = STEEL.with_softening(Law())
+    assert "<script" not in material._repr_html_()
+    assert parsed(material)[1]["softening"] == repr(Law())
+    assert "<b>" not in html_table("<b>", [("<b>", "<b>")])
+
+
+def test_simulation_and_state():
+    grid = sc.Grid(13, 13, 60e-6, 60e-6, 12, 60e-6)
+    simulation = sc.Simulation(grid, BALL, STEEL, sc.surfaces.paraboloid(grid, 7.5e-3))
+    state = simulation.step(load=600.0)
+    name, rows = parsed(simulation)
+    assert name == "Simulation"
+    assert rows["grid"] == "13 × 13 × 12 cells of 60 µm × 60 µm × 60 µm"
+    assert rows["body 1"] == "elastic (E = 210 GPa, nu = 0.3)"
+    assert rows["load"] == "600 N"
+    pressure = f"{state.pressure.max() * 1e-9:.4g} GPa"
+    assert rows["maximum pressure"] == pressure
+    name, rows = parsed(state)
+    assert name == "State"
+    assert rows["maximum pressure"] == pressure
+    assert rows["approach"] == f"{state.approach * 1e6:.4g} µm"
+    assert rows["contact area"] == f"{state.contact_area * 1e6:.4g} mm²"
+    strain = 100 * state.max_equivalent_plastic_strain(body=2)
+    assert rows["maximum equivalent plastic strain, body 2"] == f"{strain:.4g} %"
+    assert "maximum equivalent plastic strain, body 1" not in rows
+    assert rows["converged"] == "yes"
+    moved = simulation.step(load=600.0, advance=(-60e-6, -60e-6))
+    assert parsed(moved)[1]["travel, body 2"] == "-60 µm"
+
+
+def test_state_without_approach():
+    grid = sc.Grid(8, 8, 60e-6, 60e-6)
+    simulation = sc.Simulation(grid, BALL, BALL, sc.surfaces.paraboloid(grid, 7.5e-3))
+    _, rows = parsed(simulation.step(pressure=1e9 * (sc.surfaces.paraboloid(grid, 1.0) > -1)))
+    assert rows["approach"] == "none"
+    assert rows["maximum pressure"] == "1 GPa"
+
+
+def test_contact_solution():
+    grid = sc.Grid(16, 16, 40e-6, 40e-6)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    solution = sc.ContactSolver(grid, BALL, BALL).solve(gap, load=300.0)
+    name, rows = parsed(solution)
+    assert name == "ContactSolution"
+    assert rows["load"] == "300 N"
+    assert rows["cells in contact"] == f"{(solution.pressure > 0).sum()} of 256"
+    assert float(rows["error"]) == pytest.approx(solution.error, rel=1e-3)
+
+
+CLOSED_FORMS = [
+    sc.hertz.point(7.5e-3, E_STAR, load=1500.0),
+    sc.hertz.elliptic(7.5e-3, 20e-3, E_STAR, load=1500.0),
+    sc.hertz.line(7.5e-3, E_STAR, p0=1e9),
+    sc.critical.green(7.5e-3, E_STAR, 0.3, 1e9),
+    sc.critical.green_cylinder(7.5e-3, E_STAR, 0.3, 1e9),
+    sc.critical.onset_sliding(7.5e-3, E_STAR, 0.3, 1e9, 0.2),
+]
+
+
+@pytest.mark.parametrize("thing", CLOSED_FORMS, ids=lambda thing: type(thing).__name__)
+def test_closed_forms(thing):
+    name, rows = parsed(thing)
+    assert name == type(thing).__name__
+    assert list(rows) == [field.name for field in dataclasses.fields(thing)]
+    for field, text in rows.items():
+        number, _, unit = text.partition(" ")
+        factors = {"n": 1e-9, "µ": 1e-6, "m": 1e-3, "k": 1e3, "M": 1e6, "G": 1e9}
+        prefix = unit.removesuffix(UNITS[field])
+        value = float(number) * factors[prefix] if prefix else float(number)
+        assert value == pytest.approx(getattr(thing, field), rel=6e-4), field
+
+
+def test_text_stays_as_it_was():
+    grid = sc.Grid(4, 4, 1e-6, 1e-6)
+    assert repr(grid) == "Grid(nx=4, ny=4, dx=1e-06, dy=1e-06, nz=0, dz=None)"
+    assert repr(CLOSED_FORMS[0]).startswith("PointContact(R=0.0075, E_star=")

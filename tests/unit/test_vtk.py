@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""VTK files, read back by VTK's own reader, cell by cell at points of the files' frame."""
+
+import sys
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from core_fakes import ELASTIC, SWIFT, FakeState, make_simulation
+from vtkmodules.vtkCommonCore import mutable, vtkDataArray
+from vtkmodules.vtkIOXML import vtkXMLRectilinearGridReader
+
+from samcontact import results
+from samcontact.cli import main
+
+LOADS = (100.0, 300.0, 0.0)
+
+
+def dataset(nz=4, bodies=(SWIFT, SWIFT), **options):
+    simulation = make_simulation(nz, *bodies)
+    states = [FakeState(simulation.grid, load) for load in LOADS]
+    return results.to_dataset(simulation, states, **options)
+
+
+def read(path):
+    reader = vtkXMLRectilinearGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    # VTK keeps no reference to what its output's reader owns
+    grid.reader = reader
+    return grid
+
+
+def value(grid, name, x, y, z):
+    """Components of a field in the cell that holds a point."""
+    cell = grid.FindCell((x, y, z), None, 0, 1e-12, mutable(0), [0.0] * 3, [0.0] * 8)
+    assert cell >= 0
+    return np.array(grid.GetCellData().GetArray(name).GetTuple(cell))
+
+
+def names(grid):
+    data = grid.GetCellData()
+    return {data.GetArrayName(index) for index in range(data.GetNumberOfArrays())}
+
+
+@pytest.mark.parametrize(("body", "up"), [(1, 1.0), (2, -1.0)])
+def test_volume_fields_lie_where_they_belong(tmp_path, body, up):
+    data = dataset()
+    volume, _ = results.to_vtk(data, tmp_path / "out.vtr", increment=2, body=body)
+    grid = read(volume)
+    assert grid.GetNumberOfCells() == 11 * 9 * 4
+    assert grid.GetBounds() == pytest.approx(
+        (-5.5e-4, 5.5e-4, -5.4e-4, 5.4e-4, *sorted((0.0, up * 4e-4)))
+    )
+    for i, j, k in ((0, 0, 0), (3, 5, 1), (10, 8, 3), (7, 2, 2)):
+        point = float(data.x[i]), float(data.y[j]), up * float(data.z[k])
+        picked = data.sel(volume_increment=2).isel(x=i, y=j, z=k)
+        for name in ("von_mises", "hydrostatic", "equivalent_plastic_strain"):
+            assert value(grid, name, *point) == pytest.approx(
+                [float(picked[f"{name}_body{body}"])], rel=1e-14
+            )
+        for name in ("stress", "plastic_strain", "residual_stress"):
+            tensor = picked[f"{name}_body{body}"]
+            # with z turned round, so are the components that have one z
+            expected = [
+                float(tensor.sel(component=c)) * (up if c in ("yz", "xz") else 1.0)
+                for c in ("xx", "yy", "zz", "xy", "yz", "xz")
+            ]
+            assert value(grid, name, *point) == pytest.approx(expected, rel=1e-14)
+
+
+def test_tensors_name_their_components_and_fields_their_units(tmp_path):
+    volume, surface = results.to_vtk(dataset(), tmp_path / "out.vtr")
+    stress = read(volume).GetCellData().GetArray("stress")
+    found = [stress.GetComponentName(index) for index in range(6)]
+    assert found == ["xx", "yy", "zz", "xy", "yz", "xz"]
+    unit = vtkDataArray.UNITS_LABEL()
+    assert stress.GetInformation().Get(unit) == "Pa"
+    grid = read(surface)
+    assert grid.GetCellData().GetArray("gap").GetInformation().Get(unit) == "m"
+    assert grid.GetFieldData().GetArray("increment").GetTuple(0) == (3.0,)
+    assert grid.GetFieldData().GetArray("body").GetTuple(0) == (2.0,)
+
+
+def test_surface_fields(tmp_path):
+    data = dataset()
+    _, surface = results.to_vtk(data, tmp_path / "out.vtr", increment=2, body=1)
+    assert surface.name == "out_surface.vtr"
+    grid = read(surface)
+    assert grid.GetNumberOfCells() == 11 * 9
+    assert grid.GetBounds()[4:] == (0.0, 0.0)
+    assert {"pressure", "gap", "initial_gap", "residual_displacement"} <= names(grid)
+    picked = data.sel(increment=2)
+    for i, j in ((5, 4), (0, 8), (6, 4)):
+        point = float(data.x[i]), float(data.y[j]), 0.0
+        for name, stored in (
+            ("pressure", "pressure"),
+            ("residual_displacement", "residual_displacement_body1"),
+        ):
+            assert value(grid, name, *point) == [float(picked[stored][i, j])]
+    assert value(grid, "pressure", 0.0, 0.0, 0.0)[0] > 0
+
+
+def test_volume_fields_follow_the_offset_of_their_body(tmp_path):
+    data = dataset()
+    data["offset_body2"] = ("increment", [0.0, 2e-5, 4e-5])
+    volume, _ = results.to_vtk(data, tmp_path / "out.vtr")
+    assert read(volume).GetBounds()[:2] == pytest.approx((-5.1e-4, 5.9e-4))
+
+
+def test_without_volume_there_is_the_surface_only(tmp_path):
+    written = results.to_vtk(dataset(nz=0, bodies=(ELASTIC, ELASTIC)), tmp_path / "flat")
+    assert [path.name for path in written] == ["flat_surface.vtr"]
+    assert read(written[0]).GetFieldData().GetArray("increment").GetTuple(0) == (3.0,)
+
+
+def test_increments_that_are_not_stored(tmp_path):
+    with pytest.raises(ValueError, match="one of those with volume fields, 2, 3, got 1"):
+        results.to_vtk(dataset(), tmp_path / "out.vtr", increment=1)
+    with pytest.raises(ValueError, match="one of those with volume fields, 2, 3, got -3"):
+        results.to_vtk(dataset(), tmp_path / "out.vtr", increment=-3)
+    with pytest.raises(ValueError, match="body must be one of 1, 2, got 3"):
+        results.to_vtk(dataset(), tmp_path / "out.vtr", body=3)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_missing_directory_is_an_error(tmp_path):
+    with pytest.raises(FileNotFoundError, match="none"):
+        results.to_vtk(dataset(), tmp_path / "none" / "out.vtr")
+
+
+def export(*arguments):
+    return CliRunner().invoke(main, ["export", *map(str, arguments)])
+
+
+def test_command(tmp_path):
+    file = results.save(dataset(), tmp_path / "results.nc")
+    outcome = export(file, "--vtk", "--increment", 2, "--body", 1)
+    assert outcome.exit_code == 0, outcome.output
+    assert outcome.stdout.splitlines() == [
+        str(tmp_path / "results.vtr"),
+        str(tmp_path / "results_surface.vtr"),
+    ]
+    assert read(tmp_path / "results.vtr").GetFieldData().GetArray("body").GetTuple(0) == (1.0,)
+    outcome = export(file, "--vtk", "--output", tmp_path / "other.vtr")
+    assert outcome.exit_code == 0, outcome.output
+    assert (tmp_path / "other_surface.vtr").is_file()
+
+
+def test_command_refuses(tmp_path):
+    file = results.save(dataset(), tmp_path / "results.nc")
+    assert "--vtk" in export(file).stderr
+    assert export(file).exit_code == 2
+    outcome = export(file, "--vtk", "--increment", 7)
+    assert (outcome.exit_code, outcome.stderr[:6]) == (2, "error:")
+    assert "2, 3, got 7" in outcome.stderr
+    assert export(tmp_path / "none.nc", "--vtk").exit_code == 1
+
+
+def test_without_vtk_the_message_names_the_extra(tmp_path, monkeypatch):
+    file = results.save(dataset(), tmp_path / "results.nc")
+    monkeypatch.setitem(sys.modules, "vtkmodules.vtkIOXML", None)
+    outcome = export(file, "--vtk")
+    assert outcome.exit_code == 1
+    assert "pip install samcontact[vtk]" in outcome.stderr
+    assert not (tmp_path / "results.vtr").exists()
