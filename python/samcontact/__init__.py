@@ -21,6 +21,7 @@ from . import (
 )
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
+from ._sweep import SweepInterrupted, sweep
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
 from .grid import Grid
 from .material import Material
@@ -42,6 +43,7 @@ __all__ = [
     "Relief",
     "Simulation",
     "State",
+    "SweepInterrupted",
     "Track",
     "__version__",
     "asperities",
@@ -57,4 +59,5 @@ __all__ = [
     "paths",
     "softening",
     "surfaces",
+    "sweep",
 ]
