@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import signal
+import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import (
     BrokenExecutor,
@@ -137,10 +138,11 @@ class _Run:
         with tqdm(total=len(self.cases), disable=not progress, unit="case") as bar:
 
             def take(key: str, outcome: Outcome) -> None:
-                if self.store is not None and "variables" in outcome:
-                    self.store.write(key, outcome["variables"], self.cases[key])
-                self.outcomes[key] = outcome
-                bar.update()
+                with _undisturbed():
+                    if self.store is not None and "variables" in outcome:
+                        self.store.write(key, outcome["variables"], self.cases[key])
+                    self.outcomes[key] = outcome
+                    bar.update()
 
             tasks: Tasks = {}
             for key, case in self.cases.items():
@@ -151,6 +153,23 @@ class _Run:
                     content = case.model_dump(exclude_unset=True)
                     tasks[key] = content, str(case.source.resolve())
             _solve(executor, tasks, take)
+
+
+@contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Keep Ctrl-C waiting: what is finished must not be lost while it is written."""
+    before = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or before is None:
+        yield  # signals go elsewhere
+        return
+    pressed: list[int] = []
+    signal.signal(signal.SIGINT, lambda number, _: pressed.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        if pressed:
+            signal.raise_signal(signal.SIGINT)
 
 
 def _solve(executor: Any, tasks: Tasks, take: Take) -> None:
@@ -214,13 +233,19 @@ class _OwnPool(ProcessPoolExecutor):
     """
 
     def __init__(self, count: int) -> None:
-        ignore = (signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent to handle
-        super().__init__(count, get_context("spawn"), signal.signal, ignore)
+        super().__init__(count, get_context("spawn"), _begin_worker)
 
     def terminate(self) -> None:
         """End the workers now, in the middle of their cases."""
         for process in list((self._processes or {}).values()):
             process.terminate()
+
+
+def _begin_worker() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent to handle
+    tqdm.set_lock(
+        threading.RLock()
+    )  # its default would leave a semaphore behind when the worker is ended
 
 
 @contextmanager

@@ -7,21 +7,17 @@ import signal
 import threading
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
-from typing import get_args
 
 import numpy as np
 import pytest
 import xarray as xr
 from distributed import Client, LocalCluster
 from test_cases import MINIMAL
-from test_cli import check_failure, invoke
+from test_cli import invoke
 
 import samcontact as sc
 from samcontact import _sweep, _sweep_task, results
-from samcontact._case_base import Section
-from samcontact._field_units import NO_UNIT, field_unit
-from samcontact._sweep_command import parse_settings
-from samcontact.cases import Case, CaseError, TuggingCase, load_case
+from samcontact.cases import Case, CaseError, TuggingCase
 
 BASE = {
     "title": "ball on flat",
@@ -308,6 +304,21 @@ def test_interrupt_keeps_what_is_finished(tmp_path, monkeypatch, calls):
     assert (whole["status"] == "done").all()
 
 
+def test_interrupt_waits_for_a_file_that_is_written(tmp_path, monkeypatch):
+    save = results.save
+
+    def disturbed(dataset, path):
+        if path.parent.name == "cases":
+            signal.raise_signal(signal.SIGINT)
+        return save(dataset, path)
+
+    monkeypatch.setattr(results, "save", disturbed)
+    with pytest.raises(sc.SweepInterrupted) as caught:
+        sc.sweep(CASE, {"path[0].load": [300.0, 400.0]}, output=tmp_path, progress=False)
+    assert caught.value.dataset["status"].values.tolist() == ["done", "cancelled"]
+    assert len(list((tmp_path / "cases").iterdir())) == 1
+
+
 def test_interrupt_cancels_what_waits_in_an_executor(monkeypatch):
     submitted = []
 
@@ -330,52 +341,6 @@ def test_interrupt_cancels_what_waits_in_an_executor(monkeypatch):
     assert [future.cancelled() for future in submitted] == [False, True, True]
 
 
-@pytest.mark.parametrize(
-    ("given", "mode", "message"),
-    [
-        (
-            {"body2.yeild_stress": [1e9]},
-            "product",
-            r"body2\.yeild_stress: unknown field; did you mean body2\.yield_stress\?; allowed here",
-        ),
-        ({"boddy2.E": [1e9]}, "product", r"boddy2\.E: unknown field; did you mean body2\.E\?"),
-        ({"friction": [0.1]}, "product", r"did you mean contact\.friction\?"),
-        ({"path[1].load": [1.0]}, "product", r"path\[1\]\.load: unknown.*mean path\[0\]\.load\?"),
-        ({"title.x": [1.0]}, "product", r"title\.x: unknown field; did you mean title\?"),
-        (
-            {"path[0].load": [300.0], "contact.friction": [0.1, -0.1]},
-            "product",
-            r"contact\.friction: .*greater than or equal to 0, got -0\.1 "
-            r"\(sweep: path\[0\]\.load = 300\.0, contact\.friction = -0\.1\)",
-        ),
-        ({"grid.nx": [15, 1.5]}, "product", r"grid\.nx: .*valid integer, got 1\.5"),
-        ({"body1.E": ["stiff"]}, "product", r"body1\.E: .*valid number, got 'stiff'"),
-        ({"grid.nz": [12, 0]}, "product", r"grid: nz and dz go together.*\(sweep: grid\.nz = 0\)"),
-        ({"body1.nu": list(np.arange(0.5, 0.9, 0.01))}, "product", r"\nand 30 more$"),
-        ({"body1.E": [2e11], "body1.nu": [0.2, 0.3]}, "zip", r"body1\.E 1, body1\.nu 2"),
-        ({"body1.E": [2e11]}, "grid", "mode must be one of 'product', 'zip', got 'grid'"),
-        ({"body1.E": [1e11, 10**11]}, "product", r"values of body1\.E must differ"),
-        ({"body1.E": []}, "product", r"body1\.E must be given at least one value"),
-        ({"body1.E": "1e9"}, "product", r"body1\.E must be given a sequence of values, got '1e9'"),
-        ({"body1.E": 1e9}, "product", r"body1\.E must be given a sequence of values"),
-        ({"body1 E": [1e9]}, "product", r"names of parameters must be like .*got 'body1 E'"),
-        ({}, "product", "parameters must map at least one field to values"),
-    ],
-)
-def test_bad_parameters_are_refused_before_anything_runs(given, mode, message, calls, tmp_path):
-    with pytest.raises((ValueError, TypeError), match=message):
-        sc.sweep(CASE, given, mode=mode, output=tmp_path / "out", progress=False)
-    assert calls == []
-    assert not (tmp_path / "out").exists()
-
-
-@pytest.mark.parametrize("executor", ["four", 0, True])
-def test_bad_executors(executor, calls):
-    with pytest.raises((ValueError, TypeError), match="executor must be"):
-        sc.sweep(CASE, FEW, executor=executor, progress=False)
-    assert calls == []
-
-
 def test_tugging_too():
     elastic = {"law": "elastic", "E": 200e9, "nu": 0.32}
     case = TuggingCase.model_validate(
@@ -395,57 +360,9 @@ def test_tugging_too():
     np.testing.assert_array_equal(found["force_x"][0, 0], found["force_x"][1, 0])
 
 
-def test_settings_of_the_command():
-    text = ["body2.yield_stress=1e9, 2e9", "body1.law=elastic,rigid", "contact.friction=0,1.,.5"]
-    assert parse_settings([*text, "contact.velocity=[1,0],[2,0]"]) == {
-        "body2.yield_stress": [1e9, 2e9],
-        "body1.law": ["elastic", "rigid"],
-        "contact.friction": [0, 1.0, 0.5],
-        "contact.velocity": [[1, 0], [2, 0]],
-    }
-
-
-@pytest.fixture
-def case_file(tmp_path):
-    path = tmp_path / "scene.toml"
-    path.write_text(MINIMAL)
-    return path
-
-
-def test_the_command_end_to_end(case_file, tmp_path):
-    out = tmp_path / "out"
-    outcome = invoke(
-        "sweep", case_file, "--set", "path[0].load=300,600", "--set", "contact.friction=0.1",
-        "--output", out, "--jobs", 2,
-    )  # fmt: skip
-    assert outcome.exit_code == 0, outcome.output
-    assert outcome.stdout.splitlines()[-1] == str(out / "sweep.nc")
-    assert "path[0]." in outcome.stdout
-    assert outcome.stdout.count("done") == 2
-    with results.open_results(out / "sweep.nc") as found:
-        assert found.sizes == {"path[0].load": 2, "contact.friction": 1, "increment": 3}
-        # the table shows the peak, not the end
-        peak = float(found["max_pressure"].sel({"path[0].load": 300.0, "increment": 2})[0])
-        assert f"{peak * 1e-6:.1f}" in outcome.stdout
-        expected = sc.sweep(
-            load_case(case_file),
-            {"path[0].load": [300, 600], "contact.friction": [0.1]},
-            progress=False,
-        )
-        xr.testing.assert_identical(found.load(), expected)
-
-
-def test_the_command_tells_what_failed(case_file, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    outcome = invoke("sweep", case_file, "--set", "path[0].load=300,9e4", "--quiet")
-    assert outcome.exit_code == 1
-    assert outcome.stdout == "results/scene/sweep/sweep.nc\n"
-    assert outcome.stderr.startswith("1 of 2 cases failed\n  GridTooSmallError: at load ")
-    with results.open_results("results/scene/sweep/sweep.nc") as found:
-        assert found["status"].values.tolist() == ["done", "failed"]
-
-
-def test_the_command_on_a_cluster(case_file, tmp_path, client):
+def test_the_command_on_a_cluster(tmp_path, client):
+    case_file = tmp_path / "scene.toml"
+    case_file.write_text(MINIMAL)
     outcome = invoke(
         "sweep", case_file, "--set", "path[0].load=300,600", "--set", "path[1].increments=1,2",
         "--zip", "--dask", client.scheduler.address, "--output", tmp_path, "--quiet",
@@ -453,51 +370,3 @@ def test_the_command_on_a_cluster(case_file, tmp_path, client):
     assert outcome.exit_code == 0, outcome.output
     with results.open_results(tmp_path / "sweep.nc") as found:
         assert found.sizes == {"case": 2, "increment": 4}
-
-
-def test_the_command_interrupted(case_file, tmp_path, monkeypatch):
-    def stopped(content, source):
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(_sweep_task, "solve_case", stopped)
-    setting = ("--set", "path[0].load=300,600", "--output", tmp_path, "--quiet")
-    outcome = invoke("sweep", case_file, *setting)
-    assert outcome.exit_code == 130
-    assert outcome.stderr == "2 of 2 cases cancelled\n"
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (("--set", "body2.yield=1e9"), "body2.yield: unknown field; did you mean"),
-        (("--set", "body2.B"), "--set must be FIELD=VALUE,VALUE,..., got 'body2.B'"),
-        (("--set", "body2.B=1", "--set", "body2.B=2"), "got body2.B twice"),
-        (("--set", "body2.B=1", "--jobs", "1", "--dask", "tcp://x"), "--jobs or --dask, not both"),
-    ],
-)
-def test_bad_use_of_the_command(case_file, arguments, message):
-    check_failure(invoke("sweep", case_file, *arguments, "--quiet"), 2, message)
-
-
-def real_fields(model=Section):
-    """Names of all fields of a case file that hold real numbers."""
-    for section in model.__subclasses__():
-        for name, field in section.model_fields.items():
-            if float in kinds(field.annotation):
-                yield name
-        yield from real_fields(section)
-
-
-def kinds(annotation):
-    if isinstance(annotation, type) and not get_args(annotation):
-        return {annotation}
-    return {kind for part in get_args(annotation) for kind in kinds(part)}
-
-
-def test_every_number_of_a_case_file_has_its_unit():
-    names = set(real_fields())
-    assert names >= {"E", "load", "heat_history", "velocity", "roll_off", "interference"}
-    assert {name for name in names if field_unit(name) is None} == NO_UNIT
-    assert field_unit("contact.velocity[0]") == "m/s"
-    assert field_unit("tugging.depth") == "1"
-    assert field_unit("relief1.depth") == "m"
