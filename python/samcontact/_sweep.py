@@ -243,9 +243,8 @@ class _OwnPool(ProcessPoolExecutor):
 
 def _begin_worker() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent to handle
-    tqdm.set_lock(
-        threading.RLock()
-    )  # its default would leave a semaphore behind when the worker is ended
+    # the default lock would leave a semaphore behind when the worker is ended
+    tqdm.set_lock(threading.RLock())
 
 
 @contextmanager

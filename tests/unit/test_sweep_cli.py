@@ -84,7 +84,7 @@ def test_ctrl_c_ends_the_workers_too(case_file, tmp_path):
     command = [sys.executable, "-m", "samcontact", "sweep", str(case_file), "--jobs", "1"]
     command += ["--set", f"path[0].load={loads}", "--output", str(tmp_path), "--quiet"]
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    # a session of its own, as a terminal would give it: Ctrl-C goes to the command and its workers
+    # as in a terminal, Ctrl-C goes to the command and all its workers
     with subprocess.Popen(command, start_new_session=True, **pipes) as process:
         deadline = time.monotonic() + 60
         while not list(tmp_path.glob("cases/*.nc")) and time.monotonic() < deadline:
