@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
@@ -14,6 +13,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from samcontact import cases
+from samcontact._field_units import all_models, unit_of
 
 SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"))
 PLAIN = {float: "number", int: "integer", bool: "true or false", str: "text", list: "list"}
@@ -46,23 +46,6 @@ def limits(metadata: Any) -> str:
     return " " + ", ".join(dict.fromkeys(found)) if found else ""
 
 
-def units(parts: Any) -> set[str]:
-    """SI units among the constraints of a field, or of its parts."""
-    found = set()
-    for part in parts:
-        convert = getattr(part, "func", None)
-        if isinstance(convert, partial) and "unit" in convert.keywords:
-            found.add(convert.keywords["unit"])
-        found |= units(get_args(part))
-    return found
-
-
-def models_in(annotation: Any) -> list[type[BaseModel]]:
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return [annotation]
-    return [model for part in get_args(annotation) for model in models_in(part)]
-
-
 def default(field: Any) -> str:
     if field.is_required():
         return "required"
@@ -81,22 +64,9 @@ def table(model: type[BaseModel]) -> list[str]:
     lines.append("|---|---|---|---|")
     for name, field in model.model_fields.items():
         said = kind(field.annotation) + limits(field.metadata)
-        unit = ", ".join(sorted(units((field.annotation, *field.metadata))))
+        unit = unit_of(field.annotation, field.metadata)
         lines.append(f"| {name} | {unit} | {said} | {default(field)} |")
     return [*lines, ""]
-
-
-def all_models(*roots: type[BaseModel]) -> list[type[BaseModel]]:
-    """The models below these, each once, outermost first."""
-    found: list[type[BaseModel]] = []
-    waiting = list(roots)
-    while waiting:
-        model = waiting.pop(0)
-        if model not in found:
-            found.append(model)
-            for field in model.model_fields.values():
-                waiting += models_in(field.annotation)
-    return found
 
 
 class CaseSchema(SphinxDirective):

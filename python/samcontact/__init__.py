@@ -25,6 +25,7 @@ from . import (
 )
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
+from ._sweep import SweepInterrupted, sweep
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
 from .grid import Grid
 from .material import Material
@@ -46,6 +47,7 @@ __all__ = [
     "Relief",
     "Simulation",
     "State",
+    "SweepInterrupted",
     "Track",
     "__version__",
     "asperities",
@@ -63,6 +65,7 @@ __all__ = [
     "paths",
     "softening",
     "surfaces",
+    "sweep",
     "units",
     "wear",
 ]

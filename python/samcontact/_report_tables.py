@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from ._field_units import field_unit
 from ._hertz_rows import hertz_rows
 from ._repr import counts, lengths, quantity
 
@@ -21,25 +22,6 @@ if TYPE_CHECKING:
 
     from .plotting import HertzContact
 
-# Units of the numbers in a case file.
-_FIELDS_BY_UNIT = {
-    "m": "dx dy dz Rx Ry R R1 R2 amplitude wavelength_x wavelength_y rms_height wavelength_min "
-    "wavelength_max roll_off depth radius half_width x y position approach advance distance step "
-    "heat_reference reach interference",
-    "Pa": "E yield_stress tangent_modulus B modulus",
-    "N": "load",
-    "s": "duration heating_time heat_history",
-    "m/s": "heat_factor velocity speed",
-    "W/(m K)": "conductivity",
-    "1/K": "expansion",
-    "m²/s": "diffusivity",
-    "K": "melting reference ambient",
-    "microstrain": "C",
-    "": "nx ny nz nu n recovery m floor hurst seed friction tol increment_tol image_tol start "
-    "exponent increments passes unload_increments slide_to_roll slider body "
-    "cells_per_increment width",
-}
-UNITS = {name: unit for unit, names in _FIELDS_BY_UNIT.items() for name in names.split()}
 # Units that take a prefix; others are written as they are.
 _PREFIXED = ("m", "Pa", "N", "s", "m/s")
 
@@ -85,10 +67,9 @@ def parameters(dataset: xr.Dataset) -> list[Row]:
 
 
 def _rows(section: str, fields: dict[str, Any]) -> list[Row]:
-    # tugging's width and depth are ratios, a dent's depth is a length
-    units = UNITS | {"depth": ""} if section == "tugging" else UNITS
+    top = section.partition(",")[0]
     plain = [
-        Row(section, name, _value(value, units.get(name, "")))
+        Row(section, name, _value(value, field_unit(f"{top}.{name}")))
         for name, value in fields.items()
         if not isinstance(value, dict)
     ]
@@ -121,7 +102,7 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
             if str(name).startswith(prefix):
                 field = str(name).removeprefix(prefix)
                 plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
-                unit = UNITS.get(field.removeprefix("kinematic_"), "")
+                unit = field_unit(f"body{body}.{field.removeprefix('kinematic_')}")
                 rows.append(Row(f"body{body}", field.replace("_", " "), _value(plain, unit)))
     for name in ("friction", "tol"):
         if name in dataset.attrs:

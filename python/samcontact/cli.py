@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command ``samcontact``: run case files, write reports and exports, print Hertz values.
+"""The command ``samcontact``: run case files, one or many of a kind, report, print Hertz values.
 
 Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad input,
 130 interrupted.
@@ -178,6 +178,33 @@ def _solve_study(
     from ._wear_command import solve_wear
 
     return solve_wear(case, directory, checkpoints, console, figures)
+
+
+@main.command("sweep")
+@click.argument("case_file", metavar="CASE.toml", type=click.Path(path_type=Path))
+@click.option(
+    "--set",
+    "settings",
+    metavar="FIELD=VALUE,...",
+    multiple=True,
+    required=True,
+    help="Values of a field, e.g. body2.yield_stress=1e9,2e9; once for each field.",
+)
+@click.option("--zip", "zipped", is_flag=True, help="First values, second ones, ... together.")
+@click.option("--jobs", type=click.IntRange(min=1), help="Worker processes of one thread each.")
+@click.option("--dask", "address", metavar="ADDRESS", help="Scheduler of a Dask cluster.")
+@click.option("--output", type=click.Path(path_type=Path), help="Directory of the results.")
+@click.option("--quiet", is_flag=True, help="Print the path of the results only.")
+def sweep_command(case_file: Path, **options: Any) -> None:
+    """Solve a case file for many values of its fields; write sweep.nc.
+
+    The same command goes on with a sweep that was interrupted, and tries failed cases again.
+    """
+    with short_errors():
+        from ._sweep_command import run_sweep
+
+        code = run_sweep(case_file, **options)
+    raise SystemExit(code)
 
 
 def _finish(written: list[Path], checkpoints: Path | None) -> None:

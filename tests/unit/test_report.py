@@ -3,7 +3,6 @@
 
 import re
 from types import SimpleNamespace
-from typing import get_args
 
 import numpy as np
 import pytest
@@ -14,8 +13,8 @@ from test_cases import MINIMAL
 
 import samcontact as sc
 from browser import chromium, served
-from samcontact import _case_sections, report, results
-from samcontact._report_tables import UNITS, parameters
+from samcontact import report, results
+from samcontact._report_tables import parameters
 from samcontact.cases import parse_case
 from samcontact.cli import main
 
@@ -312,27 +311,6 @@ def test_refuses_what_is_no_run(data, tmp_path):
     outcome = CliRunner().invoke(main, ["report", str(tmp_path)])
     assert outcome.exit_code == 1
     assert "no results file at" in outcome.stderr
-
-
-def numbers(model=_case_sections.Section):
-    """Names of the fields of a case file that hold numbers."""
-    for section in model.__subclasses__():
-        for name, field in section.model_fields.items():
-            if {int, float} & set(kinds(field.annotation)):
-                yield name
-        yield from numbers(section)
-
-
-def kinds(annotation):
-    yield annotation
-    for inner in get_args(annotation):
-        yield from kinds(inner)
-
-
-def test_every_number_of_a_case_file_has_its_unit():
-    found = set(numbers())
-    assert {"dx", "yield_stress", "hurst", "advance", "increments"} <= found
-    assert found - set(UNITS) == set()
 
 
 def test_parameters_of_nested_sections():

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command ``samcontact sweep``: values from the command line, its table, files, exit codes."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+import xarray as xr
+from test_cases import MINIMAL
+from test_cli import check_failure, invoke
+
+import samcontact as sc
+from samcontact import _sweep_task, results
+from samcontact._sweep_command import parse_settings
+from samcontact.cases import load_case
+
+
+def test_settings_of_the_command():
+    text = ["body2.yield_stress=1e9, 2e9", "body1.law=elastic,rigid", "contact.friction=0,1.,.5"]
+    assert parse_settings([*text, "contact.velocity=[1,0],[2,0]"]) == {
+        "body2.yield_stress": [1e9, 2e9],
+        "body1.law": ["elastic", "rigid"],
+        "contact.friction": [0, 1.0, 0.5],
+        "contact.velocity": [[1, 0], [2, 0]],
+    }
+
+
+@pytest.fixture
+def case_file(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text(MINIMAL)
+    return path
+
+
+def test_the_command_end_to_end(case_file, tmp_path):
+    out = tmp_path / "out"
+    outcome = invoke(
+        "sweep", case_file, "--set", "path[0].load=300,600", "--set", "contact.friction=0.1",
+        "--output", out, "--jobs", 2,
+    )  # fmt: skip
+    assert outcome.exit_code == 0, outcome.output
+    assert outcome.stdout.splitlines()[-1] == str(out / "sweep.nc")
+    assert "path[0]." in outcome.stdout
+    assert outcome.stdout.count("done") == 2
+    with results.open_results(out / "sweep.nc") as found:
+        assert found.sizes == {"path[0].load": 2, "contact.friction": 1, "increment": 3}
+        # the table shows the peak, not the end
+        peak = float(found["max_pressure"].sel({"path[0].load": 300.0, "increment": 2})[0])
+        assert f"{peak * 1e-6:.1f}" in outcome.stdout
+        expected = sc.sweep(
+            load_case(case_file),
+            {"path[0].load": [300, 600], "contact.friction": [0.1]},
+            progress=False,
+        )
+        xr.testing.assert_identical(found.load(), expected)
+
+
+def test_the_command_tells_what_failed(case_file, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    outcome = invoke("sweep", case_file, "--set", "path[0].load=300,9e4", "--quiet")
+    assert outcome.exit_code == 1
+    assert outcome.stdout == "results/scene/sweep/sweep.nc\n"
+    assert outcome.stderr.startswith("1 of 2 cases failed\n  GridTooSmallError: at load ")
+    with results.open_results("results/scene/sweep/sweep.nc") as found:
+        assert found["status"].values.tolist() == ["done", "failed"]
+
+
+def test_the_command_interrupted(case_file, tmp_path, monkeypatch):
+    def stopped(content, source):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(_sweep_task, "solve_case", stopped)
+    setting = ("--set", "path[0].load=300,600", "--output", tmp_path, "--quiet")
+    outcome = invoke("sweep", case_file, *setting)
+    assert outcome.exit_code == 130
+    assert outcome.stderr == "2 of 2 cases cancelled\n"
+
+
+def test_ctrl_c_ends_the_workers_too(case_file, tmp_path):
+    loads = ",".join(str(300 + i) for i in range(400))
+    command = [sys.executable, "-m", "samcontact", "sweep", str(case_file), "--jobs", "1"]
+    command += ["--set", f"path[0].load={loads}", "--output", str(tmp_path), "--quiet"]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    # as in a terminal, Ctrl-C goes to the command and all its workers
+    with subprocess.Popen(command, start_new_session=True, **pipes) as process:
+        deadline = time.monotonic() + 60
+        while not list(tmp_path.glob("cases/*.nc")) and time.monotonic() < deadline:
+            time.sleep(0.02)
+        os.killpg(process.pid, signal.SIGINT)
+        _, errors = process.communicate(timeout=30)  # until all that share the pipes have gone
+    assert process.returncode == 130
+    done = len(list(tmp_path.glob("cases/*.nc")))
+    assert done >= 1
+    assert errors == f"{400 - done} of 400 cases cancelled\n"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--set", "body2.yield=1e9"), "body2.yield: unknown field; did you mean"),
+        (("--set", "body2.B"), "--set must be FIELD=VALUE,VALUE,..., got 'body2.B'"),
+        (("--set", "body2.B=1", "--set", "body2.B=2"), "got body2.B twice"),
+        (("--set", "body2.B=1", "--jobs", "1", "--dask", "tcp://x"), "--jobs or --dask, not both"),
+    ],
+)
+def test_bad_use_of_the_command(case_file, arguments, message):
+    check_failure(invoke("sweep", case_file, *arguments, "--quiet"), 2, message)
