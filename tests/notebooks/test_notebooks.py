@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The notebooks: they run without a warning, show figures, and are stored without outputs."""
+
+import os
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+nbformat = pytest.importorskip("nbformat")
+nbclient = pytest.importorskip("nbclient")
+pytest.importorskip("ipykernel")
+
+ROOT = Path(__file__).parents[2]
+PATHS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+LONGEST = 120
+"""Seconds for a notebook on one slow core."""
+notebooks = pytest.mark.parametrize("path", PATHS, ids=lambda path: path.stem)
+
+STRICT = """
+import warnings
+warnings.simplefilter("error")
+# of the kernel itself, when it shuts down
+warnings.simplefilter("ignore", PendingDeprecationWarning)
+# of libraries that look for others
+warnings.simplefilter("ignore", ImportWarning)
+"""
+
+
+def read(path):
+    return nbformat.read(path, as_version=4)
+
+
+def text(notebook, kind):
+    return "\n".join(cell.source for cell in notebook.cells if cell.cell_type == kind)
+
+
+def test_there_are_notebooks():
+    assert len(PATHS) >= 10
+
+
+@notebooks
+def test_form(path):
+    notebook = read(path)
+    nbformat.validate(notebook)
+    first = notebook.cells[0]
+    assert first.cell_type == "markdown"
+    lines = first.source.splitlines()
+    assert lines[0] == "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->"
+    assert re.fullmatch(rf"# {int(path.stem[:2])}\. .+", lines[1])
+    prose = text(notebook, "markdown")
+    assert "**After this notebook you can**" in prose
+    assert "\n## Try\n" in prose
+
+
+@notebooks
+def test_stored_without_outputs(path):
+    for cell in read(path).cells:
+        if cell.cell_type == "code":
+            assert not cell.outputs
+            assert cell.execution_count is None
+
+
+@notebooks
+def test_cells_have_names(path):
+    """Names instead of random ids: a change of one cell is a change of that cell alone."""
+    names = [cell.id for cell in read(path).cells]
+    assert len(set(names)) == len(names)
+    assert [name for name in names if not re.fullmatch(r"[a-z]+(-[a-z]+)*", name)] == []
+
+
+@notebooks
+def test_uses_the_public_interface_only(path):
+    code = text(read(path), "code")
+    imported = re.findall(r"^\s*(?:from|import) +(samcontact\S*)(.*)$", code, re.MULTILINE)
+    assert imported
+    used = [" ".join(names) for names in imported] + re.findall(r"[\w)\]]\.(_\w+)", code)
+    assert [name for name in used if re.search(r"(?<!\w)_\w", name)] == []
+
+
+@notebooks
+def test_links_lead_somewhere(path):
+    for target in re.findall(r"\]\(([^)\s]+)\)", text(read(path), "markdown")):
+        assert target.startswith("https://") or (path.parent / target).exists(), target
+
+
+@notebooks
+def test_runs_and_shows_figures(path, tmp_path):
+    notebook = read(path)
+    notebook.cells.insert(0, nbformat.v4.new_code_cell(STRICT))
+    client = nbclient.NotebookClient(
+        notebook,
+        timeout=LONGEST,
+        kernel_name="python3",
+        resources={"metadata": {"path": str(tmp_path)}},
+    )
+    # The kernel finds what this process finds, wherever it starts.
+    places = [str(Path(place).resolve()) for place in sys.path if place]
+    # Nothing asks for a display, and what matplotlib remembers stays as it is.
+    client.execute(env={**os.environ, "PYTHONPATH": os.pathsep.join(places)})
+    outputs = [o for cell in notebook.cells for o in cell.get("outputs", ())]
+    assert sum("image/png" in o.get("data", {}) for o in outputs) >= 3
+    assert [o.text for o in outputs if o.output_type == "stream" and o.name == "stderr"] == []
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_readme_lists_every_notebook():
+    links = re.findall(r"\]\(notebooks/([^)]+)\)", (ROOT / "README.md").read_text(encoding="utf-8"))
+    assert links == [path.name for path in PATHS]
