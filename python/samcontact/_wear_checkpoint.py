@@ -6,7 +6,6 @@ from __future__ import annotations
 import dataclasses
 import hashlib
 import os
-import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,6 +14,7 @@ from typing import Any
 import h5py
 import numpy as np
 
+from ._atomic import replacing
 from ._checks import FloatArray
 from ._wear_checks import Scene
 from ._wear_results import Cycle
@@ -70,19 +70,9 @@ def _feed(digest: Any, value: Any) -> None:
 
 
 def write(path: str | os.PathLike[str], scene: Scene, standing: Standing) -> None:
-    """Write to a temporary file beside `path`, then replace: a failure leaves the old file."""
-    target = Path(path)
-    handle, name = tempfile.mkstemp(prefix=target.name, suffix=".part", dir=target.parent)
-    os.close(handle)
-    try:
-        with h5py.File(name, "w") as file:
-            _write(file, scene, standing)
-        with open(name, "rb") as written:
-            os.fsync(written.fileno())
-        os.replace(name, target)
-    except BaseException:
-        os.unlink(name)
-        raise
+    """A failure leaves the old file."""
+    with replacing(path) as part, h5py.File(part, "w") as file:
+        _write(file, scene, standing)
 
 
 def _write(file: h5py.File, scene: Scene, standing: Standing) -> None:

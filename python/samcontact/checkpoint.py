@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Callable
 from dataclasses import astuple
 from pathlib import Path
@@ -14,6 +13,7 @@ import h5py
 import numpy as np
 
 from . import _core
+from ._atomic import replacing
 from ._checks import FloatArray
 from .grid import Grid
 from .material import Material
@@ -48,22 +48,12 @@ class CheckpointError(ValueError):
 def write_checkpoint(
     path: str | os.PathLike[str], simulation: Simulation, state: State | None = None
 ) -> None:
-    """Write to a temporary file beside `path`, then replace: a failure leaves the old file.
+    """A failure leaves the old file.
 
     state: an earlier one of the simulation, instead of the present one.
     """
-    target = Path(path)
-    handle, name = tempfile.mkstemp(prefix=target.name, suffix=".part", dir=target.parent)
-    os.close(handle)
-    try:
-        with h5py.File(name, "w") as file:
-            _write(file, simulation, state)
-        with open(name, "rb") as written:
-            os.fsync(written.fileno())
-        os.replace(name, target)
-    except BaseException:
-        os.unlink(name)
-        raise
+    with replacing(path) as part, h5py.File(part, "w") as file:
+        _write(file, simulation, state)
 
 
 def _write(file: h5py.File, simulation: Simulation, earlier: State | None = None) -> None:

@@ -7,8 +7,6 @@ xx, yy, zz, yz, xz, xy (tensor shear strains).
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Callable, Sequence
 from datetime import datetime, timezone
 from pathlib import Path
@@ -17,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from ._atomic import replacing
 from ._checks import choice
 from ._convergence_results import add_convergence
 from ._track_results import COMPONENTS, add_motion
@@ -322,19 +321,8 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
         for name, variable in dataset.data_vars.items()
         if variable.ndim > 1
     }
-    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.", suffix=".part")
-    os.close(handle)
-    temporary = Path(name)
-    try:
-        dataset.to_netcdf(temporary, engine="h5netcdf", encoding=encoding)
-        # mkstemp makes the file private; give it what a plain open() would
-        mask = os.umask(0)
-        os.umask(mask)
-        temporary.chmod(0o666 & ~mask)
-        os.replace(temporary, target)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
+    with replacing(target) as part:
+        dataset.to_netcdf(part, engine="h5netcdf", encoding=encoding)
     return target
 
 
