@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import difflib
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
@@ -15,7 +16,9 @@ def explain(root: type[BaseModel], item: Any) -> str:
     kind, context = item["type"], item.get("ctx", {})
     where = _dotted(names)
     if kind == "extra_forbidden":
-        return f"{where}: unknown field; allowed here: {', '.join(fields)}"
+        near = difflib.get_close_matches(str(names[-1]), fields, 1, cutoff=0.5)
+        hint = f"; did you mean {near[0]}?" if near else ""
+        return f"{where}: unknown field; allowed here: {', '.join(fields)}{hint}"
     if kind == "missing":
         return f"{where}: required field is missing"
     if kind == "union_tag_not_found":

@@ -170,7 +170,7 @@ def _explained(case: CaseFile, item: Any, names: Sequence[str]) -> str:
     if item["type"] == "extra_forbidden":
         for name in names:
             if name == where or name.startswith((f"{where}.", f"{where}[")):
-                return f"{name}: unknown field{_nearest(case, name)}; {line.partition('; ')[2]}"
+                return f"{name}: unknown field{_nearest(case, name)}; {line.split('; ')[1]}"
     return line
 
 

@@ -133,7 +133,11 @@ def test_every_law_and_shape_is_accepted(write):
             r"body1: tangent_modulus must be < E = 2000000000\.0, got 3000000000\.0",
         ),
         ("[surface]", "[surfaces]", r"surface: required field is missing"),
-        ("[surface]", "[surfaces]", r"surfaces: unknown field; allowed here: title, .*output"),
+        (
+            "[surface]",
+            "[surfaces]",
+            r"surfaces: unknown field; allowed here: title, .*output; did you mean surface\?",
+        ),
         (
             "Rx = 7.5e-3",
             'Rx = 7.5e-3\n[surface.roughness]\nkind = "sinusoidal"\namplitude = 1e-6\nlx = 1.0',
