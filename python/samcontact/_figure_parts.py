@@ -66,13 +66,6 @@ def surface_line(
     return np.asarray(grid.y), values[nearest(grid.x, 0.0), :]
 
 
-def von_mises_norm(tensor: FloatArray) -> FloatArray:
-    """Von Mises norm of a stress tensor, shape (6, ...)."""
-    xx, yy, zz, yz, xz, xy = tensor
-    normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
-    return np.asarray(np.sqrt(0.5 * normal + 3.0 * (yz**2 + xz**2 + xy**2)), dtype=np.float64)
-
-
 def show_section(
     ax: Axes | None,
     across: FloatArray,

@@ -14,7 +14,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from . import plotting
-from ._figure_parts import QUANTITIES, finish, new_figure, von_mises_norm
+from ._figure_parts import QUANTITIES, finish, new_figure
+from ._tensors import von_mises
 from .grid import Grid
 from .vtk_export import cell_size
 
@@ -169,7 +170,7 @@ def _remains(scene: Scene) -> Iterator[Made]:
         text = f"Permanent displacement of the surface along x, at most {', '.join(deepest)}."
         yield f"Print, {scene.moment(number)}", text, figure
     if scene.has("residual_stress") and number in data["volume_increment"].values:
-        values = von_mises_norm(scene.field("residual_stress", number))
+        values = von_mises(scene.field("residual_stress", number))
         when = f"body {scene.body}, {scene.moment(number)}"
         yield _section(scene, values, "residual_von_mises", when)
 

@@ -10,6 +10,7 @@ from rich.console import Console
 from rich.table import Table
 
 from . import tugging_figures
+from ._command_tables import new_table
 from ._figure_parts import new_figure
 from .results import save
 
@@ -72,9 +73,7 @@ def _by_pass(series: xr.Dataset) -> list[str]:
 
 def _table(result: Tugging) -> Table:
     """One row for each pass."""
-    table = Table(title="Passes", title_justify="left")
-    for heading in HEADINGS:
-        table.add_column(heading, justify="right")
+    table = new_table("Passes", *HEADINGS)
     for number in result.series["pass"].values:
         one = result.series.sel({"pass": number})
         fx, fz = one["force_x"], one["force_z"]

@@ -10,6 +10,7 @@ from rich.console import Console
 from rich.table import Table
 
 from . import wear_figures
+from ._command_tables import new_table
 from ._figure_parts import new_figure
 from .results import save
 
@@ -71,9 +72,7 @@ def _draw(result: WearResult, directory: Path) -> list[Path]:
 
 def _table(result: WearResult) -> Table:
     """One row for each cycle; the largest of all worn bodies, or the sum of their volumes."""
-    table = Table(title="Cycles", title_justify="left")
-    for heading in ("", *(heading for _, heading, _, _ in COLUMNS)):
-        table.add_column(heading, justify="right")
+    table = new_table("Cycles", "", *(heading for _, heading, _, _ in COLUMNS))
     for cycle in result.cycles:
         row = [str(cycle.number)]
         for name, _, factor, form in COLUMNS:

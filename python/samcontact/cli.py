@@ -21,6 +21,7 @@ from rich.text import Text
 from . import hertz as _hertz
 from ._checks import poisson_ratio
 from ._cli_errors import FAILED, INTERRUPTED, short_errors
+from ._command_tables import new_table
 from ._doctor_command import doctor
 from ._hertz_rows import hertz_area, hertz_rows
 from ._result_commands import export, report
@@ -215,14 +216,6 @@ def _finish(written: list[Path], checkpoints: Path | None) -> None:
         click.echo(str(file))
 
 
-def _table(title: str, *columns: str) -> Table:
-    table = Table(title=title, title_justify="left")
-    for index, column in enumerate(columns):
-        # Text: "[mm²]" in a plain string would be read as markup
-        table.add_column(Text(column), justify="right" if index else "left")
-    return table
-
-
 def _summary(dataset: xr.Dataset, body: int) -> Table:
     """Table of all increments, in units that read well."""
     wanted: list[tuple[str, str, float, str]] = [
@@ -236,7 +229,7 @@ def _summary(dataset: xr.Dataset, body: int) -> Table:
         ("iterations", "itera-\ntions", 1, ".0f"),
     ]
     shown = [column for column in wanted if column[0] in dataset]
-    table = _table("Increments", "", *(heading for _, heading, _, _ in shown))
+    table = new_table("Increments", "", *(heading for _, heading, _, _ in shown))
     for index, number in enumerate(dataset["increment"].values):
         values = [format(dataset[n].values[index] * f, form) for n, _, f, form in shown]
         table.add_row(str(number), *values)
@@ -250,7 +243,9 @@ def _comparison(
     body: int,
 ) -> Table:
     """Computed values at the peak load next to those of elastic Hertz contact."""
-    table = _table(f"Against elastic Hertz contact at {reference.load:.6g} N", "", "Hertz", "here")
+    table = new_table(
+        f"Against elastic Hertz contact at {reference.load:.6g} N", "", "Hertz", "here"
+    )
     unit, factor = ("mm²", 1e6) if hertz_area(reference) > 1e-8 else ("µm²", 1e12)
     shown = {
         "maximum pressure": ("p_max [MPa]", 1e-6),

@@ -28,8 +28,8 @@ from ._figure_parts import (
     new_figure,
     show_section,
     surface_line,
-    von_mises_norm,
 )
+from ._tensors import von_mises
 from .animation import rolling_animation, save_animation
 from .hertz import EllipticContact, PointContact
 from .track_figures import loaded_section, track_print, track_section, track_summary
@@ -423,7 +423,7 @@ def summary_figures(
     if material.is_plastic:
         last = states[-1]
         print_profile(last, grid, panel("print"), body=body)
-        residual = von_mises_norm(np.asarray(last.residual_stress(body=body)))
+        residual = von_mises(np.asarray(last.residual_stress(body=body)))
         section(residual, grid, panel("residual"), quantity="residual_von_mises")
         if any(state.travel[body - 1] for state in states):
             figures |= track_summary(states, body)

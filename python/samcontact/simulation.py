@@ -100,7 +100,12 @@ class Simulation(Shown):
     image_tol : float, optional
         With "fast": error due to the periodicity of the transforms, relative to the largest
         residual stress; in [1e-6, 0.1].
-
+    heat_factor, velocity, heating_time, heat_reference : optional
+        Frictional heat, as for `ContactSolver`.
+    heat_history : pair of floats, optional
+        (shortest, longest) [s], 0 < shortest <= longest: march the heat in time, in steps that last
+        at least `shortest` and follow heat for `longest`; each `step` then takes its `duration`.
+        Instead of `heating_time`.
     relief1, relief2 : Relief, optional
         Roughness or dents of the surface of body 1 and 2, which move with it.
     reach : float, optional

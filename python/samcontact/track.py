@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ._checks import FloatArray
+from ._tensors import von_mises
 from .grid import Grid
 
 __all__ = ["Track"]
@@ -63,10 +64,7 @@ class Track:
 
     def residual_von_mises(self) -> FloatArray:
         """Von Mises stress of the residual stress [Pa], shape (len(x), ny, nz)."""
-        xx, yy, zz, yz, xz, xy = self.residual_stress()
-        normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
-        equivalent: FloatArray = np.sqrt(0.5 * normal + 3 * (yz**2 + xz**2 + xy**2))
-        return equivalent
+        return von_mises(self.residual_stress())
 
     def residual_hydrostatic(self) -> FloatArray:
         """Mean normal residual stress [Pa], shape (len(x), ny, nz)."""

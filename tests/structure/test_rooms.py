@@ -216,3 +216,33 @@ def test_everything_public_has_a_docstring():
     }
     assert {"sc.Grid", "sc.Simulation.step", "sc.hertz.point", "sc.State.pressure"} <= set(things)
     assert sorted(name for name, thing in things.items() if not inspect.getdoc(thing)) == []
+
+
+def callables():
+    """Public classes and functions with documented parameters."""
+    for name in sc.__all__:
+        thing = getattr(sc, name)
+        members = [thing]
+        if inspect.ismodule(thing):
+            members = [getattr(thing, inner) for inner in getattr(thing, "__all__", ())]
+        for member in members:
+            if inspect.isclass(member):
+                yield member, inspect.signature(member.__init__)
+                for method in vars(member).values():
+                    if inspect.isfunction(method) and not method.__name__.startswith("_"):
+                        yield method, inspect.signature(method)
+            elif inspect.isfunction(member):
+                yield member, inspect.signature(member)
+
+
+def test_every_parameter_is_documented():
+    missing = []
+    for thing, signature in callables():
+        text = inspect.getdoc(thing) or ""
+        if "Parameters\n" not in text:
+            continue
+        kinds = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
+        names = [p.name for p in signature.parameters.values() if p.kind not in kinds]
+        missing += [f"{thing.__qualname__}({name})" for name in names if name not in ("self", "cls")
+                    and not re.search(rf"\b{name}\b", text)]  # fmt: skip
+    assert not missing

@@ -13,8 +13,9 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from .._tensors import von_mises
 from .page import Number, Picture, Statement
-from .profiles import finish, succession, von_mises
+from .profiles import finish, succession
 
 TITLE = "Normal load and friction"
 INTRODUCTION = """

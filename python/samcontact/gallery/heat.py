@@ -10,8 +10,9 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from .._tensors import von_mises
 from .page import Number, Picture, Statement
-from .profiles import finish, von_mises
+from .profiles import finish
 
 TITLE = "Frictional heat"
 INTRODUCTION = """

@@ -7,14 +7,6 @@ import numpy as np
 from matplotlib.axes import Axes
 
 
-def von_mises(stress: np.ndarray) -> np.ndarray:
-    """Of a tensor xx, yy, zz, yz, xz, xy, shape (6, ...)."""
-    xx, yy, zz, yz, xz, xy = stress
-    normal = 0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2)
-    equivalent: np.ndarray = np.sqrt(normal + 3 * (yz**2 + xz**2 + xy**2))
-    return equivalent
-
-
 def succession(values: np.ndarray, negligible: float) -> list[str]:
     """Signs of a stress from the surface down, without what is negligible."""
     found: list[str] = []
