@@ -13,7 +13,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from samcontact import cases
-from samcontact._field_units import all_models, unit_of
+from samcontact.cases.field_units import all_models, unit_of
 
 SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"))
 PLAIN = {float: "number", int: "integer", bool: "true or false", str: "text", list: "list"}

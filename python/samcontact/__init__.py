@@ -25,13 +25,13 @@ from . import (
 )
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
-from ._sweep import SweepInterrupted, sweep
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
 from .grid import Grid
 from .material import Material
 from .relief import Relief
 from .simulation import CheckpointError, PlasticStrainWarning, Simulation
 from .state import State
+from .sweeps import SweepInterrupted, sweep
 from .track import Track
 
 __all__ = [

@@ -12,9 +12,9 @@ import math
 from dataclasses import asdict, dataclass
 
 from ._checks import non_negative, poisson_ratio, positive
-from ._hertz_axis import line_max_von_mises, point_max_von_mises
-from ._hertz_field import sliding_max_von_mises
 from ._repr import Shown
+from .hertz.axis import line_max_von_mises, point_max_von_mises
+from .hertz.field import sliding_max_von_mises
 
 __all__ = [
     "CriticalCylinder",

@@ -46,7 +46,7 @@ def installation() -> list[tuple[str, str]]:
     list of (str, str)
         Package, Python, machine, compiler, FFTW, SIMD level and threads, then libraries.
     """
-    from samcontact import __version__
+    from . import __version__
 
     core = Path(_core_file())
     library = ctypes.CDLL(str(core))  # is loaded already: only names are looked up

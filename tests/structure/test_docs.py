@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 import samcontact as sc
-from samcontact import _case_sections, results
+from samcontact import results
 from samcontact.cases import Case
+from samcontact.cases.base import Section
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md")]
@@ -111,7 +112,7 @@ def test_equations_are_numbered_in_order():
     assert numbers == list(range(1, len(numbers) + 1))
 
 
-def sections(model=_case_sections.Section):
+def sections(model=Section):
     for section in model.__subclasses__():
         yield section
         yield from sections(section)

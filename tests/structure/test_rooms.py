@@ -22,7 +22,7 @@ HEADERS = sorted(INCLUDE.rglob("*.hpp"))
 SOURCES = sorted((ROOT / "cpp" / "src").rglob("*.cpp"))
 BINDINGS = sorted((ROOT / "cpp" / "bindings").iterdir())
 PACKAGE = ROOT / "python" / "samcontact"
-MODULES = sorted(PACKAGE.glob("*.py"))
+MODULES = sorted(PACKAGE.rglob("*.py"))
 
 # What a room may include besides itself.
 BELOW = {
@@ -34,6 +34,22 @@ BELOW = {
     "contact": {"base", "kernels", "fft", "operators"},
     "simulation": {"base", "kernels", "fft", "operators", "plasticity", "contact"},
 }
+# The folders of the package, and which others each may import; modules outside of folders are free
+# to all.
+FOLDERS = {
+    "hertz": set(),
+    "paths": set(),
+    "measured": set(),
+    "results": {"hertz"},
+    "plotting": {"hertz"},
+    "asperities": {"results"},
+    "wear": {"results"},
+    "cases": {"hertz", "paths", "measured", "asperities", "wear"},
+    "sweeps": {"cases", "results"},
+    "report": {"cases", "results", "plotting"},
+    "gallery": set(),  # as a user would: import samcontact as sc
+    "commands": {"hertz", "cases", "results", "plotting", "sweeps", "report", "gallery"},
+}  # fmt: skip
 # Modules that talk to the core; all others go through them.
 CORE_USERS = {
     "__init__",
@@ -153,33 +169,59 @@ def test_files_begin_with_the_licence(folder):
         assert "SPDX-License-Identifier: GPL-3.0-or-later" in start or not start, file
 
 
-def imports(tree):
-    """Modules of the package imported when a module is loaded, as (module, name) pairs."""
-    for node in tree.body:
-        if not isinstance(node, ast.ImportFrom) or node.level != 1:
+def module_name(file):
+    """Dotted, below the package: "grid", "wear" of its __init__, "wear.steps"."""
+    parts = file.relative_to(PACKAGE).with_suffix("").parts
+    return ".".join(parts[:-1] if len(parts) > 1 and parts[-1] == "__init__" else parts)
+
+
+NAMES = {module_name(file): file for file in MODULES}
+
+
+def imports(name, nodes):
+    """Modules of the package that these statements of a module import."""
+    file = NAMES[name]
+    package = file.relative_to(PACKAGE).parent.parts
+    for node in nodes:
+        if not isinstance(node, ast.ImportFrom) or node.level == 0:
             continue
+        base = package[: len(package) + 1 - node.level] + tuple((node.module or "").split("."))
+        base = ".".join(part for part in base if part)
         for alias in node.names:
-            yield (node.module or alias.name), alias.name
+            inner = f"{base}.{alias.name}".lstrip(".")
+            yield inner if inner in NAMES or not base else base
+
+
+def all_imports(name):
+    """When it is loaded or used; not what only types name."""
+    tree = ast.parse(NAMES[name].read_text())
+    tree.body = [node for node in tree.body if not (
+        isinstance(node, ast.If) and getattr(node.test, "id", "") == "TYPE_CHECKING")]  # fmt: skip
+    return set(imports(name, ast.walk(tree)))
 
 
 def test_modules_have_no_cycle():
     graph = {
-        file.stem: {module for module, _ in imports(ast.parse(file.read_text()))} - {"_core"}
-        for file in MODULES
+        name: set(imports(name, ast.parse(file.read_text()).body)) - {"_core"}
+        for name, file in NAMES.items()
     }
     assert {name for names in graph.values() for name in names} <= set(graph)
     graphlib.TopologicalSorter(graph).prepare()
 
 
+def test_folders_import_those_below_only():
+    folders = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
+    assert folders == set(FOLDERS)
+    found = {folder: set() for folder in folders}
+    for name in NAMES:
+        if (folder := name.split(".")[0]) in folders:
+            found[folder] |= {target.split(".")[0] for target in all_imports(name)} & folders
+    assert {folder: names - {folder} for folder, names in found.items()} == FOLDERS
+    graphlib.TopologicalSorter(FOLDERS).prepare()
+
+
 def test_few_modules_talk_to_the_core():
-    users = {
-        file.stem
-        for file in MODULES
-        for node in ast.walk(ast.parse(file.read_text()))
-        if isinstance(node, ast.ImportFrom)
-        and ("_core" in (node.module or "") or any(a.name == "_core" for a in node.names))
-    }
-    assert users == CORE_USERS
+    assert {name for name in NAMES if "_core" in all_imports(name)} == CORE_USERS
 
 
 def test_the_package_loads_no_file_or_figure_library():

@@ -10,7 +10,7 @@ from test_cases import MINIMAL
 
 import samcontact
 from samcontact import results
-from samcontact.cli import main
+from samcontact.commands.main import main
 
 
 @pytest.fixture

@@ -15,7 +15,7 @@ from click.testing import CliRunner
 
 import samcontact as sc
 from samcontact import doctor
-from samcontact.cli import main
+from samcontact.commands.main import main
 
 LINE = re.compile(r"(ok|failed) +(.+): (\S+), limit ([≤≥]) (\S+)")
 

@@ -16,8 +16,9 @@ from test_cases import MINIMAL
 from test_cli import check_failure, invoke
 from test_moving_cases import MOVING
 
-from samcontact import cli, results
+from samcontact import results
 from samcontact.cases import load_case
+from samcontact.commands import solve_contact
 
 
 @pytest.fixture
@@ -35,7 +36,7 @@ def test_figures_and_animation(case_file, tmp_path, monkeypatch):
         return file.touch() if isinstance(file, Path) else draw(self, file, **options)
 
     monkeypatch.setattr(Figure, "savefig", savefig)
-    monkeypatch.setattr(cli, "MOST_FRAMES", 4)
+    monkeypatch.setattr(solve_contact, "MOST_FRAMES", 4)
     case_file.write_text(MOVING.replace("passes = 2", "passes = 1"))
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--animate")
     assert outcome.exit_code == 0, outcome.output
@@ -59,7 +60,7 @@ def test_animation_of_what_does_not_move(case_file, tmp_path):
 KILLED = """
 import os, signal, sys
 from samcontact import Simulation, checkpoint
-from samcontact.cli import main
+from samcontact.commands.main import main
 write, count = checkpoint._write, 0
 def counted(file, *arguments):
     global count
@@ -159,7 +160,7 @@ def test_heights_that_changed_are_another_run(case_file, tmp_path, monkeypatch):
 INTERRUPTED = """
 import os, signal, sys
 from samcontact import Simulation
-from samcontact.cli import main
+from samcontact.commands.main import main
 step, count = Simulation.step, 0
 def counted(self, **arguments):
     global count

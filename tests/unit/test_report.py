@@ -14,9 +14,9 @@ from test_cases import MINIMAL
 import samcontact as sc
 from browser import chromium, served
 from samcontact import report, results
-from samcontact._report_tables import parameters
 from samcontact.cases import parse_case
-from samcontact.cli import main
+from samcontact.commands.main import main
+from samcontact.report.tables import parameters
 
 MARGINS = ("contact_margin", "plastic_margin_body2")
 
@@ -308,7 +308,7 @@ def test_texts_are_escaped_and_old_cases_do_no_harm(data, tmp_path):
 def test_refuses_what_is_no_run(data, tmp_path):
     with pytest.raises(ValueError, match="must be that of a run, but has no pressure"):
         report.write(data.drop_vars("pressure"), tmp_path / "report.html")
-    outcome = CliRunner().invoke(main, ["report", str(tmp_path)])
+    outcome = CliRunner().invoke(main, ["report", str(tmp_path / "results.nc")])
     assert outcome.exit_code == 1
     assert "no results file at" in outcome.stderr
 

@@ -16,8 +16,9 @@ from test_cases import MINIMAL
 from test_cli import invoke
 
 import samcontact as sc
-from samcontact import _sweep, _sweep_task, results
+from samcontact import results
 from samcontact.cases import Case, CaseError, TuggingCase
+from samcontact.sweeps import run, worker
 
 BASE = {
     "title": "ball on flat",
@@ -52,13 +53,13 @@ def client():
 @pytest.fixture
 def calls(monkeypatch):
     """The loads of the cases that are solved in this process."""
-    loads, solve = [], _sweep_task.solve_case
+    loads, solve = [], worker.solve_case
 
     def counted(content, source):
         loads.append(content["path"][0]["load"])
         return solve(content, source)
 
-    monkeypatch.setattr(_sweep_task, "solve_case", counted)
+    monkeypatch.setattr(worker, "solve_case", counted)
     return loads
 
 
@@ -282,7 +283,7 @@ def test_equal_cases_are_solved_once(calls):
 
 
 def test_interrupt_keeps_what_is_finished(tmp_path, monkeypatch, calls):
-    counted = _sweep_task.solve_case
+    counted = worker.solve_case
 
     def stopped(content, source):
         if content["path"][0]["load"] == 600.0:
@@ -291,7 +292,7 @@ def test_interrupt_keeps_what_is_finished(tmp_path, monkeypatch, calls):
 
     given = {"path[0].load": [300.0, 600.0, 700.0]}
     with monkeypatch.context() as patch:
-        patch.setattr(_sweep_task, "solve_case", stopped)
+        patch.setattr(worker, "solve_case", stopped)
         with pytest.raises(sc.SweepInterrupted) as caught:
             sc.sweep(CASE, given, output=tmp_path, progress=False)
     part = caught.value.dataset
@@ -334,7 +335,7 @@ def test_interrupt_cancels_what_waits_in_an_executor(monkeypatch):
     def impatient(futures):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(_sweep, "as_completed", impatient)
+    monkeypatch.setattr(run, "as_completed", impatient)
     with pytest.raises(sc.SweepInterrupted) as caught:
         sc.sweep(CASE, FEW, executor=Slow(), progress=False)
     assert caught.value.dataset["status"].values.tolist() == ["done", "cancelled", "cancelled"]

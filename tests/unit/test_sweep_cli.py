@@ -13,9 +13,10 @@ from test_cases import MINIMAL
 from test_cli import check_failure, invoke
 
 import samcontact as sc
-from samcontact import _sweep_task, results
-from samcontact._sweep_command import parse_settings
+from samcontact import results
 from samcontact.cases import load_case
+from samcontact.commands.solve_sweep import parse_settings
+from samcontact.sweeps import worker
 
 
 def test_settings_of_the_command():
@@ -72,7 +73,7 @@ def test_the_command_interrupted(case_file, tmp_path, monkeypatch):
     def stopped(content, source):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(_sweep_task, "solve_case", stopped)
+    monkeypatch.setattr(worker, "solve_case", stopped)
     setting = ("--set", "path[0].load=300,600", "--output", tmp_path, "--quiet")
     outcome = invoke("sweep", case_file, *setting)
     assert outcome.exit_code == 130

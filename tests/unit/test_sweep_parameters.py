@@ -6,13 +6,13 @@ import pytest
 from test_sweep import CASE
 
 import samcontact as sc
-from samcontact import _sweep_task
-from samcontact._field_units import field_unit
+from samcontact.cases.field_units import field_unit
+from samcontact.sweeps import worker
 
 
 @pytest.fixture
 def none_solved(monkeypatch):
-    monkeypatch.setattr(_sweep_task, "solve_case", lambda *_: pytest.fail("a case was solved"))
+    monkeypatch.setattr(worker, "solve_case", lambda *_: pytest.fail("a case was solved"))
 
 
 @pytest.mark.parametrize(

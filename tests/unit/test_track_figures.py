@@ -9,7 +9,7 @@ from PIL import Image
 
 import samcontact as sc
 from samcontact import plotting
-from samcontact.track_figures import positions_on_body, track_summary
+from samcontact.plotting.track import positions_on_body, track_summary
 
 SOFT = sc.Material.swift(210e9, 0.3, 945e6, 20, 0.121)
 STEP = 60e-6

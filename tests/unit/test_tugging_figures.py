@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact import tugging_figures
 from samcontact.asperities import Collision, tug
+from samcontact.plotting import tugging as tugging_figures
 
 ELASTIC = sc.Material.elastic(200e9, 0.32)
 STEEL = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)

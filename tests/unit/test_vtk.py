@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import mutable, vtkDataArray
 from vtkmodules.vtkIOXML import vtkXMLRectilinearGridReader
 
 from samcontact import results
-from samcontact.cli import main
+from samcontact.commands.main import main
 
 LOADS = (100.0, 300.0, 0.0)
 

@@ -6,7 +6,7 @@ import pytest
 
 import samcontact as sc
 from samcontact import wear
-from samcontact._wear_steps import shift_deviator
+from samcontact.wear.steps import shift_deviator
 
 ELASTIC = sc.Material.elastic(210e9, 0.3)
 STEEL = sc.Material.swift(210e9, 0.3, 1735e6, 16.0, 0.067)

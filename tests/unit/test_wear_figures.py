@@ -6,7 +6,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import samcontact as sc
-from samcontact import wear_figures
+from samcontact.plotting import wear as wear_figures
 
 GRID = sc.Grid(29, 27, 5e-6, 5e-6, 28, 1.6e-6)
 

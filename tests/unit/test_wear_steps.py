@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from samcontact import wear
-from samcontact._wear_steps import shift_deviator
+from samcontact.wear.steps import shift_deviator
 
 RNG = np.random.default_rng(7)
 

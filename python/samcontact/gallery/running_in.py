@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import samcontact as sc
-from samcontact import wear_figures
+from samcontact.plotting import wear
 
 from .page import Number, Picture, Statement
 from .profiles import finish
@@ -165,8 +165,8 @@ def surface(found: sc.wear.WearResult, cycle: int, name: str, caption: str) -> P
     figure = Figure(figsize=(9.0, 3.8), layout="constrained")
     left, right = figure.subplots(1, 2)
     last = len(found.cycles)
-    wear_figures.surface_map(found, left, cycle=cycle)
-    wear_figures.worn_profile(
+    wear.surface_map(found, left, cycle=cycle)
+    wear.worn_profile(
         found, right, position=CREST, cycles=(0,) if cycle == 0 else (0, 1, 3, 7, last)
     )
     for ax in (left, right):
@@ -176,14 +176,14 @@ def surface(found: sc.wear.WearResult, cycle: int, name: str, caption: str) -> P
 
 
 def panels(moments: tuple[sc.State, sc.State], name: str, caption: str) -> Picture:
-    figure = wear_figures.cycle_panels(moments, position=CREST, width=150e-6, depth=18e-6)
+    figure = wear.cycle_panels(moments, position=CREST, width=150e-6, depth=18e-6)
     return Picture(name, caption, figure)
 
 
 def history(found: sc.wear.WearResult) -> Picture:
     figure = Figure(figsize=(9.0, 3.6), layout="constrained")
     left, right = figure.subplots(1, 2)
-    wear_figures.wear_rate(found, left)
+    wear.wear_rate(found, left)
     left.axvline(STATED_CYCLES, color="k", linestyle="--", linewidth=1, label="stated: 7 cycles")
     finish(left, "cycle", "worn volume per cycle [µm³]")
     numbers = np.arange(1, len(found.cycles) + 1)

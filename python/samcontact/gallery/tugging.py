@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import samcontact as sc
-from samcontact import tugging_figures
 from samcontact.asperities import Collision, Tugging, tug
+from samcontact.plotting import tugging
 
 from .page import Number, Picture, Statement
 
@@ -219,14 +219,14 @@ def figures(results: Results) -> list[Picture]:
     shown = [run for ratio, run in results.runs.items() if ratio != 1.15]
     pictures = []
     for name, draw, caption in (
-        ("x", tugging_figures.force, "Figure 4.7: tangential force"),
-        ("z", tugging_figures.force, "Figure 4.8: normal force"),
-        ("energy", tugging_figures.net_energy, "Figure 4.9: net energy of a pass"),
-        ("ratio", tugging_figures.load_ratio, "Figure 4.10: load ratio"),
-        ("print", tugging_figures.residual_displacement, "Figure 4.11: largest depth of the print"),
+        ("x", tugging.force, "Figure 4.7: tangential force"),
+        ("z", tugging.force, "Figure 4.8: normal force"),
+        ("energy", tugging.net_energy, "Figure 4.9: net energy of a pass"),
+        ("ratio", tugging.load_ratio, "Figure 4.10: load ratio"),
+        ("print", tugging.residual_displacement, "Figure 4.11: largest depth of the print"),
     ):
         figure = Figure(figsize=(6.2, 4.2), layout="constrained")
-        options = {"component": name} if draw is tugging_figures.force else {}
+        options = {"component": name} if draw is tugging.force else {}
         ax = draw(shown, figure.subplots(), critical=CRITICAL, **options)
         if name == "ratio":
             ax.axhline(-0.045, color="k", linestyle=":", linewidth=1)

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import samcontact as sc
-from samcontact import wear_figures
+from samcontact.plotting import wear
 
 from .page import Number, Picture, Statement
 from .profiles import finish
@@ -181,7 +181,7 @@ def figures(results: Results) -> list[Picture]:
     left, middle, right = figure.subplots(1, 3)
     runs = (results.exact, results.smoothed)
     for ax, found, title in zip((left, middle), runs, TITLES, strict=True):
-        wear_figures.worn_profile(found, ax)
+        wear.worn_profile(found, ax)
         ax.set_xlim(-1500, 1500)
         ax.set_title(title, fontsize="medium")
     volumes(results, right)
@@ -202,12 +202,12 @@ def figures(results: Results) -> list[Picture]:
 
 
 def panels(moments: tuple[sc.State, sc.State], name: str, caption: str) -> Picture:
-    return Picture(name, caption, wear_figures.cycle_panels(moments, width=1.2e-3, depth=500e-6))
+    return Picture(name, caption, wear.cycle_panels(moments, width=1.2e-3, depth=500e-6))
 
 
 def volumes(results: Results, ax: Axes) -> None:
     for found, label in zip((results.exact, results.smoothed), TITLES, strict=True):
-        wear_figures.wear_rate(found, ax)
+        wear.wear_rate(found, ax)
         ax.get_lines()[-1].set_label(label)
     mean = float(np.mean(results.smoothed.rate[STEADY])) * 1e18
     ax.axhspan(0.85 * mean, 1.15 * mean, color="C1", alpha=0.15, label="mean of 4 to 13, ±15 %")

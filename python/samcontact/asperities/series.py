@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The labelled series of a tugging: one row for each increment of each pass."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._checks import FloatArray
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from .tugging import Collision
+
+# name: (unit, what it is)
+BY_INCREMENT = {
+    "offset": ("m", "horizontal distance of the centres"),
+    "angle": ("rad", "of the line of centres from the vertical"),
+    "approach": ("m", "along the line of centres"),
+    "normal_force": ("N", "along the line of centres"),
+    "force_x": ("N", "of sphere 1 on sphere 2 along X; what it takes to move sphere 1 along +X"),
+    "force_y": ("N", "of sphere 1 on sphere 2 along Y"),
+    "force_z": ("N", "of sphere 1 on sphere 2 downwards"),
+    "load_ratio": ("1", "force_x over force_z"),
+    "work": ("J", "of force_x since the start of the pass"),
+    "plastic_work": ("J", "of both bodies since the start of the first pass"),
+    "max_pressure": ("Pa", "largest pressure"),
+    "contact_area": ("m2", "area under pressure"),
+    "max_equivalent_plastic_strain": ("1", "largest equivalent plastic strain of a body"),
+}
+BY_PASS = {
+    "net_energy": ("J", "work of force_x over the pass"),
+    "dissipation": ("J", "plastic work of the pass in both bodies"),
+    "residual_energy": ("J", "elastic energy of the residual stress of both bodies after the pass"),
+    "energy_imbalance": ("J", "net energy not found as dissipation or more residual energy"),
+    "residual_displacement": ("m", "largest depth of the print of a body after the pass"),
+}
+
+
+@dataclass
+class Row:
+    """One increment; the last four values are known later, those of the pass in its last row."""
+
+    offset: float
+    angle: float
+    approach: float
+    normal_force: float
+    force_x: float
+    force_y: float
+    force_z: float
+    plastic_work: float
+    max_pressure: float
+    contact_area: float
+    max_equivalent_plastic_strain: tuple[float, float]
+    work: float = 0.0
+    residual_energy: float = 0.0
+    residual_displacement: tuple[float, float] = (0.0, 0.0)
+
+
+def _table(passes: Sequence[Sequence[Row]], name: str) -> FloatArray:
+    """Values by pass and increment (and body); NaN behind a shorter pass."""
+    values = [np.array([getattr(row, name) for row in rows]) for rows in passes]
+    longest = max(len(column) for column in values)
+    table = np.full((len(values), longest, *values[0].shape[1:]), np.nan)
+    for row, column in zip(table, values, strict=True):
+        row[: len(column)] = column
+    return table
+
+
+def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Dataset:
+    """Everything that is known of each pass, with units."""
+    import xarray as xr
+
+    from .. import __version__
+    from ..results.motion import variable
+
+    data = {name: _table(passes, name) for name in BY_INCREMENT if name != "load_ratio"}
+    with np.errstate(invalid="ignore", divide="ignore"):
+        ratio = data["force_x"] / data["force_z"]
+    data["load_ratio"] = np.where(data["normal_force"] > 0, ratio, np.nan)
+    last = [rows[-1] for rows in passes]
+    stored = np.array([row.residual_energy for row in last])
+    data["net_energy"] = np.array([row.work for row in last])
+    data["dissipation"] = np.diff([row.plastic_work for row in last], prepend=0.0)
+    data["residual_energy"] = stored
+    rest = data["net_energy"] - data["dissipation"] - np.diff(stored, prepend=0.0)
+    data["energy_imbalance"] = rest
+    data["residual_displacement"] = np.array([row.residual_displacement for row in last])
+
+    def dims(name: str) -> tuple[str, ...]:
+        by_pass = ("pass",) if name in BY_PASS else ("pass", "increment")
+        return (*by_pass, "body") if data[name].ndim > len(by_pass) else by_pass
+
+    words = BY_INCREMENT | BY_PASS
+    return xr.Dataset(
+        {name: variable(dims(name), data[name], *words[name]) for name in words},
+        coords={"pass": np.arange(1, len(passes) + 1), "body": [1, 2]},
+        attrs={
+            "title": "tugging of two spheres",
+            "samcontact_version": __version__,
+            **asdict(collision),
+        },
+    )

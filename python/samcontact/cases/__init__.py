@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Case files: a TOML description of one simulation, validated field by field."""
+
+from .base import CaseError
+from .case import Case, load_case, parse_case
+from .tugging import TuggingCase
+
+__all__ = ["Case", "CaseError", "TuggingCase", "load_case", "parse_case"]

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the sections of a case file share: strict models, numbers with units, files of heights."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PrivateAttr
+
+from .. import measured
+from .._checks import FloatArray
+from ..measured.files import PLAIN_FORMATS, plain_heights
+from ..units import from_text
+
+
+def convert(value: Any, unit: str) -> Any:
+    """The value with all texts in it, also within lists, as numbers in the unit."""
+    if isinstance(value, list):
+        return [convert(item, unit) for item in value]
+    if not isinstance(value, str):
+        return value
+    try:
+        return from_text(value, unit)
+    except ImportError as error:  # pydantic collects errors of value only
+        raise ValueError(f"{error}; got {value!r}") from error
+
+
+def in_unit(name: str) -> BeforeValidator:
+    """Marks a field by its SI unit, to which texts such as "25 um" are converted."""
+    return BeforeValidator(partial(convert, unit=name))
+
+
+Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
+Radius = Annotated[float, Field(gt=0.0), in_unit("m")]  # inf is straight
+NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Poisson = Annotated[float, Field(ge=0.0, lt=0.5)]
+Length = Annotated[Positive, in_unit("m")]
+Position = Annotated[Finite, in_unit("m")]
+Stress = Annotated[Positive, in_unit("Pa")]
+Count = Annotated[int, Field(ge=1)]
+Pair = Annotated[list[Finite], Field(min_length=2, max_length=2)]
+HeatFactor = Annotated[
+    NonNegative | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], in_unit("m/s")
+]
+Velocity = Annotated[
+    Pair | Annotated[list[Pair], Field(min_length=2, max_length=2)], in_unit("m/s")
+]
+
+
+class CaseError(ValueError):
+    """A case file that cannot be used; the message names the file, the field and the remedy."""
+
+
+class Section(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+
+class OutputPlace(Section):
+    """Where results go."""
+
+    directory: Annotated[str, Field(min_length=1)] | None = None
+    figures: bool = True
+
+
+class CaseFile(Section):
+    """What every kind of case file has: where it came from, and where its results go."""
+
+    if TYPE_CHECKING:  # the last field of each kind
+        output: OutputPlace
+
+    _source: Path = PrivateAttr(default=Path("case.toml"))
+    _text: str = PrivateAttr(default="")
+
+    @property
+    def source(self) -> Path:
+        """The file this case was read from."""
+        return self._source
+
+    @property
+    def text(self) -> str:
+        """The text of the case file, as stored with the results."""
+        return self._text
+
+    @property
+    def output_directory(self) -> Path:
+        """[output] directory, or results/<name of the case file>; relative to the working one."""
+        return Path(self.output.directory or Path("results") / self._source.stem)
+
+
+class HeightsFile(Section):
+    """Heights of a body from a file: plain rows on the grid's cells, or a measured surface."""
+
+    path: Annotated[str, Field(min_length=1)]
+    channel: int | str | None = None
+    detrend: Literal["none", "center", "height", "slope", "curvature"] | None = None
+    unit: str | None = None
+    dx: Length | None = None
+    dy: Length | None = None
+    y: Position | None = None
+    mirror: Literal["x", "y"] | None = None
+    method: Literal["cubic", "linear"] | None = None
+    average: bool | None = None
+    fill: Position | None = None
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is an array for exactly the cells of the grid."""
+        fields = self.model_fields_set & set(HeightsFile.model_fields) - {"path"}
+        return Path(self.path).suffix.lower() in PLAIN_FORMATS and not fields
+
+    def plain(self, folder: Path) -> FloatArray:
+        return plain_heights(folder / self.path)
+
+    def surface(self, folder: Path) -> measured.MeasuredSurface:
+        trend = "center" if self.detrend is None else self.detrend
+        surface = measured.read(
+            folder / self.path,
+            channel=self.channel,
+            detrend=None if trend == "none" else trend,
+            dx=self.dx,
+            dy=self.dy,
+            unit=self.unit,
+        )
+        return surface if self.mirror is None else surface.mirrored(self.mirror)
+
+    def placement(self) -> dict[str, Any]:
+        """Arguments of `MeasuredSurface.on` and `MeasuredSurface.relief`, besides x."""
+        names = ("y", "method", "average", "fill")
+        return {n: getattr(self, n) for n in names if getattr(self, n) is not None}

@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A case of one contact, and reading any case."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import numpy as np
+from pydantic import Field, ValidationError, model_validator
+
+from .. import hertz as _hertz
+from .. import paths
+from .._heating import pair, velocities
+from .base import CaseError, CaseFile
+from .errors import explain
+from .motion import ReliefSection, Segment
+from .sections import BodySection, ContactSection, GridSection, OutputSection, SurfaceSection
+from .tugging import TuggingCase
+from .wear import WearSection
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+if TYPE_CHECKING:
+    from ..simulation import Simulation
+
+
+class Case(CaseFile):
+    """A validated case.
+
+    Read one with `load_case`, or validate a dictionary of the same layout with
+    ``Case.model_validate``. All quantities in SI units.
+    """
+
+    title: Annotated[str, Field(min_length=1)]
+    description: str = ""
+    grid: GridSection
+    body1: BodySection
+    body2: BodySection
+    surface: SurfaceSection
+    relief1: ReliefSection | None = None
+    relief2: ReliefSection | None = None
+    contact: ContactSection = ContactSection()
+    path: Annotated[list[Segment], Field(min_length=1)]
+    wear: WearSection | None = None
+    output: OutputSection = OutputSection()
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Case:
+        bodies = (self.body1, self.body2)
+        if all(body.law == "rigid" for body in bodies):
+            raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
+        for name, body in zip(("body1", "body2"), bodies, strict=True):
+            if body.law not in ("rigid", "elastic") and self.grid.nz == 0:
+                raise ValueError(f"{name} is inelastic ({body.law}): [grid] needs nz and dz")
+        marches = self.contact.heat_history is not None
+        for index, segment in enumerate(self.path):
+            if segment.is_timed != marches:
+                name = "duration" if segment.passes is None else "speed"
+                raise ValueError(
+                    f"path[{index}]: {name} and contact.heat_history go together: give both or "
+                    "neither"
+                )
+        selected = self.output.body
+        stored = self.grid.nz > 0
+        if stored and bodies[selected - 1].law == "rigid":
+            raise ValueError(
+                f"output.body = {selected} is rigid and has no stresses: set it to {3 - selected}"
+            )
+        self.steps()
+        return self
+
+    def steps(self) -> paths.Path:
+        """The loading path as keyword dictionaries for `Simulation.run`."""
+        steps: paths.Path = []
+        reached = ("", 0.0)
+        for index, segment in enumerate(self.path):
+            try:
+                made, reached = segment.steps(reached)
+                self._check_motion(made)
+            except ValueError as error:
+                raise ValueError(f"path[{index}]: {error}") from error
+            steps += made
+        return steps
+
+    @property
+    def moves(self) -> bool:
+        """Whether a body moves through the contact."""
+        return any(any(step.get("advance", ())) for step in self.steps())
+
+    def _check_motion(self, steps: paths.Path) -> None:
+        """Friction and heat know their directions: bodies under load must move along them."""
+        factors, speeds = pair(self.contact.heat_factor), velocities(self.contact.velocity)
+        for step in steps:
+            if step.get("load") == 0.0 or "advance" not in step:
+                continue
+            first, second = step["advance"]
+            if self.contact.friction > 0 and first < second:
+                raise ValueError(
+                    "friction pulls body 2 towards +x, so body 1 must slide towards +x over it, "
+                    f"advance[0] >= advance[1], got {[first, second]}: turn the direction, or set "
+                    "friction = 0"
+                )
+            for body in (1, 2):
+                if "duration" in step and factors[body - 1] > 0:
+                    speed = step["advance"][body - 1] / step["duration"]
+                    given = speeds[body - 1][0]
+                    if abs(speed - given) > 1e-6 * max(abs(speed), abs(given)):
+                        raise ValueError(
+                            f"heated body {body} moves at {speed:.9g} m/s along x, but "
+                            f"contact.velocity gives it {given:.9g} m/s: make them equal"
+                        )
+
+    def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
+        """Hertz contact of this case at a load [N] > 0; None when there is none.
+
+        There is one for smooth paraboloids and spheres with finite radii.
+        """
+        radii = self.surface.radii()
+        if self.relief1 is not None or self.relief2 is not None:
+            return None
+        if radii is None or self.surface.roughness is not None or not np.all(np.isfinite(radii)):
+            return None
+        E_star = _hertz.effective_modulus(self.body1.build(), self.body2.build())
+        if radii[0] == radii[1]:
+            return _hertz.point(radii[0], E_star, load=load)
+        return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
+
+    def build(self) -> tuple[Simulation, paths.Path]:
+        """Make the simulation and its loading path.
+
+        Returns
+        -------
+        simulation : Simulation
+        path : list of dict
+            For ``simulation.run(path)``.
+
+        Raises
+        ------
+        CaseError
+            A section that cannot be realised, e.g. a surface file of the wrong shape.
+        """
+        from ..relief import relief_rows
+        from ..simulation import Simulation
+
+        section = "grid"
+        try:
+            grid = self.grid.build()
+            section = "body1"
+            body1 = self.body1.build()
+            section = "body2"
+            body2 = self.body2.build()
+            section = "surface"
+            gap = self.surface.build(grid, self._source.parent)
+            reliefs = {}
+            for section in ("relief1", "relief2"):
+                given = getattr(self, section)
+                if given is not None:
+                    reliefs[section] = given.build(grid, self._source.parent)
+                    relief_rows(section, reliefs[section], grid)
+            section = "contact"
+            settings = self.contact.model_dump()
+            simulation = Simulation(grid, body1, body2, gap, **settings, **reliefs)
+        except (ValueError, ImportError) as error:
+            raise CaseError(f"{self._source}: [{section}] {error}") from error
+        return simulation, self.steps()
+
+
+def load_case(path: str | Path) -> Case | TuggingCase:
+    """Read and validate a case file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file; the documentation and `cases/` show the layout.
+
+    Returns
+    -------
+    Case or TuggingCase
+        The latter for a file with a section [tugging].
+
+    Raises
+    ------
+    CaseError
+        The file cannot be read, is not TOML, or a field is missing, unknown or out of range.
+    """
+    source = Path(path)
+    try:
+        text = source.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise CaseError(f"{source}: cannot read the case file: {reason}") from error
+    return parse_case(text, source)
+
+
+def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCase:
+    """Validate the text of a case file, e.g. the one that is stored with results.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    source : str or Path, optional
+        Where it is from: errors name it, and paths in it are relative to its folder.
+
+    Returns
+    -------
+    Case or TuggingCase
+        The latter for a text with a section [tugging].
+
+    Raises
+    ------
+    CaseError
+        The text is not TOML, or a field is missing, unknown or out of range.
+    """
+    source = Path(source)
+    try:
+        content = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise CaseError(f"{source}: not valid TOML: {error}") from error
+    kind = TuggingCase if "tugging" in content else Case
+    try:
+        case = kind.model_validate(content)
+    except ValidationError as error:
+        lines = [explain(kind, item) for item in error.errors()]
+        raise CaseError("\n".join(f"{source}: {line}" for line in lines)) from error
+    case._source, case._text = source, text
+    return case

@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sections of a case file that move: segments of the path, and reliefs fixed to a body."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from .. import dents, paths
+from ..relief import Relief
+from .base import (
+    Count,
+    Finite,
+    HeatFactor,
+    HeightsFile,
+    Length,
+    NonNegative,
+    Pair,
+    Position,
+    Positive,
+    Section,
+    convert,
+    in_unit,
+)
+from .sections import SelfAffineRoughness
+
+if TYPE_CHECKING:
+    from ..grid import Grid
+
+
+class _Passes(Section):
+    distance: Position
+    step: Length
+    passes: Count = 1
+    unload_increments: Count | None = None
+    back_and_forth: bool = False
+    speed: Annotated[Positive, in_unit("m/s")] | None = None
+
+    @model_validator(mode="after")
+    def _moves(self) -> _Passes:
+        if self.distance == 0.0:
+            raise ValueError("distance must not be 0")
+        return self
+
+
+class Rolling(_Passes):
+    """Rolling over both bodies, see `paths.rolling`."""
+
+    slide_to_roll: Annotated[float, Field(ge=-2.0, le=2.0)] = 0.0
+
+
+class Sliding(_Passes):
+    """Sliding of one body over the other, see `paths.sliding`."""
+
+    slider: Literal[1, 2] = 1
+
+
+class Segment(Section):
+    """[[path]]: a ramp from the value reached so far to this one, or passes at this one."""
+
+    load: Annotated[NonNegative, in_unit("N")] | None = None
+    approach: Position | None = None
+    increments: Count = 10
+    start: Finite | None = None
+    spacing: Literal["linear", "power"] = "linear"
+    exponent: Positive = 2.0
+    advance: Annotated[Pair, in_unit("m")] | None = None
+    roll: Rolling | None = None
+    slide: Sliding | None = None
+    duration: Annotated[Positive, in_unit("s")] | None = None
+    heat_factor: HeatFactor | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _start_in_its_unit(cls, data: Any) -> Any:
+        """Convert a start with a unit, which depends on what the segment changes."""
+        if not isinstance(data, dict) or not isinstance(data.get("start"), str):
+            return data
+        try:
+            return data | {"start": convert(data["start"], "N" if "load" in data else "m")}
+        except ValueError as error:
+            raise ValueError(f"start {error}") from error
+
+    @model_validator(mode="after")
+    def _one_target(self) -> Segment:
+        if (self.load is None) == (self.approach is None):
+            raise ValueError("give exactly one of load, approach")
+        return self
+
+    @model_validator(mode="after")
+    def _one_movement(self) -> Segment:
+        if self.roll is not None and self.slide is not None:
+            raise ValueError("give roll or slide, not both")
+        if self.roll is not None or self.slide is not None:
+            kind = "roll" if self.roll is not None else "slide"
+            others = {"start", "spacing", "exponent", "advance", "duration"}
+            given = sorted(others & self.model_fields_set)
+            if given:
+                hint = "; give it speed instead" if "duration" in given else ""
+                raise ValueError(f"{kind} goes without {', '.join(given)}{hint}")
+        return self
+
+    @property
+    def quantity(self) -> str:
+        return "load" if self.load is not None else "approach"
+
+    @property
+    def passes(self) -> Rolling | Sliding | None:
+        """The passes of this segment; None for a ramp."""
+        return self.slide if self.roll is None else self.roll
+
+    @property
+    def is_timed(self) -> bool:
+        """Whether its steps have a duration."""
+        return (self.duration if self.passes is None else self.passes.speed) is not None
+
+    def steps(self, reached: tuple[str, float]) -> tuple[paths.Path, tuple[str, float]]:
+        """Its steps from what was reached before, and what they reach: quantity and value.
+
+        Raises ValueError where the segment does not fit what was reached.
+        """
+        name, target = self.quantity, getattr(self, self.quantity)
+        if self.passes is not None:
+            if reached[1] != 0.0:
+                kind = "roll" if self.roll is not None else "slide"
+                raise ValueError(
+                    f"{kind} begins unloaded, but the segment before ends at {reached[0]} = "
+                    f"{reached[1]!r}: end that one at 0, or move under load with advance"
+                )
+            options = {"increments": self.increments, "heat_factor": self.heat_factor}
+            options |= self.passes.model_dump() | {name: target}
+            make: Any = paths.rolling if self.roll is not None else paths.sliding
+            return make(**options), ("load", 0.0)
+        start = self.start
+        if start is None:
+            if reached[0] not in ("", name):
+                raise ValueError(
+                    f"changes from {reached[0]} to {name}: give start, the {name} it starts from"
+                )
+            start = reached[1]
+        common: dict[str, Any] = {
+            name: target,
+            "increments": self.increments,
+            "advance": self.advance,
+            "duration": self.duration,
+            "heat_factor": self.heat_factor,
+        }
+        optional = (self.advance, self.duration, self.heat_factor)
+        if target == start and optional != (None, None, None):
+            return paths.hold(**common), (name, target)
+        ramp = paths.ramp(start=start, spacing=self.spacing, exponent=self.exponent, **common)
+        return ramp, (name, target)
+
+
+class FileRelief(HeightsFile):
+    """Heights out of the body from a file: any number of rows along x, ny values each."""
+
+    kind: Literal["file"]
+    x: Position = 0.0
+    periodic: bool = False
+
+    def build(self, grid: Grid, folder: Path) -> Relief:
+        if not self.is_plain:
+            surface = self.surface(folder)
+            return surface.relief(grid, self.x, periodic=self.periodic, **self.placement())
+        heights = self.plain(folder)
+        first = round(self.x / grid.dx + 0.5 * (grid.nx - heights.shape[0]))
+        return Relief(heights, first, self.periodic)
+
+
+class DentRelief(Section):
+    """See `dents.spherical`."""
+
+    kind: Literal["dent"]
+    depth: Position
+    radius: Length
+    x: Position = 0.0
+    y: Position = 0.0
+
+    def build(self, grid: Grid, folder: Path) -> Relief:
+        return dents.spherical(grid, self.depth, self.radius, self.x, self.y)
+
+
+class FurrowRelief(Section):
+    """See `dents.furrow`."""
+
+    kind: Literal["furrow"]
+    depth: Position
+    half_width: Length
+    along: Literal["y", "x"] = "y"
+    position: Position = 0.0
+
+    def build(self, grid: Grid, folder: Path) -> Relief:
+        return dents.furrow(grid, self.depth, self.half_width, self.along, self.position)
+
+
+class RoughRelief(Section):
+    """Random roughness, repeated along x over the length of the grid."""
+
+    kind: Literal["self_affine"]
+    rms_height: Annotated[NonNegative, in_unit("m")]
+    hurst: Annotated[float, Field(ge=0.0, le=1.0)]
+    wavelength_min: Length | None = None
+    wavelength_max: Length | None = None
+    roll_off: Length | None = None
+    seed: Annotated[int, Field(ge=0)]
+
+    def build(self, grid: Grid, folder: Path) -> Relief:
+        roughness = SelfAffineRoughness.model_validate(self.model_dump())
+        return Relief(roughness.build(grid), periodic=True)
+
+
+ReliefSection = Annotated[
+    FileRelief | DentRelief | FurrowRelief | RoughRelief, Field(discriminator="kind")
+]

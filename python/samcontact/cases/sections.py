@@ -1,0 +1,329 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sections of a case file as validated models; each knows how to build its object."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from .. import surfaces
+from .._checks import FloatArray
+from .base import (
+    Count,
+    HeatFactor,
+    HeightsFile,
+    Length,
+    NonNegative,
+    OutputPlace,
+    Poisson,
+    Position,
+    Positive,
+    Radius,
+    Section,
+    Stress,
+    Velocity,
+    in_unit,
+)
+
+if TYPE_CHECKING:
+    from ..grid import Grid
+    from ..material import Material
+
+
+class GridSection(Section):
+    """[grid]: cells of the surface and, for stresses and plasticity, layers of the volume."""
+
+    nx: Count
+    ny: Count
+    dx: Length
+    dy: Length
+    nz: Annotated[int, Field(ge=0)] = 0
+    dz: Length | None = None
+
+    @model_validator(mode="after")
+    def _volume_is_complete(self) -> GridSection:
+        if (self.nz > 0) != (self.dz is not None):
+            raise ValueError("nz and dz go together: give both (nz >= 1) or neither")
+        return self
+
+    def build(self) -> Grid:
+        from ..grid import Grid
+
+        return Grid(self.nx, self.ny, self.dx, self.dy, self.nz, self.dz)
+
+
+class KinematicHardening(Section):
+    """Moves the yield surface with the plastic strain, see `Material.with_kinematic_hardening`."""
+
+    modulus: Annotated[Positive | list[Positive], in_unit("Pa")]
+    recovery: NonNegative | list[NonNegative] = 0.0
+
+    @model_validator(mode="after")
+    def _as_many(self) -> KinematicHardening:
+        moduli = self.modulus if isinstance(self.modulus, list) else [self.modulus]
+        if not 1 <= len(moduli) <= 4:
+            raise ValueError(f"modulus must have from 1 to 4 values, got {len(moduli)}")
+        if isinstance(self.recovery, list) and len(self.recovery) != len(moduli):
+            raise ValueError(
+                f"recovery must have as many values as modulus, {len(moduli)}, "
+                f"got {len(self.recovery)}"
+            )
+        return self
+
+
+class ThermalConstants(Section):
+    """Of a body that frictional heat enters, see `Material.with_thermal`."""
+
+    conductivity: Annotated[Positive, in_unit("W/(m*K)")]
+    expansion: Annotated[NonNegative, in_unit("1/K")]
+    diffusivity: Annotated[Positive, in_unit("m**2/s")]
+
+
+class JohnsonCookSoftening(Section):
+    """Yield stress that falls with the temperature, see `softening.JohnsonCook`."""
+
+    kind: Literal["johnson_cook"]
+    melting: Annotated[Positive, in_unit("K")]
+    m: Positive
+    reference: Annotated[NonNegative, in_unit("K")] = 293.15
+    ambient: Annotated[NonNegative, in_unit("K")] = 293.15
+    floor: Annotated[float, Field(gt=0.0, le=1.0)] = 0.01
+
+    @model_validator(mode="after")
+    def _melts_above_reference(self) -> JohnsonCookSoftening:
+        if not self.melting > self.reference:
+            raise ValueError(
+                f"melting must be > reference = {self.reference!r} K, got {self.melting!r}"
+            )
+        return self
+
+
+class _Body(Section):
+    def build(self) -> Material:
+        from ..material import Material
+        from ..softening import JohnsonCook
+
+        parameters = self.model_dump()
+        extra = {name: parameters.pop(name, None) for name in ("kinematic", "thermal", "softening")}
+        material: Material = getattr(Material, parameters.pop("law"))(**parameters)
+        if extra["kinematic"] is not None:
+            material = material.with_kinematic_hardening(**extra["kinematic"])
+        if extra["thermal"] is not None:
+            material = material.with_thermal(**extra["thermal"])
+        if extra["softening"] is not None:
+            del extra["softening"]["kind"]
+            material = material.with_softening(JohnsonCook(**extra["softening"]))
+        return material
+
+
+class _ElasticBody(_Body):
+    thermal: ThermalConstants | None = None
+
+
+class _PlasticBody(_ElasticBody):
+    kinematic: KinematicHardening | None = None
+    softening: JohnsonCookSoftening | None = None
+
+
+class RigidBody(_Body):
+    """A body that does not deform."""
+
+    law: Literal["rigid"]
+
+
+class ElasticBody(_ElasticBody):
+    """Linear elasticity."""
+
+    law: Literal["elastic"]
+    E: Stress
+    nu: Poisson
+
+
+class PerfectPlasticBody(_PlasticBody):
+    """Elastic, perfectly plastic."""
+
+    law: Literal["perfect_plastic"]
+    E: Stress
+    nu: Poisson
+    yield_stress: Stress
+
+
+class LinearHardeningBody(_PlasticBody):
+    """Linear isotropic hardening; tangent modulus of the uniaxial curve."""
+
+    law: Literal["linear_hardening"]
+    E: Stress
+    nu: Poisson
+    yield_stress: Stress
+    tangent_modulus: Annotated[NonNegative, in_unit("Pa")]
+
+    @model_validator(mode="after")
+    def _tangent_below_E(self) -> LinearHardeningBody:
+        if self.tangent_modulus >= self.E:
+            raise ValueError(
+                f"tangent_modulus must be < E = {self.E!r}, got {self.tangent_modulus!r}"
+            )
+        return self
+
+
+class SwiftBody(_PlasticBody):
+    """Swift hardening B (C + 1e6 g)^n."""
+
+    law: Literal["swift"]
+    E: Stress
+    nu: Poisson
+    B: Stress
+    C: Positive
+    n: Annotated[float, Field(ge=0.0, le=1.0)]
+
+
+BodySection = Annotated[
+    RigidBody | ElasticBody | PerfectPlasticBody | LinearHardeningBody | SwiftBody,
+    Field(discriminator="law"),
+]
+
+
+class SinusoidalRoughness(Section):
+    """A sin(2 pi x/lx) sin(2 pi y/ly)."""
+
+    kind: Literal["sinusoidal"]
+    amplitude: Annotated[NonNegative, in_unit("m")]
+    wavelength_x: Length
+    wavelength_y: Length
+
+    def build(self, grid: Grid) -> FloatArray:
+        return surfaces.sinusoidal(grid, self.amplitude, self.wavelength_x, self.wavelength_y)
+
+
+class SelfAffineRoughness(Section):
+    """Random roughness, see `surfaces.rough_self_affine`."""
+
+    kind: Literal["self_affine"]
+    rms_height: Annotated[NonNegative, in_unit("m")]
+    hurst: Annotated[float, Field(ge=0.0, le=1.0)]
+    wavelength_min: Length | None = None
+    wavelength_max: Length | None = None
+    roll_off: Length | None = None
+    seed: Annotated[int, Field(ge=0)]
+
+    def build(self, grid: Grid) -> FloatArray:
+        return surfaces.rough_self_affine(grid, **self.model_dump(exclude={"kind"}))
+
+
+class _Surface(Section):
+    roughness: (
+        Annotated[SinusoidalRoughness | SelfAffineRoughness, Field(discriminator="kind")] | None
+    ) = None
+
+    def radii(self) -> tuple[float, float] | None:
+        """Radii of the Hertz contact this surface approximates; None without one."""
+        return None
+
+    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+        raise NotImplementedError
+
+    def build(self, grid: Grid, folder: Path) -> FloatArray:
+        gap = self.shape_gap(grid, folder)
+        return gap if self.roughness is None else gap + self.roughness.build(grid)
+
+
+class ParaboloidSurface(_Surface):
+    """x^2/(2 Rx) + y^2/(2 Ry)."""
+
+    shape: Literal["paraboloid"]
+    Rx: Radius
+    Ry: Radius | None = None
+
+    def radii(self) -> tuple[float, float] | None:
+        return self.Rx, self.Rx if self.Ry is None else self.Ry
+
+    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+        return surfaces.paraboloid(grid, self.Rx, self.Ry)
+
+
+class SphereSurface(_Surface):
+    """Exact sphere."""
+
+    shape: Literal["sphere"]
+    R: Length
+
+    def radii(self) -> tuple[float, float] | None:
+        return self.R, self.R
+
+    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+        return surfaces.sphere(grid, self.R)
+
+
+class CylinderSurface(_Surface):
+    """Exact circular cylinder."""
+
+    shape: Literal["cylinder"]
+    R: Length
+    axis: Literal["x", "y"] = "y"
+
+    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+        return surfaces.cylinder(grid, self.R, self.axis)
+
+
+class FileSurface(_Surface, HeightsFile):
+    """Heights of body 2 from a file, under a paraboloid."""
+
+    shape: Literal["file"]
+    x: Position | None = None
+    Rx: Radius | None = None
+    Ry: Radius | None = None
+
+    @model_validator(mode="after")
+    def _Ry_needs_Rx(self) -> FileSurface:
+        if self.Ry is not None and self.Rx is None:
+            raise ValueError("Ry needs Rx (use Rx = inf for a surface straight along x)")
+        return self
+
+    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+        if self.is_plain and self.x is None:
+            heights = self.plain(folder)
+        else:
+            x = 0.0 if self.x is None else self.x
+            heights = self.surface(folder).on(grid, x, **self.placement())
+        upper = None if self.Rx is None else surfaces.paraboloid(grid, self.Rx, self.Ry)
+        return surfaces.from_heights(grid, heights, upper)
+
+
+SurfaceSection = Annotated[
+    ParaboloidSurface | SphereSurface | CylinderSurface | FileSurface,
+    Field(discriminator="shape"),
+]
+
+
+class ContactSection(Section):
+    """[contact]: friction, heat and solver settings."""
+
+    friction: NonNegative = 0.0
+    tol: Annotated[float, Field(ge=1e-11, lt=1.0)] = 1e-6
+    increment_tol: Annotated[float, Field(gt=0.0, lt=1.0)] | None = None
+    on_border: Literal["error", "warn"] = "error"
+    residual_stress: Literal["auto", "exact", "fast"] = "auto"
+    image_tol: Annotated[float, Field(ge=1e-6, le=0.1)] = 1e-3
+    heat_factor: HeatFactor = 0.0
+    velocity: Velocity | None = None
+    heating_time: Annotated[Positive, in_unit("s")] | None = None
+    heat_reference: Length | None = None
+    heat_history: (
+        Annotated[list[Positive], Field(min_length=2, max_length=2), in_unit("s")] | None
+    ) = None
+    reach: Annotated[NonNegative, in_unit("m")] | None = None
+
+    @model_validator(mode="after")
+    def _one_time(self) -> ContactSection:
+        if self.heating_time is not None and self.heat_history is not None:
+            raise ValueError("give heat_history or heating_time, not both")
+        return self
+
+
+class OutputSection(OutputPlace):
+    """[output]: where the results go and what is stored."""
+
+    body: Literal[1, 2] = 2
+    volume: Literal["none", "last", "peak_and_last", "all"] = "peak_and_last"

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Case files of two asperities that tug at each other."""
+
+from __future__ import annotations
+
+import os
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from ..asperities import Collision, Tugging, tug
+from ..relief import Relief, relief_rows
+from .base import (
+    CaseError,
+    CaseFile,
+    Count,
+    Length,
+    NonNegative,
+    OutputPlace,
+    Positive,
+    Section,
+    in_unit,
+)
+from .motion import ReliefSection
+from .sections import BodySection, GridSection
+
+
+class TuggingSection(Section):
+    """[tugging]: the two spheres, how they pass, and the grid unless there is a [grid]."""
+
+    R1: Length
+    R2: Length
+    interference: Length
+    passes: Count = 1
+    back_and_forth: bool = False
+    cells_per_increment: Count = 1
+    increments: Annotated[int, Field(ge=4)] | None = None
+    width: Positive | None = None
+    depth: Positive | None = None
+
+    @model_validator(mode="after")
+    def _geometry(self) -> TuggingSection:
+        self.collision()
+        return self
+
+    def collision(self) -> Collision:
+        return Collision(self.R1, self.R2, self.interference)
+
+    def grid_arguments(self) -> dict[str, Any]:
+        """What makes a grid, where it is given."""
+        names = ("increments", "width", "depth")
+        return {n: getattr(self, n) for n in names if getattr(self, n) is not None}
+
+
+class TuggingSolver(Section):
+    """[contact]: solver settings."""
+
+    tol: Annotated[float, Field(ge=1e-11, lt=1.0)] | None = None
+    increment_tol: Annotated[float, Field(gt=0.0, lt=1.0)] | None = None
+    on_border: Literal["error", "warn"] = "error"
+    residual_stress: Literal["auto", "exact", "fast"] = "auto"
+    image_tol: Annotated[float, Field(ge=1e-6, le=0.1)] = 1e-3
+    reach: Annotated[NonNegative, in_unit("m")] | None = None
+
+
+class TuggingCase(CaseFile):
+    """A validated case of `asperities.tug`; all quantities in SI units."""
+
+    title: Annotated[str, Field(min_length=1)]
+    description: str = ""
+    tugging: TuggingSection
+    grid: GridSection | None = None
+    body1: BodySection
+    body2: BodySection
+    relief1: ReliefSection | None = None
+    relief2: ReliefSection | None = None
+    contact: TuggingSolver = TuggingSolver()
+    output: OutputPlace = OutputPlace()
+
+    @model_validator(mode="after")
+    def _consistent(self) -> TuggingCase:
+        if self.body1.law == "rigid" and self.body2.law == "rigid":
+            raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
+        if self.grid is not None and self.tugging.grid_arguments():
+            given = ", ".join(self.tugging.grid_arguments())
+            raise ValueError(f"tugging: {given} make a grid: leave out [grid], or these")
+        return self
+
+    def solve(
+        self, *, progress: bool = True, checkpoint: str | os.PathLike[str] | None = None
+    ) -> Tugging:
+        """Run `asperities.tug`; its errors, and a CaseError for a section of no use."""
+        collision, section = self.tugging.collision(), "grid"
+        reliefs: dict[str, Relief] = {}
+        try:
+            if self.grid is not None:
+                grid = self.grid.build()
+            else:
+                cells = self.tugging.cells_per_increment
+                grid = collision.grid(cells_per_increment=cells, **self.tugging.grid_arguments())
+            for section in ("relief1", "relief2"):
+                given = getattr(self, section)
+                if given is not None:
+                    reliefs[section] = given.build(grid, self.source.parent)
+                    relief_rows(section, reliefs[section], grid)
+        except (ValueError, ImportError) as error:
+            raise CaseError(f"{self.source}: [{section}] {error}") from error
+        return tug(
+            collision,
+            self.body1.build(),
+            self.body2.build(),
+            grid,
+            passes=self.tugging.passes,
+            back_and_forth=self.tugging.back_and_forth,
+            cells_per_increment=self.tugging.cells_per_increment,
+            relief1=reliefs.get("relief1"),
+            relief2=reliefs.get("relief2"),
+            checkpoint=checkpoint,
+            progress=progress,
+            **self.contact.model_dump(exclude_none=True),
+        )

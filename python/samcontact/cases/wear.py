@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Section of a case file that makes its path a cycle after which bodies wear."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from pydantic import Field
+
+from .base import Count, Positive, Section
+
+if TYPE_CHECKING:
+    from ..simulation import Simulation
+    from ..wear import WearResult
+
+Cells = Annotated[int, Field(ge=1)]
+Body = Literal[1, 2]
+
+
+class WearSection(Section):
+    """[wear]: see `wear.run`."""
+
+    threshold: Positive
+    cycles: Count = 20
+    worn: Annotated[list[Body], Field(min_length=1, max_length=2, default_factory=lambda: [2])]
+    window: Cells | Annotated[list[Cells], Field(min_length=2, max_length=2)] = 5
+    order: Annotated[int, Field(ge=0)] = 2
+    strain_depth: Literal["exact", "smoothed"] = "exact"
+
+    def solve(
+        self,
+        scene: Simulation,
+        cycle: list[dict[str, object]],
+        checkpoint: str | os.PathLike[str] | None,
+        progress: bool,
+    ) -> WearResult:
+        """Repeat a cycle of the scene; nothing is computed with the simulation itself."""
+        from .. import wear
+
+        window = self.window if isinstance(self.window, int) else tuple(self.window)
+        names = ("tol", "increment_tol", "on_border", "max_iterations", "residual_stress",
+                 "image_tol", "reach")  # fmt: skip
+        return wear.run(
+            scene.grid,
+            scene.body1,
+            scene.body2,
+            scene.initial_gap,
+            cycle=cycle,
+            threshold=self.threshold,
+            cycles=self.cycles,
+            worn=tuple(self.worn),
+            window=window,
+            order=self.order,
+            strain_depth=self.strain_depth,
+            friction=scene.friction,
+            relief1=scene.relief1,
+            relief2=scene.relief2,
+            checkpoint=checkpoint,
+            progress=progress,
+            **{name: getattr(scene, name) for name in names},
+        )

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command that prints Hertz values."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from .. import hertz as _hertz
+from .._checks import poisson_ratio
+from .errors import short_errors
+
+
+@click.command()
+@click.option("--R", "radius", type=float, required=True, help="Equivalent radius (Rx) [m].")
+@click.option("--Ry", "radius_y", type=float, help="Second equivalent radius [m]: elliptic.")
+@click.option("--E-star", "modulus", type=float, required=True, help="Contact modulus [Pa].")
+@click.option("--load", type=float, help="Normal load [N].")
+@click.option("--approach", type=float, help="Rigid-body approach [m].")
+@click.option("--p0", type=float, help="Maximum pressure [Pa].")
+@click.option("--nu", type=float, help="Poisson's ratio: adds the largest von Mises stress.")
+def hertz(
+    radius: float,
+    radius_y: float | None,
+    modulus: float,
+    load: float | None,
+    approach: float | None,
+    p0: float | None,
+    nu: float | None,
+) -> None:
+    """Hertz point or elliptic contact from one of --load, --approach, --p0."""
+    with short_errors():
+        given: dict[str, Any] = {"load": load, "approach": approach, "p0": p0}
+        contact: _hertz.PointContact | _hertz.EllipticContact
+        rows: list[tuple[str, float]]
+        if radius_y is None:
+            contact = _hertz.point(radius, modulus, **given)
+            rows = [("contact radius a [m]", contact.a)]
+        else:
+            contact = _hertz.elliptic(radius, radius_y, modulus, **given)
+            rows = [
+                ("semi-axis a_x [m]", contact.a_x),
+                ("semi-axis a_y [m]", contact.a_y),
+                ("ellipticity a_y/a_x [-]", contact.k),
+            ]
+        rows += [
+            ("load [N]", contact.load),
+            ("maximum pressure p0 [Pa]", contact.p0),
+            ("approach [m]", contact.approach),
+        ]
+        if nu is not None:
+            poisson_ratio("nu", nu)
+            if not isinstance(contact, _hertz.PointContact):
+                raise ValueError("nu is for point contacts: the elliptic axis stress is not built")
+            stress, depth = contact.max_von_mises(nu)
+            rows += [("maximum von Mises stress [Pa]", stress), ("its depth [m]", depth)]
+        for label, value in rows:
+            click.echo(f"{label:<32}{value:.9g}")

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command ``samcontact``: run case files, one or many of a kind, report, print Hertz values.
+
+Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad input,
+130 interrupted.
+"""
+
+from __future__ import annotations
+
+import click
+
+from .doctor import doctor
+from .gallery import gallery
+from .hertz import hertz
+from .results import export, report
+from .run import resume, run
+from .sweep import sweep
+
+
+def _print_version(context: click.Context, _: click.Parameter, value: bool) -> None:
+    if not value or context.resilient_parsing:
+        return
+    from .. import __version__
+
+    click.echo(f"samcontact {__version__}")
+    context.exit()
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_print_version,
+    help="Print the version and exit.",
+)
+def main() -> None:
+    """Semi-analytical elastic-plastic contact of two half-spaces."""
+
+
+for _command in (run, resume, sweep, report, export, gallery, hertz, doctor):
+    main.add_command(_command)

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hertz contact in closed form: point, elliptic and line, with their stresses.
+
+Symbols follow K. L. Johnson, *Contact Mechanics* (1985), doi:10.1017/CBO9781139171731.
+Pressure is positive in compression, stress in tension; z points into the body.
+"""
+
+from .contacts import (
+    EllipticContact,
+    LineContact,
+    PointContact,
+    effective_modulus,
+    elliptic,
+    line,
+    point,
+)
+
+__all__ = [
+    "EllipticContact",
+    "LineContact",
+    "PointContact",
+    "effective_modulus",
+    "elliptic",
+    "line",
+    "point",
+]

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stresses on the axis of Hertz contacts, dimensionless: over p0, at depths over a (or b)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from scipy.optimize import minimize_scalar
+
+from .._checks import FloatArray, poisson_ratio
+
+
+def _maximum(function: Callable[[float], float], upper: float) -> tuple[float, float]:
+    """Largest value of `function` on [0, upper] and where, the surface included."""
+    found = minimize_scalar(
+        lambda s: -function(s), bounds=(0.0, upper), method="bounded", options={"xatol": 1e-10}
+    )
+    at_surface = function(0.0)
+    if at_surface >= -found.fun:
+        return at_surface, 0.0
+    return float(-found.fun), float(found.x)
+
+
+def point_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray]:
+    """sigma_rr / p0 and sigma_zz / p0 at depth s = z/a."""
+    axial = -1.0 / (1.0 + s**2)
+    # the difference loses digits like eps s^2; two terms of its series are exact from 1e3 on
+    far = np.maximum(s, 1.0) ** -2
+    bracket = np.where(s > 1e3, far / 3.0 - far**2 / 5.0, 1.0 - s * np.arctan2(1.0, s))
+    radial = -(1.0 + nu) * bracket - 0.5 * axial
+    return np.asarray(radial, dtype=np.float64), np.asarray(axial, dtype=np.float64)
+
+
+def point_max_von_mises(nu: float) -> tuple[float, float]:
+    """Largest on-axis von Mises stress over p0, and its depth over a [-]."""
+    nu = poisson_ratio("nu", nu)
+
+    def von_mises(s: float) -> float:
+        radial, axial = point_axis(np.float64(s), nu)
+        return float(abs(axial - radial))
+
+    return _maximum(von_mises, 2.0)
+
+
+def line_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """sigma_xx, sigma_yy, sigma_zz over p0 at depth s = z/b, plane strain."""
+    root = np.sqrt(1.0 + s**2)
+    # (1 + 2 s^2)/root - 2 s = (root - s)^2 / root, and root - s = 1/(root + s): no cancellation
+    sxx = -1.0 / (root * (root + s) ** 2)
+    szz = -1.0 / root
+    return sxx, nu * (sxx + szz), szz
+
+
+def line_max_von_mises(nu: float) -> tuple[float, float]:
+    """Largest on-axis von Mises stress over p0, and its depth over b [-]."""
+    nu = poisson_ratio("nu", nu)
+
+    def von_mises(s: float) -> float:
+        sxx, syy, szz = line_axis(np.float64(s), nu)
+        squares = (sxx - syy) ** 2 + (syy - szz) ** 2 + (szz - sxx) ** 2
+        return math.sqrt(0.5 * float(squares))
+
+    return _maximum(von_mises, 2.0)

@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Heights on a regular grid of samples, which can be put onto the grid of a simulation.
+
+Tilt and curvature are removed, and undefined points filled, by SurfaceTopography
+(https://contactengineering.github.io/SurfaceTopography), an optional dependency.
+"""
+
+from __future__ import annotations
+
+import importlib
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from .._checks import FloatArray, choice, finite, positive
+from ..grid import Grid
+from ..relief import Relief, rows_within
+from ..surfaces import SurfaceGrid
+
+TRENDS = ("center", "height", "slope", "curvature")
+MANY_UNDEFINED = 0.05  # of all points; beyond, a filled surface is as much guess as measurement
+
+
+def library(module: str = "SurfaceTopography") -> Any:
+    """The module of SurfaceTopography; an ImportError that tells how to get it."""
+    try:
+        with warnings.catch_warnings():
+            # it tells that there is no MPI, which nothing here needs
+            warnings.simplefilter("ignore", ImportWarning)
+            return importlib.import_module(module)
+    except ImportError as error:
+        raise ImportError(
+            "measured surfaces need SurfaceTopography: pip install samcontact[surfaces]"
+        ) from error
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredSurface:
+    """Heights on a regular grid of samples.
+
+    Parameters
+    ----------
+    heights : array_like, shape (nx, ny)
+        [m], positive out of the body; NaN where undefined. At least two samples each way.
+    dx, dy : float
+        Distance of the samples along x and y [m]. dy defaults to dx.
+    attrs : mapping, optional
+        Where the heights come from.
+
+    Raises
+    ------
+    ValueError
+        Heights of another shape, infinite, or all undefined; a distance that is not positive.
+
+    Notes
+    -----
+    The origin is the middle of the samples. Each stands for the area dx dy around it, so that the
+    measured area is nx dx long and ny dy wide.
+    """
+
+    heights: FloatArray
+    dx: float
+    dy: float | None = None
+    attrs: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        heights = np.array(self.heights, dtype=np.float64, order="C")
+        if heights.ndim != 2 or min(heights.shape) < 2:
+            raise ValueError(f"heights must have shape (nx, ny), each >= 2, got {heights.shape}")
+        if np.isinf(heights).any():
+            raise ValueError("heights must be finite, or NaN where undefined, got inf")
+        if np.isnan(heights).all():
+            raise ValueError("heights must be defined somewhere, got NaN only")
+        heights.flags.writeable = False
+        object.__setattr__(self, "heights", heights)
+        object.__setattr__(self, "dx", positive("dx", self.dx))
+        object.__setattr__(self, "dy", self.dx if self.dy is None else positive("dy", self.dy))
+        object.__setattr__(self, "attrs", dict(self.attrs))
+
+    @property
+    def steps(self) -> tuple[float, float]:
+        """Distance of the samples along x and y [m]."""
+        return self.dx, self.dx if self.dy is None else self.dy
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Length and width of the measured area [m]."""
+        return self.heights.shape[0] * self.steps[0], self.heights.shape[1] * self.steps[1]
+
+    @property
+    def undefined(self) -> int:
+        """Number of samples without a height."""
+        return int(np.isnan(self.heights).sum())
+
+    def _topography(self) -> Any:
+        # infinite and NaN heights become masked points there
+        return library().Topography(np.array(self.heights), self.size, unit="m")
+
+    def _changed(self, heights: Any, **attrs: Any) -> MeasuredSurface:
+        filled = np.ma.filled(np.ma.asarray(heights, dtype=np.float64), np.nan)
+        return replace(self, heights=filled, attrs={**self.attrs, **attrs})
+
+    def detrended(self, trend: str = "height") -> MeasuredSurface:
+        """The surface without a trend, fitted to its defined points.
+
+        Parameters
+        ----------
+        trend : {"center", "height", "slope", "curvature"}
+            Mean; plane of the least rms height; plane of the least rms slope; polynomial of second
+            order, which also removes the shape of a ball. All but the mean need SurfaceTopography.
+
+        Returns
+        -------
+        MeasuredSurface
+
+        Raises
+        ------
+        ValueError
+            Unknown trend.
+        ImportError
+            SurfaceTopography is not installed.
+        """
+        if choice("trend", trend, TRENDS) == "center":
+            return self._changed(self.heights - np.nanmean(self.heights), detrend=trend)
+        return self._changed(self._topography().detrend(trend).heights(), detrend=trend)
+
+    def filled(self) -> MeasuredSurface:
+        """The surface with its undefined points interpolated by harmonic functions.
+
+        Needs SurfaceTopography where there are any (ImportError). `attrs` tells how many there
+        were; beyond 5 % of all points a UserWarning does too.
+        """
+        count = self.undefined
+        if count == 0:
+            return self
+        if count > MANY_UNDEFINED * self.heights.size:
+            share = 100.0 * count / self.heights.size
+            source = f" of {self.attrs['source']}" if "source" in self.attrs else ""
+            warnings.warn(
+                f"{share:.1f} % of the measured points{source} are undefined and were interpolated",
+                stacklevel=2,
+            )
+        heights = self._topography().interpolate_undefined_data().heights()
+        return self._changed(heights, filled_points=count)
+
+    def mirrored(self, axis: str = "y") -> MeasuredSurface:
+        """The surface with its x or y reversed.
+
+        A body is measured from outside, but body 1 looks down: what was measured on it has to be
+        turned over, and its heights stay positive out of the body.
+
+        Parameters
+        ----------
+        axis : {"y", "x"}
+            What is reversed: "y" when the body is turned over about the x axis.
+
+        Returns
+        -------
+        MeasuredSurface
+        """
+        turned = self.heights[:, ::-1] if choice("axis", axis, ("y", "x")) == "y" else None
+        return self._changed(self.heights[::-1] if turned is None else turned, mirrored=axis)
+
+    def on(
+        self,
+        grid: SurfaceGrid,
+        x: float = 0.0,
+        y: float = 0.0,
+        *,
+        method: str = "cubic",
+        average: bool = False,
+        fill: float | None = None,
+    ) -> FloatArray:
+        """Heights at the cells of a grid.
+
+        Parameters
+        ----------
+        grid : Grid
+            Where they are wanted.
+        x, y : float, optional
+            Where the middle of the measured area lies in the grid [m].
+        method : {"cubic", "linear"}
+            Spline through the samples: bicubic (exact for cubic polynomials) or bilinear.
+        average : bool, optional
+            Mean over each cell instead of the value at its centre: leaves out what is shorter than
+            a cell. For cells larger than the distance of the samples.
+        fill : float, optional
+            Height beyond the measured area [m]; by default there must be none such.
+
+        Returns
+        -------
+        ndarray, shape (grid.nx, grid.ny)
+            [m], positive out of the body: `surfaces.from_heights(grid, heights)` for body 2,
+            `surfaces.from_heights(grid, lower, -heights)` for body 1.
+
+        Raises
+        ------
+        ValueError
+            The grid reaches beyond the measured area, points are undefined, or an argument is
+            outside its range.
+        """
+        return self._at(
+            np.asarray(grid.x) - finite("x", x),
+            np.asarray(grid.y) - finite("y", y),
+            (grid.dx, grid.dy),
+            method,
+            average,
+            fill,
+        )
+
+    def relief(
+        self,
+        grid: Grid,
+        x: float = 0.0,
+        y: float = 0.0,
+        *,
+        periodic: bool = False,
+        method: str = "cubic",
+        average: bool = False,
+        fill: float | None = None,
+    ) -> Relief:
+        """All that was measured along x, as a relief that moves with a body.
+
+        Parameters
+        ----------
+        grid : Grid
+            Of the simulation; the measured area must be as wide, unless `fill` is given.
+        x, y : float, optional
+            Where the middle of the measured area lies on the body [m].
+        periodic : bool, optional
+            Repeat it along x for ever; by default the body is flat (height 0) beyond.
+        method, average, fill : optional
+            As those of `on`.
+
+        Returns
+        -------
+        Relief
+            For `relief1` or `relief2` of a `Simulation`. Body 1 takes the surface `mirrored`.
+
+        Raises
+        ------
+        ValueError
+            As `on`; or the measured area is shorter than a cell.
+        """
+        centre = finite("x", x)
+        # whole cells inside the measured area; the margin is for rounding
+        half = 0.5 * (self.size[0] - grid.dx) + 1e-9 * grid.dx
+        along, first = rows_within(grid, centre, half)
+        if half < 0.0 or np.abs(along - centre).max() > half * (1.0 + 1e-9):
+            raise ValueError(
+                f"the measured area must hold a cell of the grid, {grid.dx!r} m long, "
+                f"got {self.size[0]!r} m"
+            )
+        across = np.asarray(grid.y) - finite("y", y)
+        cell = (grid.dx, grid.dy)
+        heights = self._at(along - centre, across, cell, method, average, fill)
+        return Relief(heights, first, periodic)
+
+    def _at(
+        self,
+        x: FloatArray,
+        y: FloatArray,
+        cell: tuple[float, float],
+        method: str,
+        average: bool,
+        fill: float | None,
+    ) -> FloatArray:
+        """Heights at all pairs of x and y, counted from the middle of the measured area."""
+        from scipy.interpolate import RectBivariateSpline
+
+        order = {"cubic": 3, "linear": 1}[choice("method", method, ("cubic", "linear"))]
+        if self.undefined:
+            first = tuple(int(i) for i in np.argwhere(np.isnan(self.heights))[0])
+            raise ValueError(
+                f"{self.undefined} measured points are undefined, the first at index {first}: "
+                "interpolate them with filled()"
+            )
+        edges = [0.5 * size if average else 0.0 for size in cell]
+        inside = [self._inside(p, axis, edges[axis], fill) for axis, p in enumerate((x, y))]
+        shape = self.heights.shape
+        at = [(np.arange(n) - 0.5 * (n - 1)) * d for n, d in zip(shape, self.steps, strict=True)]
+        kx, ky = (min(order, n - 1) for n in shape)
+        spline = RectBivariateSpline(*at, self.heights, kx=kx, ky=ky, s=0)
+        # beyond the outermost samples, by half a step at most, their height is taken
+        parts = [
+            np.clip(_parts(p, size, step) if average else p[:, None], s[0], s[-1])
+            for p, size, step, s in zip((x, y), cell, self.steps, at, strict=True)
+        ]
+        heights = np.zeros((x.size, y.size))
+        for part_x in parts[0].T:
+            for part_y in parts[1].T:
+                heights += spline(part_x, part_y)
+        heights /= parts[0].shape[1] * parts[1].shape[1]
+        if fill is not None:
+            heights[~(inside[0][:, None] & inside[1][None, :])] = finite("fill", fill)
+        return heights
+
+    def _inside(self, positions: FloatArray, axis: int, edge: float, fill: float | None) -> Any:
+        """Which positions, with an edge around them, are measured; all must be without a fill."""
+        half = 0.5 * self.size[axis]
+        inside = np.abs(positions) + edge <= half * (1.0 + 1e-9)
+        if fill is None and not inside.all():
+            name = "xy"[axis]
+            raise ValueError(
+                f"the cells reach from {positions.min() - edge:.6g} to "
+                f"{positions.max() + edge:.6g} m along {name}, counted from the middle of the "
+                f"measured area, beyond its {-half:.6g} to {half:.6g} m: make the grid smaller, "
+                "or give fill"
+            )
+        return inside
+
+
+def _parts(positions: FloatArray, cell: float, step: float) -> FloatArray:
+    """Points that divide each cell into equal parts no longer than a step, one row a cell."""
+    count = max(1, int(np.ceil(cell / step - 1e-9)))
+    return np.asarray(positions[:, None] + ((np.arange(count) + 0.5) / count - 0.5) * cell)

@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Passes of a contact that rolls or slides over the bodies, as lists of steps."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from .._checks import choice, finite, integer, load_or_approach, number, positive
+
+Steps = list[dict[str, Any]]
+
+# Part of a step below which the rest of a distance is rounding, not a step of its own.
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True)
+class Passes:
+    """One or more passes over the same place; see `paths.rolling` for the arguments.
+
+    `shares`: how far body 1 and 2 move, towards -x, while the contact travels one metre.
+    """
+
+    quantity: str
+    value: float
+    distance: float
+    step: float
+    passes: int
+    increments: int
+    unload_increments: int | None
+    shares: tuple[float, float]
+    back_and_forth: bool
+    speed: float | None
+    heat_factor: float | Sequence[float] | None
+
+    def steps(self) -> Steps:
+        lengths = _lengths(self.distance, self.step)
+        count = integer("passes", self.passes, 1)
+        if not self.value > 0.0:
+            raise ValueError(f"{self.quantity} must be > 0, got {self.value!r}")
+        up = integer("increments", self.increments, 1)
+        down = up
+        if self.unload_increments is not None:
+            down = integer("unload_increments", self.unload_increments, 1)
+        loading = [self._still(self.value * ((i + 1) / up)) for i in range(up)]
+        # load = 0, not approach = 0: a hot or flattened surface may still touch there
+        unloading = [self._still(self.value * ((down - i) / down)) for i in range(1, down)]
+        unloading.append(self._timed({"load": 0.0}, self.step))
+
+        steps: Steps = []
+        if self.back_and_forth:
+            steps += loading
+            for number in range(count):
+                sign = 1.0 if number % 2 == 0 else -1.0
+                steps += [self._moved(sign * length) for length in lengths]
+            steps += unloading
+        else:
+            back = -math.fsum(lengths)
+            for number in range(count):
+                if number > 0:
+                    advance = self._advance(back)
+                    steps.append(self._timed({"load": 0.0, "advance": advance}, back))
+                steps += [*loading, *map(self._moved, lengths), *unloading]
+        if self.heat_factor is not None:
+            steps[0] = {**steps[0], "heat_factor": self.heat_factor}
+        return [dict(step) for step in steps]
+
+    def _advance(self, length: float) -> tuple[float, float]:
+        first, second = self.shares
+        return 0.0 - first * length, 0.0 - second * length  # 0 - 0: no minus zero
+
+    def _moved(self, length: float) -> dict[str, Any]:
+        step = {self.quantity: self.value, "advance": self._advance(length)}
+        return self._timed(step, length)
+
+    def _still(self, value: float) -> dict[str, Any]:
+        return self._timed({self.quantity: value}, self.step)
+
+    def _timed(self, step: dict[str, Any], length: float) -> dict[str, Any]:
+        """The step with the time in which the contact travels a length."""
+        if self.speed is not None:
+            step["duration"] = abs(length) / positive("speed", self.speed)
+        return step
+
+
+def _lengths(distance: float, step: float) -> list[float]:
+    """Signed steps that add up to a distance: whole ones, and the rest of it."""
+    total, whole = finite("distance", distance), positive("step", step)
+    if total == 0.0:
+        raise ValueError("distance must not be 0")
+    if whole > abs(total) * (1.0 + _ROUNDING):
+        raise ValueError(f"step must be at most the distance, {abs(total)!r}, got {whole!r}")
+    count = math.floor(abs(total) / whole + _ROUNDING)
+    rest = abs(total) - count * whole
+    lengths = [math.copysign(whole, total)] * count
+    if rest > _ROUNDING * whole:
+        lengths.append(math.copysign(rest, total))
+    return lengths
+
+
+def rolling(
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    distance: float,
+    step: float,
+    passes: int = 1,
+    increments: int = 10,
+    unload_increments: int | None = None,
+    slide_to_roll: float = 0.0,
+    back_and_forth: bool = False,
+    speed: float | None = None,
+    heat_factor: float | Sequence[float] | None = None,
+) -> Steps:
+    """Load, roll over both bodies, unload; again from the same place for each pass.
+
+    Begins unloaded and ends unloaded, at the end of the last pass.
+
+    Parameters
+    ----------
+    load, approach : float
+        Load [N] or approach [m] while rolling, > 0; give one.
+    distance : float
+        How far the contact travels over the bodies in a pass [m]: towards +x when positive, towards
+        -x when negative. With sliding, the mean of its ways over both.
+    step : float
+        Length of a step [m], > 0; best a whole number of cells dx. The last step of a pass is
+        shorter where they do not divide the distance.
+    passes : int
+        Number of passes, >= 1. Between two of them the bodies go back unloaded, in one step.
+    increments, unload_increments : int
+        Number of steps of each loading and unloading, in place (as many down as up by default).
+    slide_to_roll : float
+        Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) of the surface speeds u1, u2 of the bodies
+        through the contact, in [-2, 2] [-]: the bodies move (1 + slide_to_roll/2) and
+        (1 - slide_to_roll/2) times the distance. Where the simulation has friction, body 1 must
+        slide towards +x: distance and slide_to_roll then have opposite signs.
+    back_and_forth : bool
+        Passes under load in turn there and back, loaded and unloaded once.
+    speed : float, optional
+        Of the contact over the bodies [m/s], > 0, for a simulation with `heat_history`: each step,
+        also back, lasts its length over the speed, each increment of load that of a whole step. The
+        `velocity` of the simulation should be that of the bodies, for distance > 0
+        -speed (1 + slide_to_roll/2) and -speed (1 - slide_to_roll/2).
+    heat_factor : float or pair of floats, optional
+        From the first step on [m/s].
+
+    Returns
+    -------
+    list of dict
+        For `Simulation.run`.
+
+    Raises
+    ------
+    ValueError
+        Both or neither of load and approach, or a value outside its range.
+
+    Examples
+    --------
+    >>> for step in rolling(load=300.0, distance=1e-4, step=5e-5, increments=1):
+    ...     print(step)
+    {'load': 300.0}
+    {'load': 300.0, 'advance': (-5e-05, -5e-05)}
+    {'load': 300.0, 'advance': (-5e-05, -5e-05)}
+    {'load': 0.0}
+    """
+    if not -2.0 <= number("slide_to_roll", slide_to_roll) <= 2.0:
+        raise ValueError(f"slide_to_roll must be in [-2, 2], got {slide_to_roll!r}")
+    shares = (1.0 + 0.5 * slide_to_roll, 1.0 - 0.5 * slide_to_roll)
+    name, value = load_or_approach(load, approach)
+    return Passes(
+        name,
+        value,
+        distance,
+        step,
+        passes,
+        increments,
+        unload_increments,
+        shares,
+        back_and_forth,
+        speed,
+        heat_factor,
+    ).steps()
+
+
+def sliding(
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    distance: float,
+    step: float,
+    slider: int = 1,
+    passes: int = 1,
+    increments: int = 10,
+    unload_increments: int | None = None,
+    back_and_forth: bool = False,
+    speed: float | None = None,
+    heat_factor: float | Sequence[float] | None = None,
+) -> Steps:
+    """Load, slide one body over the other, unload; again from the same place for each pass.
+
+    The contact stays in one place of the slider. Where the simulation has friction, body 1 must
+    slide towards +x: distance > 0 with slider 1, distance < 0 with slider 2.
+
+    Parameters
+    ----------
+    load, approach : float
+        Load [N] or approach [m] while sliding, > 0; give one.
+    distance : float
+        How far the slider goes over the other body in a pass [m]: towards +x when positive.
+    step, passes, increments, unload_increments, back_and_forth, heat_factor : optional
+        As in `rolling`.
+    slider : {1, 2}
+        The body on which the contact stays.
+    speed : float, optional
+        Of sliding [m/s], > 0, as in `rolling`. The `velocity` of the simulation should be 0 for the
+        slider and, for distance > 0, -speed for the other body.
+
+    Returns
+    -------
+    list of dict
+        For `Simulation.run`.
+
+    Raises
+    ------
+    ValueError
+        Both or neither of load and approach, or a value outside its range.
+
+    Examples
+    --------
+    >>> for step in sliding(load=300.0, distance=8e-5, step=4e-5, increments=1):
+    ...     print(step)
+    {'load': 300.0}
+    {'load': 300.0, 'advance': (0.0, -4e-05)}
+    {'load': 300.0, 'advance': (0.0, -4e-05)}
+    {'load': 0.0}
+    """
+    shares = (0.0, 1.0) if choice("slider", slider, (1, 2)) == 1 else (1.0, 0.0)
+    name, value = load_or_approach(load, approach)
+    return Passes(
+        name,
+        value,
+        distance,
+        step,
+        passes,
+        increments,
+        unload_increments,
+        shares,
+        back_and_forth,
+        speed,
+        heat_factor,
+    ).steps()

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Loads and approaches that rise, fall and stay."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from .._checks import (
+    FloatArray,
+    choice,
+    finite,
+    finite_array,
+    integer,
+    load_or_approach,
+    non_negative,
+    positive,
+)
+
+Path = list[dict[str, Any]]
+
+
+def _fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
+    """Increasing fractions of the ramp, the last exactly 1."""
+    choice("spacing", spacing, ("linear", "power"))
+    count = integer("increments", increments, 1)
+    fractions = np.arange(1, count + 1, dtype=np.float64) / count
+    if spacing == "power":
+        fractions = fractions ** positive("exponent", exponent)
+    return fractions
+
+
+def _steps(name: str, start: float, end: float, fractions: FloatArray) -> Path:
+    values = start * (1.0 - fractions) + end * fractions
+    return [{name: float(value)} for value in values]
+
+
+def _with_parts(
+    steps: Path,
+    advance: Sequence[float] | None,
+    duration: float | None,
+    heat_factor: float | Sequence[float] | None,
+) -> Path:
+    """The steps in equal parts of a way and a duration; the first sets the heat factor."""
+    if advance is not None:
+        first, second = (float(s) / len(steps) for s in finite_array("advance", advance, (2,)))
+        steps = [{**step, "advance": (first, second)} for step in steps]
+    if duration is not None:
+        part = positive("duration", duration) / len(steps)
+        steps = [{**step, "duration": part} for step in steps]
+    if heat_factor is not None:
+        steps[0] = {**steps[0], "heat_factor": heat_factor}
+    return steps
+
+
+def hold(
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    increments: int = 1,
+    advance: Sequence[float] | None = None,
+    duration: float | None = None,
+    heat_factor: float | Sequence[float] | None = None,
+) -> Path:
+    """Steps at one load or approach, while the bodies move or heat flows.
+
+    Parameters
+    ----------
+    load, approach : float
+        Load [N], >= 0, or approach [m]; give one.
+    increments : int
+        Number of steps, >= 1.
+    advance : pair of floats, optional
+        How far body 1 and 2 move towards +x, in all steps together [m].
+    duration : float, optional
+        Of all together [s], for a simulation with `heat_history`.
+    heat_factor : float or pair of floats, optional
+        From the first of these steps on [m/s]; 0: the source is off.
+
+    Returns
+    -------
+    list of dict
+        For `Simulation.run`.
+
+    Raises
+    ------
+    ValueError
+        Both or neither of load and approach, or a value outside its range.
+    """
+    name, value = load_or_approach(load, approach)
+    count = integer("increments", increments, 1)
+    return _with_parts([{name: value} for _ in range(count)], advance, duration, heat_factor)
+
+
+def ramp(
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    increments: int = 10,
+    start: float = 0.0,
+    spacing: str = "linear",
+    exponent: float = 2.0,
+    advance: Sequence[float] | None = None,
+    duration: float | None = None,
+    heat_factor: float | Sequence[float] | None = None,
+) -> Path:
+    """Steps from `start` (excluded) to the target (included, exactly).
+
+    Parameters
+    ----------
+    load, approach : float
+        Target load [N], >= 0, or approach [m]; give one.
+    increments : int
+        Number of steps, >= 1.
+    start : float
+        Value before the first step [N] or [m].
+    spacing : {"linear", "power"}
+        "power" takes fractions (i/increments)^exponent: small steps first for exponent > 1.
+    exponent : float
+        Of the power spacing, > 0 [-].
+    advance, duration, heat_factor : optional
+        As in `hold`.
+
+    Returns
+    -------
+    list of dict
+        For `Simulation.run`, e.g. ``[{"load": 100.0}, {"load": 200.0}]``.
+
+    Raises
+    ------
+    ValueError
+        Both or neither of load and approach, or a value outside its range.
+
+    Examples
+    --------
+    >>> ramp(load=300.0, increments=3)
+    [{'load': 100.0}, {'load': 200.0}, {'load': 300.0}]
+    """
+    name, end = load_or_approach(load, approach)
+    begin = non_negative("start", start) if name == "load" else finite("start", start)
+    if begin == end:
+        raise ValueError(f"start must differ from {name}, got {begin!r} for both")
+    steps = _steps(name, begin, end, _fractions(increments, spacing, exponent))
+    return _with_parts(steps, advance, duration, heat_factor)
+
+
+def load_unload(
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    increments: int = 10,
+    unload_increments: int | None = None,
+    end: float = 0.0,
+    spacing: str = "linear",
+    exponent: float = 2.0,
+) -> Path:
+    """Load from zero to the peak, then back to `end`.
+
+    Parameters
+    ----------
+    load, approach : float
+        Peak load [N] or approach [m]; give one.
+    increments, unload_increments : int
+        Number of steps up and down (as many down as up by default).
+    end : float
+        Value of the last step [N] or [m], below the peak.
+    spacing, exponent
+        As in `ramp`; unloading mirrors loading, so that small steps are near zero load.
+
+    Returns
+    -------
+    list of dict
+        For `Simulation.run`.
+
+    Raises
+    ------
+    ValueError
+        Both or neither of load and approach, or a value outside its range.
+    """
+    name, peak = load_or_approach(load, approach)
+    last = non_negative("end", end) if name == "load" else finite("end", end)
+    if not peak > max(last, 0.0):
+        raise ValueError(f"{name} must be > {max(last, 0.0)!r}, got {peak!r}")
+    up = _fractions(increments, spacing, exponent)
+    count = increments if unload_increments is None else unload_increments
+    integer("unload_increments", count, 1)
+    mirrored = np.append(_fractions(count, spacing, exponent)[::-1][1:], 0.0)
+    return _steps(name, 0.0, peak, up) + _steps(name, last, peak, mirrored)

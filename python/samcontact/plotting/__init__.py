@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of a simulation. Functions take an `ax` (a new figure by default) and return it.
+
+Only matplotlib's object-oriented interface is used: importing this module starts no GUI and
+leaves the caller's pyplot state alone. Lengths are shown in micrometres, stresses in MPa or GPa;
+depth points downward.
+"""
+
+from . import tugging, wear
+from .animation import rolling_animation, save_animation
+from .contact import (
+    axis_profile,
+    load_approach,
+    pressure_profile,
+    print_profile,
+    section,
+    summary_figures,
+    temperature_profile,
+)
+from .track import loaded_section, track_print, track_section
+
+__all__ = [
+    "axis_profile",
+    "load_approach",
+    "loaded_section",
+    "pressure_profile",
+    "print_profile",
+    "rolling_animation",
+    "save_animation",
+    "section",
+    "summary_figures",
+    "temperature_profile",
+    "track_print",
+    "track_section",
+    "tugging",
+    "wear",
+]

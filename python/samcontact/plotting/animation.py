@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A moving contact as an animation: pressure, a section and the print, in the frame of a body."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, FuncAnimation, PillowWriter
+
+from .._checks import FloatArray, choice, positive
+from .parts import QUANTITIES, edges, finish, nearest, new_figure
+from .track import positions_on_body
+
+if TYPE_CHECKING:
+    from ..state import State
+
+_QUANTITIES = ("von_mises", "residual_von_mises", "equivalent_plastic_strain")
+
+
+def rolling_animation(
+    states: Sequence[State], *, body: int = 2, quantity: str = "von_mises", interval: float = 100.0
+) -> FuncAnimation:
+    """One frame for each state: pressure, a section along the way, and the print below it.
+
+    Everything is shown in the plane y = 0 and in the frame of the body, so that the contact moves
+    and the track stays.
+
+    Parameters
+    ----------
+    states : sequence of State
+        In the order of the path, of a grid with layers; ``states[::2]`` takes half of the time.
+    body : {1, 2}
+        Whose frame, section and print.
+    quantity : {"von_mises", "residual_von_mises", "equivalent_plastic_strain"}
+        Of the section. With "von_mises" the stress under load is shown inside of the grid, which
+        moves with the contact, and the residual one outside.
+    interval : float, optional
+        Between two frames [ms], > 0, where it is shown on a screen.
+
+    Returns
+    -------
+    matplotlib.animation.FuncAnimation
+        For `save_animation`, or ``to_jshtml()`` in a notebook. Keep a reference to it.
+
+    Raises
+    ------
+    ValueError
+        No states, no layers, or an unknown body or quantity.
+    """
+    if len(states) == 0:
+        raise ValueError("states must hold at least one state, got none")
+    choice("body", body, (1, 2))
+    choice("quantity", quantity, _QUANTITIES)
+    positive("interval", interval)
+    grid = states[0].grid
+    if grid.nz == 0 or grid.dz is None:
+        raise ValueError("grid must have a volume (nz >= 1), got nz = 0")
+    row = nearest(grid.y, 0.0)
+
+    windows = [positions_on_body(state, body) for state in states]
+    first = min(window[0] for window in windows)
+    count = round((max(window[-1] for window in windows) - first) / grid.dx) + 1
+    x = first + grid.dx * np.arange(count)
+    sections = [
+        _section(state, body, quantity, row, window, x)
+        for state, window in zip(states, windows, strict=True)
+    ]
+    prints = [_print(state, body, row) for state in states]
+    pressures = [state.pressure[:, row] * 1e-9 for state in states]
+
+    text, factor, unit, colours = QUANTITIES[quantity]
+    across, depth = edges(x, grid.dx) * 1e6, edges(grid.z, grid.dz) * 1e6
+    width = 8.0
+    ratio = min(max(0.8 * width * depth[-1] / (across[-1] - across[0]), 1.4), 3.0)
+    figure = new_figure(width, ratio + 4.0)
+    above, middle, below = figure.subplots(3, 1, sharex=True, height_ratios=[1.5, ratio, 1.5])
+    (pressure_line,) = above.plot([], [], "-", linewidth=1.2, color="C3")
+    above.set_ylim(0.0, 1.08 * max(float(np.max(p)) for p in pressures) or 1.0)
+    above.set_ylabel("pressure [GPa]")
+    largest = factor * max(float(np.max(s)) for s in sections)
+    shape = (grid.nz, count)
+    mesh = middle.pcolormesh(
+        across, depth, np.zeros(shape), cmap=colours, vmin=0.0, vmax=largest or 1.0, rasterized=True
+    )
+    figure.colorbar(mesh, ax=middle, label=f"{text} [{unit}]")
+    middle.set_ylabel("depth z [µm]")
+    middle.invert_yaxis()
+    (print_line,) = below.plot([], [], "-", linewidth=1.2, color="C0")
+    heights = np.concatenate([u for _, u in prints]) * 1e6
+    margin = 0.08 * float(np.ptp(heights)) or 1.0
+    below.set_ylim(float(heights.max()) + margin, float(heights.min()) - margin)
+    below.set_xlim(across[0], across[-1])
+    below.set_xlabel(f"x on body {body} [µm]")
+    below.set_ylabel("print [µm]")
+    for ax in (above, below):
+        finish(ax)
+
+    def draw(number: int) -> list[Any]:
+        state = states[number]
+        place = -state.travel[body - 1]
+        pressure_line.set_data((np.asarray(grid.x) - state.origin + place) * 1e6, pressures[number])
+        mesh.set_array(sections[number].T * factor)
+        print_line.set_data(prints[number][0] * 1e6, prints[number][1] * 1e6)
+        above.set_title(
+            f"load {state.load:.4g} N, contact at {place * 1e6 + 0.0:.4g} µm", fontsize="medium"
+        )
+        return [pressure_line, mesh, print_line]
+
+    draw(0)
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")  # panels that shift from frame to frame would distract
+    return FuncAnimation(
+        figure, draw, frames=len(states), interval=interval, cache_frame_data=False, blit=False
+    )
+
+
+def _section(
+    state: State, body: int, quantity: str, row: int, window: FloatArray, x: FloatArray
+) -> FloatArray:
+    """The plane y = 0 on all cells x of the body, shape (len(x), nz)."""
+    values = np.zeros((len(x), state.grid.nz))
+    track = state.track(body=body)
+    field = "residual_von_mises" if quantity == "von_mises" else quantity
+    rows = np.round((track.x - x[0]) / state.grid.dx).astype(int)
+    shown = (rows >= 0) & (rows < len(x))
+    values[rows[shown]] = getattr(track, field)()[shown, row, :]
+    if quantity == "von_mises":
+        start = round((window[0] - x[0]) / state.grid.dx)
+        values[start : start + len(window)] = state.von_mises(body=body)[:, row, :]
+    return values
+
+
+def _print(state: State, body: int, row: int) -> tuple[FloatArray, FloatArray]:
+    track = state.track(body=body)
+    return track.x, track.residual_displacement()[:, row]
+
+
+def save_animation(
+    animation: FuncAnimation, path: str | Path, *, fps: float = 10.0, dpi: float = 100.0
+) -> Path:
+    """Write an animation as GIF or MP4.
+
+    Parameters
+    ----------
+    animation : matplotlib.animation.FuncAnimation
+        From `rolling_animation`.
+    path : str or Path
+        Ends in .gif (written by Pillow, which comes with matplotlib) or .mp4 (needs the program
+        ffmpeg).
+    fps : float, optional
+        Frames a second, > 0.
+    dpi : float, optional
+        Pixels an inch, > 0.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    ValueError
+        Another ending, or a number out of range.
+    RuntimeError
+        There is no ffmpeg for an .mp4.
+    OSError
+        The file cannot be written.
+    """
+    target, rate = Path(path), positive("fps", fps)
+    writer: AbstractMovieWriter
+    if target.suffix.lower() == ".gif":
+        writer = PillowWriter(fps=rate)  # type: ignore[arg-type]  # it takes parts of a frame too
+    elif target.suffix.lower() == ".mp4":
+        if not FFMpegWriter.isAvailable():
+            raise RuntimeError(
+                "an .mp4 needs the program ffmpeg, which was not found: install it, or write a .gif"
+            )
+        writer = FFMpegWriter(fps=rate)  # type: ignore[arg-type]
+    else:
+        raise ValueError(f"path must end in .gif or .mp4, got {str(target)!r}")
+    animation.save(target, writer=writer, dpi=positive("dpi", dpi))
+    return target

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of a moving contact, in the frame of a body: x = 0 is where the contact started on it.
+
+Like `samcontact.plotting`, which offers these functions too: each takes an `ax` and returns it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from .._checks import FloatArray, choice, finite
+from .parts import COMPONENTS, axes_or_new, edges, finish, nearest, new_figure, show_section
+
+if TYPE_CHECKING:
+    from ..state import State
+    from ..track import Track
+
+_RESIDUAL = ("residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain")
+_LOADED = ("von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature")
+
+
+def positions_on_body(state: State, body: int) -> FloatArray:
+    """Where the cells of a state's volume fields lie on the body along x [m], shape (nx,)."""
+    shift = state.offset(body=body) - state.origin - state.travel[body - 1]
+    return np.asarray(np.asarray(state.grid.x) + shift, dtype=np.float64)
+
+
+def track_print(
+    track: Track, ax: Axes | None = None, *, axis: str = "x", positions: Sequence[float] = (0.0,)
+) -> Axes:
+    """Permanent print along the track, or across it in several places; depth downward.
+
+    Parameters
+    ----------
+    track : Track
+        From `State.track`.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    axis : {"x", "y"}
+        Direction of the profiles: along the track, or across it.
+    positions : sequence of float
+        Where they run [m]: values of y for profiles along x, of x for those along y. Nearest cells.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        Unknown axis, or no positions.
+    """
+    choice("axis", axis, ("x", "y"))
+    if len(positions) == 0:
+        raise ValueError("positions must hold at least one value, got none")
+    field = track.residual_displacement()
+    along, others, other = (track.x, track.y, "y") if axis == "x" else (track.y, track.x, "x")
+    ax = axes_or_new(ax)
+    for position in positions:
+        index = nearest(others, finite("positions", position))
+        profile = field[:, index] if axis == "x" else field[index, :]
+        label = f"{other} = {others[index] * 1e6 + 0.0:.4g} µm"
+        ax.plot(along * 1e6, profile * 1e6, "-", linewidth=1.2, label=label)
+    if not ax.yaxis_inverted():
+        ax.invert_yaxis()
+    ax.set_xlabel(f"{axis} on body {track.body} [µm]")
+    ax.set_ylabel("residual displacement [µm]")
+    ax.legend(frameon=False)
+    return finish(ax)
+
+
+def track_section(
+    track: Track,
+    ax: Axes | None = None,
+    *,
+    quantity: str = "residual_von_mises",
+    plane: str = "y",
+    position: float = 0.0,
+) -> Axes:
+    """Section through what the contact left, along the track or across it.
+
+    Parameters
+    ----------
+    track : Track
+        From `State.track`, of a grid with layers.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    quantity : {"residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain"}
+        Or a component "xx", "yy", "zz", "yz", "xz", "xy" of the residual stress.
+    plane : {"y", "x"}
+        Coordinate that is constant on the section: "y" along the track, "x" across it.
+    position : float
+        Its value [m]; the nearest row of cells is shown.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        No volume, or an unknown quantity or plane.
+    """
+    choice("quantity", quantity, (*_RESIDUAL, *COMPONENTS))
+    _require_volume(track.grid.nz)
+    if quantity in COMPONENTS:
+        field = track.residual_stress()[COMPONENTS[quantity]]
+        name, label = "stress", rf"residual $\sigma_{{{quantity}}}$"
+    else:
+        field, name, label = getattr(track, quantity)(), quantity, None
+    return _section(track, track.x, field, ax, name, plane, position, label)
+
+
+def loaded_section(
+    state: State,
+    ax: Axes | None = None,
+    *,
+    body: int = 2,
+    quantity: str = "von_mises",
+    plane: str = "y",
+    position: float = 0.0,
+) -> Axes:
+    """Section through a state of a moving contact, in the frame of the body.
+
+    Parameters
+    ----------
+    state : State
+        With a grid that has layers.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    body : {1, 2}
+        Whose field and frame.
+    quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature"}
+        Or a component "xx", "yy", "zz", "yz", "xz", "xy" of the stress.
+    plane, position
+        As in `track_section`; with plane "x" a place on the body.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        No volume, or an unknown body, quantity or plane.
+    """
+    choice("body", body, (1, 2))
+    choice("quantity", quantity, (*_LOADED, *COMPONENTS))
+    _require_volume(state.grid.nz)
+    if quantity in COMPONENTS:
+        field = state.stress(body=body)[COMPONENTS[quantity]]
+        name, label = "stress", rf"$\sigma_{{{quantity}}}$"
+    else:
+        field, name, label = getattr(state, quantity)(body=body), quantity, None
+    x = positions_on_body(state, body)
+    ax = _section(state, x, field, ax, name, plane, position, label)
+    if plane == "y":
+        ax.set_xlabel(f"x on body {body} [µm]")
+    return ax
+
+
+def _require_volume(nz: int) -> None:
+    if nz == 0:
+        raise ValueError("grid must have a volume (nz >= 1), got nz = 0")
+
+
+def _section(
+    source: Track | State,
+    x: FloatArray,
+    field: FloatArray,
+    ax: Axes | None,
+    quantity: str,
+    plane: str,
+    position: float,
+    label: str | None,
+) -> Axes:
+    choice("plane", plane, ("y", "x"))
+    finite("position", position)
+    grid = source.grid
+    assert grid.dz is not None
+    if plane == "y":
+        values, across = field[:, nearest(grid.y, position), :], edges(x, grid.dx)
+        name = f"x on body {source.body}" if hasattr(source, "body") else "x"
+    else:
+        values, across, name = field[nearest(x, position)], edges(grid.y, grid.dy), "y"
+    return show_section(
+        ax, across, edges(grid.z, grid.dz), values, quantity, name, label, titled=True
+    )
+
+
+def track_summary(states: Sequence[State], body: int) -> dict[str, Figure]:
+    """Print and sections of the track at the end of a run, by name of the figure."""
+    track = states[-1].track(body=body)
+    places = [-state.travel[body - 1] for state in states]
+    start, end = min(places), max(places)
+    middle = 0.5 * (start + end)
+    length = float(np.ptp(track.x))
+
+    prints = new_figure(5.0, 6.0)
+    along, across = prints.subplots(2, 1)
+    track_print(track, along)
+    track_print(track, across, axis="y", positions=(start, middle, end))
+
+    width = 7.0
+    height = 5.0 * track.grid.nz * (track.grid.dz or 0.0) / length + 0.9
+    sections = new_figure(width, 3 * height + 2.9)
+    panels = sections.subplots(4, 1, height_ratios=[height] * 3 + [2.9])
+    for ax, quantity in zip(panels, _RESIDUAL, strict=False):
+        track_section(track, ax, quantity=quantity)
+    track_section(track, panels[3], plane="x", position=middle)
+    title = panels[3].get_title()
+    panels[3].set_title(f"{title}, x = {middle * 1e6 + 0.0:.4g} µm", fontsize="medium")
+    return {"track_print": prints, "track_sections": sections}

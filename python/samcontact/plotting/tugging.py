@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of asperities that tug at each other, for one or several results of `asperities.tug`.
+
+Each function takes an `ax` and returns it. Values are shown over those at the onset of yield where
+`critical` gives them (e.g. `samcontact.critical.green`). Boucly (2008), figures 4.7 to 4.11.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from matplotlib.axes import Axes
+
+from .._checks import choice
+from .parts import axes_or_new, finish
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ..asperities import Tugging
+    from ..critical import CriticalSphere
+
+__all__ = ["force", "load_ratio", "net_energy", "residual_displacement"]
+
+Results = Sequence["Tugging"]
+
+
+def _label(result: Tugging, critical: CriticalSphere | None) -> str:
+    interference = result.collision.interference
+    if critical is None:
+        return f"{interference * 1e6:.4g} µm"
+    return f"ω/ωc = {interference / critical.interference:.3g}"
+
+
+def _one_pass(result: Tugging, number: int) -> xr.Dataset:
+    passes = result.series.sizes["pass"]
+    if not 1 <= number <= passes:
+        raise ValueError(f"number must be that of a pass, 1 to {passes}, got {number!r}")
+    series: xr.Dataset = result.series.sel({"pass": number})
+    return series
+
+
+def force(
+    results: Results,
+    ax: Axes | None = None,
+    *,
+    component: str = "x",
+    number: int = 1,
+    critical: CriticalSphere | None = None,
+) -> Axes:
+    """Force of the upper sphere on the lower one against the offset of their centres over R.
+
+    Parameters
+    ----------
+    results : sequence of Tugging
+        A line for each.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    component : {"x", "z"}
+        Tangential (what it takes to move the upper sphere along +X), or normal.
+    number : int
+        Of the pass, from 1.
+    critical : CriticalSphere, optional
+        Show force over its load, else [N].
+    """
+    choice("component", component, ("x", "z"))
+    unit = 1.0 if critical is None else critical.load
+    ax = axes_or_new(ax)
+    for result in results:
+        series = _one_pass(result, number)
+        x = series["offset"].values / result.collision.R
+        ax.plot(x, series[f"force_{component}"].values / unit, label=_label(result, critical))
+    name = {"x": "tangential force", "z": "normal force"}[component]
+    ax.set_ylabel(f"{name} [N]" if critical is None else f"{name} / critical load")
+    return _finished(ax, "offset X/R")
+
+
+def load_ratio(
+    results: Results,
+    ax: Axes | None = None,
+    *,
+    number: int = 1,
+    critical: CriticalSphere | None = None,
+) -> Axes:
+    """Tangential over normal force against the offset of the centres over R; arguments of `force`.
+
+    `critical` is for the labels only.
+    """
+    ax = axes_or_new(ax)
+    for result in results:
+        series = _one_pass(result, number)
+        x = series["offset"].values / result.collision.R
+        ax.plot(x, series["load_ratio"].values, label=_label(result, critical))
+    ax.set_ylabel("tangential / normal force")
+    return _finished(ax, "offset X/R")
+
+
+def net_energy(
+    results: Results, ax: Axes | None = None, *, critical: CriticalSphere | None = None
+) -> Axes:
+    """Energy that each pass takes against the interference, and the part that stays as stress.
+
+    Parameters
+    ----------
+    results : sequence of Tugging
+        A point for each; with as many passes.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    critical : CriticalSphere, optional
+        Show energy and interference over its own, else [J], [m].
+    """
+    unit = 1.0 if critical is None else critical.energy
+    ax = axes_or_new(ax)
+    for number in results[0].series["pass"].values:
+        energies = [float(_one_pass(r, int(number))["net_energy"]) / unit for r in results]
+        label = "net energy" if number == 1 else f"pass {number}"
+        ax.plot(_interferences(results, critical), energies, "o-", markersize=3, label=label)
+    stored = [float(_one_pass(r, 1)["residual_energy"]) / unit for r in results]
+    label = "of this in residual stress"
+    ax.plot(_interferences(results, critical), stored, "s--", markersize=3, label=label)
+    ax.set_ylabel("energy [J]" if critical is None else "energy / critical energy")
+    return _finished(ax, _interference_label(critical))
+
+
+def residual_displacement(
+    results: Results, ax: Axes | None = None, *, critical: CriticalSphere | None = None
+) -> Axes:
+    """Largest depth of the print that a pass leaves in each body, against the interference.
+
+    Arguments as in `net_energy`.
+    """
+    unit = 1.0 if critical is None else critical.interference
+    ax = axes_or_new(ax)
+    for number in results[0].series["pass"].values:
+        for body, style in ((1, "o-"), (2, "s--")):
+            depths = [
+                float(_one_pass(r, int(number))["residual_displacement"].sel(body=body)) / unit
+                for r in results
+            ]
+            label = f"body {body}, pass {number}"
+            ax.plot(_interferences(results, critical), depths, style, markersize=3, label=label)
+    of = "[m]" if critical is None else "/ critical interference"
+    ax.set_ylabel(f"residual displacement {of}")
+    return _finished(ax, _interference_label(critical))
+
+
+def _interferences(results: Results, critical: CriticalSphere | None) -> list[float]:
+    unit = 1.0 if critical is None else critical.interference
+    return [result.collision.interference / unit for result in results]
+
+
+def _interference_label(critical: CriticalSphere | None) -> str:
+    return "interference [m]" if critical is None else "interference / critical interference"
+
+
+def _finished(ax: Axes, label: str) -> Axes:
+    ax.axhline(0.0, color="k", linewidth=0.6)
+    ax.set_xlabel(label)
+    ax.legend(fontsize="small")
+    return finish(ax)

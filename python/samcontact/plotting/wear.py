@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of wear and running-in. Each takes an `ax` (a new figure by default) and returns it.
+
+Like `samcontact.plotting`: no pyplot, lengths in micrometres, depth downward.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
+
+from .._checks import FloatArray, choice, finite, integer
+from .parts import axes_or_new, edges, finish, nearest, new_figure, show_section
+
+if TYPE_CHECKING:
+    from ..state import State
+    from ..wear import WearResult
+
+__all__ = ["cycle_panels", "surface_map", "tresca", "wear_rate", "worn_profile"]
+
+
+def tresca(stress: ArrayLike) -> FloatArray:
+    """Tresca stress: the largest difference of principal stresses [Pa].
+
+    Parameters
+    ----------
+    stress : array_like, shape (6, ...)
+        Components xx, yy, zz, yz, xz, xy [Pa].
+
+    Returns
+    -------
+    ndarray, shape (...)
+
+    Raises
+    ------
+    ValueError
+        Not six components.
+    """
+    tensor = np.asarray(stress, dtype=np.float64)
+    if tensor.ndim == 0 or tensor.shape[0] != 6:
+        raise ValueError(f"stress must have shape (6, ...), got {tensor.shape}")
+    xx, yy, zz, yz, xz, xy = tensor
+    full = np.stack([np.stack([xx, xy, xz]), np.stack([xy, yy, yz]), np.stack([xz, yz, zz])])
+    principal = np.linalg.eigvalsh(np.moveaxis(full, (0, 1), (-2, -1)))
+    return np.asarray(principal[..., 2] - principal[..., 0], dtype=np.float64)
+
+
+def worn_profile(
+    result: WearResult,
+    ax: Axes | None = None,
+    *,
+    body: int | None = None,
+    axis: str = "x",
+    position: float = 0.0,
+    cycles: Sequence[int] | None = None,
+) -> Axes:
+    """Heights of a worn body after several cycles, along x or y.
+
+    Parameters
+    ----------
+    result : WearResult
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    body : {1, 2}, optional
+        A worn body; default the last one.
+    axis : {"x", "y"}
+        Direction of the profile.
+    position : float
+        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
+    cycles : sequence of int, optional
+        Numbers of cycles, 0: before the first; default all.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        Unknown axis, a body that is not worn, or a cycle that was not computed.
+    """
+    choice("axis", axis, ("x", "y"))
+    x, y = result.x(body), np.asarray(result.grid.y)
+    shown = range(len(result.cycles) + 1) if cycles is None else cycles
+    ax = axes_or_new(ax)
+    last = max(len(result.cycles), 1)
+    index = nearest(y if axis == "x" else x, finite("position", position))
+    for n in shown:
+        heights = result.profile(integer("cycles", n, 0), body)
+        line = heights[:, index] if axis == "x" else heights[index]
+        along = x if axis == "x" else y
+        # light to dark: the colour tells the cycle where there are too many for a legend
+        colour = (0.85 - 0.85 * n / last, 0.75 - 0.55 * n / last, 0.9 - 0.4 * n / last)
+        ax.plot(along * 1e6, line * 1e6, linewidth=1.0, color=colour, label=f"{n}")
+    ax.set_xlabel(f"{axis} [µm]")
+    ax.set_ylabel("height [µm]")
+    ax.legend(title="cycles", frameon=False, fontsize="small", ncols=2, loc="lower left")
+    return finish(ax)
+
+
+def surface_map(
+    result: WearResult, ax: Axes | None = None, *, body: int | None = None, cycle: int = -1
+) -> Axes:
+    """Heights of a worn body after a cycle (0: before the first) as a map.
+
+    Parameters
+    ----------
+    result : WearResult
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    body : {1, 2}, optional
+        A worn body; default the last one.
+    cycle : int
+        Number of the cycle; default the last one.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        A body that is not worn, or a cycle that was not computed.
+    """
+    heights = result.profile(cycle, body)
+    grid = result.grid
+    ax = axes_or_new(ax)
+    mesh = ax.pcolormesh(
+        edges(result.x(body), grid.dx) * 1e6,
+        edges(grid.y, grid.dy) * 1e6,
+        heights.T * 1e6,
+        cmap="viridis",
+        rasterized=True,
+    )
+    ax.figure.colorbar(mesh, ax=ax, label="height [µm]")
+    ax.set_aspect("equal")
+    ax.set_xlabel("x [µm]")
+    ax.set_ylabel("y [µm]")
+    return ax
+
+
+def wear_rate(result: WearResult, ax: Axes | None = None) -> Axes:
+    """Worn volume of each cycle.
+
+    Parameters
+    ----------
+    result : WearResult
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    ax = axes_or_new(ax)
+    numbers = [cycle.number for cycle in result.cycles]
+    ax.plot(numbers, result.rate * 1e18, "o-", markersize=3, linewidth=1.2)
+    ax.set_ylim(bottom=0)
+    ax.set_xlabel("cycle")
+    ax.set_ylabel("worn volume per cycle [µm³]")
+    return finish(ax)
+
+
+def cycle_panels(
+    moments: tuple[State, State],
+    *,
+    body: int = 2,
+    position: float = 0.0,
+    width: float | None = None,
+    depth: float | None = None,
+) -> Figure:
+    """Pressure and Tresca stress under load, mean stress and plastic strain after it, along x.
+
+    Parameters
+    ----------
+    moments : pair of State
+        `WearResult.first` or `WearResult.last`: loaded, and unloaded. Of a grid with layers.
+    body : {1, 2}
+        Whose stress and strain.
+    position : float
+        Value of y [m]; the nearest row of cells is shown.
+    width, depth : float, optional
+        What is shown [m]: x from -`width` to `width`, z down to `depth`; default the whole grid.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    loaded, unloaded = moments
+    grid = loaded.grid
+    figure = new_figure(9.0, 5.6)
+    (first, second), (third, fourth) = figure.subplots(2, 2)
+    j, x = nearest(grid.y, finite("position", position)), np.asarray(grid.x)
+    first.plot(x * 1e6, loaded.pressure[:, j] * 1e-9, linewidth=1.2)
+    first.set_xlabel("x [µm]")
+    first.set_ylabel("pressure [GPa]")
+    finish(first)
+    sections = (
+        (second, tresca(loaded.stress(body=body)[:, :, j]), "von_mises", "Tresca stress, loaded"),
+        (third, unloaded.hydrostatic(body=body)[:, j], "hydrostatic", "mean stress, unloaded"),
+        (
+            fourth,
+            unloaded.equivalent_plastic_strain(body=body)[:, j],
+            "equivalent_plastic_strain",
+            "equivalent plastic strain",
+        ),
+    )
+    assert grid.dz is not None
+    for ax, values, quantity, label in sections:
+        across, down = edges(x, grid.dx), edges(grid.z, grid.dz)
+        show_section(ax, across, down, values, quantity, "x", label, titled=True)
+        ax.set_aspect("auto")
+        if depth is not None:
+            ax.set_ylim(depth * 1e6, 0)
+    if width is not None:
+        for ax in (first, second, third, fourth):
+            ax.set_xlim(-width * 1e6, width * 1e6)
+    return figure

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the page of a contact has: checks, tables, figures."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import tables
+from .figures import contact_figures
+from .verdicts import verdicts
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ..cases import Case
+
+NEEDED = ("load", "approach", "pressure", "gap", "initial_gap")
+
+
+def content(dataset: xr.Dataset) -> dict[str, Any]:
+    """Its part of what the template names."""
+    case = stored_case(dataset)
+    peak = int(np.argmax(dataset["load"].values))
+    load = float(dataset["load"].values[peak])
+    hertz = case.hertz(load) if case is not None and load > 0 else None
+    body = _body(dataset)
+    return {
+        "file": "results.nc",
+        "checks": verdicts(dataset, case),
+        "hertz": tables.hertz_table(dataset, peak, hertz, body) if hertz else [],
+        "hertz_load": f"{load:.6g}",
+        "values": [("increments", "Increments", tables.scalars_table(dataset))],
+        "convergence": [("convergence", "Convergence", tables.convergence_table(dataset))],
+        "figures": contact_figures(dataset, body, peak, hertz),
+    }
+
+
+def stored_case(dataset: xr.Dataset) -> Case | None:
+    """The case that is stored with results; None where there is none that this version reads."""
+    from ..cases import Case, CaseError, parse_case
+
+    try:
+        case = parse_case(dataset.attrs.get("case", ""))
+    except CaseError:
+        return None
+    return case if isinstance(case, Case) else None
+
+
+def _body(dataset: xr.Dataset) -> int:
+    """The body of interest, or the other one where only that has volume fields."""
+    body = int(dataset.attrs.get("body", 2))
+    other = 3 - body
+    only_other = f"stress_body{body}" not in dataset and f"stress_body{other}" in dataset
+    return other if only_other else body

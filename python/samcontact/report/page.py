@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page, put together from its parts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from .._verdict import Verdict
+from . import contact, tables, tugging, wear
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def write(dataset: xr.Dataset, path: str | Path) -> Path:
+    """Write the report of a run.
+
+    It has the parameters, the values of each increment, figures, a comparison with Hertz where
+    there is one, how each increment converged, and `checks` of the results. Of tugging it has the
+    values of each pass, of wear those of each cycle.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        From `samcontact.results.to_dataset`, `open_results`, `Tugging.series` or
+        `WearResult.to_dataset`.
+    path : str or Path
+        The file, customarily ending in .html; its directory must exist. Replaced when it exists.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    ValueError
+        The dataset is not that of a run.
+    OSError
+        The file cannot be written.
+    """
+    environment = Environment(
+        loader=PackageLoader("samcontact.report", "templates"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    text = environment.get_template("report.html.j2").render(**_content(dataset))
+    target = Path(path)
+    target.write_text(text, encoding="utf-8")
+    return target
+
+
+def checks(dataset: xr.Dataset) -> list[Verdict]:
+    """Check the results of a run, from its stored fields alone.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        From `samcontact.results.to_dataset`, `open_results`, `Tugging.series` or
+        `WearResult.to_dataset`.
+
+    Returns
+    -------
+    list of Verdict
+        Each with name, value, limit and whether it passed. Of a contact: balance of the load,
+        complementarity of pressure and gap, yield condition, distance from the border of the grid,
+        small strain. Of tugging: energy, and no force at the end of a pass. Of wear: volume.
+
+    Raises
+    ------
+    ValueError
+        The dataset is not that of a run.
+    """
+    return list(_kind(dataset).content(dataset)["checks"])
+
+
+def _kind(dataset: xr.Dataset) -> ModuleType:
+    """What makes the parts of this dataset's page."""
+    missing: dict[ModuleType, list[str]] = {
+        kind: [name for name in kind.NEEDED if name not in dataset]
+        for kind in (contact, tugging, wear)
+    }
+    kind, lacking = min(missing.items(), key=lambda item: len(item[1]))
+    if lacking:
+        raise ValueError(f"dataset must be that of a run, but has no {', '.join(lacking)}")
+    return kind
+
+
+def _content(dataset: xr.Dataset) -> dict[str, Any]:
+    """Everything that the template names."""
+    attributes = dataset.attrs
+    return {
+        "title": attributes.get("title") or "Contact",
+        "description": attributes.get("description", ""),
+        "version": attributes.get("samcontact_version", ""),
+        "created": attributes.get("created", ""),
+        "case_text": attributes.get("case", ""),
+        "parameters": tables.parameters(dataset),
+        "hertz": [],
+        "convergence": [],
+        **_kind(dataset).content(dataset),
+    }

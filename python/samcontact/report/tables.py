@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables of a report: parameters of the case, values of each increment, comparison with Hertz."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from .._repr import counts, lengths, quantity
+from ..cases.field_units import field_unit
+from ..results.against_hertz import hertz_rows
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ..plotting.contact import HertzContact
+
+# Units that take a prefix; others are written as they are.
+_PREFIXED = ("m", "Pa", "N", "s", "m/s")
+
+
+class Row(NamedTuple):
+    """A parameter: section, field, value with unit."""
+
+    section: str
+    name: str
+    value: str
+
+
+class Cell(NamedTuple):
+    """A number as shown, and exactly, in SI units."""
+
+    shown: str
+    exact: str
+
+
+class Table(NamedTuple):
+    """Columns with their headings, and rows of cells that begin with a number."""
+
+    headings: list[str]
+    rows: list[tuple[str, list[Cell]]]
+    first: str = "increment"
+    """What the rows are."""
+
+
+def parameters(dataset: xr.Dataset) -> list[Row]:
+    """Of the stored case; of a run without one, what the attributes tell."""
+    text = dataset.attrs.get("case", "")
+    if not text:
+        return _from_attributes(dataset)
+    content = tomllib.loads(text)
+    rows: list[Row] = []
+    for section, fields in content.items():
+        if section == "output" or isinstance(fields, str):  # title and description stand apart
+            continue
+        if isinstance(fields, list):
+            for number, ramp in enumerate(fields, 1):
+                rows += _rows(f"{section}, part {number}", ramp)
+        else:
+            rows += _rows(section, fields)
+    return rows
+
+
+def _rows(section: str, fields: dict[str, Any]) -> list[Row]:
+    top = section.partition(",")[0]
+    plain = [
+        Row(section, name, _value(value, field_unit(f"{top}.{name}")))
+        for name, value in fields.items()
+        if not isinstance(value, dict)
+    ]
+    nested = [(name, value) for name, value in fields.items() if isinstance(value, dict)]
+    for name, value in nested:
+        plain += _rows(f"{section}, {name}", value)
+    return plain
+
+
+def _value(value: Any, unit: str) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, list):
+        return ", ".join(_value(entry, unit) for entry in value)
+    if not isinstance(value, (int, float)):
+        return str(value)
+    if unit in _PREFIXED:
+        return quantity(value, unit, digits=6)
+    return f"{value:.6g} {unit}".strip()
+
+
+def _from_attributes(dataset: xr.Dataset) -> list[Row]:
+    if "x" not in dataset.sizes:  # not of one contact: what was given as numbers
+        plain = {str(k): v for k, v in dataset.attrs.items() if not isinstance(v, str)}
+        return [Row("run", name, _value(float(value), "")) for name, value in plain.items()]
+    axes = [axis for axis in "xyz" if axis in dataset.sizes]
+    sizes = [float(dataset.attrs[f"d{axis}"]) for axis in axes if f"d{axis}" in dataset.attrs]
+    rows = [Row("grid", "cells", counts(*(dataset.sizes[axis] for axis in axes)))]
+    rows.append(Row("grid", "cell size", lengths(*sizes)))
+    for body in (1, 2):
+        prefix = f"body{body}_"
+        for name, value in dataset.attrs.items():
+            if str(name).startswith(prefix):
+                field = str(name).removeprefix(prefix)
+                plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
+                unit = field_unit(f"body{body}.{field.removeprefix('kinematic_')}")
+                rows.append(Row(f"body{body}", field.replace("_", " "), _value(plain, unit)))
+    for name in ("friction", "tol"):
+        if name in dataset.attrs:
+            rows.append(Row("contact", name, _value(float(dataset.attrs[name]), "")))
+    return rows
+
+
+# variable without its body: (heading, unit shown, factor)
+_SCALARS = {
+    "load": ("load", "N", 1.0),
+    "approach": ("approach", "µm", 1e6),
+    "max_pressure": ("maximum pressure", "MPa", 1e-6),
+    "contact_area": ("contact area", "mm²", 1e6),
+    "max_von_mises": ("maximum von Mises stress", "MPa", 1e-6),
+    "max_equivalent_plastic_strain": ("maximum equivalent plastic strain", "%", 1e2),
+    "max_temperature": ("maximum rise of temperature", "K", 1.0),
+    "travel": ("travel", "µm", 1e6),
+    "time": ("time", "s", 1.0),
+}
+_CONVERGENCE = {
+    "iterations": ("plastic iterations", "", 1.0),
+    "plastic_residual": ("plastic residual", "", 1.0),
+    "yield_excess": ("yield excess", "", 1.0),
+    "contact_iterations": ("contact iterations", "", 1.0),
+    "substeps": ("substeps", "", 1.0),
+    "contact_margin": ("contact to border", "cells", 1.0),
+    "plastic_margin": ("plastic zone to border", "cells", 1.0),
+}
+
+
+def scalars_table(dataset: xr.Dataset) -> Table:
+    """What has one value for each increment."""
+    return _table(dataset, _SCALARS)
+
+
+def convergence_table(dataset: xr.Dataset) -> Table:
+    """How each increment was solved."""
+    return _table(dataset, _CONVERGENCE)
+
+
+def _table(dataset: xr.Dataset, wanted: dict[str, tuple[str, str, float]]) -> Table:
+    columns: list[tuple[str, Any, float]] = []
+    for name, (heading, unit, factor) in wanted.items():
+        for variable, suffix in ((name, ""), *((f"{name}_body{b}", f", body {b}") for b in (1, 2))):
+            if variable in dataset:
+                if name == "contact_area" and float(dataset[variable].max()) < 1e-8:
+                    unit, factor = "µm²", 1e12
+                brackets = f" [{unit}]" if unit else ""
+                columns.append((heading + suffix + brackets, dataset[variable].values, factor))
+    rows = [
+        (str(number), [cell(values[index], factor) for _, values, factor in columns])
+        for index, number in enumerate(dataset["increment"].values)
+    ]
+    return Table([heading for heading, _, _ in columns], rows)
+
+
+def study_table(dataset: xr.Dataset, dim: str, wanted: dict[str, tuple[str, str, float]]) -> Table:
+    """Variables along a dimension, those of two bodies with a column for each."""
+    columns: list[tuple[str, Any, float]] = []
+    for name, (heading, unit, factor) in wanted.items():
+        values = dataset[name]
+        bodies = values["body"].values.tolist() if "body" in values.dims else [None]
+        for body in bodies:
+            of = "" if body is None else f", body {body}"
+            column = values if body is None else values.sel(body=body)
+            columns.append((f"{heading}{of} [{unit}]", column.values, factor))
+    rows = [
+        (str(number), [cell(values[index], factor) for _, values, factor in columns])
+        for index, number in enumerate(dataset[dim].values)
+    ]
+    return Table([heading for heading, _, _ in columns], rows, dim)
+
+
+def cell(value: Any, factor: float) -> Cell:
+    """A number in the unit shown, and as it is."""
+    number = float(value)
+    if not np.isfinite(number):
+        return Cell("none", "")
+    return Cell(f"{number * factor:.6g}", repr(number))
+
+
+def hertz_table(
+    dataset: xr.Dataset, peak: int, reference: HertzContact, body: int
+) -> list[tuple[str, str, str, str]]:
+    """Rows of name, Hertz, computed, difference."""
+    return [
+        (
+            name,
+            quantity(exact, unit, 6),
+            quantity(here, unit, 6),
+            f"{100 * (here / exact - 1):+.3g} %",
+        )
+        for name, unit, exact, here in hertz_rows(dataset, peak, reference, body)
+    ]

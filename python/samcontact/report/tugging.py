@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the page of a tugging has: energy of each pass, forces along the way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import plotting
+from .._verdict import Verdict
+from ..asperities import Collision
+from ..plotting.parts import finish, new_figure
+from .figures import ReportFigure, embedded
+from .tables import study_table
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+NEEDED = ("force_x", "force_z", "net_energy", "energy_imbalance")
+ENERGY = 0.05
+"""Part of the net energy that may be missing; it falls with the increments."""
+RELEASED = 1e-6
+"""Part of the largest force that may be left at the end of a pass."""
+# variable: (heading, unit shown, factor)
+_PASSES = {
+    "net_energy": ("net energy", "J", 1.0),
+    "dissipation": ("plastic work", "J", 1.0),
+    "residual_energy": ("energy of the residual stress", "J", 1.0),
+    "energy_imbalance": ("not found of the net energy", "J", 1.0),
+    "residual_displacement": ("largest print", "µm", 1e6),
+    "max_force_x": ("largest tangential force", "N", 1.0),
+    "min_force_x": ("least tangential force", "N", 1.0),
+    "max_force_z": ("largest normal force", "N", 1.0),
+    "max_pressure": ("maximum pressure", "MPa", 1e-6),
+}
+
+
+def content(dataset: xr.Dataset) -> dict[str, Any]:
+    """Its part of what the template names."""
+    extremes = dataset.drop_vars("max_pressure").assign(
+        max_force_x=dataset["force_x"].max("increment"),
+        min_force_x=dataset["force_x"].min("increment"),
+        max_force_z=dataset["force_z"].max("increment"),
+        max_pressure=dataset["max_pressure"].max("increment"),
+    )
+    return {
+        "file": "series.nc",
+        "checks": list(_checks(dataset)),
+        "values": [("passes", "Passes", study_table(extremes, "pass", _PASSES))],
+        "figures": list(_figures(dataset)),
+    }
+
+
+def _checks(dataset: xr.Dataset) -> Iterator[Verdict]:
+    net = np.abs(dataset["net_energy"].values)
+    plastic = dataset["dissipation"].values > 0
+    if plastic.any():  # an elastic pass takes none
+        worst = float(np.max(np.abs(dataset["energy_imbalance"].values[plastic]) / net[plastic]))
+        yield Verdict(
+            "energy not found as plastic work or residual stress, relative", worst, ENERGY
+        )
+    force = dataset["normal_force"]
+    end = np.array([row[np.isfinite(row)][-1] for row in force.values])
+    largest = float(force.max())
+    if largest > 0:
+        name = "normal force at the end of a pass over the largest"
+        yield Verdict(name, float(np.max(end)) / largest, RELEASED)
+
+
+def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
+    shape = {name: float(dataset.attrs[name]) for name in ("R1", "R2", "interference")}
+    stored: Any = SimpleNamespace(series=dataset, collision=Collision(**shape))
+    for number in dataset["pass"].values.tolist():
+        for component, name in (("x", "Tangential force"), ("z", "Normal force")):
+            figure = new_figure()
+            plotting.tugging.force([stored], figure.subplots(), component=component, number=number)
+            values = dataset[f"force_{component}"].sel({"pass": number})
+            text = f"{name} against the offset of the spheres, from {float(values.min()):.4g} to "
+            text += f"{float(values.max()):.4g} N."
+            yield embedded(f"{name}, pass {number}", text, figure)
+        figure = new_figure()
+        plotting.tugging.load_ratio([stored], figure.subplots(), number=number)
+        text = "Tangential over normal force against the offset of the spheres."
+        yield embedded(f"Load ratio, pass {number}", text, figure)
+    if dataset.sizes["pass"] > 1:
+        figure = new_figure()
+        ax = figure.subplots()
+        ax.plot(dataset["pass"], dataset["net_energy"], "o-", markersize=3, label="net energy")
+        label = "energy of the residual stress"
+        ax.plot(dataset["pass"], dataset["residual_energy"], "s--", markersize=3, label=label)
+        ax.set_xlabel("pass")
+        ax.set_ylabel("energy [J]")
+        ax.legend(frameon=False)
+        finish(ax)
+        yield embedded("Energy of the passes", "Net and stored energy of each pass.", figure)

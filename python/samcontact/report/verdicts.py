@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a results file tells about whether its run can be trusted, computed from its fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._checks import FloatArray
+from .._verdict import Verdict
+from ..results.vtk import cell_size
+from ..simulation import SMALL_STRAIN
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ..cases import Case
+
+DEFAULT_TOL = 1e-6  # of files that do not tell theirs
+
+
+def verdicts(dataset: xr.Dataset, case: Case | None) -> list[Verdict]:
+    """Check balance, complementarity, yield condition, borders and strain, where there are any."""
+    tol = float(dataset.attrs.get("tol", DEFAULT_TOL))
+    return [
+        _load_balance(dataset, case, tol),
+        *_complementarity(dataset, tol),
+        *_yield_condition(dataset, tol),
+        *_borders(dataset),
+        *_strains(dataset),
+    ]
+
+
+def _load_balance(dataset: xr.Dataset, case: Case | None, tol: float) -> Verdict:
+    """Against what the case asks for; a load that the run has found is only recomputed."""
+    area = cell_size(dataset, "x") * cell_size(dataset, "y")
+    total = area * dataset["pressure"].values.sum(axis=(1, 2))
+    wanted = dataset["load"].values.copy()
+    steps = case.steps() if case is not None else []
+    if len(steps) == len(wanted):
+        for index, step in enumerate(steps):
+            wanted[index] = step.get("load", wanted[index])
+    scale = float(np.max(np.abs(wanted))) or 1.0
+    error = float(np.max(np.abs(total - wanted))) / scale
+    return Verdict("load balance: sum of p dA against the load, relative", error, tol)
+
+
+def _complementarity(dataset: xr.Dataset, tol: float) -> Iterator[Verdict]:
+    """Pressure and gap, both without a sign, where a contact was solved."""
+    approach = dataset["approach"].values
+    solved = np.isfinite(approach)  # prescribed tractions have no approach
+    if not np.any(solved):
+        return
+    pressure = dataset["pressure"].values[solved]
+    gap = dataset["gap"].values[solved]
+    moved = gap - dataset["initial_gap"].values + approach[solved, None, None]
+    displacement: FloatArray = np.max(np.abs(moved), axis=(1, 2))
+    yield Verdict("least pressure", float(pressure.min()), 0.0, at_least=True, unit="Pa")
+    largest = float(displacement.max())
+    if largest > 0:
+        name = "least gap over the largest displacement"
+        yield Verdict(name, float(gap.min()) / largest, -tol, at_least=True)
+    loaded = np.max(pressure, axis=(1, 2)) > 0
+    if np.any(loaded):
+        peak = np.max(pressure[loaded], axis=(1, 2), keepdims=True)
+        ratio = gap[loaded] / displacement[loaded, None, None]
+        both = np.abs(np.minimum(pressure[loaded] / peak, ratio))
+        name = "complementarity: least of p/max p and gap/displacement, largest in a cell"
+        yield Verdict(name, float(both.max()), tol)
+
+
+def _yield_condition(dataset: xr.Dataset, tol: float) -> Iterator[Verdict]:
+    for variable, name in (
+        ("yield_excess", "stress beyond the yield stress, relative"),
+        ("plastic_residual", "last change of the plastic strain, relative"),
+    ):
+        if variable in dataset:
+            yield Verdict(name, float(dataset[variable].max()), tol)
+
+
+def _borders(dataset: xr.Dataset) -> Iterator[Verdict]:
+    names = {"contact_margin": "cells between contact and border of the grid"}
+    for body in (1, 2):
+        text = f"cells between plastic zone and border of the volume, body {body}"
+        names[f"plastic_margin_body{body}"] = text
+    for variable, name in names.items():
+        if variable not in dataset:
+            continue
+        margins = dataset[variable].values
+        if np.any(np.isfinite(margins)):  # else there was no contact, no flow
+            yield Verdict(name, float(np.nanmin(margins)), 1.0, at_least=True)
+
+
+def _strains(dataset: xr.Dataset) -> Iterator[Verdict]:
+    for body in (1, 2):
+        variable = f"max_plastic_strain_body{body}"
+        if variable in dataset:
+            name = f"largest plastic strain, body {body}"
+            yield Verdict(name, float(dataset[variable].max()), SMALL_STRAIN)

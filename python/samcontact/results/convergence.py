@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Part of the results dataset that tells how well each increment is solved, and its limits."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from .motion import variable
+
+if TYPE_CHECKING:
+    from ..state import State
+
+
+def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Sequence[int]) -> None:
+    """Add residuals, largest plastic strains, and how far the border of the grid is.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        With the dimension increment; changed in place.
+    states : sequence of State
+    inelastic : sequence of int
+        Bodies that can yield.
+    """
+
+    def add(name: str, text: str, values: list[float]) -> None:
+        dataset[name] = variable("increment", values, "1", text)
+
+    margins = [free_cells(np.asarray(state.pressure) != 0) for state in states]
+    add("contact_margin", "cells between contact and border, least", margins)
+    if not inelastic:
+        return
+    residuals = [float(state.plastic_residual) for state in states]
+    add("plastic_residual", "relative change of the plastic strain when accepted", residuals)
+    text = "(von Mises stress - yield stress)/yield stress when accepted, largest"
+    add("yield_excess", text, [float(state.yield_excess) for state in states])
+    for body in inelastic:
+        text = f"maximum of sqrt(2/3 e:e) of the plastic strain e, body {body}"
+        strains = [float(state.max_plastic_strain(body=body)) for state in states]
+        add(f"max_plastic_strain_body{body}", text, strains)
+        text = f"cells between plastic strain and border of the volume, least, body {body}"
+        add(f"plastic_margin_body{body}", text, _plastic_margins(states, body))
+
+
+def _plastic_margins(states: Sequence[State], body: int) -> list[float]:
+    """Where a body has moved, its plastic strain leaves the grid along x: that border is none."""
+    margins, moved = [], False
+    for state in states:
+        moved = moved or any(state.travel)
+        strained = np.asarray(state.equivalent_plastic_strain(body=body)) > 0
+        margins.append(free_cells(strained, along_x=not moved))
+    return margins
+
+
+def free_cells(inside: NDArray[np.bool_], *, along_x: bool = True) -> float:
+    """Least number of cells between those inside and the border: sides and, in a volume, bottom.
+
+    Parameters
+    ----------
+    inside : ndarray of bool, shape (nx, ny) or (nx, ny, nz)
+    along_x : bool, optional
+        Whether the sides across x count.
+
+    Returns
+    -------
+    float
+        A whole number, 0 at the border; NaN where nothing is inside.
+    """
+    if not np.any(inside):
+        return float("nan")
+    free = []
+    for axis in range(inside.ndim):
+        if axis == 0 and not along_x:
+            continue
+        others = tuple(other for other in range(inside.ndim) if other != axis)
+        (taken,) = np.nonzero(np.any(inside, axis=others))
+        free.append(inside.shape[axis] - 1 - int(taken[-1]))
+        if axis < 2:  # the top of a volume is the surface
+            free.append(int(taken[0]))
+    return float(min(free))

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fields of one increment as VTK files, which ParaView opens.
+
+Written by VTK itself (extra ``vtk``), which alone names the components of tensors and keeps units.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._checks import FloatArray, choice, integer
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["to_vtk"]
+
+# The order in which VTK keeps symmetric tensors, which is not that of this package.
+VTK_COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
+_COMMON = ("pressure", "gap", "shear_x", "shear_y", "initial_gap")
+
+
+def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int = 2) -> list[Path]:
+    """Write the fields of one increment as VTK XML files of rectilinear grids (.vtr).
+
+    The files have the axes x and y of the contact and z upwards, out of body 2: body 2 lies at
+    z < 0, body 1 at z > 0, so that both can be shown together. Shear components xz and yz of body 2
+    have the sign that belongs to these axes, the opposite of the one in the dataset. Values are in
+    SI units, and lie in cells.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        From `samcontact.results.to_dataset` or `open_results`.
+    path : str or Path
+        File of the volume fields; those of the surface go beside it, to ``*_surface.vtr``. Its
+        directory must exist. The ending .vtr is added where it is missing.
+    increment : int, optional
+        Number of the increment, from 1; or -1 for the last one (-2 the one before, ...) of those
+        with volume fields, where there are any.
+    body : {1, 2}, optional
+        Whose volume fields and print are written; without "_body1", "_body2" in their names.
+
+    Returns
+    -------
+    list of Path
+        The files: volume (where volume fields are stored) and surface.
+
+    Raises
+    ------
+    ValueError
+        An unknown body, or an increment that is not stored.
+    ModuleNotFoundError
+        VTK is not installed.
+    OSError
+        A file cannot be written.
+    """
+    choice("body", body, (1, 2))
+    volume = _volume_names(dataset, body)
+    number = _number(dataset, increment, bool(volume))
+    target = Path(path)
+    if target.suffix != ".vtr":
+        target = target.with_name(target.name + ".vtr")
+    written = []
+    if volume:
+        fields = dataset[volume].sel(volume_increment=number)
+        _write(target, _volume_edges(dataset, number, body), fields, body, number)
+        written.append(target)
+    surface = target.with_name(f"{target.stem}_surface.vtr")
+    fields = dataset[_surface_names(dataset, body)].sel(increment=number)
+    edges = [_edges(dataset, "x"), _edges(dataset, "y"), np.zeros(1)]
+    _write(surface, edges, fields, body, number)
+    return [*written, surface]
+
+
+def _volume_names(dataset: xr.Dataset, body: int) -> list[str]:
+    return [
+        str(name)
+        for name, field in dataset.data_vars.items()
+        if "volume_increment" in field.dims and str(name).endswith(f"_body{body}")
+    ]
+
+
+def _surface_names(dataset: xr.Dataset, body: int) -> list[str]:
+    own = (f"residual_displacement_body{body}", f"surface_temperature_body{body}")
+    return [name for name in (*_COMMON, *own) if name in dataset]
+
+
+def _number(dataset: xr.Dataset, increment: int, volume: bool) -> int:
+    stored = dataset["volume_increment" if volume else "increment"].values.tolist()
+    integer("increment", increment)
+    if -len(stored) <= increment < 0:
+        return int(stored[increment])
+    if increment not in stored:
+        what = "with volume fields" if volume else "of the file"
+        listed = ", ".join(str(number) for number in stored)
+        raise ValueError(f"increment must be one of those {what}, {listed}, got {increment}")
+    return increment
+
+
+def cell_size(dataset: xr.Dataset, axis: str) -> float:
+    """Size of the cells along "x", "y" or "z" [m]; files of the first days lack the attribute."""
+    given = dataset.attrs.get(f"d{axis}")
+    if given is not None:
+        return float(given)
+    centres = dataset[axis].values
+    if axis == "z":
+        return 2.0 * float(centres[0])
+    return float(centres[1] - centres[0])
+
+
+def _edges(dataset: xr.Dataset, axis: str) -> FloatArray:
+    centres, step = dataset[axis].values, cell_size(dataset, axis)
+    return np.append(centres - 0.5 * step, centres[-1] + 0.5 * step)
+
+
+def _volume_edges(dataset: xr.Dataset, number: int, body: int) -> list[FloatArray]:
+    x, depth = _edges(dataset, "x"), _edges(dataset, "z")
+    if f"offset_body{body}" in dataset:
+        x = x + float(dataset[f"offset_body{body}"].sel(increment=number))
+    # coordinates must grow: the deepest layer of body 2 comes first
+    return [x, _edges(dataset, "y"), depth if body == 1 else -depth[::-1]]
+
+
+def _values(field: xr.DataArray, body: int) -> FloatArray:
+    """Cell values in VTK's order (x fastest), shape (cells,) or (cells, components)."""
+    upside_down = body == 2 and "z" in field.dims
+    if "component" in field.dims:
+        ordered = field.sel(component=list(VTK_COMPONENTS))
+        tensor = ordered.transpose("z", "y", "x", "component").values
+        if upside_down:
+            # components with one z change their sign with the axis
+            tensor = tensor[::-1] * np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0])
+        return np.ascontiguousarray(tensor.reshape(-1, len(VTK_COMPONENTS)))
+    scalar = field.transpose(*(axis for axis in "zyx" if axis in field.dims)).values
+    return np.ascontiguousarray(scalar[::-1] if upside_down else scalar).ravel()
+
+
+def _write(
+    target: Path, edges: list[FloatArray], fields: xr.Dataset, body: int, increment: int
+) -> None:
+    vtk = _modules()
+    grid = vtk["RectilinearGrid"]()
+    grid.SetDimensions(*(len(axis) for axis in edges))
+    for axis_name, axis in zip("XYZ", edges, strict=True):
+        getattr(grid, f"Set{axis_name}Coordinates")(vtk["array"](axis, deep=True))
+    for name, field in fields.data_vars.items():
+        array = vtk["array"](_values(field, body), deep=True)
+        array.SetName(str(name).removesuffix(f"_body{body}"))
+        # read back by VTK as the unit of the array
+        array.GetInformation().Set(array.UNITS_LABEL(), field.attrs["units"])
+        if array.GetNumberOfComponents() > 1:
+            for index, component in enumerate(VTK_COMPONENTS):
+                array.SetComponentName(index, component)
+        grid.GetCellData().AddArray(array)
+    for label, value in (("increment", increment), ("body", body)):
+        array = vtk["array"](np.array([value], dtype=np.int64), deep=True)
+        array.SetName(label)
+        grid.GetFieldData().AddArray(array)
+    writer = vtk["Writer"]()
+    writer.SetFileName(str(target))
+    writer.SetInputData(grid)
+    _check_writable(target)
+    if writer.Write() != 1:
+        raise OSError(f"cannot write {target}")
+
+
+def _check_writable(target: Path) -> None:
+    """VTK prints to stderr where Python raises."""
+    with target.open("wb"):
+        pass
+
+
+def _modules() -> dict[str, Any]:
+    """What is needed of VTK; the whole of it takes seconds to load."""
+    try:
+        from vtkmodules.util.numpy_support import numpy_to_vtk
+        from vtkmodules.vtkCommonDataModel import vtkRectilinearGrid
+        from vtkmodules.vtkIOXML import vtkXMLRectilinearGridWriter
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError(
+            f"VTK files need the package vtk ({error}): pip install samcontact[vtk]"
+        ) from error
+    return {
+        "array": numpy_to_vtk,
+        "RectilinearGrid": vtkRectilinearGrid,
+        "Writer": vtkXMLRectilinearGridWriter,
+    }

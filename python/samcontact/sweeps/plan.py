@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The cases of a sweep: what a base case and lists of values make, validated before any runs."""
+
+from __future__ import annotations
+
+import copy
+import difflib
+import itertools
+import json
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from pydantic import BaseModel, ValidationError
+
+from .._checks import choice
+from ..cases.base import CaseError, CaseFile
+from ..cases.errors import explain
+from ..cases.field_units import field_unit
+
+MODES = ("product", "zip")
+MOST_LINES = 10  # of an error message
+
+_DOTTED = re.compile(r"[A-Za-z_]\w*(\[\d+\])*(\.[A-Za-z_]\w*(\[\d+\])*)*")
+Keys = list[str | int]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Every case of a sweep, and the labels of its dimensions."""
+
+    dims: dict[str, int]
+    """Name and size of each dimension, slowest first."""
+    cases: list[CaseFile]
+    """In the order of the dimensions."""
+    coordinates: dict[str, tuple[str, Any, dict[str, str]]]
+    """Of each parameter: its dimension, values and attributes."""
+
+
+class _UnknownField(ValueError):
+    pass
+
+
+def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str) -> Plan:
+    """Every combination as a validated case; raises as `samcontact.sweep`."""
+    choice("mode", mode, MODES)
+    if not isinstance(parameters, Mapping) or not parameters:
+        raise ValueError(f"parameters must map at least one field to values, got {parameters!r}")
+    values = {name: _values(name, given) for name, given in parameters.items()}
+    keys = {name: _keys(case, name) for name in values}
+    counts = {name: len(column) for name, column in values.items()}
+    if mode == "zip" and len(set(counts.values())) > 1:
+        listed = ", ".join(f"{name} {count}" for name, count in counts.items())
+        raise ValueError(f"parameters must have as many values each in mode 'zip', got {listed}")
+    combine: Any = itertools.product if mode == "product" else zip
+    cases = _validated(case, keys, list(combine(*values.values())))
+    if mode == "zip":
+        columns = {name: _labels(cases, path) for name, path in keys.items()}
+        return Plan(
+            {"case": len(cases)}, cases, {n: _coordinate(n, "case", c) for n, c in columns.items()}
+        )
+    places = np.arange(len(cases)).reshape(tuple(counts.values()))
+    coordinates = {}
+    for axis, name in enumerate(values):
+        # the cases that differ in this parameter only
+        line = np.moveaxis(places, axis, 0).reshape(counts[name], -1)[:, 0]
+        labels = _labels([cases[place] for place in line], keys[name])
+        _require_different(name, labels)
+        coordinates[name] = _coordinate(name, name, labels)
+    return Plan(counts, cases, coordinates)
+
+
+def _coordinate(name: str, dim: str, labels: Any) -> tuple[str, Any, dict[str, str]]:
+    unit = field_unit(name) if labels.dtype.kind in "if" else ""
+    if not unit and labels.dtype.kind == "f" and not name.endswith(".start"):
+        unit = "1"  # but the unit of a start is that of what its segment changes
+    return dim, labels, {"units": unit} if unit else {}
+
+
+def _values(name: str, given: Any) -> list[Any]:
+    """A list of plain values: NumPy's are no numbers to a strict model."""
+    if isinstance(given, np.ndarray) and given.ndim > 0:
+        given = given.tolist()
+    if isinstance(given, (str, bytes, Mapping)) or not isinstance(given, Sequence):
+        raise TypeError(f"{name} must be given a sequence of values, got {given!r}")
+    if len(given) == 0:
+        raise ValueError(f"{name} must be given at least one value, got none")
+    return [v.tolist() if isinstance(v, (np.generic, np.ndarray)) else v for v in given]
+
+
+def _keys(case: CaseFile, name: Any) -> Keys:
+    """A dotted name as the keys of a nested dictionary."""
+    if not isinstance(name, str) or not _DOTTED.fullmatch(name):
+        example = "'body2.yield_stress' or 'path[0].load'"
+        raise ValueError(f"names of parameters must be like {example}, got {name!r}")
+    parts = re.findall(r"[A-Za-z_]\w*|\d+", name)
+    return [int(part) if part[0].isdigit() else part for part in parts]
+
+
+def _set(content: Any, keys: Keys, value: Any) -> None:
+    """Put a value into nested dictionaries and lists; sections that are missing are made."""
+    for key in keys[:-1]:
+        content = _step(content, key)
+    last = keys[-1]
+    named = isinstance(content, dict) and isinstance(last, str)
+    if not named and not _is_place(content, last):
+        raise _UnknownField
+    content[last] = copy.deepcopy(value)
+
+
+def _is_place(content: Any, key: str | int) -> bool:
+    return isinstance(content, list) and isinstance(key, int) and key < len(content)
+
+
+def _step(content: Any, key: str | int) -> Any:
+    if isinstance(content, dict) and isinstance(key, str):
+        if content.get(key) is None:
+            content[key] = {}
+        return content[key]
+    if _is_place(content, key):
+        return content[key]
+    raise _UnknownField
+
+
+def _validated(
+    case: CaseFile, keys: Mapping[str, Keys], combinations: list[tuple[Any, ...]]
+) -> list[CaseFile]:
+    """The case of each combination; one CaseError for all that cannot be."""
+    base = case.model_dump(exclude_unset=True)
+    cases: list[CaseFile] = []
+    problems: dict[str, str] = {}  # what is wrong: the first combination where it is
+    for values in combinations:
+        content = copy.deepcopy(base)
+        try:
+            for name, value in zip(keys, values, strict=True):
+                try:
+                    _set(content, keys[name], value)
+                except _UnknownField:
+                    raise _UnknownField(f"{name}: unknown field{_nearest(case, name)}") from None
+            made = type(case).model_validate(content)
+        except ValidationError as error:
+            lines = [_explained(case, item, list(keys)) for item in error.errors()]
+        except _UnknownField as error:
+            lines = [str(error)]
+        else:
+            made._source, made._text = case.source, case.text
+            cases.append(made)
+            continue
+        where = ", ".join(f"{n} = {v!r}" for n, v in zip(keys, values, strict=True))
+        for line in lines:
+            problems.setdefault(line, where)
+    if problems:
+        raise CaseError(_listed(problems))
+    return cases
+
+
+def _listed(problems: Mapping[str, str]) -> str:
+    lines = [f"{line} (sweep: {where})" for line, where in problems.items()]
+    if len(lines) > MOST_LINES:
+        lines[MOST_LINES:] = [f"and {len(lines) - MOST_LINES} more"]
+    return "\n".join(lines)
+
+
+def _explained(case: CaseFile, item: Any, names: Sequence[str]) -> str:
+    """One validation error; of a parameter that does not exist, with the nearest that does."""
+    line = explain(type(case), item)
+    where = line.partition(":")[0]
+    if item["type"] == "extra_forbidden":
+        for name in names:
+            if name == where or name.startswith((f"{where}.", f"{where}[")):
+                return f"{name}: unknown field{_nearest(case, name)}; {line.split('; ')[1]}"
+    return line
+
+
+def _nearest(case: CaseFile, name: str) -> str:
+    found = difflib.get_close_matches(name, list(field_names(case)), n=1, cutoff=0.4)
+    return f"; did you mean {found[0]}?" if found else ""
+
+
+def field_names(model: BaseModel, prefix: str = "") -> Iterator[str]:
+    """Dotted names of all fields of a case, in the sections that it has."""
+    for name in type(model).model_fields:
+        yield prefix + name
+        value = getattr(model, name)
+        if isinstance(value, BaseModel):
+            yield from field_names(value, f"{prefix}{name}.")
+        elif isinstance(value, list):
+            for index, part in enumerate(value):
+                if isinstance(part, BaseModel):
+                    yield from field_names(part, f"{prefix}{name}[{index}].")
+
+
+def _labels(cases: Sequence[CaseFile], keys: Keys) -> Any:
+    """Values of a field as validated; lists, sections and mixtures become JSON text."""
+    values = []
+    for case in cases:
+        value: Any = case.model_dump(exclude_unset=True)
+        for key in keys:
+            value = value[key]
+        values.append(value)
+    for kind in (bool, int, float, str):
+        if all(type(value) is kind for value in values):
+            return np.array(values, dtype=object if kind is str else kind)
+    return np.array([json.dumps(value, sort_keys=True) for value in values], dtype=object)
+
+
+def _require_different(name: str, labels: Any) -> None:
+    seen = set()
+    for label in labels.tolist():
+        if label in seen:
+            raise ValueError(f"values of {name} must differ in mode 'product', got {label!r} twice")
+        seen.add(label)

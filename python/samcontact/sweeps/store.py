@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results of a sweep: a small file for each case that is done, and one dataset of them all."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from .. import results
+
+if TYPE_CHECKING:
+    from ..cases.base import CaseFile
+    from .plan import Plan
+    from .worker import Outcome, Variables
+
+CANCELLED = "cancelled"
+_INNER = ("pass", "increment", "body")  # dimensions of a case, in their order
+_WORDS = {
+    "increment": "number of the load increment",
+    "pass": "number of the pass",
+    "body": "number of the body",
+    "case": "number of the case",
+}
+
+
+class Store:
+    """Files of the cases that are done, in the folder `cases` of the output.
+
+    Parameters
+    ----------
+    folder : Path
+        The output; made when it is missing.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder / "cases"
+        self.folder.mkdir(parents=True, exist_ok=True)
+
+    def file(self, key: str) -> Path:
+        return self.folder / f"{key}.nc"
+
+    def read(self, key: str) -> Variables | None:
+        """What is kept of a case; None where nothing is, or a damaged file."""
+        try:
+            with results.open_results(self.file(key)) as dataset:
+                if dataset.attrs.get("key") != key:
+                    return None
+                return {
+                    str(name): (tuple(map(str, field.dims)), field.values, dict(field.attrs))
+                    for name, field in dataset.data_vars.items()
+                }
+        except (OSError, ValueError, KeyError, RuntimeError):
+            # how a cut or overwritten file fails depends on where it is hurt
+            return None
+
+    def write(self, key: str, variables: Variables, case: CaseFile) -> None:
+        """Keep a case; the file appears when it is complete."""
+        from .. import __version__
+
+        dataset = xr.Dataset(variables)
+        for field in dataset.data_vars.values():
+            field.encoding["fletcher32"] = True  # bits that change later are found when reading
+        content = json.dumps(case.model_dump(exclude_unset=True))
+        dataset.attrs = {"key": key, "case": content, "samcontact_version": __version__}
+        results.save(dataset, self.file(key))
+
+
+def assemble(
+    plan: Plan, keys: Sequence[str], outcomes: Mapping[str, Outcome], base: CaseFile
+) -> xr.Dataset:
+    """One dataset of all cases.
+
+    Parameters
+    ----------
+    plan : Plan
+        Gives the dimensions.
+    keys : sequence of str
+        Of each case, in the order of the plan.
+    outcomes : mapping
+        By key; cases without one were cancelled.
+    base : CaseFile
+        Its title and text are stored.
+    """
+    shape = tuple(plan.dims.values())
+    done = [outcomes.get(key, {}).get("variables", {}) for key in keys]
+    inner: dict[str, int] = {}
+    for dims, values, _ in (field for variables in done for field in variables.values()):
+        for dim, size in zip(dims, values.shape, strict=True):
+            inner[dim] = max(size, inner.get(dim, 0))
+    dataset = xr.Dataset(coords=_coordinates(plan, inner))
+    for name in dict.fromkeys(name for variables in done for name in variables):
+        dataset[name] = _combined(plan, inner, [variables.get(name) for variables in done])
+    status = [_status(outcomes.get(key)) for key in keys]
+    error = [outcomes.get(key, {}).get("error", "") for key in keys]
+    texts = {"status": "done, failed or cancelled", "error": "why a case failed"}
+    for (name, text), words in zip(texts.items(), (status, error), strict=True):
+        array = np.array(words, dtype=object).reshape(shape)
+        dataset[name] = xr.Variable(tuple(plan.dims), array, {"long_name": text})
+    dataset.attrs = _attributes(base)
+    return dataset
+
+
+def _status(outcome: Outcome | None) -> str:
+    if outcome is None:
+        return CANCELLED
+    return "failed" if "error" in outcome else "done"
+
+
+def _coordinates(plan: Plan, inner: Mapping[str, int]) -> dict[str, Any]:
+    counted = {dim: size for dim, size in plan.dims.items() if dim == "case"}
+    counted |= {dim: inner[dim] for dim in _INNER if dim in inner}
+    coordinates: dict[str, Any] = {
+        dim: (dim, np.arange(1, size + 1), {"units": "1", "long_name": _WORDS[dim]})
+        for dim, size in counted.items()
+    }
+    return coordinates | plan.coordinates
+
+
+def _combined(plan: Plan, inner: Mapping[str, int], fields: Sequence[Any]) -> xr.Variable:
+    """One variable of all cases; NaN where a case has none or fewer values."""
+    dims, _, attributes = next(field for field in fields if field is not None)
+    table = np.full((len(fields), *(inner[dim] for dim in dims)), np.nan)
+    for row, field in zip(table, fields, strict=True):
+        if field is not None:
+            row[tuple(slice(size) for size in field[1].shape)] = field[1]
+    shape = (*plan.dims.values(), *table.shape[1:])
+    return xr.Variable((*plan.dims, *dims), table.reshape(shape), attributes)
+
+
+def _attributes(base: CaseFile) -> dict[str, str]:
+    from .. import __version__
+
+    text = base.text or json.dumps(base.model_dump(exclude_unset=True))
+    attributes = {"title": "", "description": ""} | base.model_dump(
+        include={"title", "description"}
+    )
+    return attributes | {"case": text, "samcontact_version": __version__}

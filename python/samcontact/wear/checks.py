@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a wear computation is given: checked before anything heavy is done."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._checks import FloatArray, choice, exactly_one, finite_array, integer, number
+from ..contact import ContactSolver, require_type
+from ..grid import Grid
+from ..material import Material
+from ..relief import Relief, relief_rows
+from ..simulation import SMALL_STRAIN
+from .steps import Window, window_and_order
+
+YIELD_STRAIN = 20e-6
+"""Plastic strain at which yield is defined [-]: below it nothing has flowed.
+
+The elastic strain of a hard steel at yield is about 1 %: a threshold of 0.2 % is one of the plastic
+strain alone, and far beyond yield.
+"""
+_BESIDE = 4
+"""Rows of cells kept beside those the contact meets: gaps between cells are interpolated."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Checked arguments of `samcontact.wear.run` that stay the same in all cycles."""
+
+    grid: Grid
+    bodies: tuple[Material, Material]
+    gap: FloatArray
+    cycle: list[dict[str, Any]]
+    threshold: float
+    worn: tuple[int, ...]
+    window: tuple[int, int]
+    order: int
+    strain_depth: str
+    friction: float
+    reliefs: tuple[Relief | None, Relief | None]
+    settings: dict[str, Any]
+
+
+def make_scene(
+    grid: Grid,
+    bodies: tuple[Material, Material],
+    gap: ArrayLike,
+    cycle: Iterable[Mapping[str, Any]],
+    threshold: float,
+    worn: Sequence[int],
+    window: Window,
+    order: int,
+    strain_depth: str,
+    friction: float,
+    reliefs: tuple[Relief | None, Relief | None],
+    settings: dict[str, Any],
+) -> Scene:
+    """Check everything; the contact is solved once, elastically, for its size."""
+    require_type("grid", grid, Grid)
+    if grid.nz == 0:
+        raise ValueError("grid must have layers (nz >= 1) for the plastic strain, got nz = 0")
+    for n, body in enumerate(bodies, 1):
+        require_type(f"body{n}", body, Material)
+    given = finite_array("gap", gap, grid.surface_shape)
+    limit = number("threshold", threshold)
+    if not YIELD_STRAIN < limit < SMALL_STRAIN:
+        raise ValueError(
+            f"threshold must be above {YIELD_STRAIN!r}, where yield begins, and below "
+            f"{SMALL_STRAIN!r}, the limit of small strains, got {limit!r}"
+        )
+    numbers = tuple(worn)
+    if not numbers or len(set(numbers)) < len(numbers):
+        raise ValueError(f"worn must be (1,), (2,) or (1, 2), got {worn!r}")
+    for index in numbers:
+        material = bodies[choice("worn", index, (1, 2)) - 1]
+        if not material.is_plastic:
+            raise ValueError(f"worn must name inelastic bodies; body {index} is {material.law}")
+    *sides, degree = window_and_order(window, order)
+    for n, relief in enumerate(reliefs, 1):
+        relief_rows(f"relief{n}", relief, grid)
+    path = [dict(step) for step in cycle]
+    _check_cycle(path, grid)
+    scene = Scene(
+        grid,
+        bodies,
+        given,
+        path,
+        limit,
+        tuple(sorted(numbers)),
+        (sides[0], sides[1]),
+        degree,
+        choice("strain_depth", strain_depth, ("exact", "smoothed")),
+        number("friction", friction),
+        reliefs,
+        settings,
+    )
+    _check_window(scene)
+    return scene
+
+
+def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
+    if not path:
+        raise ValueError("cycle must hold at least one step, got none")
+    for step in path:
+        kinds = ("load", "approach", "pressure")
+        exactly_one(**{name: step.get(name) for name in kinds})
+    if step.get("load") != 0:
+        raise ValueError(f"cycle must end unloaded, with a step {{'load': 0.0}}, got {step!r}")
+    end = travels(path)[-1].tolist()
+    if max(map(abs, end)) > 1e-6 * grid.dx:
+        raise ValueError(
+            "cycle must bring both bodies back to where they started: the sum of its advances "
+            f"must be 0, got {end[0]!r} m and {end[1]!r} m"
+        )
+
+
+def travels(path: list[dict[str, Any]]) -> FloatArray:
+    """How far both bodies have moved, at first and after each step [m], shape (steps + 1, 2)."""
+    steps = [finite_array("advance", step.get("advance", (0.0, 0.0)), (2,)) for step in path]
+    return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
+
+
+def _check_window(scene: Scene) -> None:
+    """A window larger than the contact would smear its wear over what it does not touch."""
+    pressure = _elastic_pressure(scene)
+    if not (pressure > 0).any():
+        raise ValueError("cycle must bring the bodies into contact, which none of its steps does")
+    for axis, name in enumerate("xy"):
+        touched = np.flatnonzero((pressure > 0).any(axis=1 - axis))
+        extent = int(touched[-1] - touched[0]) + 1
+        if scene.window[axis] > max(extent, 1):
+            raise ValueError(
+                f"window must not be larger than the contact, which is {extent} cells long along "
+                f"{name} at the largest load, got {scene.window[axis]}"
+            )
+
+
+def _elastic_pressure(scene: Scene) -> FloatArray:
+    path, grid = scene.cycle, scene.grid
+    given = [step["pressure"] for step in path if step.get("pressure") is not None]
+    if given:
+        fields = [finite_array("pressure", field, grid.surface_shape) for field in given]
+        return max(fields, key=lambda field: float(field.sum()))
+    gap = scene.gap.copy()
+    for relief in scene.reliefs:
+        if relief is not None:
+            gap -= rows_of(relief, 0, grid.nx, grid.ny)
+    solver = ContactSolver(
+        grid, *scene.bodies, scene.friction, on_border=scene.settings.get("on_border", "error")
+    )
+    loads = [number("load", step["load"]) for step in path if step.get("load") is not None]
+    if max(loads) > 0:
+        return solver.solve(gap, load=max(loads)).pressure
+    depths = [number("approach", s["approach"]) for s in path if s.get("approach") is not None]
+    if not depths:
+        return np.zeros(grid.surface_shape)
+    return solver.solve(gap, approach=max(depths)).pressure
+
+
+def rows_of(relief: Relief | None, first: int, rows: int, ny: int) -> FloatArray:
+    """Heights of a relief on rows of the body, counted from the grid's first one [m]."""
+    heights = np.zeros((rows, ny))
+    if relief is None:
+        return heights
+    index = np.arange(first, first + rows) - integer("first", relief.first)
+    count = relief.heights.shape[0]
+    if relief.periodic:
+        return np.asarray(relief.heights[index % count], dtype=np.float64)
+    inside = (index >= 0) & (index < count)
+    heights[inside] = relief.heights[index[inside]]
+    return heights
+
+
+def met_rows(scene: Scene, body: int) -> tuple[int, int]:
+    """First row and number of rows of a body that its cycle meets, with the window beside them."""
+    cells = travels(scene.cycle)[:, body - 1] / scene.grid.dx
+    beside = max(scene.window) + _BESIDE
+    first = -int(np.ceil(cells.max())) - beside
+    end = scene.grid.nx - int(np.floor(cells.min())) + beside
+    return first, end - first

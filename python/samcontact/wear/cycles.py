@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cycles of loading and wear, until nothing wears any more."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+from tqdm.auto import tqdm
+
+from .._checks import FloatArray, integer
+from ..grid import Grid
+from ..material import Material
+from ..relief import Relief
+from ..simulation import Simulation
+from ..state import State
+from .checkpoint import Standing, Strain, read, write
+from .checks import Scene, make_scene, met_rows, rows_of
+from .results import Cycle, Moments, WearResult
+from .steps import Window, depth, shift, shift_deviator, smooth
+
+
+def run(
+    grid: Grid,
+    body1: Material,
+    body2: Material,
+    gap: ArrayLike,
+    *,
+    cycle: Iterable[Mapping[str, Any]],
+    threshold: float,
+    cycles: int = 20,
+    worn: Sequence[int] = (2,),
+    window: Window = 5,
+    order: int = 2,
+    strain_depth: str = "exact",
+    friction: float = 0.0,
+    relief1: Relief | None = None,
+    relief2: Relief | None = None,
+    checkpoint: str | os.PathLike[str] | None = None,
+    progress: bool = True,
+    **settings: Any,
+) -> WearResult:
+    """Repeat a cycle, and wear the bodies after each, until nothing wears any more.
+
+    Parameters
+    ----------
+    grid, body1, body2, gap, friction, relief1, relief2
+        As for `Simulation`; the grid needs layers.
+    cycle : iterable of dict
+        Steps of `Simulation.step`, e.g. ``[{"load": 2000.0}, {"load": 0.0}]``. The last is unloaded
+        (load 0), and the advances of each body add up to 0.
+    threshold : float
+        Accumulated equivalent plastic strain beyond which material at the surface breaks off [-];
+        above `YIELD_STRAIN`, below 5 %.
+    cycles : int, optional
+        Largest number of cycles, >= 1.
+    worn : sequence of {1, 2}, optional
+        Bodies that wear; inelastic ones.
+    window, order : int or pair of int, and int, optional
+        Of the filter that smooths the border of the wear, see `smooth`; the window is not larger
+        than the contact.
+    strain_depth : {"exact", "smoothed"}, optional
+        By how much the plastic strain moves up. "exact": by the depth to which it exceeded the
+        threshold, so that it nowhere exceeds it at the new surface. "smoothed": by what the surface
+        lost, so that material beyond the threshold stays where the filter takes less than that, and
+        wears in a later cycle.
+    checkpoint : str or Path, optional
+        File that is written after each cycle. A later call with the same arguments (more `cycles`
+        are allowed) goes on from it, bit-identically; delete it to start anew.
+    progress : bool, optional
+        Show a progress bar.
+    **settings
+        Other arguments of `Simulation`, e.g. ``increment_tol``.
+
+    Returns
+    -------
+    WearResult
+
+    Raises
+    ------
+    ValueError, TypeError
+        An argument outside its range, before the first cycle; plastic strain beyond the threshold
+        at the bottom of the grid, or wear at its sides; a checkpoint of other arguments. An error
+        of a later cycle has the result of those before in its attribute `result`.
+    """
+    count = integer("cycles", cycles, 1)
+    scene = make_scene(
+        grid,
+        (body1, body2),
+        gap,
+        cycle,
+        threshold,
+        worn,
+        window,
+        order,
+        strain_depth,
+        friction,
+        (relief1, relief2),
+        settings,
+    )
+    standing = None if checkpoint is None else read(checkpoint, scene)
+    if standing is None:
+        standing = _start(scene)
+    if len(standing.cycles) >= count:
+        done = len(standing.cycles)
+        raise ValueError(f"cycles must be > {done}, those of the checkpoint, got {count}")
+    return _repeat(scene, standing, count, checkpoint, progress)
+
+
+def _repeat(
+    scene: Scene,
+    standing: Standing,
+    count: int,
+    checkpoint: str | os.PathLike[str] | None,
+    progress: bool,
+) -> WearResult:
+    first = last = None
+    stopped = False
+    with tqdm(total=count, initial=len(standing.cycles), disable=not progress, unit="cycle") as bar:
+        while not stopped and len(standing.cycles) < count:
+            try:
+                moments = _solve(scene, standing)
+                after = _wear(scene, standing, moments)
+            except Exception as error:
+                if last is not None:
+                    error.result = _result(scene, standing, False, first, last)  # type: ignore[attr-defined]
+                raise
+            first = moments if not standing.cycles else first
+            standing, last = after, moments
+            stopped = not any(standing.cycles[-1].volume)
+            bar.update()
+            bar.set_postfix(volume=f"{sum(standing.cycles[-1].volume):.3g} m3")
+            # A finished computation keeps what its last cycle started from: it gives `last` again.
+            if checkpoint is not None and not stopped and len(standing.cycles) < count:
+                write(checkpoint, scene, standing)
+    assert last is not None
+    return _result(scene, standing, stopped, first, last)
+
+
+def _start(scene: Scene) -> Standing:
+    heights = {}
+    for body in scene.worn:
+        first, rows = met_rows(scene, body)
+        heights[body] = [rows_of(scene.reliefs[body - 1], first, rows, scene.grid.ny)]
+    return Standing(heights)
+
+
+def _reliefs(scene: Scene, standing: Standing) -> list[Relief | None]:
+    reliefs = list(scene.reliefs)
+    for body in scene.worn:
+        first, _ = met_rows(scene, body)
+        reliefs[body - 1] = Relief(standing.heights[body][-1], first)
+    return reliefs
+
+
+def _solve(scene: Scene, standing: Standing) -> Moments:
+    """One cycle: the state under its largest load, and that at its end."""
+    body1, body2 = scene.bodies
+    relief1, relief2 = _reliefs(scene, standing)
+    simulation = Simulation(
+        scene.grid,
+        body1,
+        body2,
+        scene.gap,
+        scene.friction,
+        relief1=relief1,
+        relief2=relief2,
+        **scene.settings,
+    )
+    for body, kept in standing.strains.items():
+        simulation.set_plastic_strain(
+            body, kept.strain, kept.equivalent, kept.backstress, first=kept.first
+        )
+    peak = state = simulation.step(**scene.cycle[0])
+    for step in scene.cycle[1:]:
+        state = simulation.step(**step)
+        peak = max(peak, state, key=lambda moment: moment.load)
+    return peak, state
+
+
+def _strain_of(state: State, body: int) -> Strain | None:
+    """The plastic strain of an inelastic body along its whole track; None without any."""
+    track = state.track(body, margin=0)
+    equivalent = track.equivalent_plastic_strain()
+    strain = track.plastic_strain()
+    rows = np.flatnonzero(strain.any(axis=(0, 2, 3)) | equivalent.any(axis=(1, 2)))
+    if not rows.size:
+        return None
+    part = slice(int(rows[0]), int(rows[-1]) + 1)
+    back = track.backstress()
+    return Strain(
+        track.first + part.start,
+        strain[:, part],
+        equivalent[part],
+        back[:, :, part] if len(back) else None,
+    )
+
+
+def _wear(scene: Scene, standing: Standing, moments: Moments) -> Standing:
+    """Remove what is strained too much after a cycle, and move up what is left."""
+    peak, end = moments
+    found = {body: _strain_of(end, body) for body in (1, 2) if scene.bodies[body - 1].is_plastic}
+    strains = {body: kept for body, kept in found.items() if kept is not None}
+    heights = {body: list(before) for body, before in standing.heights.items()}
+    sums: list[tuple[float, float, float]] = []
+    for body in scene.worn:
+        exact = _worn_depth(scene, body, strains.get(body))
+        volume = math.fsum(exact.flat) * scene.grid.cell_area
+        worn = smooth(exact, scene.window, scene.order)
+        heights[body].append(heights[body][-1] - worn)
+        lost = math.fsum((heights[body][-2] - heights[body][-1]).flat) * scene.grid.cell_area
+        sums.append((volume, lost, float(worn.max())))
+        if body in strains and volume > 0:
+            moved = exact if scene.strain_depth == "exact" else worn
+            strains[body] = _moved_up(scene, body, strains[body], moved)
+    volumes, losts, depths = zip(*sums, strict=True)
+    bodies = [found[body] for body in scene.worn]
+    record = Cycle(
+        number=len(standing.cycles) + 1,
+        volume=volumes,
+        lost=losts,
+        depth=depths,
+        surface_strain=tuple(_largest(b, slice(0, 1)) for b in bodies),
+        max_plastic_strain=tuple(_largest(b, slice(None)) for b in bodies),
+        max_pressure=float(peak.pressure.max()),
+        max_von_mises=max(float(peak.von_mises(body=body).max()) for body in scene.worn),
+        contact_area=peak.contact_area,
+    )
+    return Standing(heights, strains, [*standing.cycles, record])
+
+
+def _largest(kept: Strain | None, layers: slice) -> float:
+    return 0.0 if kept is None else float(kept.equivalent[:, :, layers].max())
+
+
+def _worn_depth(scene: Scene, body: int, kept: Strain | None) -> FloatArray:
+    """Wear depth on the rows of `heights`, not yet smoothed [m]."""
+    grid = scene.grid
+    assert grid.dz is not None
+    first, rows = met_rows(scene, body)
+    found = np.zeros((rows, grid.ny))
+    if kept is None:
+        return found
+    place = slice(kept.first - first, kept.first - first + len(kept.equivalent))
+    found[place] = depth(kept.equivalent, grid.dz, scene.threshold)
+    side = scene.window[1] // 2
+    if side and (found[:, :side].any() or found[:, -side:].any()):
+        raise ValueError(
+            f"body {body} wears within half a window of the sides of the grid, y = "
+            f"+-{0.5 * grid.ny * grid.dy!r} m: enlarge ny dy, or take a smaller window"
+        )
+    return found
+
+
+def _moved_up(scene: Scene, body: int, kept: Strain, worn: FloatArray) -> Strain:
+    """What is left of the plastic strain, as seen from the worn surface."""
+    assert scene.grid.dz is not None
+    first, _ = met_rows(scene, body)
+    removed = worn[kept.first - first : kept.first - first + len(kept.equivalent)]
+    dz = scene.grid.dz
+    back = None if kept.backstress is None else shift_deviator(kept.backstress, removed, dz)
+    return Strain(
+        kept.first,
+        shift_deviator(kept.strain, removed, dz),
+        np.maximum(shift(kept.equivalent, removed, dz), 0.0),
+        back,
+    )
+
+
+def _result(
+    scene: Scene, standing: Standing, stopped: bool, first: Moments | None, last: Moments
+) -> WearResult:
+    relief1, relief2 = _reliefs(scene, standing)
+
+    def solve_first() -> Moments:
+        return first if first is not None else _solve(scene, _start(scene))
+
+    return WearResult(
+        grid=scene.grid,
+        worn=scene.worn,
+        cycles=standing.cycles,
+        stopped=stopped,
+        heights={body: np.stack(heights) for body, heights in standing.heights.items()},
+        first_row={body: met_rows(scene, body)[0] for body in scene.worn},
+        last=last,
+        _solve_first=solve_first,
+        relief1=relief1,
+        relief2=relief2,
+    )

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a wear computation gives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._checks import FloatArray, choice, integer
+from ..grid import Grid
+from ..relief import Relief
+from ..state import State
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Moments = tuple[State, State]
+"""Under the largest load of a cycle, and unloaded at its end."""
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """One cycle; tuples have one value for each worn body."""
+
+    number: int
+    """From 1."""
+    volume: tuple[float, ...]
+    """Of the material whose plastic strain exceeds the threshold, removed [m^3]."""
+    lost: tuple[float, ...]
+    """By how much the volume under the surface is less after it [m^3]."""
+    depth: tuple[float, ...]
+    """Largest wear depth, after smoothing [m]."""
+    surface_strain: tuple[float, ...]
+    """Largest equivalent plastic strain of the first layer, before anything is removed [-]."""
+    max_plastic_strain: tuple[float, ...]
+    """Largest equivalent plastic strain, before anything is removed [-]."""
+    max_pressure: float
+    """Largest pressure of the cycle [Pa]."""
+    max_von_mises: float
+    """Largest von Mises stress in the worn bodies under the largest load [Pa]."""
+    contact_area: float
+    """Under the largest load [m^2]."""
+
+
+@dataclass(eq=False)
+class WearResult:
+    """Cycles, worn surfaces, and the first and last cycle's states."""
+
+    grid: Grid
+    worn: tuple[int, ...]
+    cycles: list[Cycle]
+    stopped: bool
+    """Whether nothing was worn in the last cycle, so that nothing would be in another one."""
+    relief1: Relief | None
+    """Final surface of body 1, to go on from."""
+    relief2: Relief | None
+    heights: dict[int, FloatArray] = field(repr=False)
+    """Of each worn body, at the start and after each cycle [m], shape (cycles + 1, rows, ny)."""
+    first_row: dict[int, int] = field(repr=False)
+    last: Moments = field(repr=False)
+    """States of the last cycle: under its largest load, and unloaded before anything is removed."""
+    _solve_first: Callable[[], Moments] = field(repr=False)
+
+    @cached_property
+    def first(self) -> Moments:
+        """Those of the first cycle, which is solved again after going on from a checkpoint."""
+        return self._solve_first()
+
+    def x(self, body: int | None = None) -> FloatArray:
+        """Positions of the rows of `heights` on a worn body [m]; 0 where the contact starts."""
+        chosen = self._body(body)
+        rows = self.first_row[chosen] + np.arange(self.heights[chosen].shape[1])
+        return np.asarray((rows - 0.5 * (self.grid.nx - 1)) * self.grid.dx, dtype=np.float64)
+
+    def profile(self, cycle: int = -1, body: int | None = None) -> FloatArray:
+        """Heights of a worn body after a cycle, 0: before the first [m], shape (len(x), ny).
+
+        Raises ValueError for a cycle that was not computed, or a body that is not worn.
+        """
+        chosen = self._body(body)
+        count = len(self.cycles)
+        integer("cycle", cycle)
+        if not -count - 1 <= cycle <= count:
+            raise ValueError(f"cycle must be in [0, {count}], got {cycle}")
+        return np.asarray(self.heights[chosen][cycle], dtype=np.float64)
+
+    @property
+    def rate(self) -> FloatArray:
+        """Worn volume of each cycle, of all worn bodies [m^3]."""
+        return np.array([sum(cycle.volume) for cycle in self.cycles])
+
+    def _body(self, body: int | None) -> int:
+        return int(choice("body", self.worn[-1] if body is None else body, self.worn))
+
+    def to_dataset(self) -> xr.Dataset:
+        """Labelled results with units: per cycle, and the heights after each cycle.
+
+        Returns
+        -------
+        xarray.Dataset
+            Dimensions cycle, body (the worn ones), and for each of those state (0: before the first
+            cycle), x_body1 or x_body2, y. Save it with `samcontact.results.save`,
+            read it with `open_results`.
+        """
+        import xarray as xr  # here, since importing the package should not load it
+
+        from .. import __version__
+        from ..results.motion import variable
+
+        numbers = [cycle.number for cycle in self.cycles]
+        dataset = xr.Dataset(
+            coords={
+                "cycle": variable("cycle", numbers, "1", "number of the cycle"),
+                "body": variable("body", list(self.worn), "1", "worn body"),
+                "state": variable("state", [0, *numbers], "1", "cycles that were worn"),
+                "y": variable("y", np.asarray(self.grid.y), "m", "cell centres along y"),
+            }
+        )
+        for name, units, text in _PER_BODY:
+            values = np.array([getattr(cycle, name) for cycle in self.cycles])
+            dataset[name] = variable(("cycle", "body"), values, units, text)
+        for name, units, text in _PER_CYCLE:
+            values = np.array([getattr(cycle, name) for cycle in self.cycles])
+            dataset[name] = variable("cycle", values, units, text)
+        dataset["wear_rate"] = variable("cycle", self.rate, "m3", "worn volume per cycle")
+        total = np.cumsum(self.rate)
+        dataset["worn_volume"] = variable("cycle", total, "m3", "worn volume so far")
+        for body in self.worn:
+            name, text = f"x_body{body}", f"positions on body {body}"
+            dataset.coords[name] = variable(name, self.x(body), "m", text)
+            dataset[f"heights_body{body}"] = variable(
+                ("state", name, "y"), self.heights[body], "m", f"heights of body {body}, outwards"
+            )
+        dataset.attrs = {"samcontact_version": __version__, "stopped": int(self.stopped)}
+        return dataset
+
+
+_PER_BODY = (
+    ("volume", "m3", "volume of the removed material"),
+    ("lost", "m3", "volume lost by the surface"),
+    ("depth", "m", "largest wear depth of the cycle"),
+    ("surface_strain", "1", "largest plastic strain of the first layer before removal"),
+    ("max_plastic_strain", "1", "largest equivalent plastic strain before removal"),
+)
+_PER_CYCLE = (
+    ("max_pressure", "Pa", "largest pressure"),
+    ("max_von_mises", "Pa", "largest von Mises stress under load"),
+    ("contact_area", "m2", "area under pressure at the largest load"),
+)

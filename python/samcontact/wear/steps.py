@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What wear does to a body: depth of what is removed, its smoothing, the strain that is left."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.interpolate import PchipInterpolator
+from scipy.signal import savgol_filter
+
+from .._checks import FloatArray, finite_array, integer, positive
+
+Window = int | Sequence[int] | None
+
+_BISECTIONS = 60
+"""Halvings of one layer: beyond rounding."""
+_DEVIATOR = 1e-9
+"""Largest trace of a deviator, relative to its largest component."""
+
+
+def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
+    """Depth to which the plastic strain exceeds a threshold, without a break from the surface.
+
+    Parameters
+    ----------
+    equivalent : array_like, shape (nx, ny, nz)
+        Equivalent plastic strain at the mid-depths (k + 1/2) dz [-], >= 0.
+    dz : float
+        Thickness of a layer [m], > 0.
+    threshold : float
+        [-], > 0.
+
+    Returns
+    -------
+    ndarray, shape (nx, ny)
+        [m]; 0 where the first layer does not exceed the threshold, whatever is below it; otherwise
+        where monotone cubic (PCHIP) interpolation along the column first comes down to it. Boucly
+        (2008), section 5.1.3.1, has Lagrange polynomials, which overshoot.
+
+    Raises
+    ------
+    ValueError
+        Where the strain exceeds the threshold down to the last layer.
+    """
+    step, limit = positive("dz", dz), positive("threshold", threshold)
+    shape = np.shape(equivalent)
+    if len(shape) != 3 or shape[2] == 0:
+        raise ValueError(f"equivalent must have shape (nx, ny, nz), got {shape}")
+    field = finite_array("equivalent", equivalent, shape)
+    found = np.zeros(shape[:2])
+    worn = field[:, :, 0] > limit
+    if not worn.any():
+        return found
+    columns = field[worn]
+    if (columns > limit).all(axis=1).any():
+        raise ValueError(
+            f"the grid is too shallow: the plastic strain exceeds threshold = {limit!r} down to "
+            f"its last layer, at {shape[2] * step!r} m; give it more layers"
+        )
+    layer = np.argmax(columns <= limit, axis=1) - 1  # the last one above the threshold
+    rows, slopes = np.arange(len(columns)), _slopes(columns)
+    ends = (columns[rows, layer], columns[rows, layer + 1])
+    turned = (slopes[rows, layer], slopes[rows, layer + 1])
+    low, high = np.zeros(len(columns)), np.ones(len(columns))
+    for _ in range(_BISECTIONS):
+        middle = 0.5 * (low + high)
+        above = _hermite(middle, ends, turned) > limit
+        low, high = np.where(above, middle, low), np.where(above, high, middle)
+    found[worn] = (layer + 0.5 + 0.5 * (low + high)) * step
+    return found
+
+
+def _slopes(columns: FloatArray) -> FloatArray:
+    """Slopes of the monotone interpolant at layers of thickness 1, shape (columns, nz)."""
+    count = columns.shape[-1]
+    interpolant = PchipInterpolator(np.arange(count), columns, axis=-1)
+    return np.asarray(interpolant(np.arange(count), 1), dtype=np.float64)
+
+
+def _hermite(
+    t: FloatArray, values: tuple[FloatArray, FloatArray], slopes: tuple[FloatArray, FloatArray]
+) -> FloatArray:
+    """Cubic between two layers, at the part t of the way from one to the next."""
+    s = 1 - t
+    (y0, y1), (d0, d1) = values, slopes
+    result: FloatArray = s * s * ((1 + 2 * t) * y0 + t * d0) + t * t * ((1 + 2 * s) * y1 - s * d1)
+    return result
+
+
+def window_and_order(window: Window, order: int) -> tuple[int, int, int]:
+    """Checked cells of the window along x and y, and order; (1, 1, 0): no smoothing."""
+    sides: list[int] = [1 if window is None else window] * 2 if _single(window) else list(window)  # type: ignore[arg-type,list-item]
+    if len(sides) != 2:
+        raise ValueError(f"window must be a number of cells or a pair of them, got {window!r}")
+    for cells in sides:
+        if integer("window", cells, 1) % 2 == 0:
+            raise ValueError(f"window must be odd (cells), got {window!r}")
+    integer("order", order, 0)
+    for cells in sides:
+        if 1 < cells <= order:
+            raise ValueError(f"order must be less than window = {window!r}, got {order}")
+    return int(sides[0]), int(sides[1]), int(order)
+
+
+def _single(window: Window) -> bool:
+    return window is None or not isinstance(window, Sequence)
+
+
+def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
+    """Wear depth with its border smoothed; the volume is kept. Boucly (2008), eqs. (5.1)-(5.3).
+
+    Parameters
+    ----------
+    depth : array_like, shape (nx, ny)
+        [m], >= 0. Beyond the array it is 0.
+    window : int or pair of int, optional
+        Odd number of cells (along x and y) of a two-dimensional Savitzky-Golay filter; None or 1:
+        no smoothing.
+    order : int, optional
+        Of its polynomials, in x and in y; < window.
+
+    Returns
+    -------
+    ndarray, shape (nx, ny)
+        [m], >= 0, with the same sum to rounding.
+
+    Raises
+    ------
+    ValueError
+        A depth below 0, or a window or order that is not allowed.
+    """
+    shape = np.shape(depth)
+    if len(shape) != 2:
+        raise ValueError(f"depth must have shape (nx, ny), got {shape}")
+    given = finite_array("depth", depth, shape)
+    if (given < 0).any():
+        raise ValueError(f"depth must be >= 0 everywhere, got {float(given.min())!r}")
+    *sides, degree = window_and_order(window, order)
+    if max(sides) == 1 or not given.any():
+        return np.array(given)
+    result = given
+    for axis, cells in enumerate(sides):
+        if cells > 1:
+            # What the filter carries beyond the array would be lost: it is cut off only at the end.
+            padding = [(cells, cells) if axis == n else (0, 0) for n in (0, 1)]
+            padded = np.pad(result, padding)
+            padded = savgol_filter(padded, cells, degree, axis=axis, mode="constant", cval=0.0)
+            result = padded[cells:-cells] if axis == 0 else padded[:, cells:-cells]
+    result = np.maximum(result, 0.0)  # the filter undershoots beside a step: nothing is added
+    total = math.fsum(given.flat)
+    result *= total / math.fsum(result.flat)
+    # Rounding of the scaling goes where it is least: into the deepest cell.
+    deepest = np.unravel_index(int(np.argmax(result)), shape)
+    result[deepest] += total - math.fsum(result.flat)
+    return np.asarray(result, dtype=np.float64)
+
+
+def shift(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
+    """A field of the layers as seen from a surface that is worn: its values at z_k + depth.
+
+    Parameters
+    ----------
+    field : array_like, shape (..., nx, ny, nz)
+        At the mid-depths of the layers.
+    depth : array_like, shape (nx, ny)
+        What was removed [m], >= 0.
+    dz : float
+        Thickness of a layer [m], > 0.
+
+    Returns
+    -------
+    ndarray
+        Shape of the field; interpolated along each column by monotone cubics (PCHIP), which do not
+        overshoot; falls to 0 within one layer below the grid.
+
+    Raises
+    ------
+    ValueError
+        Wrong shape, or a depth below 0.
+    """
+    step, shape = positive("dz", dz), np.shape(field)
+    if len(shape) < 3 or shape[-1] == 0:
+        raise ValueError(f"field must have shape (..., nx, ny, nz), got {shape}")
+    values = finite_array("field", field, shape)
+    removed = finite_array("depth", depth, shape[-3:-1])
+    if (removed < 0).any():
+        raise ValueError(f"depth must be >= 0 everywhere, got {float(removed.min())!r}")
+    result = values.copy()
+    worn = removed > 0
+    columns = values[..., worn, :]
+    if not columns.any():
+        return np.asarray(result, dtype=np.float64)
+    count = shape[-1]
+    # Two layers of zeros: where the column ends, and beyond.
+    extended = np.concatenate([columns, np.zeros((*columns.shape[:-1], 2))], axis=-1)
+    slopes = _slopes(extended)
+    place = np.arange(count) + (removed[worn] / step)[:, None]
+    layer = np.minimum(np.floor(place).astype(np.int64), count)
+    part = np.where(place < count + 1, place - layer, 1.0)
+    at = np.broadcast_to(layer, columns.shape)
+    ends, turned = (
+        tuple(np.take_along_axis(nodes, at + n, axis=-1) for n in (0, 1))
+        for nodes in (extended, slopes)
+    )
+    result[..., worn, :] = _hermite(part, ends, turned)  # type: ignore[arg-type]
+    return np.asarray(result, dtype=np.float64)
+
+
+def shift_deviator(tensor: FloatArray, depth: FloatArray, dz: float) -> FloatArray:
+    """`shift` of tensors, shape (..., 6, nx, ny, nz), whose components are interpolated one by one.
+
+    Columns of a deviator stay one: their trace is taken away.
+    """
+    moved = shift(tensor, depth, dz)
+    trace = np.abs(tensor[..., :3, :, :, :].sum(axis=-4)).max(axis=-1, keepdims=True)
+    largest = np.abs(tensor).max(axis=(-4, -1))[..., None]
+    worn = (depth > 0)[:, :, None] & (trace <= _DEVIATOR * largest)
+    normal = moved[..., :3, :, :, :]
+    normal -= np.where(worn, normal.sum(axis=-4) / 3, 0.0)[..., None, :, :, :]
+    return np.asarray(moved, dtype=np.float64)

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A new user's way: the tutorial's case file, then one's own ball and load, as other processes."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from samcontact import results
+
+ROOT = Path(__file__).parents[2]
+CASE = re.search(r"```toml\n(.*?)```", (ROOT / "docs" / "tutorial.md").read_text(), re.DOTALL)[1]
+FIGURES = {
+    "axis_stress.png",
+    "load_approach.png",
+    "pressure.png",
+    "print.png",
+    "residual.png",
+    "sections.png",
+}
+
+
+def command(folder, *words):
+    return subprocess.run(
+        [sys.executable, "-m", "samcontact", *words],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """After `samcontact run` of the tutorial's case, and of one with another ball and load."""
+    folder = tmp_path_factory.mktemp("user")
+    (folder / "ball.toml").write_text(CASE)
+    own = CASE.replace("Rx = 7.5e-3", 'Rx = "6.35 mm"').replace("load = 1500.0", 'load = "1.2 kN"')
+    assert own.count('"1.2 kN"') == 1
+    (folder / "own.toml").write_text(own)
+    for name in ("ball", "own"):
+        outcome = command(folder, "run", f"{name}.toml")
+        assert outcome.returncode == 0, outcome.stderr
+        files = {path.name for path in (folder / "results" / name).iterdir()}
+        assert files == FIGURES | {"results.nc"}
+        assert all(f"results/{name}/{file}" in outcome.stdout for file in files)
+    return folder
+
+
+def test_another_ball_and_load_give_other_numbers_and_figures(folder):
+    with (
+        results.open_results(folder / "results" / "ball" / "results.nc") as first,
+        results.open_results(folder / "results" / "own" / "results.nc") as second,
+    ):
+        assert float(second["load"].max()) == pytest.approx(1200.0, rel=1e-12)
+        # elastic pressure grows with (load/radius^2)^(1/3), by 4 %; hardening takes some of it
+        ratio = float(second["max_pressure"].max() / first["max_pressure"].max())
+        assert 1.005 < ratio < 1.04
+        # the load of the onset falls with the radius squared: more of it is plastic
+        strain = "max_equivalent_plastic_strain_body2"
+        assert float(second[strain].max()) > float(first[strain].max())
+    for name in FIGURES:
+        images = [(folder / "results" / case / name).read_bytes() for case in ("ball", "own")]
+        assert images[0] != images[1], name
+
+
+def test_the_report_of_it(folder):
+    outcome = command(folder, "report", "results/own")
+    assert (outcome.returncode, outcome.stderr) == (0, "")
+    page = (folder / "results" / "own" / "report.html").read_text()
+    assert "Rx</th><td>6.35 mm</td>" in page
+    assert "✗ failed" not in page
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("Rx = 7.5e-3", "Rxx = 7.5e-3", ("surface", "Rxx", "Rx")),
+        ("Rx = 7.5e-3", 'Rx = "7.5 s"', ("surface.", "Rx", "7.5 s")),
+        ("load = 1500.0\n", "", ("path", "load")),
+        ("nx = 41", 'nx = "many"', ("grid.nx", "integer", "many")),
+        ('law = "swift"', 'law = "swfit"', ("body2", "swfit", "'swift'")),
+    ],
+    ids=["unknown key", "wrong unit", "missing field", "wrong type", "unknown word"],
+)
+def test_mistakes_are_named(folder, old, new, told):
+    (folder / "wrong.toml").write_text(CASE.replace(old, new, 1))
+    outcome = command(folder, "run", "wrong.toml")
+    assert outcome.returncode == 2
+    assert "Traceback" not in outcome.stderr
+    for word in told:
+        assert word in outcome.stderr
+
+
+def test_the_doctor_is_content():
+    outcome = command(ROOT, "doctor")
+    assert outcome.returncode == 0, outcome.stdout
+    assert "failed" not in outcome.stdout

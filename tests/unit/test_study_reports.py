@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reports of tugging and wear: the page's numbers are those of the dataset, checks can fail."""
+
+import re
+
+import numpy as np
+import pytest
+import test_tugging_cases
+import test_wear_cases
+from test_cli import invoke
+
+from samcontact import report, results
+
+
+def run_and_report(text, folder):
+    file = folder / "case.toml"
+    file.write_text(text)
+    assert invoke("run", file, "--output", folder / "out", "--no-figures").exit_code == 0
+    outcome = invoke("report", folder / "out")
+    assert outcome.exit_code == 0, outcome.output
+    assert outcome.stdout == f"{folder / 'out' / 'report.html'}\n"
+    return folder / "out", outcome
+
+
+@pytest.fixture(scope="module")
+def tugging(tmp_path_factory):
+    text = test_tugging_cases.TEXT.replace("increments = 8", "increments = 12")
+    return run_and_report(text, tmp_path_factory.mktemp("tugging"))
+
+
+@pytest.fixture(scope="module")
+def wear(tmp_path_factory):
+    return run_and_report(test_wear_cases.TEXT, tmp_path_factory.mktemp("wear"))
+
+
+def page(folder):
+    return (folder / "report.html").read_text(encoding="utf-8")
+
+
+def rows(text, table):
+    """The numbers behind the rows of a table."""
+    body = re.search(rf'<table id="{table}">.*?<tbody>(.*?)</tbody>', text, re.DOTALL).group(1)
+    return [
+        [float(value) for value in re.findall(r'<data value="([^"]+)"', row)]
+        for row in body.split("</tr>")[:-1]
+    ]
+
+
+def captions(text):
+    return re.findall(r"<figcaption>(.*?)</figcaption>", text)
+
+
+def test_passes(tugging):
+    folder, _ = tugging
+    text = page(folder)
+    with results.open_results(folder / "series.nc") as data:
+        for index, row in enumerate(rows(text, "passes-table")):
+            one = data.isel({"pass": index})
+            prints = one["residual_displacement"].values
+            names = ("net_energy", "dissipation", "residual_energy", "energy_imbalance")
+            expected = [float(one[name]) for name in names]
+            force_x, force_z = one["force_x"], one["force_z"]
+            expected += [*prints, force_x.max(), force_x.min(), force_z.max()]
+            np.testing.assert_array_equal(row, [*expected, one["max_pressure"].max()])
+        assert index == 1
+    assert captions(text) == [
+        *(f"{name}, pass {n}" for n in (1, 2)
+          for name in ("Tangential force", "Normal force", "Load ratio")),
+        "Energy of the passes",
+    ]  # fmt: skip
+    assert len(re.findall('<img src="data:image/png;base64,', text)) == 7
+    assert '<h2 id="convergence">' not in text
+    assert "interference</th><td>600 µm</td>" in text
+
+
+def test_too_few_increments_are_told(tugging):
+    """Energy is missed by a tenth and more with 12 increments."""
+    folder, outcome = tugging
+    assert "check failed: energy not found as plastic work or residual stress" in outcome.stderr
+    with results.open_results(folder / "series.nc") as data:
+        energy, release = report.checks(data)
+        ratio = np.abs(data["energy_imbalance"] / data["net_energy"]).max()
+        assert energy.value == pytest.approx(float(ratio))
+        assert energy.value > energy.limit
+        assert release.passed
+        held = data.load().copy(deep=True)
+    held["normal_force"][0, -1] = 1e3
+    assert not report.checks(held)[1].passed
+
+
+def test_cycles(wear):
+    folder, outcome = wear
+    assert outcome.stderr == ""
+    text = page(folder)
+    with results.open_results(folder / "wear.nc") as data:
+        names = ("volume", "depth", "surface_strain", "max_plastic_strain", "max_pressure",
+                 "max_von_mises", "contact_area")  # fmt: skip
+        expected = [[float(data[name].values.flat[0]) for name in names]]
+        np.testing.assert_array_equal(rows(text, "cycles-table"), expected)
+        (volume,) = report.checks(data)
+        assert volume.passed
+        spoilt = data.assign(lost=data["lost"] * 1.01)
+    assert not report.checks(spoilt)[0].passed
+    assert captions(text) == [
+        "Worn volume of each cycle",
+        "Heights of body 2 along x, after several cycles",
+        "Heights of body 2 along y, after several cycles",
+        "Heights of body 2 after cycle 1",
+    ]
+
+
+def test_a_series_without_a_case(tugging, tmp_path):
+    folder, _ = tugging
+    with results.open_results(folder / "series.nc") as data:
+        plain = data.load().drop_attrs().assign_attrs(R1=1.0, R2=2.0, interference=6e-4)
+    text = report.write(plain, tmp_path / "report.html").read_text(encoding="utf-8")
+    assert '<td>run</td><th scope="row">interference</th><td>0.0006</td>' in text
+
+
+def test_which_file_of_a_folder(tmp_path, tugging, wear):
+    outcome = invoke("report", tmp_path)
+    assert outcome.exit_code == 2
+    assert "must hold one of results.nc, series.nc, wear.nc, has none of them" in outcome.stderr
+    for folder, name in ((tugging[0], "series.nc"), (wear[0], "wear.nc")):
+        (tmp_path / name).write_bytes((folder / name).read_bytes())
+    outcome = invoke("report", tmp_path)
+    assert outcome.exit_code == 2
+    assert "has series.nc, wear.nc: name the file" in outcome.stderr
+    assert invoke("report", tmp_path / "wear.nc").exit_code == 0
