@@ -65,6 +65,17 @@ def test_names_exist(page):
         resolve(name)
 
 
+TESTS = "\n".join(file.read_text(encoding="utf-8") for file in (ROOT / "tests").rglob("*.py"))
+
+
+@pages
+def test_named_tests_exist(page):
+    code = " ".join(re.findall(r"`([^`\n]+)`", prose(page)))
+    named = set(re.findall(r"(?<![\w/])(?:test_\w+|Test[A-Z]\w*)(?!\.py)\b", code))
+    missing = sorted(n for n in named if not re.search(rf"^ *(?:def|class) {n}\b", TESTS, re.M))
+    assert not missing
+
+
 def anchors(page):
     headings = re.findall(r"^#+ (.+)$", prose(page), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
