@@ -46,7 +46,7 @@ FOLDERS = {
     "wear": {"results"},
     "cases": {"hertz", "paths", "measured", "asperities", "wear"},
     "sweeps": {"cases", "results"},
-    "report": {"cases", "results", "plotting"},
+    "report": {"cases", "results", "plotting", "asperities"},
     "gallery": set(),  # as a user would: import samcontact as sc
     "commands": {"hertz", "cases", "results", "plotting", "sweeps", "report", "gallery"},
 }  # fmt: skip

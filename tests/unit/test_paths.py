@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import samcontact as sc
 from samcontact import paths
-from samcontact.paths import passes
+from samcontact.paths import passes, ramps
 
 
 def test_ramp_linear():
@@ -255,6 +255,6 @@ def test_unknown_slider():
 
 
 def test_examples_of_the_docstrings():
-    for module, count in ((paths, 1), (passes, 2)):
+    for module, count in ((ramps, 1), (passes, 2)):
         results = doctest.testmod(module)
         assert (results.failed, results.attempted) == (0, count)

@@ -6,6 +6,7 @@ import pytest
 
 import samcontact as sc
 from samcontact import wear
+from samcontact.wear import cycles
 from samcontact.wear.steps import shift_deviator
 
 ELASTIC = sc.Material.elastic(210e9, 0.3)
@@ -202,7 +203,7 @@ def test_interrupted_runs_go_on(tmp_path, worn, monkeypatch):
 
 
 def test_errors_bring_the_cycles_before_them(worn, monkeypatch):
-    monkeypatch.setattr(wear, "_solve", fails_in_cycle_3(wear._solve))
+    monkeypatch.setattr(cycles, "_solve", fails_in_cycle_3(cycles._solve))
     with pytest.raises(RuntimeError) as caught:
         wearing()
     assert caught.value.result.cycles == worn.cycles[:2]

@@ -22,7 +22,8 @@ from typing import TYPE_CHECKING, Any
 from tqdm import tqdm
 
 from .._checks import integer
-from .worker import Outcome, case_key, failure, solve_case
+from . import worker
+from .worker import Outcome, case_key, failure
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -173,13 +174,13 @@ def _solve(executor: Any, tasks: Tasks, take: Take) -> None:
     """Hand on the outcome of each task, as they come."""
     if executor is None:
         for key, task in tasks.items():
-            take(key, solve_case(*task))
+            take(key, worker.solve_case(*task))
         return
     futures: dict[Future[Outcome], str] = {}
     try:
         for key, task in tasks.items():
             try:
-                futures[executor.submit(solve_case, *task)] = key
+                futures[executor.submit(worker.solve_case, *task)] = key
             except BrokenExecutor as error:  # a worker has died already
                 take(key, failure(error))
         for future in as_completed(list(futures)):
