@@ -213,7 +213,6 @@ import os, signal, sys
 import samcontact as sc
 from samcontact import _journal
 from samcontact.asperities import Collision, tug
-from samcontact.asperities.tugging import _Run
 add = _journal.Journal.add
 def counted(self):
     add(self)
