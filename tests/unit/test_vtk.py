@@ -10,6 +10,7 @@ from core_fakes import ELASTIC, SWIFT, FakeState, make_simulation
 from vtkmodules.vtkCommonCore import mutable, vtkDataArray
 from vtkmodules.vtkIOXML import vtkXMLRectilinearGridReader
 
+import samcontact as sc
 from samcontact import results
 from samcontact.commands.main import main
 
@@ -165,3 +166,37 @@ def test_without_vtk_the_message_names_the_extra(tmp_path, monkeypatch):
     assert outcome.exit_code == 1
     assert "pip install samcontact[vtk]" in outcome.stderr
     assert not (tmp_path / "results.vtr").exists()
+
+
+@pytest.mark.parametrize("nz", [0, 12])
+def test_the_track_of_a_body_that_moved(tmp_path, nz):
+    """Cells of the file are where the dataset has them on the body, with their numbers."""
+    grid = sc.Grid(15, 13, 60e-6, 60e-6, 12, 60e-6)
+    simulation = sc.Simulation(grid, ELASTIC, SWIFT, sc.surfaces.paraboloid(grid, 7.5e-3))
+    move = {"load": 600.0, "advance": (-60e-6, -60e-6)}
+    states = simulation.run([{"load": 600.0}, move, move, {"load": 0.0}], progress=False)
+    data = results.to_dataset(simulation, states, volume="last" if nz else "none")
+    written = results.to_vtk(data, tmp_path / "out.vtr", body=2)
+    ends = ["out", "out_surface", "out_track", "out_track_surface"] if nz else [
+        "out_surface", "out_track_surface"]  # fmt: skip
+    assert [file.name for file in written] == [f"{end}.vtr" for end in ends]
+    surface = read(written[-1])
+    x = data["track_x_body2"]
+    assert len(x) > 15
+    assert names(surface) == {"residual_displacement"}
+    place = data.isel(track_x_body2=9, y=5)
+    at = float(x[9]), float(data.y[5])
+    expected = place["track_residual_displacement_body2"]
+    assert value(surface, "residual_displacement", *at, 0.0) == pytest.approx(float(expected))
+    assert float(expected) > 1e-9
+    if nz:
+        volume = read(written[2])
+        assert {"residual_stress", "plastic_strain", "residual_von_mises"} <= names(volume)
+        for k in (0, 4):
+            one = place.isel(z=k)
+            found = value(volume, "residual_stress", *at, -float(data.z[k]))
+            stress = one["track_residual_stress_body2"]
+            order = ("xx", "yy", "zz", "xy", "yz", "xz")
+            signs = (1, 1, 1, 1, -1, -1)
+            picked = [s * float(stress.sel(component=c)) for c, s in zip(order, signs, strict=True)]
+            assert found == pytest.approx(picked)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of one increment as VTK files, which ParaView opens.
+"""Fields of one increment, and tracks, as VTK files, which ParaView opens.
 
 Written by VTK itself (extra ``vtk``), which alone names the components of tensors and keeps units.
 """
@@ -16,8 +16,6 @@ from .._checks import FloatArray, choice, integer
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["to_vtk"]
-
 # The order in which VTK keeps symmetric tensors, which is not that of this package.
 VTK_COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 _COMMON = ("pressure", "gap", "shear_x", "shear_y", "initial_gap")
@@ -25,6 +23,9 @@ _COMMON = ("pressure", "gap", "shear_x", "shear_y", "initial_gap")
 
 def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int = 2) -> list[Path]:
     """Write the fields of one increment as VTK XML files of rectilinear grids (.vtr).
+
+    Of a body that has moved, what is left along its whole track at the end of the run is written
+    too; x = 0 is where the contact stood on the body at the start.
 
     The files have the axes x and y of the contact and z upwards, out of body 2: body 2 lies at
     z < 0, body 1 at z > 0, so that both can be shown together. Shear components xz and yz of body 2
@@ -36,8 +37,9 @@ def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int
     dataset : xarray.Dataset
         From `samcontact.results.to_dataset` or `open_results`.
     path : str or Path
-        File of the volume fields; those of the surface go beside it, to ``*_surface.vtr``. Its
-        directory must exist. The ending .vtr is added where it is missing.
+        File of the volume fields; those of the surface go beside it, to ``*_surface.vtr``, those of
+        a track to ``*_track.vtr`` and ``*_track_surface.vtr``. Its directory must exist. The ending
+        .vtr is added where it is missing.
     increment : int, optional
         Number of the increment, from 1; or -1 for the last one (-2 the one before, ...) of those
         with volume fields, where there are any.
@@ -47,7 +49,7 @@ def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int
     Returns
     -------
     list of Path
-        The files: volume (where volume fields are stored) and surface.
+        The files: volume (where volume fields are stored), surface, and those of a track.
 
     Raises
     ------
@@ -73,7 +75,30 @@ def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int
     fields = dataset[_surface_names(dataset, body)].sel(increment=number)
     edges = [_edges(dataset, "x"), _edges(dataset, "y"), np.zeros(1)]
     _write(surface, edges, fields, body, number)
-    return [*written, surface]
+    return [*written, surface, *_write_track(dataset, target, body)]
+
+
+def _write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
+    """What is left in a body that has moved, if it is inelastic."""
+    x = f"track_x_body{body}"
+    if x not in dataset.coords:
+        return []
+    names = [str(name) for name, field in dataset.data_vars.items() if x in field.dims]
+    track = dataset[names].rename({name: name.removeprefix("track_") for name in names} | {x: "x"})
+    track.attrs = dataset.attrs
+    volume = [name for name in track.data_vars if "z" in track[name].dims]
+    surface = [name for name in track.data_vars if "z" not in track[name].dims]
+    last = int(dataset["increment"][-1])
+    plane = [_edges(track, "x"), _edges(track, "y")]
+    written = []
+    if volume:
+        depth = _edges(track, "z")
+        written.append(target.with_name(f"{target.stem}_track.vtr"))
+        edges = [*plane, depth if body == 1 else -depth[::-1]]
+        _write(written[-1], edges, track[volume], body, last)
+    written.append(target.with_name(f"{target.stem}_track_surface.vtr"))
+    _write(written[-1], [*plane, np.zeros(1)], track[surface], body, last)
+    return written
 
 
 def _volume_names(dataset: xr.Dataset, body: int) -> list[str]:
@@ -102,7 +127,7 @@ def _number(dataset: xr.Dataset, increment: int, volume: bool) -> int:
 
 
 def cell_size(dataset: xr.Dataset, axis: str) -> float:
-    """Size of the cells along "x", "y" or "z" [m]; files of the first days lack the attribute."""
+    """Size of the cells along "x", "y" or "z" [m]; from the centres where a file does not tell."""
     given = dataset.attrs.get(f"d{axis}")
     if given is not None:
         return float(given)
