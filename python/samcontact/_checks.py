@@ -101,9 +101,10 @@ def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatAr
     if array.shape != shape:
         raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
     bad = np.argwhere(~np.isfinite(array))
-    if bad.size:
+    if len(bad):
         index = tuple(int(i) for i in bad[0])
-        raise ValueError(f"{name} must be finite everywhere, got {array[index]} at index {index}")
+        where = f" at index {index}" if index else ""
+        raise ValueError(f"{name} must be finite everywhere, got {array[index]}{where}")
     return array
 
 

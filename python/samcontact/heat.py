@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from ._checks import non_negative, number, positive
+from ._checks import finite, non_negative, number, positive
 
 if TYPE_CHECKING:
     from .material import Material
@@ -80,6 +80,6 @@ def partition(
         if body.thermal is None:
             raise ValueError(f"{name} has no thermal constants: give them with with_thermal()")
         conductivity, _, diffusivity = body.thermal
-        speed = abs(number(name.replace("body", "velocity"), velocity))
+        speed = abs(finite(name.replace("body", "velocity"), velocity))
         taken.append(conductivity * math.sqrt(1.273 + speed * radius / (2.0 * diffusivity)))
     return taken[1] / (taken[0] + taken[1])

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ._checks import FloatArray, finite_array
+from ._checks import FloatArray, finite_array, integer
 from .grid import Grid
 from .surfaces import SurfaceGrid
 
@@ -31,8 +31,8 @@ class Relief:
 
     Raises
     ------
-    ValueError
-        Heights that are not finite or not two-dimensional.
+    ValueError, TypeError
+        Heights that are not finite or not two-dimensional, or `first` not an integer.
     """
 
     heights: FloatArray
@@ -46,6 +46,7 @@ class Relief:
         checked = np.array(finite_array("heights", heights, heights.shape), order="C")
         checked.flags.writeable = False
         object.__setattr__(self, "heights", checked)
+        object.__setattr__(self, "first", integer("first", self.first))
 
 
 def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool] | None:

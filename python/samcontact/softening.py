@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._checks import FloatArray, finite, positive
+from ._checks import FloatArray, finite, finite_array, positive
 
 __all__ = ["JohnsonCook"]
 
@@ -58,6 +58,6 @@ class JohnsonCook:
 
     def __call__(self, rise: ArrayLike) -> FloatArray:
         """Factor of the yield stress [-] at a rise of temperature [K], any shape."""
-        T = self.ambient + np.asarray(rise, dtype=np.float64)
+        T = self.ambient + finite_array("rise", rise, np.shape(rise))
         homologous = np.clip((T - self.reference) / (self.melting - self.reference), 0.0, 1.0)
         return np.maximum(1.0 - homologous**self.m, self.floor)

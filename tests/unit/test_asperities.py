@@ -261,6 +261,12 @@ def test_bad_collisions(arguments, text):
         Collision(*arguments)
 
 
+@pytest.mark.parametrize("name", ["offset", "separation", "approach", "advance"])
+def test_bad_angles(name):
+    with pytest.raises(ValueError, match="angle must be a finite number, got nan"):
+        getattr(Collision(1.0, 1.0, 1e-3), name)(math.nan)
+
+
 def test_bad_arguments():
     which = collision(3)
     grid = which.grid(8)

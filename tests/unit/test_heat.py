@@ -298,6 +298,8 @@ class TestFactors:
             assert first == pytest.approx(second, rel=tolerance)
         with pytest.raises(ValueError, match="body1 has no thermal constants"):
             sc.heat.partition(COLD, other, 1e-3)
+        with pytest.raises(ValueError, match="velocity2 must be a finite number, got nan"):
+            sc.heat.partition(WARM, other, 1e-3, 0.0, np.nan)
 
 
 def simulation(grid, heat_factor, body1=COLD, body2=STEEL, **settings):
@@ -460,6 +462,12 @@ class TestSoftening:
         limit = factor * STEEL.yield_stress(soft.equivalent_plastic_strain())
         assert (soft.von_mises() <= limit * (1 + 1e-5)).all()
         assert (hard.softening() == 1).all()
+
+    def test_a_rise_that_is_no_number(self):
+        with pytest.raises(ValueError, match=r"rise must be finite everywhere, got nan$"):
+            self.LAW(np.nan)
+        with pytest.raises(ValueError, match=r"rise must be finite everywhere, got nan at index"):
+            self.LAW([1.0, np.nan])
 
     def test_without_heat_it_changes_nothing(self):
         grid = grid_of(21, 1.5, nz=16, dz=45e-6)

@@ -284,6 +284,13 @@ def test_effective_modulus():
             r"nu must be in \[0, 0\.5\], got 0\.6",
         ),
         (lambda: hertz.point(1.0, 1.0, p0=1.0).axis_stress(-1.0, 0.3), "z must be finite and >= 0"),
+        (lambda: hertz.point(1.0, 1.0, p0=1.0).pressure(math.nan), "x must be finite everywhere"),
+        (lambda: hertz.point(1.0, 1.0, p0=1.0).gap(0.0, math.inf), "y must be finite everywhere"),
+        (lambda: hertz.line(1.0, 1.0, p0=1.0).pressure([math.nan]), "x must be finite everywhere"),
+        (
+            lambda: hertz.elliptic(1.0, 2.0, 1.0, p0=1.0).pressure(0.0, [0.0, math.nan]),
+            r"y must be finite everywhere, got nan at index \(1,\)",
+        ),
     ],
 )
 def test_bad_input_is_named(call, message):

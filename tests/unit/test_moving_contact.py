@@ -374,6 +374,8 @@ def test_bad_motion():
     for heights in (np.zeros(5), np.full((3, 15), np.nan)):
         with pytest.raises(ValueError, match="heights"):
             sc.Relief(heights)
+    with pytest.raises(TypeError, match="first must be an integer, got nan"):
+        sc.Relief(np.zeros((3, 15)), first=float("nan"))
     with pytest.raises(ValueError, match="margin"):
         simulation.state.track(margin=-1)
     with pytest.raises(ValueError, match="body"):

@@ -103,6 +103,18 @@ class TestHeat:
         with pytest.raises(ValueError, match="duration must be"):
             paths.hold(load=1.0, duration=duration)
 
+    @pytest.mark.parametrize("factor", [math.nan, -1.0, (0.0, math.inf)])
+    def test_bad_heat_factor(self, factor):
+        passes = {"distance": 1.0, "step": 0.5, "heat_factor": factor}
+        for call in (
+            lambda: paths.hold(load=1.0, heat_factor=factor),
+            lambda: paths.ramp(load=1.0, heat_factor=factor),
+            lambda: paths.rolling(load=1.0, **passes),
+            lambda: paths.sliding(load=1.0, **passes),
+        ):
+            with pytest.raises(ValueError, match="heat_factor must be a finite number >= 0"):
+                call()
+
 
 def moved(path, body):
     return math.fsum(step.get("advance", (0.0, 0.0))[body - 1] for step in path)

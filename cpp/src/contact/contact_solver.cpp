@@ -131,7 +131,7 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
                                "them, so that it grows by itself; give a load instead",
                            solution.iterations, solution.error);
   }
-  if (!solution.converged && solution.negative_curvatures > 0) {
+  if (heated_ && !solution.converged && solution.negative_curvatures > 0) {
     throw ConvergenceError("the contact may be thermoelastically unstable at " + describe(driver) +
                                ": frictional heat makes the operator indefinite " +
                                std::to_string(solution.negative_curvatures) +

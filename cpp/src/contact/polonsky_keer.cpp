@@ -97,7 +97,8 @@ class ConjugateGradient {
         p_[i] = -step * g_[i];
       }
     }
-    conjugate_ = !released;
+    // After a direction without curvature, conjugation would repeat it for ever.
+    conjugate_ = !released && qt > 0;
     const double scale = driver_.is_load() ? scale_to_sum(p_, target_sum_) : 1.0;
     if (clipped || released || ++since_refresh_ >= refresh_interval) {
       refresh();

@@ -39,7 +39,8 @@ class FixedPoint {
         settings_(settings),
         counters_(counters),
         problem_(from, target, scans, settings, counters),
-        contact_tol_(problem_.has_plastic_body() ? loosest : contact_share * settings.tol) {}
+        elastic_tol_(std::max(contact_share * settings.tol, tightest)),
+        contact_tol_(problem_.has_plastic_body() ? loosest : elastic_tol_) {}
 
   State solve() {
     x_ = problem_.first_guess();
@@ -58,8 +59,8 @@ class FixedPoint {
       if (!complaint.empty()) throw contact::too_small(complaint);
     }
     if (problem_.has_plastic_body()) ++counters_.yield_checks;
-    if (!any(mapped_) && contact_tol_ > contact_share * settings_.tol) {
-      contact_tol_ = std::max(contact_share * settings_.tol, tightest);
+    if (!any(mapped_) && contact_tol_ > elastic_tol_) {
+      contact_tol_ = elastic_tol_;
       if (result_.headroom > safe_headroom) {
         problem_.refine_contact(contact_tol_, result_);
       } else {
@@ -147,6 +148,7 @@ class FixedPoint {
   Anderson anderson_{anderson_depth};
   Field x_, f_, mapped_, best_x_, best_f_;
   PlasticIncrement::Result result_;
+  const double elastic_tol_;  // of the contact where nothing flows
   double contact_tol_, residual_ = 1.0, best_ = INFINITY;
 };
 

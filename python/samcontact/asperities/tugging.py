@@ -13,7 +13,7 @@ import numpy as np
 from tqdm.auto import tqdm
 
 from .. import energy, surfaces
-from .._checks import FloatArray, integer, positive
+from .._checks import FloatArray, finite, integer, positive
 from .._journal import Journal
 from ..contact import require_type
 from ..grid import Grid
@@ -80,14 +80,15 @@ class Collision:
 
     def offset(self, angle: float) -> float:
         """Horizontal distance X of the centres [m] at an angle of their line from the vertical."""
-        return self.height * math.tan(angle)
+        return self.height * math.tan(finite("angle", angle))
 
     def separation(self, angle: float) -> float:
         """Distance of the centres [m]."""
-        return self.height / math.cos(angle)
+        return self.height / math.cos(finite("angle", angle))
 
     def approach(self, angle: float) -> float:
         """Approach of the spheres along the line of centres [m]; negative: apart."""
+        finite("angle", angle)
         # R1 + R2 - separation without cancellation
         return self.interference - 2.0 * self.height * math.sin(0.5 * angle) ** 2 / math.cos(angle)
 
@@ -96,7 +97,7 @@ class Collision:
 
         Along the local +x: the contact moves backwards over sphere 1 and forwards over sphere 2.
         """
-        return self.R1 * angle, -self.R2 * angle
+        return self.R1 * finite("angle", angle), -self.R2 * angle
 
     def grid(
         self,

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 from scipy.special import ellipkm1, elliprd
 
-from .._checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive
+from .._checks import FloatArray, exactly_one, finite_array, non_negative, poisson_ratio, positive
 from .._repr import Shown
 from .axis import line_axis, line_max_von_mises, point_axis, point_max_von_mises
 from .field import field
@@ -61,6 +61,11 @@ def _semi_ellipsoid(p0: float, *ratios: FloatArray) -> FloatArray:
     return np.asarray(p0 * np.sqrt(np.maximum(inside, 0.0)), dtype=np.float64)
 
 
+def _points(**coordinates: ArrayLike) -> list[FloatArray]:
+    """Checked coordinates, each of its own shape."""
+    return [finite_array(name, given, np.shape(given)) for name, given in coordinates.items()]
+
+
 def _depth_ratio(z: ArrayLike, length: float) -> FloatArray:
     depth = np.asarray(z, dtype=np.float64)
     if not np.all(np.isfinite(depth)) or np.any(depth < 0.0):
@@ -97,11 +102,12 @@ class PointContact(Shown):
 
     def pressure(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
         """Pressure [Pa] at x, y [m] (broadcast), zero outside the contact; (4.24)."""
-        return _semi_ellipsoid(self.p0, np.asarray(x) / self.a, np.asarray(y) / self.a)
+        across, along = _points(x=x, y=y)
+        return _semi_ellipsoid(self.p0, across / self.a, along / self.a)
 
     def gap(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
         """Gap under load [m] at x, y [m] (broadcast), zero inside the contact; (3.42)."""
-        r = np.maximum(np.hypot(x, y) / self.a, 1.0)
+        r = np.maximum(np.hypot(*_points(x=x, y=y)) / self.a, 1.0)
         # approach - displacement - r^2/2R with every length in contact radii
         outside = (2.0 - r**2) * np.arcsin(1.0 / r) + np.sqrt(r**2 - 1.0)
         scale = self.a**2 / self.R
@@ -159,9 +165,7 @@ class PointContact(Shown):
         of equal elastic constants, is left out.
         """
         s = _depth_ratio(z, self.a)
-        across, along = np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
-        if not (np.all(np.isfinite(across)) and np.all(np.isfinite(along))):
-            raise ValueError("x and y must be finite")
+        across, along = _points(x=x, y=y)
         points = np.broadcast_arrays(across / self.a, along / self.a, s)
         nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
         return self.p0 * field(points[0], points[1], points[2], nu, friction)
@@ -253,7 +257,8 @@ class EllipticContact(Shown):
 
     def pressure(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
         """Pressure [Pa] at x, y [m] (broadcast), zero outside the contact."""
-        return _semi_ellipsoid(self.p0, np.asarray(x) / self.a_x, np.asarray(y) / self.a_y)
+        across, along = _points(x=x, y=y)
+        return _semi_ellipsoid(self.p0, across / self.a_x, along / self.a_y)
 
 
 def _axis_ratio(radius_ratio: float) -> float:
@@ -361,7 +366,7 @@ class LineContact(Shown):
 
     def pressure(self, x: ArrayLike) -> FloatArray:
         """Pressure [Pa] at x [m], zero outside the contact; (4.44)."""
-        return _semi_ellipsoid(self.p0, np.asarray(x) / self.b)
+        return _semi_ellipsoid(self.p0, _points(x=x)[0] / self.b)
 
     def axis_stress(self, z: ArrayLike, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Elastic stresses sigma_xx, sigma_yy, sigma_zz [Pa] at depths z [m]; (4.46)."""

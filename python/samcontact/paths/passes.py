@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .._checks import choice, finite, integer, load_or_approach, number, positive
+from .._heating import pair
 
 Steps = list[dict[str, Any]]
 
@@ -64,6 +65,7 @@ class Passes:
                     steps.append(self._timed({"load": 0.0, "advance": advance}, back))
                 steps += [*loading, *map(self._moved, lengths), *unloading]
         if self.heat_factor is not None:
+            pair(self.heat_factor)
             steps[0] = {**steps[0], "heat_factor": self.heat_factor}
         return [dict(step) for step in steps]
 

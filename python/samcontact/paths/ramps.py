@@ -18,6 +18,7 @@ from .._checks import (
     non_negative,
     positive,
 )
+from .._heating import pair
 
 Path = list[dict[str, Any]]
 
@@ -51,6 +52,7 @@ def _with_parts(
         part = positive("duration", duration) / len(steps)
         steps = [{**step, "duration": part} for step in steps]
     if heat_factor is not None:
+        pair(heat_factor)
         steps[0] = {**steps[0], "heat_factor": heat_factor}
     return steps
 

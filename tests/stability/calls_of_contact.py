@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A valid call of every public function that computes on a grid, with all of its arguments."""
+
+import atexit
+import shutil
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from calls_of_formulas import COLLISION, HOT, NU, STEEL, E
+
+import samcontact as sc
+
+GRID = sc.Grid(9, 9, 5e-5, 5e-5, 6, 5e-5)
+GAP = sc.surfaces.paraboloid(GRID, 7.5e-3)
+LOAD = 60.0
+SOFT = sc.Material.perfect_plastic(E, NU, 6e8)
+KINEMATIC = SOFT.with_kinematic_hardening(1e10)
+NOTHING = np.zeros(GRID.surface_shape)
+PATCH = NOTHING.copy()
+PATCH[4, 4] = 1e8
+STRAIN = np.zeros((6, *GRID.volume_shape))
+FLAT = sc.Relief(np.zeros((3, 9)))
+
+HEATED = {
+    "friction": 0.1,
+    "heat_factor": (0.01, 0.02),
+    "velocity": ((0.1, 0.0), (0.2, 0.1)),
+    "heat_reference": 1.0,
+}
+BODIES = {"grid": GRID, "body1": STEEL, "body2": SOFT}
+SOLVER = sc.ContactSolver(
+    GRID, HOT, HOT, heat_factor=(0.0, 0.01), heat_reference=1.0, heating_time=1.0
+)
+SIMULATION = sc.Simulation(**BODIES, gap=GAP, tol=1e-4)
+STATE = SIMULATION.step(load=LOAD)
+TRACK = STATE.track(2, margin=0)
+MARCHED = {"heat_factor": (0.0, 0.01), "heat_history": (1e-4, 1e-2), "friction": 0.1}
+MARCHING = sc.Simulation(GRID, HOT, HOT, GAP, **MARCHED)
+SETTABLE = sc.Simulation(GRID, STEEL, KINEMATIC, GAP, tol=1e-4)
+
+FOLDER = Path(tempfile.mkdtemp(prefix="samcontact-"))
+atexit.register(shutil.rmtree, FOLDER)
+CHECKPOINT = FOLDER / "state.h5"
+SIMULATION.save(CHECKPOINT)
+HEIGHTS = FOLDER / "heights.npy"
+np.save(HEIGHTS, np.zeros((4, 3)))
+CASE = FOLDER / "case.toml"
+CASE.write_text(
+    """title = "one ball"
+[grid]
+nx = 9
+ny = 9
+dx = 5e-5
+dy = 5e-5
+[body1]
+law = "rigid"
+[body2]
+law = "elastic"
+E = 210e9
+nu = 0.3
+[surface]
+shape = "paraboloid"
+Rx = 7.5e-3
+[[path]]
+load = 100.0
+increments = 1
+""",
+    encoding="utf-8",
+)
+
+SETTINGS = {
+    "tol": 1e-4, "on_border": "error", "max_iterations": 60,
+}  # fmt: skip
+DRIVERS = ({"load": 10.0}, {"approach": 1e-6})
+STEP = {"heat_factor": (0.0, 0.0), "advance": (0.0, 0.0)}
+PASSES = {
+    "distance": 1e-4, "step": 5e-5, "passes": 1, "increments": 2, "unload_increments": 2,
+    "back_and_forth": False, "speed": 1.0, "heat_factor": (0.0, 0.01),
+}  # fmt: skip
+RAMP = {"increments": 3, "spacing": "power", "exponent": 2.0}
+PARTS = {"advance": (1e-5, 2e-5), "duration": 0.1, "heat_factor": 0.01}
+BODY_FIELDS = (
+    "offset", "stress", "residual_stress", "von_mises", "hydrostatic", "plastic_strain",
+    "equivalent_plastic_strain", "backstress", "max_equivalent_plastic_strain",
+    "max_plastic_strain", "relief", "residual_displacement", "surface_displacement", "temperature",
+    "surface_temperature", "softening",
+)  # fmt: skip
+TRACK_FIELDS = (
+    "residual_displacement", "residual_stress", "residual_von_mises", "residual_hydrostatic",
+    "plastic_strain", "equivalent_plastic_strain", "backstress",
+)  # fmt: skip
+
+
+def last_wear():
+    """One cycle of wear that removes nothing."""
+    return sc.wear.run(
+        **BODIES, gap=GAP, cycle=[{"load": LOAD}, {"load": 0.0}], threshold=0.04, cycles=1,
+        window=1, order=0, progress=False, tol=1e-4,
+    )  # fmt: skip
+
+
+WORN = last_wear()
+
+CALLS = [
+    (
+        "ContactSolver",
+        sc.ContactSolver,
+        {
+            "grid": GRID, "body1": HOT, "body2": HOT, **HEATED, "tol": 1e-6,
+            "on_border": "error", "max_iterations": 50, "heating_time": 1.0,
+        },
+    ),
+    *(
+        ("ContactSolver.solve", SOLVER.solve, {"gap": GAP, "initial_pressure": PATCH, **driver})
+        for driver in DRIVERS
+    ),
+    (
+        "ContactSolver.stress",
+        SOLVER.stress,
+        {"pressure": PATCH, "z": [0.0, 1e-5], "body": 2, "shear": PATCH},
+    ),
+    ("ContactSolver.temperature", SOLVER.temperature, {"pressure": PATCH, "z": 1e-5, "body": 2}),
+    (
+        "Simulation",
+        sc.Simulation,
+        {
+            **BODIES, "body1": HOT, "body2": HOT, "gap": GAP, **HEATED, **SETTINGS,
+            "increment_tol": 1e-2, "residual_stress": "exact", "image_tol": 1e-3,
+            "heating_time": 1.0, "relief1": FLAT, "relief2": FLAT, "reach": 1e-4,
+        },
+    ),
+    (
+        "Simulation",
+        sc.Simulation,
+        {"grid": GRID, "body1": HOT, "body2": HOT, "gap": GAP, **MARCHED},
+    ),
+    *(("Simulation.step", SIMULATION.step, {**driver, **STEP}) for driver in DRIVERS),
+    (
+        "Simulation.step",
+        SIMULATION.step,
+        {"pressure": PATCH, "shear": PATCH, "advance": (0.0, 0.0)},
+    ),
+    ("Simulation.step", MARCHING.step, {"load": 10.0, "duration": 1e-3}),
+    (
+        "Simulation.run",
+        SIMULATION.run,
+        {"path": [{"load": 10.0}], "progress": False, "checkpoint": None},
+    ),
+    (
+        "Simulation.set_plastic_strain",
+        SETTABLE.set_plastic_strain,
+        {
+            "body": 2, "strain": STRAIN, "equivalent": STRAIN[0], "backstress": STRAIN[None],
+            "first": 0,
+        },
+    ),
+    ("Simulation.save", SIMULATION.save, {"path": FOLDER / "other.h5"}),
+    ("Simulation.load", sc.Simulation.load, {"path": CHECKPOINT, "softening": (None, None)}),
+    ("State.track", STATE.track, {"body": 2, "margin": 1}),
+    ("State.plastic_cells", STATE.plastic_cells, {}),
+    *((f"State.{name}", getattr(STATE, name), {"body": 2}) for name in BODY_FIELDS),
+    *((f"Track.{name}", getattr(TRACK, name), {}) for name in TRACK_FIELDS),
+    (
+        "asperities.tug",
+        sc.asperities.tug,
+        {
+            "collision": COLLISION, "body1": sc.Material.rigid(), "body2": STEEL,
+            "grid": COLLISION.grid(4), "passes": 1, "cells_per_increment": 1,
+            "back_and_forth": False, "relief1": None, "relief2": None, "checkpoint": None,
+            "progress": False, "tol": 1e-6, "reach": 1e-4,
+        },
+    ),
+    (
+        "energy.plastic_work",
+        sc.energy.plastic_work,
+        {"material": SOFT, "after": TRACK, "before": TRACK},
+    ),
+    ("energy.residual_energy", sc.energy.residual_energy, {"track": TRACK}),
+    (
+        "measured.read",
+        sc.measured.read,
+        {
+            "path": HEIGHTS, "channel": None, "detrend": None, "undefined": "fill", "dx": 1e-5,
+            "dy": 1e-5, "unit": None,
+        },
+    ),
+    ("operators.shear_components", sc.operators.shear_components, {"grid": GRID, "shear": PATCH}),
+    ("operators.depths_of", sc.operators.depths_of, {"z": [0.0, 1e-5]}),
+    (
+        "operators.depth_major",
+        sc.operators.depth_major,
+        {"grid": GRID, "name": "tensor", "tensor": STRAIN},
+    ),
+    (
+        "operators.surface_displacement",
+        sc.operators.surface_displacement,
+        {"grid": GRID, "pressure": PATCH, "E": E, "nu": NU, "shear": PATCH},
+    ),
+    (
+        "operators.surface_stress",
+        sc.operators.surface_stress,
+        {
+            "grid": GRID, "pressure": PATCH, "z": [0.0, 1e-5], "nu": NU,
+            "shear": np.stack([PATCH] * 2),
+        },
+    ),
+    *(
+        (
+            "operators.residual_stress",
+            sc.operators.residual_stress,
+            {
+                "grid": GRID, "strain": STRAIN, "E": E, "nu": NU, "method": method,
+                "image_tol": 1e-3,
+            },
+        )
+        for method in ("exact", "fast")
+    ),
+    (
+        "operators.residual_displacement",
+        sc.operators.residual_displacement,
+        {"grid": GRID, "strain": STRAIN, "nu": NU},
+    ),
+    *(
+        (f"paths.{name}", getattr(sc.paths, name), {**driver, **PASSES, **rest})
+        for name, rest in (("rolling", {"slide_to_roll": -0.1}), ("sliding", {"slider": 1}))
+        for driver in DRIVERS
+    ),
+    *(("paths.hold", sc.paths.hold, {**driver, "increments": 2, **PARTS}) for driver in DRIVERS),
+    *(
+        ("paths.ramp", sc.paths.ramp, {**driver, "start": 1e-7, **RAMP, **PARTS})
+        for driver in DRIVERS
+    ),
+    *(
+        (
+            "paths.load_unload",
+            sc.paths.load_unload,
+            {**driver, **RAMP, "unload_increments": 2, "end": 0.0},
+        )
+        for driver in DRIVERS
+    ),
+    (
+        "sweep",
+        sc.sweep,
+        {
+            "case": CASE, "parameters": {"path[0].load": [10.0, 20.0]}, "executor": None,
+            "output": None, "progress": False, "mode": "product",
+        },
+    ),
+    ("wear.depth", sc.wear.depth, {"equivalent": STRAIN[0], "dz": 5e-5, "threshold": 0.04}),
+    (
+        "wear.run",
+        sc.wear.run,
+        {
+            **BODIES, "gap": GAP, "cycle": [{"load": LOAD}, {"load": 0.0}], "threshold": 0.04,
+            "cycles": 1, "worn": (2,), "window": 1, "order": 0, "strain_depth": "exact",
+            "friction": 0.0, "relief1": None, "relief2": None, "checkpoint": None,
+            "progress": False, "tol": 1e-4,
+        },
+    ),
+    ("wear.shift", sc.wear.shift, {"field": STRAIN, "depth": NOTHING, "dz": 5e-5}),
+    ("wear.smooth", sc.wear.smooth, {"depth": NOTHING, "window": (3, 3), "order": 2}),
+    ("wear.WearResult.x", WORN.x, {"body": 2}),
+    ("wear.WearResult.profile", WORN.profile, {"cycle": 1, "body": 2}),
+    ("wear.WearResult.to_dataset", WORN.to_dataset, {}),
+]  # fmt: skip

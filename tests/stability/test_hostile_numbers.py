@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""NaN and infinity in every number of every public call: an error that names the argument."""
+
+import inspect
+import math
+import re
+
+import numpy as np
+import pytest
+from calls_of_contact import CALLS as ON_GRIDS
+from calls_of_formulas import CALLS as FORMULAS
+
+import samcontact as sc
+
+CALLS = FORMULAS + ON_GRIDS
+HOSTILE = (math.nan, math.inf, -math.inf)
+
+MADE_BY_THE_PACKAGE = {
+    "ContactSolution", "State", "Track", "asperities.Tugging", "bearings.LoadZone",
+    "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalSlidingSphere",
+    "critical.CriticalSphere", "flattening.Flattening", "hertz.EllipticContact",
+    "hertz.LineContact", "hertz.PointContact", "wear.Cycle", "wear.WearResult",
+}  # fmt: skip
+"""Results: only their methods take arguments of the user."""
+
+MEANT = {
+    # straight profiles
+    ("surfaces.paraboloid", "Rx", math.inf),
+    ("surfaces.paraboloid", "Ry", math.inf),
+    ("bearings.roller_on_race", "crown_radius", math.inf),
+    # a steady state
+    ("heat_kernels.temperature", "time", math.inf),
+    ("heat_kernels.displacement", "time", math.inf),
+    ("heat_kernels.stress", "time", math.inf),
+    # a conversion, which computes nothing
+    *(("units.si", "value", bad) for bad in HOSTILE),
+    # points that an instrument did not see
+    ("measured.MeasuredSurface", "heights", math.nan),
+}
+"""Documented meanings of what is an error elsewhere."""
+
+
+def is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+PARTS = {
+    "kinematic": {"modulus", "recovery"},
+    "thermal": {"conductivity", "expansion", "diffusivity"},
+}
+"""Names of the numbers of an argument that has several."""
+
+
+def spoiled(value, bad):
+    """Each copy of an argument in which one number is replaced; and one number for an array."""
+    if is_number(value):
+        yield bad
+    elif isinstance(value, np.ndarray) and value.dtype.kind == "f":
+        copy = value.copy()
+        copy.flat[copy.size // 2] = bad
+        yield copy
+        yield bad
+    elif isinstance(value, (list, tuple)):
+        for n, item in enumerate(value):
+            for other in spoiled(item, bad):
+                yield type(value)([*value[:n], other, *value[n + 1 :]])
+        if isinstance(value, list) and all(map(is_number, value)):
+            yield bad
+    elif isinstance(value, dict):
+        for key, item in value.items():
+            for other in spoiled(item, bad):
+                yield {**value, key: other}
+
+
+def names_in(name, value):
+    """What an error about an argument may call it: its name, or that of a part with a name."""
+    found = {name} | PARTS.get(name, set())
+    for item in value if isinstance(value, (list, tuple)) else [value]:
+        found |= set(item) if isinstance(item, dict) else set()
+    return found
+
+
+def is_named(name, text):
+    """A single letter may be a word of the sentence anywhere but at its beginning."""
+    where = "^" if len(name) == 1 else r"(?<!\w)"
+    return re.search(rf"{where}{re.escape(name)}(?!\w)", text) is not None
+
+
+def hostile_calls(meant):
+    """(function, arguments, allowed names) of each call with one number replaced."""
+    found = []
+    for number, (name, function, arguments) in enumerate(CALLS):
+        for argument, value in arguments.items():
+            for bad in HOSTILE:
+                if ((name, argument, bad) in MEANT) != meant:
+                    continue
+                for n, other in enumerate(spoiled(value, bad)):
+                    call = (function, {**arguments, argument: other}, names_in(argument, value))
+                    found.append(pytest.param(*call, id=f"{name}-{argument}-{bad}-{number}-{n}"))
+    return found
+
+
+VALID = [pytest.param(f, a, id=f"{name}-{n}") for n, (name, f, a) in enumerate(CALLS)]
+
+
+@pytest.mark.parametrize(("function", "arguments"), VALID)
+def test_the_call_itself_is_valid(function, arguments):
+    function(**arguments)
+
+
+@pytest.mark.parametrize(("function", "arguments", "names"), hostile_calls(meant=False))
+def test_is_refused_by_name(function, arguments, names):
+    with pytest.raises((ValueError, TypeError)) as error:
+        function(**arguments)
+    text = str(error.value)
+    assert any(is_named(name, text) for name in names), text
+
+
+@pytest.mark.parametrize(("function", "arguments", "names"), hostile_calls(meant=True))
+def test_what_is_meant_is_taken(function, arguments, names):
+    function(**arguments)
+
+
+def public_calls():
+    """Every public function, class and method, by name."""
+    for name in sc.__all__:
+        thing = getattr(sc, name)
+        members = {name: thing}
+        if inspect.ismodule(thing):
+            public = getattr(thing, "__all__", None) or [
+                inner
+                for inner, member in vars(thing).items()
+                if not inner.startswith("_") and getattr(member, "__module__", "") == thing.__name__
+            ]
+            members = {f"{name}.{inner}": getattr(thing, inner) for inner in public}
+        for full, member in members.items():
+            if inspect.isclass(member) and not issubclass(member, BaseException):
+                yield from calls_of_class(full, member)
+            elif inspect.isfunction(member):
+                yield full, member
+
+
+def calls_of_class(name, kind):
+    if name not in MADE_BY_THE_PACKAGE:
+        yield name, kind
+    for inner, method in inspect.getmembers(kind):
+        if not (inspect.isfunction(method) or inspect.ismethod(method)):
+            continue
+        if not inner.startswith("_") or (inner == "__call__" and inner in vars(kind)):
+            yield f"{name}.{inner}", method
+
+
+def test_every_public_argument_is_in_the_table():
+    table = {}
+    for name, _, arguments in CALLS:
+        table.setdefault(name, set()).update(arguments)
+    wanted = {}
+    for name, function in public_calls():
+        kinds = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
+        parameters = inspect.signature(function).parameters.values()
+        wanted[name] = {p.name for p in parameters if p.kind not in kinds} - {"self"}
+    assert len(wanted) > 100
+    assert sorted(set(wanted) - set(table)) == []
+    assert {n: sorted(wanted[n] - table[n]) for n in wanted if wanted[n] - table[n]} == {}
