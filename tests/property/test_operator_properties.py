@@ -168,3 +168,147 @@ def test_superposition(shape, factor, seed):
     for total, one, other in zip(combined, fields(p, e), fields(q, f), strict=True):
         terms = np.abs(one).max() + abs(factor) * np.abs(other).max()
         assert np.abs(total - one - factor * other).max() <= 1e-12 * terms
+
+
+@few
+@given(
+    shape=st.tuples(count, count, st.integers(1, 4)),
+    factor=st.floats(-1e6, 1e6),
+    nu=poisson,
+    seed=seeds,
+)
+def test_superposition_of_shear_and_of_sweeps(shape, factor, nu, seed):
+    """Of tractions in both directions, and of the residual stress by sweeps over the layers."""
+    grid = sc.Grid(*shape[:2], 1e-5, 2e-5, shape[2], 1.5e-5)
+    s, t = random(seed, 2, 2, *shape[:2])
+    e, f = random(seed + 1, 2, 6, *shape)
+    none = np.zeros(shape[:2])
+
+    def fields(shear, strain):
+        return (
+            operators.surface_displacement(grid, none, E, nu, shear),
+            operators.surface_stress(grid, none, grid.z, nu, shear),
+            operators.residual_stress(grid, strain, E, nu, method="fast"),
+        )
+
+    combined = fields(s + factor * t, e + factor * f)
+    for total, one, other in zip(combined, fields(s, e), fields(t, f), strict=True):
+        terms = np.abs(one).max() + abs(factor) * np.abs(other).max()
+        assert np.abs(total - one - factor * other).max() <= 1e-12 * terms
+
+
+@few
+@given(
+    shape=st.tuples(count, count, st.integers(1, 4)),
+    length=st.floats(1e-6, 1e6),
+    modulus=st.floats(1e-6, 1e6),
+    nu=poisson,
+    seed=seeds,
+)
+def test_scaling_laws(shape, length, modulus, nu, seed):
+    """u goes with the length and against the modulus; stress with the modulus of an eigenstrain."""
+    p, shear = random(seed, *shape[:2]), random(seed + 1, 2, *shape[:2])
+    strain = random(seed, 6, *shape)
+    fields = []
+    for size, stiffness in ((1.0, 1.0), (length, modulus)):
+        grid = sc.Grid(*shape[:2], size * 1e-5, size * 2e-5, shape[2], size * 1.5e-5)
+        Y = stiffness * E
+        fields.append(
+            (
+                operators.surface_displacement(grid, p, Y, nu, shear) * stiffness / size,
+                operators.surface_stress(grid, p, grid.z, nu, shear),
+                operators.residual_stress(grid, strain, Y, nu) / stiffness,
+                operators.residual_displacement(grid, strain, nu) / size,
+                operators.residual_stress(grid, strain, Y, nu, method="fast") / stiffness,
+            )
+        )
+    *exact, sweeps = zip(*fields, strict=True)
+    for one, other in exact:
+        assert_close(other, one, 1e-11)
+    # rounding may decide how many of its images are taken
+    assert_close(sweeps[1], sweeps[0], IMAGE_TOL)
+
+
+MIRROR_X = np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0])
+IMAGE_TOL = 1e-3
+"""Default of the sweeps: their images are neither mirrored nor symmetric."""
+
+
+@few
+@given(shape=st.tuples(count, count, st.integers(1, 4)), ratio=aspect, nu=poisson, seed=seeds)
+def test_reversal_of_x(shape, ratio, nu, seed):
+    """Shears along x change sign, and with them xz and xy."""
+    nx, ny, nz = shape
+    grid = sc.Grid(nx, ny, 1e-5, ratio * 1e-5, nz, 1.5e-5)
+    p, sx, sy = random(seed, 3, nx, ny)
+    strain = random(seed + 1, 6, *shape)
+    reversed_strain = (MIRROR_X[:, None, None, None] * strain)[:, ::-1]
+    shear, turned = np.array([sx, sy]), np.array([-sx, sy])[:, ::-1]
+    u = operators.surface_displacement(grid, p, E, nu, shear)
+    v = operators.surface_displacement(grid, p[::-1], E, nu, turned)
+    assert_close(v[::-1], u, 1e-12)
+    s = operators.surface_stress(grid, p, grid.z, nu, shear)
+    t = operators.surface_stress(grid, p[::-1], grid.z, nu, turned)
+    assert_close(MIRROR_X[:, None, None, None] * t[:, ::-1], s, 1e-12)
+    for method, tolerance in (("exact", 1e-11), ("fast", IMAGE_TOL)):
+        s = operators.residual_stress(grid, strain, E, nu, method=method)
+        t = operators.residual_stress(grid, reversed_strain, E, nu, method=method)
+        assert_close(MIRROR_X[:, None, None, None] * t[:, ::-1], s, tolerance)
+    u = operators.residual_displacement(grid, strain, nu)
+    v = operators.residual_displacement(grid, reversed_strain, nu)
+    assert_close(v[::-1], u, 1e-11)
+
+
+@few
+@given(shape=st.tuples(count, count, st.integers(1, 4)), ratio=aspect, nu=poisson, seed=seeds)
+def test_plastic_strains_are_reciprocal(shape, ratio, nu, seed):
+    """Betti: e1 : sigma(e2) and e2 : sigma(e1) have the same integral.
+
+    The sweeps take means over the layers of band-limited fields: it holds to their images.
+    """
+    grid = sc.Grid(*shape[:2], 1e-5, ratio * 1e-5, shape[2], 1.5e-5)
+    e, f = random(seed, 2, 6, *shape)
+    of_e, of_f = (operators.residual_stress(grid, x, E, nu, method="fast") for x in (e, f))
+    one = np.einsum("c,cijk,cijk->", CONTRACTION, e, of_f)
+    other = np.einsum("c,cijk,cijk->", CONTRACTION, f, of_e)
+    terms = np.einsum("c,cijk->", CONTRACTION, np.abs(e * of_f))
+    assert abs(one - other) <= IMAGE_TOL * terms
+
+
+@few
+@given(shape=st.tuples(count, count, st.integers(1, 4)), ratio=aspect, nu=poisson, seed=seeds)
+def test_residual_stress_stores_energy(shape, ratio, nu, seed):
+    """Whatever the eigenstrain, -1/2 of the integral of sigma : e is not negative."""
+    grid = sc.Grid(*shape[:2], 1e-5, ratio * 1e-5, shape[2], 1.5e-5)
+    strain = random(seed, 6, *shape)
+    stress = operators.residual_stress(grid, strain, E, nu, method="fast")
+    assert -np.einsum("c,cijk,cijk->", CONTRACTION, strain, stress) > 0
+
+
+HOT = sc.Material.elastic(E, 0.3).with_thermal(50.0, 12e-6, 1.4e-5)
+
+
+@few
+@given(
+    shape=st.tuples(count, count),
+    velocity=st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)),
+    factor=st.floats(-100.0, 100.0),
+    seed=seeds,
+)
+def test_heat_is_reciprocal_and_linear(shape, velocity, factor, seed):
+    """q1 heats where q2 flows as q2 does where q1 flows, against the motion."""
+    grid = sc.Grid(*shape, 1e-5, 2e-5)
+    q1, q2 = random(seed, 2, *shape)
+
+    def rise(q, direction=1.0):
+        v = (direction * velocity[0], direction * velocity[1])
+        solver = sc.ContactSolver(grid, HOT, HOT, heat_factor=0.1, velocity=v, heat_reference=1.0)
+        return solver.temperature(q)[..., 0]
+
+    t1, t2 = rise(q1), rise(q2)
+    together = rise(q1 + factor * q2)
+    terms = np.abs(t1).max() + abs(factor) * np.abs(t2).max()
+    assert np.abs(together - t1 - factor * t2).max() <= 1e-12 * terms
+    against = rise(q2, -1.0)
+    # tables of moving sources have a tolerance of 1e-6 of their largest value
+    assert abs((q2 * t1).sum() - (q1 * against).sum()) <= 1e-5 * np.abs(q2).sum() * np.abs(t1).max()

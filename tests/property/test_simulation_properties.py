@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What must hold for every elastic-plastic scene, whatever its numbers."""
 
+import warnings
+
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -22,6 +24,7 @@ def hardening(name, stress=1.0):
 
 
 laws = st.sampled_from(["swift", "linear", "perfect"])
+paths = st.lists(st.floats(0.0, 900.0), min_size=2, max_size=5)
 
 
 def scene(body2, nx=21, ny=19, dx=60e-6, dy=65e-6, body1=ELASTIC, gap=None, length=1.0, **rest):
@@ -99,3 +102,69 @@ def test_a_scene_symmetric_in_y_stays_symmetric(law, friction):
     g = state.equivalent_plastic_strain()
     assert np.abs(g - g[:, ::-1]).max() < 1e-7 * max(g.max(), 1e-12)
     assert np.abs(state.pressure - state.pressure[:, ::-1]).max() < 1e-8 * state.pressure.max()
+
+
+@few
+@given(law=laws, friction=st.floats(0.0, 0.6), path=paths)
+def test_equilibrium_and_complementarity_with_friction(law, friction, path):
+    """On any path: the pressure carries the load, and has no gap where it acts."""
+    simulation = scene(hardening(law), friction=friction, on_border="warn")
+    grid = simulation.grid
+    for load in path:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # border and plastic strain of random loads
+            state = simulation.step(load=load)
+        assert abs(state.pressure.sum() * grid.cell_area - load) <= 1e-9 * load
+        np.testing.assert_allclose(state.shear[0], friction * state.pressure, rtol=1e-12)
+        assert not state.shear[1].any()
+        if load == 0:
+            continue
+        # the gap from what the bodies do, not from the solver
+        u = sum(state.surface_displacement(body) for body in (1, 2))
+        g = simulation.initial_gap + u - state.approach
+        scale = np.abs(u).max()
+        assert g.min() >= -1e-6 * scale
+        p = state.pressure
+        assert np.minimum(p / p.max(), g / scale).max() <= 1e-6
+
+
+@few
+@given(law=laws, path=paths)
+def test_dissipation_is_never_negative(law, path):
+    """Each increment dissipates; the energy of a closed path is what it dissipated and stored."""
+    material = hardening(law)
+    simulation = scene(material, tol=1e-8, on_border="warn")
+    before, done, external = simulation.state, 0.0, 0.0
+    ends = [part * load for load in path for part in (0.5, 1.0)]
+    for load in [*ends, 0.0]:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            state = simulation.step(load=load)
+        tracks = [moment.track(2, margin=0) for moment in (state, before)]
+        spent = sc.energy.plastic_work(material, *tracks)
+        assert spent >= 0
+        done += spent
+        external += 0.5 * (state.load + before.load) * (state.approach - before.approach)
+        before = state
+    if done > 0:
+        stored = sc.energy.residual_energy(before.track(2, margin=0))
+        assert 0 <= stored < done
+
+
+@few
+@given(
+    law=laws, load=st.floats(300.0, 900.0), shift=st.tuples(st.integers(0, 4), st.integers(0, 4))
+)
+def test_translation_by_whole_cells(law, load, shift):
+    """A ball elsewhere in the grid leaves the same, elsewhere."""
+    i, j = shift
+    base = sc.surfaces.paraboloid(sc.Grid(21, 19, 60e-6, 65e-6), RADIUS)
+    fields = []
+    for a, b in ((0, 0), (i, j)):
+        gap = np.full((25, 23), 1e-3)
+        gap[a : a + 21, b : b + 19] = base
+        state = scene(hardening(law), nx=25, ny=23, gap=gap, tol=1e-9).step(load=load)
+        inside = slice(a, a + 21), slice(b, b + 19)
+        fields.append((state.pressure[inside], state.equivalent_plastic_strain()[inside]))
+    for one, other in zip(*fields, strict=True):
+        assert np.abs(one - other).max() <= 1e-6 * max(np.abs(one).max(), 1e-12)

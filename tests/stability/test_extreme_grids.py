@@ -28,7 +28,7 @@ def ball(nx, ny, body1=STEEL, body2=STEEL, friction=0.0, width=2.6):
 @pytest.mark.parametrize("nu1", RATIOS)
 @pytest.mark.parametrize("nu2", RATIOS)
 def test_hertz_at_any_poisson_ratio(nu1, nu2):
-    """25 cells across: the approach is within 0.1 %, the pressure within 0.1 % (steel: the same)."""
+    """25 cells across: approach and pressure are within 0.1 %."""
     bodies = (sc.Material.elastic(E, nu) for nu in (nu1, nu2))
     _, found, exact = ball(25, 25, *bodies)
     assert found.approach == pytest.approx(exact.approach, rel=1e-3)
@@ -38,7 +38,7 @@ def test_hertz_at_any_poisson_ratio(nu1, nu2):
 @pytest.mark.parametrize("nu1", RATIOS)
 @pytest.mark.parametrize("nu2", RATIOS)
 def test_coupled_friction_of_one_at_any_poisson_ratio(nu1, nu2):
-    """Mirrored in x when the bodies change places; coupled by what differs in (1 - 2 nu)(1 + nu)."""
+    """Mirrored in x when the bodies change places; symmetric when they are equal."""
     bodies = [sc.Material.elastic(E, nu) for nu in (nu1, nu2)]
     found = [ball(25, 24, *pair, friction=1.0)[1] for pair in (bodies, bodies[::-1])]
     assert all(solution.error <= 1e-8 for solution in found)
@@ -50,7 +50,7 @@ def test_coupled_friction_of_one_at_any_poisson_ratio(nu1, nu2):
 
 @pytest.mark.parametrize(("nx", "ny"), [(24, 384), (384, 24), (24, 1536), (24, 96), (96, 24)])
 def test_long_cells(nx, ny):
-    """Up to dx:dy = 64:1 with 24 cells across: no worse than the square cells of that size, 0.6 %."""
+    """Up to dx:dy = 64:1, 24 cells across: no worse than square cells of that size, 0.6 %."""
     grid, found, exact = ball(nx, ny)
     expected = exact.pressure(grid.x[:, None], grid.y)
     assert found.approach == pytest.approx(exact.approach, rel=5e-4)
@@ -87,7 +87,7 @@ WIDTH, DEPTH = 3.2 * EXACT.a, 2.0 * EXACT.a
 
 
 def dent(nx, ny, nz, nu=0.3, **settings):
-    """What a ball leaves: peak pressure, depth of its print, volume integral of the plastic strain."""
+    """Of a ball: peak pressure, depth of its print, volume integral of the plastic strain."""
     soft = sc.Material.linear_hardening(E, nu, 1e9, 0.1 * E)
     grid = sc.Grid(nx, ny, WIDTH / nx, WIDTH / ny, nz, DEPTH / nz)
     gap = sc.surfaces.paraboloid(grid, RADIUS)

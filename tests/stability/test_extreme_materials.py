@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hardening from none to 0.9 E, yield that begins at the surface, friction up to one, full contact."""
+"""Hardening from none to 0.9 E, yield that begins at the surface, friction up to one."""
 
 import itertools
 
@@ -121,7 +121,7 @@ def test_friction_up_to_one_between_unlike_bodies(nu, share, friction):
 
 @pytest.mark.parametrize("melting", [1000.0, 2000.0])
 def test_heat_that_melts_the_surface(melting):
-    """What would be molten keeps the floor of its strength, and the contact is carried around it."""
+    """What would be molten keeps the floor of its strength; the load is carried around it."""
     soft = law(0.1).with_softening(sc.softening.JohnsonCook(melting, 1.0, floor=0.05))
     soft = soft.with_thermal(50.0, 0.0, 1.4e-5)  # without expansion, to melt before it seizes
     simulation = simulate(soft, 0.3, heat_factor=3.0, velocity=(1.0, 0.0), tol=1e-6)

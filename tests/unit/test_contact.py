@@ -111,6 +111,16 @@ class TestFriction:
         np.testing.assert_array_equal(rubbed.pressure, free.pressure)
         assert rubbed.approach == free.approach
 
+    @pytest.mark.parametrize("pair", [(RIGID, CERAMIC), (CERAMIC, RIGID)])
+    def test_few_cells_whose_coupling_is_uniform(self, pair):
+        """Two by two cells: what the shear adds to their gaps is the same, and still moves them."""
+        grid = sc.Grid(8, 8, 1.5e-5, 1.5e-5)
+        gap = surfaces.paraboloid(grid, RADIUS)
+        solution = sc.ContactSolver(grid, *pair, 1.0).solve(gap, load=0.1)
+        assert np.count_nonzero(solution.pressure) == 4
+        displacement = penetration(grid, solution.pressure, *pair, 1.0)
+        assert_complementary(grid, solution, gap, displacement, TOL)
+
     def test_incompressible_on_rigid_is_not_coupled(self):
         """The coupling has the factor 1 - 2 nu, so it fades as nu goes to 0.5."""
         shifts = []
@@ -608,6 +618,15 @@ class TestAgainstOtherSolvers:
         assert solution.pressure.min() > 0
         displacement = convolved(grid, solution.pressure, STEEL)
         np.testing.assert_allclose(gap + displacement, 1e-6, rtol=0, atol=TOL * 1e-6)
+
+    def test_full_contact_to_the_least_tol(self):
+        """The mean gap of thousands of loaded cells must be rounded by less than tol."""
+        grid = sc.Grid(100, 100, 1e-5, 1e-5)
+        solver = sc.ContactSolver(grid, RIGID, STEEL, tol=1e-13, on_border="warn")
+        with pytest.warns(sc.GridTooSmallWarning):
+            solution = solver.solve(np.zeros(grid.surface_shape), load=10.0)
+        assert solution.error <= 1e-13
+        assert solution.iterations < 40
 
 
 class TestBoundingBox:

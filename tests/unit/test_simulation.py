@@ -64,6 +64,13 @@ class TestWorkDone:
         assert counters["contact_solves"] == 1
         assert counters["contact_iterations"] == state.contact_iterations > 0
 
+    def test_the_least_tol(self):
+        """The contact within is solved more tightly, but not beyond its own least tol."""
+        by_default, least = (
+            simulation(STEEL, STEEL, tol=tol).step(load=LOAD) for tol in (1e-6, 1e-11)
+        )
+        assert_close(least.pressure, by_default.pressure, 1e-6)
+
     def test_no_plastic_solve_below_yield(self):
         """Kernels of plastic strain (36 and 6 spectra per layer) are only built at first yield."""
         sim = simulation()

@@ -88,7 +88,7 @@ def test_far_away_it_is_that_of_a_point_load():
     ("arguments", "message"),
     [
         ((0.0, 0.0, -1.0, 0.3), "z must be finite and >= 0"),
-        ((math.nan, 0.0, 1.0, 0.3), "x and y must be finite"),
+        ((math.nan, 0.0, 1.0, 0.3), "x must be finite everywhere"),
         ((0.0, 0.0, 1.0, 0.6), r"nu must be in \[0, 0\.5\], got 0\.6"),
         ((0.0, 0.0, 1.0, 0.3, -0.1), "friction must be a finite number >= 0, got -0.1"),
     ],

@@ -198,6 +198,12 @@ Solution ContactSolver::solve_coupled(const Field& gap, Driver driver, Field pre
     outer_error = scale > 0 ? change / scale : 0.0;
     solution.error += outer_error;
     for (std::size_t i = 0; i < gap.size(); ++i) solution.gap[i] += coupling[i] - previous[i];
+    if (load_driven) {
+      // The part of the change that is uniform over the contact moves the bodies.
+      const double shift = contact_mean(solution.pressure, solution.gap);
+      for (double& g : solution.gap) g -= shift;
+      solution.approach += shift;
+    }
     solution.converged = solution.error <= settings.tol;
     if (solution.converged) break;
     pressure = solution.pressure;
