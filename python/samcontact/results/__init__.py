@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Labelled results of a simulation: an xarray dataset with units, stored as netCDF4 (HDF5).
+
+Names ending in _body1 or _body2 belong to that body; tensor components are labelled
+xx, yy, zz, yz, xz, xy (tensor shear strains).
+"""
+
+from .dataset import open_results, save, scalars, to_dataset
+from .motion import COMPONENTS
+from .vtk import to_vtk
+
+__all__ = ["COMPONENTS","open_results","save","scalars","to_dataset","to_vtk"]
