@@ -8,7 +8,7 @@
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
-#include "samcontact/base/threads.hpp"
+#include "samcontact/contact/working_set.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -31,19 +31,20 @@ class ActiveSet {
         n_(pressure.size()),
         load_driven_(problem.driver.is_load()),
         p_(std::move(pressure)),
-        u_(std::move(displacement)),
-        g_(n_),
         r_(n_),
         z_(n_),
         t_(n_),
-        working_(n_) {}
+        rest_(std::move(displacement)),
+        working_(n_) {
+    for (std::size_t i = 0; i < n_; ++i) rest_[i] += problem.gap[i];
+  }
 
   ActiveSetResult run(bool trim, double tol, int max_iterations) {
     for (;; trim = false) {
       check_interrupt();
-      approach_ = close_gap(problem_.gap, u_, p_, problem_.driver, g_);
+      approach_ = load_driven_ ? contact_mean(p_, rest_) : problem_.driver.value;
       watch_energy();
-      if (complementarity_error(p_, u_, g_) <= tol || iterations_ >= max_iterations) break;
+      if (error() <= tol || iterations_ >= max_iterations) break;
       if (choose_working_set(trim) == 0) break;
       const bool descends = minimise(tol, max_iterations);
       drop_tension();
@@ -64,18 +65,24 @@ class ActiveSet {
     ++operator_count_;
   }
 
-  template <class Change>
-  void for_each_cell(const Change& change) {
-    const std::ptrdiff_t n = n_;
-#pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
-    for (std::ptrdiff_t i = 0; i < n; ++i) change(i);
+  double displacement(std::size_t i) const { return rest_[i] - problem_.gap[i]; }
+
+  double error() const {
+    return complementarity_error(
+        p_, [&](std::size_t i) { return displacement(i); },
+        [&](std::size_t i) { return rest_[i] - approach_; });
+  }
+
+  /// Where the rigid bodies stand: under load, at the mean of gap and displacement.
+  double position() const {
+    return load_driven_ ? set_.sums(rest_, rest_).plain / set_.size() : approach_;
   }
 
   /// A change of the set that raised the energy was premature.
   void watch_energy() {
     const double delta = load_driven_ ? 0.0 : approach_;
     const double energy = ordered_sum(
-        n_, [&](std::size_t i) { return p_[i] * (0.5 * u_[i] + problem_.gap[i] - delta); });
+        n_, [&](std::size_t i) { return p_[i] * (0.5 * (rest_[i] + problem_.gap[i]) - delta); });
     if (energy > energy_) patience_ *= patience_loss;
     energy_ = energy;
   }
@@ -85,14 +92,14 @@ class ActiveSet {
     const double hold = trim ? 1.0 / problem_.self_influence : 0.0;
     std::size_t kept = 0, trimmed = 0;
     for (std::size_t i = 0; i < n_; ++i) {
-      working_[i] = p_[i] > 0 && p_[i] > hold * g_[i];
+      working_[i] = p_[i] > 0 && p_[i] > hold * (rest_[i] - approach_);
       kept += working_[i];
       trimmed += p_[i] > 0 && !working_[i];
     }
     std::size_t released = 0;
     if (dropped_ <= calm_share * kept) {
       for (std::size_t i = 0; i < n_; ++i) {
-        if (working_[i] || p_[i] > 0 || g_[i] >= 0) continue;
+        if (working_[i] || p_[i] > 0 || rest_[i] >= approach_) continue;
         working_[i] = true;
         ++released;
       }
@@ -101,80 +108,67 @@ class ActiveSet {
       for (std::size_t i = 0; i < n_; ++i) p_[i] = working_[i] ? p_[i] : 0.0;
       settle();
     }
-    size_ = kept + released;
-    return size_;
+    set_.assign(working_, 1);
+    others_.assign(working_, 0);
+    return set_.size();
   }
 
   /// Displacement of a pressure that was changed by hand, scaled to the load.
   void settle() {
     if (load_driven_) scale_to_sum(p_, problem_.driver.value / problem_.cell_area);
-    apply(p_, u_);
+    apply(p_, rest_);
+    for (std::size_t i = 0; i < n_; ++i) rest_[i] += problem_.gap[i];
+  }
+
+  /// Scales of pressure and displacement, which hardly change on a set.
+  void update_scales() {
+    p_scale_ = largest_of(n_, [&](std::size_t i) { return p_[i]; });
+    u_scale_ = largest_of(n_, [&](std::size_t i) { return std::fabs(displacement(i)); });
   }
 
   /// r = gap on the working set, under load relative to its mean there.
-  void update_residual() {
-    double shift = approach_;
-    if (load_driven_) {
-      shift = ordered_sum(
-                  n_, [&](std::size_t i) { return working_[i] ? problem_.gap[i] + u_[i] : 0.0; }) /
-              size_;
-    }
-    double residual = 0.0, lowest_gap = 0.0, lowest_p = 0.0, highest_p = 0.0, highest_u = 0.0;
-    const std::ptrdiff_t n = n_;
-#pragma omp parallel for schedule(static) reduction(max : residual, highest_p, highest_u) \
-    reduction(min : lowest_gap, lowest_p) if (n >= worth_threads_cells)
-    for (std::ptrdiff_t i = 0; i < n; ++i) {
-      const double g = problem_.gap[i] + u_[i] - shift;
-      r_[i] = working_[i] ? g : 0.0;
-      residual = std::max(residual, std::fabs(r_[i]));
-      if (!working_[i]) lowest_gap = std::min(lowest_gap, g);
-      lowest_p = std::min(lowest_p, p_[i]);
-      highest_p = std::max(highest_p, p_[i]);
-      highest_u = std::max(highest_u, std::fabs(u_[i]));
-    }
-    const double u_scale = highest_u > 0 ? highest_u : 1.0;
-    residual_ = residual / u_scale;
-    violation_ = std::max(highest_p > 0 ? -lowest_p / highest_p : 0.0, -lowest_gap / u_scale);
-  }
-
-  /// z = P M r with P the projection on the working set and, under load, on zero sum; returns z r.
-  double precondition() {
-    problem_.operators.preconditioner.apply(r_.data(), z_.data(), work_);
-    ++preconditioner_count_;
-    double mean = 0.0;
-    if (load_driven_) {
-      mean = ordered_sum(n_, [&](std::size_t i) { return working_[i] ? z_[i] : 0.0; }) / size_;
-    }
-    return ordered_sum(n_, [&](std::size_t i) {
-      z_[i] = working_[i] ? z_[i] - mean : 0.0;
-      return z_[i] * r_[i];
-    });
+  void update_residual(double lowest_p, double lowest_gap, double stand) {
+    const double u_scale = u_scale_ > 0 ? u_scale_ : 1.0;
+    residual_ = set_.subtract(rest_, stand, r_) / u_scale;
+    violation_ = std::max(p_scale_ > 0 ? -lowest_p / p_scale_ : 0.0, -lowest_gap / u_scale);
   }
 
   /// Conjugate gradient on the working set, where the pressure may become negative. False when
   /// rounding leaves no descent.
   bool minimise(double tol, int max_iterations) {
-    update_residual();
+    std::fill(r_.begin(), r_.end(), 0.0);
+    std::fill(t_.begin(), t_.end(), 0.0);
+    update_scales();
+    double stand = position();
+    update_residual(set_.lowest(p_, 0.0), others_.lowest(rest_, stand), stand);
     double zr_old = 0.0, lowest_residual = residual_;
     int in_vain = 0;
     for (int step = 1;; ++step) {
       check_interrupt();
       ++iterations_;
-      const double zr = precondition();
-      const double beta = step > 1 ? zr / zr_old : 0.0;
-      zr_old = zr;
-      for_each_cell([&](std::size_t i) { t_[i] = beta * t_[i] - z_[i]; });
+      // z = P M r with P the projection on the working set and, under load, on zero sum. There r
+      // has no sum, so that z r is that of M r.
+      problem_.operators.preconditioner.apply(r_.data(), z_.data(), work_);
+      ++preconditioner_count_;
+      const Sums zr = set_.sums(z_, r_);
+      const double beta = step > 1 ? zr.product / zr_old : 0.0;
+      zr_old = zr.product;
+      set_.turn(beta, z_, load_driven_ ? zr.plain / set_.size() : 0.0, t_);
       apply(t_, z_);  // z is free until the next step
-      const double curvature = ordered_sum(n_, [&](std::size_t i) { return t_[i] * z_[i]; });
+      const Sums zt = set_.sums(z_, t_);
+      const double curvature = zt.product;
       // A working set that is already solved has no descent: then only the set has to change.
-      if (zr > 0 && curvature < 0) negative_curvature_ = true;
-      if (!(zr > 0) || !(curvature > 0)) return step == 1 && violation_ > 0 && zr == 0;
-      const double length = zr / curvature;
-      for_each_cell([&](std::size_t i) {
-        p_[i] += length * t_[i];
-        u_[i] += length * z_[i];
-      });
-      update_residual();
+      if (zr.product > 0 && curvature < 0) negative_curvature_ = true;
+      if (!(zr.product > 0) || !(curvature > 0)) {
+        return step == 1 && violation_ > 0 && zr.product == 0;
+      }
+      const double length = zr.product / curvature;
+      const double lowest_p = set_.add(length, t_, p_, 0.0);
+      set_.add(length, z_, rest_, 0.0);
+      if (load_driven_) stand += length * zt.plain / set_.size();
+      const double lowest_gap = others_.add(length, z_, rest_, stand);
+      if (u_scale_ == 0) update_scales();  // it was the first pressure
+      update_residual(lowest_p, lowest_gap, stand);
       in_vain = residual_ < 0.5 * lowest_residual ? 0 : in_vain + 1;
       if (in_vain == 0) lowest_residual = residual_;
       const bool violated = violation_ > 0.5 * tol;
@@ -198,12 +192,14 @@ class ActiveSet {
   const NearProblem& problem_;
   const std::size_t n_;
   const bool load_driven_;
-  Field p_, u_, g_, r_, z_, t_;
+  Field p_, r_, z_, t_;
+  Field rest_;  // gap + displacement: the gap but for the approach
   std::vector<unsigned char> working_;
+  CellRuns set_, others_;
   ComplexField work_;
   double approach_ = 0.0, energy_ = INFINITY, patience_ = initial_patience;
-  double residual_ = 0.0, violation_ = 0.0;
-  std::size_t size_ = 0, dropped_ = 0;
+  double p_scale_ = 0.0, u_scale_ = 0.0, residual_ = 0.0, violation_ = 0.0;
+  std::size_t dropped_ = 0;
   bool negative_curvature_ = false;
   int iterations_ = 0, operator_count_ = 0, preconditioner_count_ = 0;
 };

@@ -11,27 +11,17 @@ namespace samcontact::contact {
 
 double contact_mean(const Field& pressure, const Field& field) {
   const std::size_t n = field.size();
-  const double sum = ordered_sum(n, [&](std::size_t i) { return pressure[i] > 0 ? field[i] : 0; });
-  const double cells = ordered_sum(n, [&](std::size_t i) { return pressure[i] > 0 ? 1.0 : 0.0; });
+  std::size_t cells = 0;
+  for (std::size_t i = 0; i < n; ++i) cells += pressure[i] > 0;
+  const double sum =
+      ordered_sum(n, [&](std::size_t i) { return pressure[i] > 0 ? field[i] : 0.0; });
   return cells > 0 ? sum / cells : 0.0;
 }
 
 double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap) {
-  const double p_max = *std::max_element(pressure.begin(), pressure.end());
-  // Heat may raise a surface more than pressure lowers it.
-  double u_max = 0.0;
-  for (const double u : displacement) u_max = std::max(u_max, std::fabs(u));
-  if (p_max <= 0 || u_max <= 0) {
-    // No pressure yet: any penetration counts in full.
-    return *std::min_element(gap.begin(), gap.end()) < 0 ? 1.0 : 0.0;
-  }
-  double largest = 0.0;
-  const std::ptrdiff_t n = gap.size();
-#pragma omp parallel for schedule(static) reduction(max : largest) if (n >= worth_threads_cells)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    largest = std::max(largest, std::fabs(std::min(pressure[i] / p_max, gap[i] / u_max)));
-  }
-  return largest;
+  return complementarity_error(
+      pressure, [&](std::size_t i) { return displacement[i]; },
+      [&](std::size_t i) { return gap[i]; });
 }
 
 double scale_to_sum(Field& pressure, double sum) {
@@ -52,7 +42,8 @@ double close_gap(const Field& initial_gap, const Field& displacement, const Fiel
 #pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
   for (std::ptrdiff_t i = 0; i < n; ++i) gap[i] = initial_gap[i] + displacement[i];
   const double approach = driver.is_load() ? contact_mean(pressure, gap) : driver.value;
-  for (double& g : gap) g -= approach;
+#pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
+  for (std::ptrdiff_t i = 0; i < n; ++i) gap[i] -= approach;
   return approach;
 }
 

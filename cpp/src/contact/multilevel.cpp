@@ -42,9 +42,11 @@ class Multilevel::Level {
   Level(const Grid& grid, const operators::SurfaceInfluence& influence)
       : grid_(grid), influence_(influence) {}
 
-  /// The work of the solution is counted in the unit of fft::filter_cost.
+  /// The work of the solution is counted in the unit of fft::filter_cost. is_start: only its
+  /// pressure is wanted, to start from.
   Solution solve(const operators::SurfaceDisplacement& displacement, const Field& initial_gap,
-                 Driver driver, Field pressure, double tol, int max_iterations) const;
+                 Driver driver, Field pressure, double tol, int max_iterations,
+                 bool is_start = false) const;
 
   const Grid& grid() const { return grid_; }
   std::shared_ptr<const NearOperators> near(int nx, int ny) const;
@@ -80,6 +82,16 @@ class Rounds {
     solution_.pressure = std::move(pressure);
     solution_.gap.resize(initial_gap.size());
     if (driver.is_load()) scale_to_sum(solution_.pressure, driver.value / grid.cell_area());
+  }
+
+  /// One round, unjudged: what the next finer grid starts from.
+  Solution start(double tol, int max_iterations) {
+    evaluate();
+    if (solution_.error > tol) {
+      choose_box();
+      round(true, tol, std::min(max_iterations, most_steps_a_round));
+    }
+    return std::move(solution_);
   }
 
   Solution run(double tol, int max_iterations) {
@@ -195,14 +207,14 @@ Field Multilevel::Level::coarse_start(const Field& gap, Driver driver, int max_i
   const Grid& coarse = coarser_->grid();
   const Solution start =
       coarser_->solve(*coarser_displacement_, coarsened(grid_, gap), driver,
-                      Field(coarse.surface_size(), 0.0), coarse_tol, max_iterations);
+                      Field(coarse.surface_size(), 0.0), coarse_tol, max_iterations, true);
   work += start.work;
   return refined(grid_, start.pressure);
 }
 
 Solution Multilevel::Level::solve(const operators::SurfaceDisplacement& displacement,
                                   const Field& initial_gap, Driver driver, Field pressure,
-                                  double tol, int max_iterations) const {
+                                  double tol, int max_iterations, bool is_start) const {
   const double lowest = *std::min_element(initial_gap.begin(), initial_gap.end());
   if (driver.is_load() ? driver.value == 0 : driver.value <= lowest) {
     // Apart, or just touching: nothing to solve.
@@ -219,9 +231,9 @@ Solution Multilevel::Level::solve(const operators::SurfaceDisplacement& displace
     pressure = coarse_start(initial_gap, driver, max_iterations, work);
   }
   const auto near_of = [this](int nx, int ny) { return near(nx, ny); };
+  Rounds rounds(grid_, displacement, near_of, initial_gap, driver, std::move(pressure), warm);
   Solution solution =
-      Rounds(grid_, displacement, near_of, initial_gap, driver, std::move(pressure), warm)
-          .run(tol, max_iterations);
+      is_start ? rounds.start(tol, max_iterations) : rounds.run(tol, max_iterations);
   solution.work += work;
   return solution;
 }

@@ -20,10 +20,13 @@ double smallest_eigenvalue(double dx, double dy, double normal_compliance) {
 }  // namespace
 
 Preconditioner::Preconditioner(int nx, int ny, double dx, double dy,
-                               const operators::SurfaceInfluence& influence)
-    : transform_(nx, ny, operators::short_period(nx), operators::short_period(ny)),
-      inverse_(operators::periodic_spectrum(
-          transform_, influence.elastic(dx, dy, transform_.hx(), transform_.hy()))) {
+                               const operators::SurfaceInfluence& influence,
+                               const operators::NearDisplacement& near)
+    : transform_(nx, ny, operators::short_period_x(nx), operators::short_period_y(ny)),
+      inverse_(near.is_exact() || influence.is_heated()
+                   ? operators::periodic_spectrum(
+                         transform_, influence.elastic(dx, dy, transform_.hx(), transform_.hy()))
+                   : near.spectrum()) {
   const double floor = smallest_share * smallest_eigenvalue(dx, dy, influence.normal_compliance());
   // The spectrum carries 1/(mx my) of the two transforms; so must the inverse.
   const double points = static_cast<double>(transform_.mx()) * transform_.my();

@@ -22,11 +22,12 @@ void PaddedTransform::forward(const double* plane, Complex* spectrum, std::size_
 #pragma omp parallel if (threads == Threads::many && spectrum_size() >= worth_threads_cells)
   {
     rows_.forward(plane, nx_, spectrum, stride);
+    ComplexField padded(mx_);
 #pragma omp for schedule(static)
     for (int ky = 0; ky < h; ++ky) {
       Complex* column = spectrum + ky * stride;
-      std::fill(column + nx_, column + mx_, Complex{});
-      fftw_execute_dft(column_forward_.get(), raw(column), raw(column));
+      std::copy_n(column, nx_, padded.data());
+      fftw_execute_dft(column_forward_.get(), raw(padded.data()), raw(column));
     }
   }
 }
@@ -36,10 +37,12 @@ void PaddedTransform::inverse(Complex* spectrum, double* plane, std::size_t stri
   const int h = mh();
 #pragma omp parallel if (threads == Threads::many && spectrum_size() >= worth_threads_cells)
   {
+    ComplexField line(mx_);
 #pragma omp for schedule(static)
     for (int ky = 0; ky < h; ++ky) {
       Complex* column = spectrum + ky * stride;
-      fftw_execute_dft(column_inverse_.get(), raw(column), raw(column));
+      fftw_execute_dft(column_inverse_.get(), raw(column), raw(line.data()));
+      std::copy_n(line.data(), nx_, column);
     }
     rows_.inverse(spectrum, stride, nx_, plane);
   }

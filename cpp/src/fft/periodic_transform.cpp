@@ -48,15 +48,19 @@ void PeriodicTransform::filter(const double* in, const double* quarter, double* 
 
 void PeriodicTransform::filter_columns(const double* quarter, ComplexField& work) const {
   const int half = mx_ / 2;
-#pragma omp parallel for schedule(static) if (many_threads_)
-  for (int ky = 0; ky < hy(); ++ky) {
-    Complex* column = work.data() + static_cast<std::size_t>(ky) * mx_;
-    const double* factor = quarter + static_cast<std::size_t>(ky) * hx();
-    std::fill(column + nx_, column + mx_, Complex{});
-    fftw_execute_dft(column_forward_.get(), raw(column), raw(column));
-    for (int kx = 0; kx <= half; ++kx) column[kx] *= factor[kx];
-    for (int kx = half + 1; kx < mx_; ++kx) column[kx] *= factor[mx_ - kx];
-    fftw_execute_dft(column_inverse_.get(), raw(column), raw(column));
+#pragma omp parallel if (many_threads_)
+  {
+    ComplexField spectrum(mx_);
+#pragma omp for schedule(static)
+    for (int ky = 0; ky < hy(); ++ky) {
+      Complex* column = work.data() + static_cast<std::size_t>(ky) * mx_;
+      const double* factor = quarter + static_cast<std::size_t>(ky) * hx();
+      std::fill(column + nx_, column + mx_, Complex{});
+      fftw_execute_dft(column_forward_.get(), raw(column), raw(spectrum.data()));
+      for (int kx = 0; kx <= half; ++kx) spectrum[kx] *= factor[kx];
+      for (int kx = half + 1; kx < mx_; ++kx) spectrum[kx] *= factor[mx_ - kx];
+      fftw_execute_dft(column_inverse_.get(), raw(spectrum.data()), raw(column));
+    }
   }
 }
 

@@ -25,9 +25,9 @@ Plan plan_half_spectra(int m, int count) {
 }
 
 Plan plan_line(int m, int sign) {
-  ComplexField line(m);
+  ComplexField from(m), to(m);
   const std::lock_guard lock(planner_mutex());
-  return Plan(fftw_plan_dft_1d(m, raw(line.data()), raw(line.data()), sign, FFTW_ESTIMATE));
+  return Plan(fftw_plan_dft_1d(m, raw(from.data()), raw(to.data()), sign, FFTW_ESTIMATE));
 }
 
 int good_even_size(int n) {
@@ -38,6 +38,15 @@ int good_even_size(int n) {
     }
     if (rest == 1) return m;
   }
+}
+
+int fast_line_size(int n) {
+  for (int m = n + n % 2; m <= n + n / 5; m += 2) {
+    int rest = m;
+    while (rest % 2 == 0) rest /= 2;
+    if (rest == 1 || rest == 3 || rest == 5) return m;
+  }
+  return good_even_size(n);
 }
 
 }  // namespace samcontact::fft

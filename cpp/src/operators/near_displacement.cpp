@@ -15,15 +15,20 @@ constexpr int coarse_count = 64;
 
 bool padded_in_full(int nx, int ny) { return std::min(nx, ny) < shortest_side; }
 
-int period(int cells, bool full) {
-  return full ? fft::good_even_size(2 * cells - 1) : short_period(cells);
+int with_margin(int cells) { return cells + (cells + 7) / 8; }
+
+fft::PeriodicTransform transform_for(int nx, int ny) {
+  if (!padded_in_full(nx, ny)) return {nx, ny, short_period_x(nx), short_period_y(ny)};
+  return {nx, ny, fft::good_even_size(2 * nx - 1), fft::good_even_size(2 * ny - 1)};
 }
 
 int coarse_factor(int cells) { return std::max(2, cells / coarse_count); }
 
 }  // namespace
 
-int short_period(int cells) { return fft::good_even_size(cells + (cells + 7) / 8); }
+int short_period_x(int cells) { return fft::fast_line_size(with_margin(cells)); }
+
+int short_period_y(int cells) { return fft::good_even_size(with_margin(cells)); }
 
 Field periodic_spectrum(const fft::PeriodicTransform& transform, Field table) {
   transform.spectrum(table.data());
@@ -45,17 +50,16 @@ int CoarseAxis::end(int I) const { return std::min((I + 2) * factor, cells); }
 
 NearDisplacement::NearDisplacement(int nx, int ny, double dx, double dy,
                                    const SurfaceInfluence& influence)
-    : transform_(nx, ny, period(nx, padded_in_full(nx, ny)), period(ny, padded_in_full(nx, ny))),
+    : transform_(transform_for(nx, ny)),
       near_(
           periodic_spectrum(transform_, influence.even(dx, dy, transform_.hx(), transform_.hy()))),
       x_{nx, coarse_factor(nx)},
       y_{ny, coarse_factor(ny)} {
   if (padded_in_full(nx, ny)) return;
 
-  for (int j = 0; j < ny; ++j) {
-    y_lower_.push_back(y_.lower(j));
-    y_share_.push_back(y_.weight(j, y_.lower(j) + 1));
-  }
+  y_begin_.assign(y_.coarse_cells(), ny);
+  for (int j = ny - 1; j >= 0; --j) y_begin_[y_.lower(j)] = j;
+  for (int j = 0; j < ny; ++j) y_share_.push_back(y_.weight(j, y_.lower(j) + 1));
   const int cx = x_.coarse_cells(), cy = y_.coarse_cells();
   far_transform_ = std::make_unique<fft::PeriodicTransform>(cx, cy, fft::good_even_size(2 * cx - 1),
                                                             fft::good_even_size(2 * cy - 1));
@@ -102,10 +106,14 @@ void NearDisplacement::add_far(const double* pressure, double* displacement,
   for (int i = 0; i < nx; ++i) {
     const double* p = pressure + static_cast<std::size_t>(i) * ny;
     double* row = rows.data() + static_cast<std::size_t>(i) * cy;
-    for (int j = 0; j < ny; ++j) {
-      const int J = y_lower_[j];
-      row[J] += (1.0 - y_share_[j]) * p[j];
-      row[J + 1] += y_share_[j] * p[j];
+    for (int J = 0; J + 1 < cy; ++J) {
+      double all = 0.0, above = 0.0;
+      for (int j = y_begin_[J]; j < y_begin_[J + 1]; ++j) {
+        all += p[j];
+        above += y_share_[j] * p[j];
+      }
+      row[J] += all - above;
+      row[J + 1] += above;
     }
   }
   for (int I = 0; I < cx; ++I) {
@@ -124,9 +132,9 @@ void NearDisplacement::add_far(const double* pressure, double* displacement,
     double* row = rows.data() + static_cast<std::size_t>(i) * cy;
     for (int J = 0; J < cy; ++J) row[J] = w0 * from[J] + w1 * from[J + cy];
     double* u = displacement + static_cast<std::size_t>(i) * ny;
-    for (int j = 0; j < ny; ++j) {
-      const int J = y_lower_[j];
-      u[j] += (1.0 - y_share_[j]) * row[J] + y_share_[j] * row[J + 1];
+    for (int J = 0; J + 1 < cy; ++J) {
+      const double here = row[J], rise = row[J + 1] - row[J];
+      for (int j = y_begin_[J]; j < y_begin_[J + 1]; ++j) u[j] += here + y_share_[j] * rise;
     }
   }
 }

@@ -17,7 +17,12 @@ Field corner_table(double dx, double dy, int nx, int ny, double (*corner)(double
                    double factor) {
   const CornerLattice lattice{nx, ny, dy / dx};
   Field corners(lattice.size()), table(static_cast<std::size_t>(nx) * ny);
-  lattice.evaluate<1>([&](double x, double y) { return std::array{corner(x, y)}; }, corners.data());
+  if (corner == kernels::pressure_displacement && dx == dy) {
+    lattice.evaluate_symmetric(corner, corners.data());
+  } else {
+    lattice.evaluate<1>([&](double x, double y) { return std::array{corner(x, y)}; },
+                        corners.data());
+  }
   lattice.corner_sums(corners.data(), table.data(), nx, ny);
   for (double& value : table) value *= factor * dx / std::numbers::pi;
   return table;

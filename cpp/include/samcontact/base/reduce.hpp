@@ -9,9 +9,12 @@
 namespace samcontact {
 
 constexpr std::size_t reduce_chunk = 8192;
+/// Several running sums, of every eighth term each: one would wait for the latency of each
+/// addition.
+constexpr std::size_t reduce_lanes = 8;
 /// Rounding of a running sum grows with its terms: those of a mean over a thousand cells were off
 /// by 1e-13. Blocks keep it at the longest of block, blocks a chunk, and chunks.
-constexpr std::size_t reduce_block = 128;
+constexpr std::size_t reduce_block = 32 * reduce_lanes;
 
 /// Sum over chunks [begin, end) of 0..n-1 of partial(begin, end).
 template <class Partial>
@@ -27,19 +30,52 @@ double ordered_chunks(std::size_t n, const Partial& partial) {
   return total;
 }
 
+/// sum of term(i) over first <= i < last, at most a block.
+template <class Term>
+double block_sum(std::size_t first, std::size_t last, const Term& term) {
+  double lanes[reduce_lanes] = {};
+  std::size_t i = first;
+  for (; i + reduce_lanes <= last; i += reduce_lanes) {
+    for (std::size_t l = 0; l < reduce_lanes; ++l) lanes[l] += term(i + l);
+  }
+  for (std::size_t l = 0; i < last; ++i, ++l) lanes[l] += term(i);
+  double sum = 0.0;
+  for (const double lane : lanes) sum += lane;
+  return sum;
+}
+
 /// sum_{i < n} term(i).
 template <class Term>
 double ordered_sum(std::size_t n, const Term& term) {
   return ordered_chunks(n, [&](std::size_t begin, std::size_t end) {
     double sum = 0.0;
     for (std::size_t first = begin; first < end; first += reduce_block) {
-      const std::size_t last = std::min(end, first + reduce_block);
-      double part = 0.0;
-      for (std::size_t i = first; i < last; ++i) part += term(i);
-      sum += part;
+      sum += block_sum(first, std::min(end, first + reduce_block), term);
     }
     return sum;
   });
+}
+
+/// The largest of 0 and term(i), i < n.
+template <class Term>
+double largest_of(std::size_t n, const Term& term) {
+  const std::ptrdiff_t chunks = (n + reduce_chunk - 1) / reduce_chunk;
+  double largest = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : largest) if (chunks > 4)
+  for (std::ptrdiff_t c = 0; c < chunks; ++c) {
+    const std::size_t end = std::min(n, (c + 1) * reduce_chunk);
+    double lanes[reduce_lanes] = {};
+    std::size_t i = c * reduce_chunk;
+    for (; i + reduce_lanes <= end; i += reduce_lanes) {
+      for (std::size_t l = 0; l < reduce_lanes; ++l) {
+        const double value = term(i + l);
+        lanes[l] = value > lanes[l] ? value : lanes[l];
+      }
+    }
+    for (; i < end; ++i) lanes[0] = std::max(lanes[0], term(i));
+    for (const double lane : lanes) largest = std::max(largest, lane);
+  }
+  return largest;
 }
 
 /// sum_{i < n} a_i b_i.

@@ -3,10 +3,12 @@
 // its solvers share.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 
 #include "samcontact/base/aligned.hpp"
+#include "samcontact/base/reduce.hpp"
 
 namespace samcontact::contact {
 
@@ -47,6 +49,25 @@ double contact_mean(const Field& pressure, const Field& field);
 
 /// The error of Solution, from pressure, displacement and gap.
 double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap);
+
+/// The same with displacement and gap as functions of the cell.
+template <class Displacement, class Gap>
+double complementarity_error(const Field& pressure, const Displacement& displacement,
+                             const Gap& gap) {
+  const std::size_t n = pressure.size();
+  const double p_max = largest_of(n, [&](std::size_t i) { return pressure[i]; });
+  // Heat may raise a surface more than pressure lowers it.
+  const double u_max = largest_of(n, [&](std::size_t i) { return std::fabs(displacement(i)); });
+  if (p_max <= 0 || u_max <= 0) {
+    // No pressure yet: any penetration counts in full.
+    return largest_of(n, [&](std::size_t i) { return -gap(i); }) > 0 ? 1.0 : 0.0;
+  }
+  const double over_p = 1.0 / p_max, over_u = 1.0 / u_max;
+  return largest_of(n, [&](std::size_t i) {
+    const double p = pressure[i] * over_p, g = gap(i) * over_u;
+    return std::fabs(p < g ? p : g);
+  });
+}
 
 /// Multiplies the pressure so that it sums to `sum`, and returns the factor; a pressure that is
 /// zero everywhere becomes uniform.

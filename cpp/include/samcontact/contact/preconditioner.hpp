@@ -11,8 +11,9 @@ namespace samcontact::contact {
 /// contact touches opposite borders.
 class Preconditioner {
  public:
-  Preconditioner(int nx, int ny, double dx, double dy,
-                 const operators::SurfaceInfluence& influence);
+  /// near: the cheap operator of the same box, whose spectrum is taken where it is the one wanted.
+  Preconditioner(int nx, int ny, double dx, double dy, const operators::SurfaceInfluence& influence,
+                 const operators::NearDisplacement& near);
 
   /// z = F^-1 (1/K^) F r; the caller restricts r and z to the working set. `work` is scratch.
   void apply(const double* r, double* z, ComplexField& work) const;
@@ -30,7 +31,8 @@ struct NearOperators {
   Preconditioner preconditioner;
 
   NearOperators(int nx, int ny, double dx, double dy, const operators::SurfaceInfluence& influence)
-      : displacement(nx, ny, dx, dy, influence), preconditioner(nx, ny, dx, dy, influence) {}
+      : displacement(nx, ny, dx, dy, influence),
+        preconditioner(nx, ny, dx, dy, influence, displacement) {}
 };
 
 }  // namespace samcontact::contact

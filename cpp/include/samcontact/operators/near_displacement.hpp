@@ -12,8 +12,9 @@
 
 namespace samcontact::operators {
 
-/// A period longer than the cells by an eighth at least.
-int short_period(int cells);
+/// Periods longer than the cells by an eighth at least, for lines along x and rows along y.
+int short_period_x(int cells);
+int short_period_y(int cells);
 
 /// Real quarter spectrum [ky][kx] of the displacement due to pressure on a periodic grid, at the
 /// distance of the nearest image. table: influence [j][i] on hx x hy offsets.
@@ -49,6 +50,9 @@ class NearDisplacement {
   /// Whether padding is full, so that nothing but rounding is missed.
   bool is_exact() const { return !far_transform_; }
 
+  /// Periodic part: the spectrum of periodic_spectrum() for the short periods, or the full ones.
+  const Field& spectrum() const { return near_; }
+
   /// displacement [m] of pressure [Pa], both [i][j], different arrays; `work` is scratch that the
   /// caller keeps from call to call.
   void apply(const double* pressure, double* displacement, ComplexField& work) const;
@@ -62,7 +66,9 @@ class NearDisplacement {
   fft::PeriodicTransform transform_;
   Field near_;
   CoarseAxis x_, y_;
-  std::vector<int> y_lower_;  // of each cell along y, and the share of the coarse cell after it
+  // Along y: the first of the cells that lie beyond the centre of each coarse cell, and the share of
+  // the next coarse cell in each cell.
+  std::vector<int> y_begin_;
   Field y_share_;
   std::unique_ptr<fft::PeriodicTransform> far_transform_;  // null where padding is full
   Field far_;

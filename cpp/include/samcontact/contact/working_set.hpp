@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A set of cells as runs of neighbours, and the sweeps of the conjugate gradient over it: few, and
+// none over cells that have nothing to say.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "samcontact/base/aligned.hpp"
+
+namespace samcontact::contact {
+
+/// Sums over a set.
+struct Sums {
+  double plain = 0.0, product = 0.0;
+};
+
+/// Sums and extremes do not depend on the number of threads.
+class CellRuns {
+ public:
+  /// The cells i with chosen[i] == value.
+  void assign(const std::vector<unsigned char>& chosen, unsigned char value);
+
+  std::size_t size() const { return size_; }
+
+  /// sum of a_i, and of a_i b_i.
+  Sums sums(const Field& a, const Field& b) const;
+  /// t = beta t - (z - mean).
+  void turn(double beta, const Field& z, double mean, Field& t) const;
+  /// y += factor x. Returns the lowest y - shift, at most 0.
+  double add(double factor, const Field& x, Field& y, double shift) const;
+  /// The lowest y - shift, at most 0.
+  double lowest(const Field& y, double shift) const;
+  /// r = y - shift. Returns the largest |r|.
+  double subtract(const Field& y, double shift, Field& r) const;
+
+  struct Run {
+    std::size_t begin, end;
+  };
+
+ private:
+  template <class Part>
+  double extreme(const Part& part) const;
+
+  std::vector<Run> runs_;
+  std::vector<std::size_t> chunks_;  // the first run of each, and the number of runs
+  std::size_t size_ = 0;
+};
+
+}  // namespace samcontact::contact
