@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <exception>
 #include <numeric>
 
 #include "samcontact/base/interrupt.hpp"
@@ -15,7 +16,7 @@ using namespace samcontact::simulation;
 
 namespace {
 
-struct Stopped {};
+struct Stopped : std::exception {};
 
 Simulation small_scene(const plasticity::Material& lower) {
   const Grid grid(17, 15, 60e-6, 60e-6, lower.is_plastic() ? 12 : 0, 60e-6);
@@ -29,7 +30,7 @@ Simulation small_scene(const plasticity::Material& lower) {
   return Simulation(grid, plasticity::Material::make_elastic(210e9, 0.3), lower, gap, 0.0, {});
 }
 
-Target load(double newton) { return {Target::Kind::load, newton, {}}; }
+Target load(double newton) { return {.kind = Target::Kind::load, .value = newton}; }
 
 }  // namespace
 
