@@ -36,7 +36,7 @@ inline py::array own(Field field, py::array::ShapeContainer shape,
   const double* values = kept->data();
   const py::capsule owner(kept.get(),
                           [](void* p) { std::default_delete<Field>()(static_cast<Field*>(p)); });
-  kept.release();
+  static_cast<void>(kept.release());  // NumPy owns it now
   return py::array(py::dtype::of<double>(), std::move(shape), std::move(strides), values, owner);
 }
 
