@@ -39,11 +39,13 @@ samcontact_fingerprint() {
       ! -name '*.pyc' ! -name '*.so' -print0 | sort -z | xargs -0 sha256sum; } | sha256sum
 }
 
-# samcontact_setup EXTRAS: EXTRAS is "" or e.g. "[dev]".
+# samcontact_setup EXTRAS: EXTRAS is "" or e.g. "[dev]"; with extras warnings of the core are errors.
 samcontact_setup() {
-  local packages=(g++ libeigen3-dev libfftw3-dev) state
-  # The browser shows reports to their test.
-  [ "$1" = "" ] || packages+=(doctest-dev valgrind $(samcontact_browser_packages))
+  local packages=(g++ libeigen3-dev libfftw3-dev) strict=OFF state
+  [ "$1" = "" ] || strict=ON
+  # The browser shows reports to their test; clang brings the thread sanitizer.
+  [ "$1" = "" ] ||
+    packages+=(doctest-dev valgrind clang libomp-dev $(samcontact_browser_packages))
   # A Python from elsewhere brings these two itself.
   python3 -c 'import ensurepip' 2> /dev/null || packages+=(python3-venv)
   python3 -c 'import os, sysconfig as s, sys
@@ -55,7 +57,8 @@ sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=
   if [ "$(cat .venv/samcontact-state 2> /dev/null)" != "$state" ] ||
     { [ -n "$1" ] && ! grep -qxF -e "$1" .venv/samcontact-extras 2> /dev/null; }; then
     echo "Building and installing samcontact (a minute the first time) ..."
-    .venv/bin/python -m pip install --quiet --disable-pip-version-check ".$1"
+    .venv/bin/python -m pip install --quiet --disable-pip-version-check \
+      --config-settings="cmake.define.SAMCONTACT_WERROR=$strict" ".$1"
     echo "$state" > .venv/samcontact-state
     echo "$1" >> .venv/samcontact-extras
   fi

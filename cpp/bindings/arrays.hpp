@@ -5,6 +5,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -31,10 +32,12 @@ inline Field to_field_or_empty(const py::object& object) {
 /// Hands a field's memory to NumPy.
 inline py::array own(Field field, py::array::ShapeContainer shape,
                      py::array::StridesContainer strides) {
-  auto* kept = new Field(std::move(field));
-  py::capsule owner(kept, [](void* p) { delete static_cast<Field*>(p); });
-  return py::array(py::dtype::of<double>(), std::move(shape), std::move(strides), kept->data(),
-                   owner);
+  auto kept = std::make_unique<Field>(std::move(field));
+  const double* values = kept->data();
+  const py::capsule owner(kept.get(),
+                          [](void* p) { std::default_delete<Field>()(static_cast<Field*>(p)); });
+  static_cast<void>(kept.release());  // NumPy owns it now
+  return py::array(py::dtype::of<double>(), std::move(shape), std::move(strides), values, owner);
 }
 
 constexpr py::ssize_t item = sizeof(double);
@@ -45,24 +48,24 @@ inline py::array surface_array(Field field, const Grid& grid) {
 
 /// Depth-major [k][i][j] seen as (nx, ny, layers).
 inline py::array volume_array(Field field, const Grid& grid, py::ssize_t layers) {
-  const py::ssize_t plane = static_cast<py::ssize_t>(grid.surface_size());
-  return own(std::move(field), {py::ssize_t(grid.nx), py::ssize_t(grid.ny), layers},
+  const auto plane = static_cast<py::ssize_t>(grid.surface_size());
+  return own(std::move(field), {py::ssize_t{grid.nx}, py::ssize_t{grid.ny}, layers},
              {item * grid.ny, item, item * plane});
 }
 
 /// Depth-major [component][k][i][j] seen as (6, nx, ny, layers).
 inline py::array tensor_array(Field field, const Grid& grid, py::ssize_t layers) {
-  const py::ssize_t plane = static_cast<py::ssize_t>(grid.surface_size());
-  return own(std::move(field), {py::ssize_t(6), py::ssize_t(grid.nx), py::ssize_t(grid.ny), layers},
+  const auto plane = static_cast<py::ssize_t>(grid.surface_size());
+  return own(std::move(field), {py::ssize_t{6}, py::ssize_t{grid.nx}, py::ssize_t{grid.ny}, layers},
              {item * plane * layers, item * grid.ny, item, item * plane});
 }
 
 /// Depth-major [term][component][k][i][j] seen as (terms, 6, nx, ny, layers).
 inline py::array tensors_array(Field field, const Grid& grid, py::ssize_t layers) {
-  const py::ssize_t plane = static_cast<py::ssize_t>(grid.surface_size());
+  const auto plane = static_cast<py::ssize_t>(grid.surface_size());
   const auto terms = static_cast<py::ssize_t>(field.size()) / (6 * plane * layers);
   return own(
-      std::move(field), {terms, py::ssize_t(6), py::ssize_t(grid.nx), py::ssize_t(grid.ny), layers},
+      std::move(field), {terms, py::ssize_t{6}, py::ssize_t{grid.nx}, py::ssize_t{grid.ny}, layers},
       {6 * item * plane * layers, item * plane * layers, item * grid.ny, item, item * plane});
 }
 

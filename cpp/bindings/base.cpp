@@ -15,18 +15,19 @@ namespace {
 
 /// Runs Python's signal handlers (Ctrl-C) and passes on what they raise.
 void check_signals() {
-  py::gil_scoped_acquire gil;
+  const py::gil_scoped_acquire gil;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
 void bind_errors(py::module_& m) {
   PYBIND11_CONSTINIT static py::gil_safe_call_once_and_store<py::object> convergence_error;
   convergence_error.call_once_and_store_result([&] {
-    py::exception<ConvergenceError> type(m, "ConvergenceError", PyExc_RuntimeError);
+    const py::exception<ConvergenceError> type(m, "ConvergenceError", PyExc_RuntimeError);
     type.attr("__doc__") =
         "An iteration did not reach its tolerance: .iterations, .residual; the state before stays.";
     return py::object(type);
   });
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature that pybind11 asks for.
   py::register_exception_translator([](std::exception_ptr p) {
     try {
       if (p) std::rethrow_exception(p);

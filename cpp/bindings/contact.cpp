@@ -20,7 +20,7 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
       tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
   contact::Solution solution;
   {
-    py::gil_scoped_release release;
+    const py::gil_scoped_release release;
     solution = solver.solve(h, load_driven ? Driver::load(value) : Driver::approach(value), start,
                             settings);
   }

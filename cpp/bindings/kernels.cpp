@@ -52,12 +52,12 @@ py::array heat_table(const Array& x, const Array& y, double a, double b, double 
   const k::HeatPoints points{scaled(x), scaled(y)};
   Field values;
   {
-    py::gil_scoped_release release;
+    const py::gil_scoped_release release;
     values = table(source, points, unit);
     for (double& v : values) v *= scale;
   }
   const py::ssize_t nx = x.size(), ny = y.size();
-  return own(std::move(values), {py::ssize_t(components), nx, ny},
+  return own(std::move(values), {py::ssize_t{components}, nx, ny},
              {item * nx * ny, item * ny, item});
 }
 
@@ -205,7 +205,7 @@ void bind_kernels(py::module_& parent) {
         return evaluate<36>(X, [&](py::ssize_t i) {
           const auto stress =
               k::eigenstrain_stress(X.data()[i], Y.data()[i], z.data()[i], zc, a, b, c, E, nu);
-          std::array<double, 36> flat;
+          std::array<double, 36> flat{};
           for (int n = 0; n < 36; ++n) flat[n] = stress[n / 6][n % 6];
           return flat;
         });

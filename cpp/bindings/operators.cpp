@@ -19,7 +19,7 @@ py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& 
   const Field field = to_field(strain);
   Field stress;
   {
-    py::gil_scoped_release release;
+    const py::gil_scoped_release release;
     using operators::ResidualMethod;
     const operators::VolumeOperators volume(
         grid, elastic,
@@ -34,7 +34,7 @@ py::array residual_displacement(const Grid& grid, const Array& strain, double nu
   const Field field = to_field(strain);
   Field out(grid.surface_size());
   {
-    py::gil_scoped_release release;
+    const py::gil_scoped_release release;
     const operators::VolumeOperators volume(grid, {1.0, nu}, {});
     operators::VolumeSpectrum spectrum = volume.make_spectrum();
     operators::forward(volume.transform(), field.data(), spectrum);
@@ -49,7 +49,7 @@ py::array surface_displacement(const Grid& grid, const Elastic& elastic, const A
               sy = to_field_or_empty(shear_y);
   Field out;
   {
-    py::gil_scoped_release release;
+    const py::gil_scoped_release release;
     out = operators::surface_displacement(
         grid, operators::SurfaceInfluence(elastic.normal_compliance()),
         elastic.coupling_compliance(), p.data(), pointer(sx), pointer(sy));
@@ -65,7 +65,7 @@ py::array surface_stress(const Grid& grid, const Elastic& elastic,
               sy = to_field_or_empty(shear_y);
   Field out;
   {
-    py::gil_scoped_release release;
+    const py::gil_scoped_release release;
     out = operators::traction_stress(grid, elastic, heating, z, p.data(), pointer(sx), pointer(sy));
   }
   return tensor_array(std::move(out), grid, static_cast<py::ssize_t>(z.size()));
@@ -76,7 +76,7 @@ py::array temperature(const Grid& grid, const operators::Heating& heating,
   const Field p = to_field(pressure);
   Field rise;
   {
-    py::gil_scoped_release release;
+    const py::gil_scoped_release release;
     rise = operators::Temperature(grid, heating, z).rise(p.data());
   }
   return volume_array(std::move(rise), grid, static_cast<py::ssize_t>(z.size()));
@@ -98,7 +98,7 @@ void bind_heat_history(py::module_& m) {
   py::class_<BoundHistory>(m, "HeatHistory")
       .def(py::init([](const Grid& grid, const operators::Heating& heating, const Elastic& elastic,
                        double shortest, double longest, double tolerance, bool in_depth) {
-             py::gil_scoped_release release;
+             const py::gil_scoped_release release;
              return BoundHistory{
                  grid, HeatHistory(grid, heating.thermal, elastic, heating.speed_x, heating.speed_y,
                                    {shortest, longest, tolerance, in_depth})};
@@ -109,7 +109,7 @@ void bind_heat_history(py::module_& m) {
           "add",
           [](BoundHistory& self, const Array& flux, double dt) {
             const Field q = to_field(flux);
-            py::gil_scoped_release release;
+            const py::gil_scoped_release release;
             self.history.add(q.data(), dt);
           },
           py::arg("flux"), py::arg("dt"))
@@ -118,7 +118,7 @@ void bind_heat_history(py::module_& m) {
           [](const BoundHistory& self, double ahead, const std::vector<double>& z) {
             Field rise;
             {
-              py::gil_scoped_release release;
+              const py::gil_scoped_release release;
               rise = self.history.temperature(ahead, z);
             }
             return volume_array(std::move(rise), self.grid, static_cast<py::ssize_t>(z.size()));
@@ -129,7 +129,7 @@ void bind_heat_history(py::module_& m) {
           [](const BoundHistory& self, double ahead) {
             Field u;
             {
-              py::gil_scoped_release release;
+              const py::gil_scoped_release release;
               u = self.history.displacement(ahead);
             }
             return surface_array(std::move(u), self.grid);
@@ -140,7 +140,7 @@ void bind_heat_history(py::module_& m) {
           [](const BoundHistory& self, double ahead, const std::vector<double>& z) {
             Field stress;
             {
-              py::gil_scoped_release release;
+              const py::gil_scoped_release release;
               stress = self.history.stress(ahead, z);
             }
             return tensor_array(std::move(stress), self.grid, static_cast<py::ssize_t>(z.size()));

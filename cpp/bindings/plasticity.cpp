@@ -28,6 +28,7 @@ void bind_plasticity(py::module_& m) {
           "with_backstresses",
           [](const Material& s, const std::vector<std::pair<double, double>>& terms) {
             std::vector<plasticity::Backstress> backstresses;
+            backstresses.reserve(terms.size());
             for (const auto& [modulus, recovery] : terms) {
               backstresses.push_back({modulus, recovery});
             }
@@ -65,6 +66,7 @@ void bind_plasticity(py::module_& m) {
              const std::vector<plasticity::Tensor>& backstresses) {
             const auto r = plasticity::radial_return(stress, {}, g, s, backstresses);
             std::vector<plasticity::Tensor> after;
+            after.reserve(backstresses.size());
             for (std::size_t n = 0; n < backstresses.size(); ++n) {
               after.push_back(plasticity::advanced(backstresses[n], s.backstresses[n], r.increment,
                                                    r.equivalent));

@@ -7,9 +7,9 @@
 namespace samcontact::bindings {
 
 void bind_base(pybind11::module_& m);
-void bind_kernels(pybind11::module_& m);
+void bind_kernels(pybind11::module_& parent);
 void bind_heating(pybind11::module_& m);
-void bind_operators(pybind11::module_& m);
+void bind_operators(pybind11::module_& parent);
 void bind_plasticity(pybind11::module_& m);
 void bind_contact(pybind11::module_& m);
 void bind_simulation(pybind11::module_& m);

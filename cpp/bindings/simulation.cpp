@@ -44,7 +44,7 @@ py::object history(const State& state, int body) {
   d["equivalent"] = py::array_t<double>({nz, nx, ny}, plastic->equivalent(box).data());
   const auto terms = static_cast<py::ssize_t>(state.scene().materials[body].backstresses.size());
   d["backstress"] =
-      py::array_t<double>({terms, py::ssize_t(5), nz, nx, ny}, plastic->backstress(box).data());
+      py::array_t<double>({terms, py::ssize_t{5}, nz, nx, ny}, plastic->backstress(box).data());
   return d;
 }
 
@@ -143,7 +143,7 @@ auto field_method(Field (State::*method)(int) const) {
   return [method](const State& state, int body) {
     Field field;
     {
-      py::gil_scoped_release release;
+      const py::gil_scoped_release release;
       field = (state.*method)(body);
     }
     return to_array<rank>(std::move(field), state.scene().grid);
@@ -158,7 +158,7 @@ auto track_method(Field (State::*method)(int, const Box&) const) {
     const Box region{first_row, 0, rows, grid.ny, grid.nz};
     Field field;
     {
-      py::gil_scoped_release release;
+      const py::gil_scoped_release release;
       field = (state.*method)(body, region);
     }
     return to_array<rank>(std::move(field), region.grid(grid));
@@ -193,9 +193,9 @@ void bind_track(py::class_<State>& state) {
 }
 
 void bind_state(py::module_& m) {
-  py::class_<State> state(m, "State");
-  bind_track(state);
-  state
+  py::class_<State> bound(m, "State");
+  bind_track(bound);
+  bound
       .def_property_readonly("pressure",
                              [](const py::object& self) {
                                return surface_view(self,
@@ -215,7 +215,7 @@ void bind_state(py::module_& m) {
            [](const State& state) {
              Field gap;
              {
-               py::gil_scoped_release release;
+               const py::gil_scoped_release release;
                gap = state.gap();
              }
              return surface_array(std::move(gap), state.scene().grid);
@@ -287,7 +287,7 @@ simulation::Softening softening_law(const py::object& law, const Grid& grid) {
   // The last owner may let go of it on any thread.
   const std::shared_ptr<py::object> kept(new py::object(law), [](py::object* p) {
     const py::gil_scoped_acquire gil;
-    delete p;
+    std::default_delete<py::object>()(p);
   });
   return [kept, grid](const Field& rise) {
     const py::gil_scoped_acquire gil;
@@ -324,7 +324,7 @@ State step(Simulation& simulation, const std::string& kind, double value,
   Target target = make_target(kind, value, pressure, shear_x, shear_y);
   target.heating = heating;
   target.advance = advance;
-  py::gil_scoped_release release;
+  const py::gil_scoped_release release;
   return simulation.step(target);
 }
 

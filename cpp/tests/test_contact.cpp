@@ -7,10 +7,10 @@
 #include <tuple>
 #include <utility>
 
-#include "samcontact/contact/active_set.hpp"
 #include "samcontact/contact/coarsening.hpp"
 #include "samcontact/contact/multilevel.hpp"
 #include "samcontact/contact/polonsky_keer.hpp"
+#include "samcontact/contact/preconditioner.hpp"
 #include "samcontact/contact/window.hpp"
 
 using namespace samcontact;

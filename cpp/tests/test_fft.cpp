@@ -83,6 +83,19 @@ TEST_CASE("one and many threads give the same digits") {
   CHECK(one == many);
 }
 
+TEST_CASE("a filter with many threads is a filter") {
+  // With the kernel of a unit impulse it returns the plane.
+  const int n = 200, m = 288;
+  const fft::PeriodicTransform transform(n, n, m, m);
+  const Field plane = sample(n * n);
+  Field spectrum(transform.quarter_size(), 0.0), out(plane.size());
+  spectrum[0] = 1.0;
+  transform.spectrum(spectrum.data());
+  ComplexField work;
+  transform.filter(plane.data(), spectrum.data(), out.data(), work);
+  for (std::size_t i = 0; i < plane.size(); ++i) REQUIRE(out[i] == doctest::Approx(plane[i]));
+}
+
 TEST_CASE("quarter spectra of kernels of any parity") {
   const std::vector<std::pair<int, int>> shapes{{1, 1}, {2, 5}, {6, 3}, {1, 8}};
   for (const auto& [nx, ny] : shapes) {

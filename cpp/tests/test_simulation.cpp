@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <exception>
 #include <numeric>
 
 #include "samcontact/base/interrupt.hpp"
@@ -15,7 +16,7 @@ using namespace samcontact::simulation;
 
 namespace {
 
-struct Stopped {};
+struct Stopped : std::exception {};
 
 Simulation small_scene(const plasticity::Material& lower, const Settings& settings = {}) {
   const Grid grid(17, 15, 60e-6, 60e-6, lower.is_plastic() ? 12 : 0, 60e-6);
@@ -30,7 +31,7 @@ Simulation small_scene(const plasticity::Material& lower, const Settings& settin
                     settings);
 }
 
-Target load(double newton) { return {Target::Kind::load, newton, {}}; }
+Target load(double newton) { return {.kind = Target::Kind::load, .value = newton}; }
 
 }  // namespace
 

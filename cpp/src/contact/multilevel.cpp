@@ -39,8 +39,8 @@ bool is_zero(const Field& field) {
 
 class Multilevel::Level {
  public:
-  Level(const Grid& grid, const operators::SurfaceInfluence& influence)
-      : grid_(grid), influence_(influence) {}
+  Level(const Grid& grid, operators::SurfaceInfluence influence)
+      : grid_(grid), influence_(std::move(influence)) {}
 
   /// The work of the solution is counted in the unit of fft::filter_cost. is_start: only its
   /// pressure is wanted, to start from.

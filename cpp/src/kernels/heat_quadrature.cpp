@@ -30,7 +30,7 @@ void HeatQuadrature::add_panel(std::vector<QuadratureNode>& nodes, double from, 
   }
 }
 
-double HeatQuadrature::next_width(const HeatSource& source, const HeatSum& sum, double v) const {
+double HeatQuadrature::next_width(const HeatSource& source, const HeatSum& sum, double v) {
   if (!source.is_moving()) return 2 * v;
   // The oldest heat of a width passes a point within 1/speed in v. Behind the last point it is felt
   // like the inverse root of the distance, hence steps that double from there.
@@ -59,6 +59,7 @@ std::vector<HeatWidth> HeatQuadrature::newest_ages(const HeatSource& source, con
     from = to;
   }
   std::vector<HeatWidth> widths;
+  widths.reserve(nodes.size());
   for (const auto& [v, weight] : nodes) widths.push_back({v, weight, right_angle});
   return widths;
 }
@@ -84,6 +85,7 @@ std::vector<HeatWidth> HeatQuadrature::all_widths(const HeatSource& source, cons
     v = to;
   }
   std::vector<HeatWidth> widths;
+  widths.reserve(nodes.size());
   for (const auto& [v, weight] : nodes) widths.push_back({v, weight, right_angle});
   if (source.is_steady()) {
     for (const auto& [at, weight] : rule_) {

@@ -56,7 +56,7 @@ double steady_heat_temperature(double x, double y, double z, double a, double b)
 std::array<double, 3> steady_heat_stress(double x, double y, double z, double a, double b) {
   // Plane stress with the harmonic Airy function F = E alpha/(2 pi k) (z ln(R + z) - R) of a point
   // source: F,zz = E alpha T, hence sigma_xx + sigma_yy = F,yy + F,xx = -E alpha T.
-  std::array<double, 3> sum;
+  std::array<double, 3> sum{};
   if (is_far(x, y, z, a, b)) {
     sum = integrate<3>(x, y, a, b, [z](double X, double Y) {
       const double R = std::hypot(X, Y, z);
@@ -78,7 +78,7 @@ std::array<double, 3> steady_heat_stress(double x, double y, double z, double a,
 }
 
 double steady_heat_displacement(double x, double y, double a, double b, double r0) {
-  double sum;
+  double sum = 0.0;
   if (is_far(x, y, 0, a, b)) {
     sum = integrate<1>(x, y, a, b, [r0](double X, double Y) {
       return std::array{std::log(std::hypot(X, Y) / r0)};

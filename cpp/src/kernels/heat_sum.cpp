@@ -23,7 +23,11 @@ SAMCONTACT_MULTIVERSION void add_products(const double* f, std::size_t f_stride,
                    f2 = f[(t + 2) * f_stride + i], f3 = f[(t + 3) * f_stride + i];
       const double* g0 = g + t * g_stride;
       const double *g1 = g0 + g_stride, *g2 = g1 + g_stride, *g3 = g2 + g_stride;
+#ifdef __clang__
+#pragma clang loop vectorize(assume_safety)
+#else
 #pragma GCC ivdep
+#endif
       for (int j = 0; j < columns; ++j) {
         row[j] += (f0 * g0[j] + f1 * g1[j]) + (f2 * g2[j] + f3 * g3[j]);
       }

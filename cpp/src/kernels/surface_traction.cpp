@@ -16,15 +16,14 @@ constexpr double tiny = 1e-280;
 struct Elementary {
   double R, s, t, T_z, A_x, A_y, p_zz;
 
-  Elementary(double x, double y, double z) {
-    s = std::max(x * x + z * z, tiny);
-    t = std::max(y * y + z * z, tiny);
-    R = std::max(std::sqrt(x * x + y * y + z * z), 1e-140);
-    T_z = std::atan2(x * y, z * R);
-    A_x = std::atan2(x * y, s + z * R);
-    A_y = std::atan2(x * y, t + z * R);
-    p_zz = x * y / R * (1 / s + 1 / t);
-  }
+  Elementary(double x, double y, double z)
+      : R(std::max(std::sqrt(x * x + y * y + z * z), 1e-140)),
+        s(std::max(x * x + z * z, tiny)),
+        t(std::max(y * y + z * z, tiny)),
+        T_z(std::atan2(x * y, z * R)),
+        A_x(std::atan2(x * y, s + z * R)),
+        A_y(std::atan2(x * y, t + z * R)),
+        p_zz(x * y / R * (1 / s + 1 / t)) {}
 };
 
 }  // namespace

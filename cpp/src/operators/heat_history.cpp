@@ -455,7 +455,7 @@ void HeatHistory::set_state(std::span<const double> state) {
   const std::size_t plane = flux_.size(), levels = filled_.size();
   const int generations = plan_->modes.generations();
   if (state.size() !=
-      1 + plane + near_.size() + 2 * levels + 2 * generations * plan_->modes.size()) {
+      1 + plane + near_.size() + 2 * levels + 2 * plan_->modes.size() * generations) {
     throw std::invalid_argument("the state of the heat belongs to another history");
   }
   const double* from = state.data() + 1;

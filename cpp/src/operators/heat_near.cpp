@@ -160,7 +160,7 @@ ComplexField NearHeat::spectra(const Field& fields, double age) const {
   return out;
 }
 
-Field NearHeat::waves(int m, int offsets, bool odd) const {
+Field NearHeat::waves(int m, int offsets, bool odd) {
   Field out;
   for (int i = 0; i < offsets; ++i) {
     for (int n = 0; n <= m / 2; ++n) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/heating.hpp"
 
-#include <utility>
-
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/kernels/heat_displacement.hpp"
 #include "samcontact/kernels/heat_steady.hpp"

@@ -29,7 +29,7 @@ void add_row(const double* first, std::ptrdiff_t step, const double* strain, int
              Lanes* sum) {
   Lanes total = *sum;
   for (int n = 0; n < count; ++n, first += step, strain += 6) {
-    const Lanes* m = reinterpret_cast<const Lanes*>(first);
+    const auto* m = reinterpret_cast<const Lanes*>(first);
     for (int in = 0; in < 6; ++in) total += m[in] * strain[in];
   }
   *sum = total;
@@ -345,7 +345,8 @@ Field ImageCorrection::coarse_strain(Tensor tensor, const double* strain) const 
       for (int n = 0; n < cz; ++n) {
         const double weight = z_.moments[0][n * nz + k];
         double* to = coarse.data() + static_cast<std::size_t>(n) * coarse_plane * 6 + place;
-        for (int p = 0; p < coarse_plane; ++p) to[p * 6] += weight * from[p];
+        for (int p = 0; p < coarse_plane; ++p)
+          to[static_cast<std::ptrdiff_t>(p) * 6] += weight * from[p];
       }
     }
   }
@@ -407,7 +408,8 @@ void ImageCorrection::subtract(Tensor tensor, const Field& images, int layer,
       const double weight = z_.interpolants[0][n * z_.fine + layer];
       const double* from =
           images.data() + static_cast<std::size_t>(n) * coarse_plane * 6 + places[c];
-      for (int p = 0; p < coarse_plane; ++p) nodes[p] += weight * from[p * 6];
+      for (int p = 0; p < coarse_plane; ++p)
+        nodes[p] += weight * from[static_cast<std::ptrdiff_t>(p) * 6];
     }
     const auto parity = kernels::component_parity(places[c]);
     subtract_plane(nodes.data(), x_.fine, y_.fine, x_.interpolants[parity.odd_x].data(), cx,

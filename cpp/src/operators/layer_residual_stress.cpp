@@ -34,7 +34,9 @@ enum Coefficient {
 
 void fill_mode(double kx, double ky, double h, double* mode, int step) {
   const double q = std::hypot(kx, ky), x = q * h;
-  const auto set = [&](Coefficient c, double value) { mode[c * step] = value; };
+  const auto set = [&](Coefficient c, double value) {
+    mode[static_cast<std::ptrdiff_t>(c) * step] = value;
+  };
   if (q == 0) {
     set(direction_x, 1.0);
     set(decay, 1.0);
@@ -62,7 +64,7 @@ struct Mode {
 
   SAMCONTACT_INLINE Mode(const double* row, int step) {
     for (int n = 0; n < coefficient_count; ++n) {
-      of[n] = *reinterpret_cast<const Loose*>(row + n * step);
+      of[n] = *reinterpret_cast<const Loose*>(row + static_cast<std::ptrdiff_t>(n) * step);
     }
   }
   SAMCONTACT_INLINE const Lanes& operator[](Coefficient c) const { return of[c]; }
@@ -305,7 +307,7 @@ SAMCONTACT_INLINE void sweep(const Layout& layout, const char* used, const doubl
       Sums up = above[p].integrals(mode), down = below[k * parts + p];
       up.add_own(mode, t, 1.0);
       down.add_own(mode, t, -1.0);
-      Turned stress;
+      Turned stress;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled at once
       infinite_space(constants, up, down, t, stress);
       free[p].add(constants, e0, depth * e0 + e1, stress);
       turn_back(mode, stress, layout.deviator, v[p]);
@@ -355,7 +357,8 @@ void drop_unsigned(VolumeSpectrum& spectrum, int ky) {
   const int yz = last - 2, xz = last - 1, xy = last;
   for (int k = 0; k < spectrum.nz; ++k) {
     for (const int c : {xz, xy}) {
-      std::fill_n(spectrum.row(ky, c, k) + spectrum.mx / 2 * parts, parts, 0.0);
+      std::fill_n(spectrum.row(ky, c, k) + static_cast<std::ptrdiff_t>(spectrum.mx / 2) * parts,
+                  parts, 0.0);
     }
     if (2 * ky != spectrum.my) continue;
     for (const int c : {yz, xy}) {
@@ -406,8 +409,8 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
       const double* row = modes_.data() + static_cast<std::size_t>(ky) * coefficient_count * pitch_;
       for (int kx = 0; kx < spectrum.modes; kx += width) {
         run(layout, spectrum.used.data(), row + kx, pitch_, constants,
-            spectrum.row(ky, 0, 0) + kx * spectrum.parts, reinterpret_cast<Turned*>(turned.data()),
-            reinterpret_cast<Sums*>(below.data()));
+            spectrum.row(ky, 0, 0) + static_cast<std::ptrdiff_t>(kx) * spectrum.parts,
+            reinterpret_cast<Turned*>(turned.data()), reinterpret_cast<Sums*>(below.data()));
       }
       drop_unsigned(spectrum, ky);
     }

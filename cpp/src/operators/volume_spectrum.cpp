@@ -17,8 +17,9 @@ std::vector<VolumeTransform::Plane> planes_of(const double* tensor, std::size_t 
   for (int c = 0; c < spectrum.components; ++c) {
     const auto parity = kernels::component_parity(places[c]);
     const double* values = tensor + c * step;
-    planes.push_back(
-        {const_cast<double*>(values), spectrum.row(0, c, layer), parity.odd_x, parity.odd_y});
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): forward transforms only read them.
+    auto* read = const_cast<double*>(values);
+    planes.push_back({read, spectrum.row(0, c, layer), parity.odd_x, parity.odd_y});
   }
   return planes;
 }

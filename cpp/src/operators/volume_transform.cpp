@@ -60,7 +60,7 @@ void VolumeTransform::inverse(std::span<const Plane> planes, std::size_t stride)
 Field VolumeTransform::forward(const double* plane) const {
   Field spectrum(mh() * row_size());
   if (mirrored_) {
-    // The values are only read.
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the values are only read.
     const Plane one{const_cast<double*>(plane), spectrum.data(), false, false};
     mirrored_->forward({&one, 1}, row_size());
   } else {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace samcontact::plasticity {
 namespace {
@@ -108,7 +107,7 @@ class KinematicEquation {
   const Material& material_;
   const Hardening& hardening_;
   double stiffness_, g_;
-  std::array<std::array<double, max_backstresses + 1>, max_backstresses + 1> gram_;
+  std::array<std::array<double, max_backstresses + 1>, max_backstresses + 1> gram_{};
 };
 
 /// 3/2 a:b.

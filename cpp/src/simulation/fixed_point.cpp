@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
@@ -74,10 +73,8 @@ class FixedPoint {
       check_interrupt();
       advance();
       const double finest = contact_tolerance(settings_.tol);
-      if (result_.grown) {
-        // Cells outside the box may flow too: look at them before accepting.
-        contact_tol_ = std::max(contact_tolerance(residual_), finest);
-      } else if (residual_ <= settings_.tol && result_.excess <= settings_.tol) {
+      // Cells outside a box that has grown may flow too: look at them before accepting.
+      if (!result_.grown && residual_ <= settings_.tol && result_.excess <= settings_.tol) {
         // The wanted tolerance moves a little with every iterate: twice it is near enough.
         if (contact_tol_ <= 2 * finest) return finish(n);
         contact_tol_ = finest;

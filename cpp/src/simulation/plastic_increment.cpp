@@ -130,8 +130,8 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
                      : operators::Tractions{from.tractions.pressure, {}, {}}),
       initial_gap_(target.kind == Target::Kind::tractions ? Field(scene_.grid.surface_size())
                                                           : scene_.gap(from.travel)),
-      heat_(scene_, target) {
-  symmetry_ = choose_symmetry();
+      heat_(scene_, target),
+      symmetry_(choose_symmetry()) {
   const bool one_for_both = twins();
   for (int b = one_for_both ? 1 : 0; b < 2; ++b) {
     if (!scene_.materials[b].is_plastic()) continue;
@@ -139,7 +139,6 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
     body.index = b;
     body.copies = one_for_both ? 2 : 1;
     body.scan = scans[b].get();
-    body.tensor = Tensor::deviator;
     body.offset = from.placement().offset[b];
     body.history = unfolded(from.plastic[b], scene_.grid, symmetry_);
     if (body.history) {
@@ -163,7 +162,7 @@ void PlasticIncrement::set_box(Body& body, const Box& box) {
   PlasticFields fields = body.history ? body.history->fields(box)
                                       : PlasticFields{box, Field(parts * box.volume_size(), 0.0),
                                                       Field(box.volume_size(), 0.0),
-                                                      Field(5 * terms * box.volume_size(), 0.0)};
+                                                      Field(box.volume_size() * 5 * terms, 0.0)};
   // What is in the box by now includes the last guess.
   for (int c = 0; c < parts && !body.box.empty(); ++c) {
     insert(body.strain.data() + c * body.box.volume_size(), body.box,
@@ -472,8 +471,9 @@ void PlasticIncrement::stress(std::uint8_t b, Field& guess, Result& result) {
   guess.resize(active_.size() * components_, 0.0);
 }
 
-std::span<const plasticity::Tensor> PlasticIncrement::backstresses(
-    const Body& body, std::uint32_t cell, plasticity::Tensors& place) const {
+std::span<const plasticity::Tensor> PlasticIncrement::backstresses(const Body& body,
+                                                                   std::uint32_t cell,
+                                                                   plasticity::Tensors& place) {
   const std::size_t cells = body.box.volume_size(), terms = body.backstress.size() / (5 * cells);
   for (std::size_t n = 0; n < terms; ++n) {
     const double* x = body.backstress.data() + 5 * n * cells + cell;

@@ -63,7 +63,7 @@ void check_backstress(const std::vector<plasticity::Backstress>& laws, const Fie
                       const Grid& grid) {
   const std::size_t cells = grid.volume_size();
   const int terms = static_cast<int>(laws.size());
-  require_field(backstress, 6 * terms * cells, "backstress",
+  require_field(backstress, cells * 6 * terms, "backstress",
                 shape_text({terms, 6, grid.nx, grid.ny, grid.nz}));
   for (std::size_t t = 0; t < laws.size(); ++t) {
     const double limit = laws[t].recovery > 0 ? laws[t].modulus / laws[t].recovery : INFINITY;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "samcontact/base/threads.hpp"
 #include "samcontact/operators/surface_displacement.hpp"
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"

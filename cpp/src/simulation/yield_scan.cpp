@@ -25,6 +25,7 @@ Grid coarsened(const Grid& grid, int factor) {
 
 std::vector<double> depths(const Grid& grid, const std::vector<int>& layers) {
   std::vector<double> z;
+  z.reserve(layers.size());
   for (const int k : layers) z.push_back((k + 0.5) * grid.dz);
   return z;
 }

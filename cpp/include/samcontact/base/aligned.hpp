@@ -19,6 +19,7 @@ struct AlignedAllocator {
   using value_type = T;
   AlignedAllocator() = default;
   template <class U>
+  // NOLINTNEXTLINE(cppcoreguidelines-explicit-constructor): allocators convert into each other.
   AlignedAllocator(const AlignedAllocator<U>&) {}
 
   T* allocate(std::size_t n) { return static_cast<T*>(allocate_bytes(n * sizeof(T))); }

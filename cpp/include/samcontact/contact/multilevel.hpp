@@ -19,6 +19,8 @@ class Multilevel {
   ~Multilevel();
   Multilevel(Multilevel&&) noexcept;
   Multilevel& operator=(Multilevel&&) noexcept;
+  Multilevel(const Multilevel&) = delete;
+  Multilevel& operator=(const Multilevel&) = delete;
 
   /// displacement: the exact operator of the grid. Starts from `pressure`, or from a coarser grid
   /// if that is zero everywhere. Returns converged = false after max_iterations.

@@ -37,7 +37,7 @@ class HeatQuadrature {
 
  private:
   void add_panel(std::vector<QuadratureNode>& nodes, double from, double to) const;
-  double next_width(const HeatSource& source, const HeatSum& sum, double v) const;
+  static double next_width(const HeatSource& source, const HeatSum& sum, double v);
   double first_width(const HeatSource& source, const HeatSum& sum, double z) const;
 
   double tol_, reach_;

@@ -70,7 +70,7 @@ class HeatSum {
   const Field& table(int product) const { return tables_[product]; }
 
  private:
-  static constexpr int batch = 16;
+  static constexpr std::size_t batch = 16;
   struct Term {
     double age, v;
     std::array<double, max_weights> weights;

@@ -21,7 +21,7 @@ class CuboidResidualStress : public ResidualStress {
   /// The grid's layers start at the surface. The transform has no symmetry.
   CuboidResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic);
 
-  void apply(VolumeSpectrum& strain_to_stress) const override;
+  void apply(VolumeSpectrum& spectrum) const override;
   Field far_field(Tensor, const double*) const override { return {}; }
   void correct(Tensor, const Field&, int, double*) const override {}
 

@@ -20,9 +20,9 @@ struct HeatHistorySettings {
   /// Shortest `ahead`, commonly the shortest time step [s]; flux may be added over any time. Fields
   /// at an earlier moment take the newest flux from tables, and are right if it was added over at
   /// least this time.
-  double shortest;
+  double shortest = 0.0;
   /// How long heat is followed [s]. Errors of displacement and stress grow slowly beyond.
-  double longest;
+  double longest = 0.0;
   double tolerance = 1e-6;  // roughly, relative to the largest value
   bool in_depth = true;     // false: only the surface's displacement and fields at z = 0
 };

@@ -41,10 +41,10 @@ struct HeatBlock {
 };
 
 struct HeatLevel {
-  double dw1, dw2;
-  double clear;          // distance from which on kernels vanish
-  double generation;     // time over which heat is collected in one generation
-  int reach_a, reach_b;  // largest |a|, b
+  double dw1 = 0.0, dw2 = 0.0;
+  double clear = 0.0;            // distance from which on kernels vanish
+  double generation = 0.0;       // time over which heat is collected in one generation
+  int reach_a = 0, reach_b = 0;  // largest |a|, b
   std::vector<HeatMode> modes;
   std::vector<HeatBlock> blocks;
   std::vector<double> s, weight;  // sum of weight f(s) = (2/pi) integral over s >= 0
@@ -86,7 +86,7 @@ class HeatModes {
   bool is_split() const { return is_split_; }
   /// Smallest wavenumber of which a part is not kept, distance at which its kernels end, largest
   /// wavenumber that still counts, and sqrt(ln(1/tolerance)).
-  double split_begin() const { return 0.4; }
+  static constexpr double split_begin() { return 0.4; }
   double split_reach() const;
   double cutoff() const { return cutoff_; }
   double sharpness() const { return sharpness_; }

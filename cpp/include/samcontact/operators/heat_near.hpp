@@ -42,7 +42,7 @@ class NearHeat {
   template <class Symbol>
   NearTables tabulate(double z, int components, const Symbol& symbol) const;
   /// cos or sin of offset times wavenumber of the transform, [offset][number].
-  Field waves(int m, int offsets, bool odd) const;
+  static Field waves(int m, int offsets, bool odd);
 
   const HeatModes& modes_;
   std::vector<double> rates_;

@@ -24,7 +24,8 @@ struct CornerLattice {
     for (int j = 0; j <= ny; ++j) {
       for (int i = 0; i <= nx; ++i) {
         const std::array<double, N> f = corner(i - 0.5, (j - 0.5) * aspect);
-        for (std::size_t m = 0; m < N; ++m) values[m * size() + j * (nx + 1) + i] = f[m];
+        for (std::size_t m = 0; m < N; ++m)
+          values[m * size() + static_cast<std::size_t>(j) * (nx + 1) + i] = f[m];
       }
     }
   }

@@ -23,7 +23,7 @@ class LayerResidualStress : public ResidualStress {
   LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
                       double image_tol);
 
-  void apply(VolumeSpectrum& strain_to_stress) const override;
+  void apply(VolumeSpectrum& spectrum) const override;
   Field far_field(Tensor tensor, const double* strain) const override;
   void correct(Tensor tensor, const Field& far_field, int layer, double* stress) const override;
 

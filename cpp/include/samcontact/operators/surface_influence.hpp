@@ -36,7 +36,7 @@ class SurfaceInfluence {
  private:
   struct Heated {
     Heating heating;
-    double nu;
+    double nu = 0.0;
   };
   double normal_, shear_;
   std::vector<Heated> heated_;

@@ -35,12 +35,14 @@ struct VolumeSpectrum {
 
   std::size_t row_size() const { return static_cast<std::size_t>(pitch) * parts; }
   std::size_t stride() const { return static_cast<std::size_t>(components) * nz * row_size(); }
+  std::size_t place(int ky, int component, int layer) const {
+    return ky * stride() + (static_cast<std::size_t>(component) * nz + layer) * row_size();
+  }
   double* row(int ky, int component, int layer) {
-    return data.data() + ky * stride() +
-           (static_cast<std::size_t>(component) * nz + layer) * row_size();
+    return data.data() + place(ky, component, layer);
   }
   const double* row(int ky, int component, int layer) const {
-    return const_cast<VolumeSpectrum*>(this)->row(ky, component, layer);
+    return data.data() + place(ky, component, layer);
   }
 };
 

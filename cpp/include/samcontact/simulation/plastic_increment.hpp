@@ -55,11 +55,11 @@ class PlasticIncrement {
 
  private:
   struct Body {
-    int index;
-    const YieldScan* scan;
+    int index = 0;
+    const YieldScan* scan = nullptr;
     std::shared_ptr<const PlasticState> history;  // before the increment; null: none
     Box box;                                      // from the mirror planes on
-    operators::Tensor tensor;
+    operators::Tensor tensor = operators::Tensor::deviator;
     Scene::Operators operators;
     std::vector<operators::VolumeSpectrum> spectrum;  // one, or none without a box
     Field strain;                                     // before the increment plus the last guess
@@ -105,8 +105,8 @@ class PlasticIncrement {
   void activate(std::uint8_t b, std::uint32_t cell, const plasticity::Tensor& stress);
   void return_map(const Field& guess, Field& mapped, Result& result);
   /// Those of one cell before the increment, into the first places; how many.
-  std::span<const plasticity::Tensor> backstresses(const Body& body, std::uint32_t cell,
-                                                   plasticity::Tensors& place) const;
+  static std::span<const plasticity::Tensor> backstresses(const Body& body, std::uint32_t cell,
+                                                          plasticity::Tensors& place);
   void remember_flow(State& state, const Field& mapped) const;
   /// Active cell number n, at the end of the increment; flow up to `negligible` may be at the
   /// border.
@@ -119,12 +119,12 @@ class PlasticIncrement {
   const Settings& settings_;
   Counters& counters_;
   const Scene& scene_;
-  fft::Symmetry symmetry_ = fft::Symmetry::none;
   std::vector<Body> bodies_;  // inelastic ones
   int components_ = 5;
   operators::Tractions tractions_;  // [i][j] of the grid
   Field initial_gap_;
   HeatOfIncrement heat_;
+  fft::Symmetry symmetry_;
   Field gap_;  // without the elastic displacement, of the last evaluation
   bool scanned_ = false, softened_ = false;
   ActiveCells active_;

@@ -54,7 +54,7 @@ class PlasticState {
  private:
   struct Column {
     Field values;  // [strain, equivalent, backstress][k][j]
-    double max_equivalent, max_strain;
+    double max_equivalent = 0.0, max_strain = 0.0;
   };
 
   int strain_parts() const { return operators::count(tensor_); }

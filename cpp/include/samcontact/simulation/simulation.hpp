@@ -13,12 +13,12 @@ namespace samcontact::simulation {
 
 /// Where an increment goes: a load, an approach, or given tractions (in the frame of body 2).
 struct Target {
-  enum class Kind { load, approach, tractions } kind;
+  enum class Kind { load, approach, tractions } kind = Kind::load;
   double value = 0.0;
-  operators::Tractions tractions;
-  Travel advance{};                // on the way there
-  operators::HeatingPair heating;  // that goes with the pressure
-  PastHeat past;                   // filled in by the simulation
+  operators::Tractions tractions = {};
+  Travel advance{};                     // on the way there
+  operators::HeatingPair heating = {};  // that goes with the pressure
+  PastHeat past = {};                   // filled in by the simulation
   fft::Symmetry past_symmetry = fft::Symmetry::xy;
 };
 

@@ -16,8 +16,8 @@ namespace samcontact::simulation {
 
 /// What flowed in an increment, as a guess for the next one of a steady motion.
 struct Flow {
-  fft::Symmetry symmetry;
-  Travel advance;
+  fft::Symmetry symmetry = fft::Symmetry::none;
+  Travel advance{};
   struct Body {
     std::vector<std::uint32_t> cells;  // [k][i][j] of the grid
     Field strain;                      // [cell][component], as the increment's unknowns

@@ -30,7 +30,7 @@ class YieldScan {
     operators::VolumeTransform transform;
     mutable operators::TractionStress stress;
 
-    Level(const Grid& grid, int factor, std::vector<int> layers, const Elastic& elastic,
+    Level(const Grid& fine, int factor_, std::vector<int> layers_, const Elastic& elastic,
           const std::shared_ptr<const operators::HeatStress>& heat);
   };
   Box level_box(const Level& level, const operators::Tractions& tractions, double shear_sign,

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Threads of the caller, each with OpenMP's threads of its own: the same digits as one after the
+// other. Fields are large enough for every parallel loop to have a team.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <thread>
+#include <vector>
+
+#include "samcontact/base/threads.hpp"
+#include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/fft/padded_transform.hpp"
+#include "samcontact/fft/parity_spectrum.hpp"
+#include "samcontact/simulation/simulation.hpp"
+
+using namespace samcontact;
+using namespace samcontact::simulation;
+
+namespace {
+
+constexpr double size = 60e-6, fine = 50e-6;
+const Thermal warm = Thermal::of(50.2, 11.7e-6, 1.367e-5);
+const auto elastic = plasticity::Material::make_elastic(210e9, 0.3);
+const auto steel = plasticity::Material::make_linear_hardening(210e9, 0.3, 1e9, 21e9);
+
+using Work = std::function<std::vector<Field>()>;
+
+/// Results of two pieces of work that run at the same time.
+std::vector<Field> at_once(const Work& one, const Work& two) {
+  std::vector<Field> first, second;
+  {
+    const std::jthread other([&] { second = two(); });
+    first = one();
+  }
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+std::vector<Field> one_by_one(const Work& one, const Work& two) {
+  std::vector<Field> first = one();
+  const std::vector<Field> second = two();
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// A ball without mirror planes, so that whole boxes are solved for.
+Field ball(const Grid& grid, double radius) {
+  Field gap;
+  for (const double x : grid.x()) {
+    for (const double y : grid.y()) gap.push_back((x * x + y * y + 0.2 * x * y) / (2 * radius));
+  }
+  return gap;
+}
+
+Target load(double newton) { return {.kind = Target::Kind::load, .value = newton}; }
+
+/// Loaded under heat that is marched in time, in steps too short to reach the next cell.
+Simulation heated_scene(double heat_factor) {
+  const Grid grid(13, 11, size, size, 6, size);
+  Simulation simulation(grid, elastic, steel.with_thermal(warm), ball(grid, 7.5e-3), 0.1, {},
+                        {.shortest = 2e-5, .longest = 1e-2});
+  for (const double newton : {120.0, 150.0}) {
+    Target target = load(newton);
+    target.heating[1] = {.factor = heat_factor, .thermal = warm, .time = 5e-5};
+    simulation.step(target);
+  }
+  return simulation;
+}
+
+}  // namespace
+
+TEST_CASE("plans can be made in several threads") {
+  const auto spectra = [](int first) {
+    return [first] {
+      std::vector<Field> found;
+      for (int n = first; n < first + 12; ++n) {
+        const fft::PaddedTransform transform(n, n + 1);
+        const fft::ParitySpectrum parity(transform);
+        Field quarter(parity.size(), 0.0);
+        quarter[0] = n;
+        parity.transform(quarter.data(), false, false);
+        found.push_back(quarter);
+      }
+      return found;
+    };
+  };
+  CHECK(at_once(spectra(3), spectra(5)) == one_by_one(spectra(3), spectra(5)));
+}
+
+TEST_CASE("threads share a contact solver") {
+  const Grid grid(190, 180, size, size);
+  REQUIRE(grid.surface_size() >= worth_threads_cells);
+  const Field gap = ball(grid, 7.5e-3);
+  const auto solve = [&](const contact::ContactSolver& solver, double newton) {
+    return [&, newton] {
+      const auto solution = solver.solve(gap, contact::Driver::load(newton), {}, {.tol = 1e-4});
+      return std::vector<Field>{solution.pressure, solution.gap, {solution.approach}};
+    };
+  };
+  // Each with its own boxes, so that one thread drops operators that the other may still use.
+  const contact::ContactSolver alone(grid, elastic.elastic, elastic.elastic, 0.0);
+  const contact::ContactSolver shared(grid, elastic.elastic, elastic.elastic, 0.0);
+  const double wide = 1.5e6, narrow = 1e4;
+  CHECK(at_once(solve(shared, wide), solve(shared, narrow)) ==
+        one_by_one(solve(alone, wide), solve(alone, narrow)));
+}
+
+TEST_CASE("simulations run in threads of their own") {
+  const auto flow = [](double newton) {
+    return [newton] {
+      const Grid grid(30, 28, fine, fine, 26, fine);
+      Settings settings;
+      settings.residual_stress = ResidualChoice::fast;
+      settings.tol = 1e-3;
+      Simulation simulation(grid, elastic, steel, ball(grid, 7.5e-3), 0.0, settings);
+      const State& state = simulation.step(load(newton));
+      return std::vector<Field>{state.tractions.pressure, state.plastic_strain(1),
+                                state.residual_displacement(1)};
+    };
+  };
+  CHECK(at_once(flow(1900.0), flow(1700.0)) == one_by_one(flow(1900.0), flow(1700.0)));
+}
+
+TEST_CASE("threads read fields of one state") {
+  const auto alone = heated_scene(0.05), shared = heated_scene(0.05);
+  const auto stresses = [](const Simulation& simulation) {
+    return [&simulation] {
+      const State& state = simulation.state();
+      return std::vector<Field>{state.stress(1), state.von_mises(1), state.temperature(1)};
+    };
+  };
+  const auto others = [](const Simulation& simulation) {
+    return [&simulation] {
+      const State& state = simulation.state();
+      return std::vector<Field>{state.temperature(1), state.residual_stress(1),
+                                state.surface_displacement(1), state.stress(1)};
+    };
+  };
+  CHECK(at_once(stresses(shared), others(shared)) == one_by_one(stresses(alone), others(alone)));
+}
