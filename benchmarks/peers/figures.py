@@ -9,9 +9,10 @@ from typing import Any
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from ..harness import ROOT
-from ..plots import COLOURS, MARKERS, label_sparsely
+from ..plots import COLOURS, MARKERS
 from .page import COUNTED_AT, MEASURE, OURS, TITLES, Ladder, by_place, points, ratio_at, time_at
 from .running import CODES
 
@@ -45,7 +46,8 @@ def draw_ratios(axes: Axes, places: dict[int, dict[str, Ladder]], problem: str) 
         known = {n: ratio for n, ratio in found.items() if ratio}
         if known:
             axes.loglog(list(known), list(known.values()), markersize=5, **style(code))
-    label_sparsely(axes.xaxis)
+    axes.set_xticks(sorted(places), [str(n) for n in sorted(places)])
+    axes.xaxis.set_minor_formatter(NullFormatter())
     target = f"{COUNTED_AT[problem]:.0e}".replace("e-0", "e-")
     axes.set(xlabel="cells across [-]", ylabel=f"time / samcontact's at {target} [-]")
     axes.grid(True, which="major", alpha=0.3)

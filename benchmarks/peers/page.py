@@ -148,7 +148,8 @@ def tight_plastic(data: dict[str, Any]) -> Iterator[tuple[int, str, dict[str, An
     for key, rounds in data["rows"].items():
         problem, _, n, code, tol = key.split("|")
         tightest = TIGHT_PLASTIC.get(code)
-        if problem == "plastic" and float(tol) == tightest and "failed" not in rounds[0]:
+        worked = rounds and "failed" not in rounds[0]
+        if worked and problem == "plastic" and float(tol) == tightest:
             yield int(n), code, rounds[0]
 
 
@@ -239,7 +240,8 @@ def failures(data: dict[str, Any]) -> list[str]:
 def tables_of(data: dict[str, Any]) -> str:
     """All tables, as they stand between the markers of the page."""
     versions = ", ".join(f"{code} {version}" for code, version in data["versions"].items())
-    sections = [f"{versions}; one thread."]
+    counts = [len(rounds) for rounds in data["rows"].values() if rounds]
+    sections = [f"{versions}; one thread; {min(counts)} to {max(counts)} rounds."]
     for problem, title in TITLES.items():
         lines = list(stress_lines(data) if problem == "stress" else solver_lines(problem, data))
         if lines:
