@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""samcontact, as it comes: default settings but for the tolerance."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import samcontact as sc
+
+from . import problems
+from .running import Outcome
+
+RIGID = sc.Material.rigid()
+ELASTIC = sc.Material.elastic(problems.E, problems.NU)
+
+
+def version() -> str:
+    return sc.__version__
+
+
+class Contact:
+    """Elastic contact; the border may be touched, as the peers allow."""
+
+    tolerances = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
+
+    def __init__(self, problem: problems.Elastic, tol: float) -> None:
+        self.problem = problem
+        self.solver = sc.ContactSolver(problem.grid, RIGID, ELASTIC, tol=tol, on_border="warn")
+
+    def solve(self) -> Outcome:
+        found = self.solver.solve(self.problem.gap, load=self.problem.load)
+        counts = {
+            "iterations": found.iterations,
+            "applications": found.operator_applications,
+            "work": found.work,
+        }
+        return Outcome(found.pressure, counts, approach=found.approach)
+
+
+class Plasticity:
+    """Elastic-plastic contact, the load in equal increments."""
+
+    tolerances = (1e-2, 1e-3, 1e-4, 1e-6)
+
+    def __init__(self, problem: problems.Plastic, tol: float) -> None:
+        hardening, modulus = problems.HARDENING, problems.E
+        tangent = modulus * hardening / (modulus + hardening)
+        self.problem = problem
+        self.body = sc.Material.linear_hardening(
+            modulus, problems.NU, problems.YIELD_STRESS, tangent
+        )
+        self.tol = tol
+
+    def solve(self) -> Outcome:
+        problem = self.problem
+        simulation = sc.Simulation(problem.grid, RIGID, self.body, problem.gap, tol=self.tol)
+        for k in range(1, problems.INCREMENTS + 1):
+            state = simulation.step(load=problem.load * k / problems.INCREMENTS)
+        counters = simulation.counters
+        counts = {
+            "iterations": counters["plastic_iterations"],
+            "contact_iterations": counters["contact_iterations"],
+        }
+        strain = state.equivalent_plastic_strain()
+        return Outcome(state.pressure, counts, plastic_strain=strain)
+
+
+class Stress:
+    """Stress at given depths under a given pressure."""
+
+    tolerances = (0.0,)
+
+    def __init__(self, problem: problems.Plastic, pressure: np.ndarray, z: np.ndarray) -> None:
+        self.solver = sc.ContactSolver(problem.grid, RIGID, ELASTIC)
+        self.pressure, self.z = pressure, z
+
+    def solve(self) -> Outcome:
+        return Outcome(self.pressure, {}, stress=self.solver.stress(self.pressure, self.z))

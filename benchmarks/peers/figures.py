@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of docs/peers.md: error against relative time, and the ratio of times over the size."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import matplotlib.pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
+
+from ..harness import ROOT
+from ..plots import COLOURS, MARKERS
+from .page import COUNTED_AT, MEASURE, OURS, TITLES, Ladder, by_place, points, ratio_at, time_at
+from .running import CODES
+
+TIME = "with_setup_s"
+
+
+def style(code: str) -> dict[str, str]:
+    number = list(CODES).index(code)
+    return {"color": COLOURS[number], "marker": MARKERS[number], "label": code}
+
+
+def draw_precision(axes: Axes, codes: dict[str, Ladder], problem: str) -> None:
+    """Error over time, in times of samcontact at the error where things are counted."""
+    unit = time_at(points(codes[OURS], MEASURE[problem], TIME, 0), COUNTED_AT[problem])
+    for code, ladder in codes.items():
+        curve = points(ladder, MEASURE[problem], TIME, 0)
+        if curve and unit:
+            errors, times = zip(*curve, strict=True)
+            axes.loglog([t / unit for t in times], errors, markersize=5, **style(code))
+    axes.set(xlabel="time / samcontact's [-]", ylabel=f"error of {MEASURE[problem]}, rms [-]")
+    axes.grid(True, which="major", alpha=0.3)
+
+
+def draw_ratios(axes: Axes, places: dict[int, dict[str, Ladder]], problem: str) -> None:
+    """Time over that of samcontact at equal error, over the cells across."""
+    for code in CODES:
+        found = {}
+        for n, codes in places.items():
+            if code in codes:
+                found[n] = ratio_at(codes, code, MEASURE[problem], TIME, COUNTED_AT[problem])
+        known = {n: ratio for n, ratio in found.items() if ratio}
+        if known:
+            axes.loglog(list(known), list(known.values()), markersize=5, **style(code))
+    axes.set_xticks(sorted(places), [str(n) for n in sorted(places)])
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    target = f"{COUNTED_AT[problem]:.0e}".replace("e-0", "e-")
+    axes.set(xlabel="cells across [-]", ylabel=f"time / samcontact's at {target} [-]")
+    axes.grid(True, which="major", alpha=0.3)
+
+
+def figure(data: dict[str, Any], problem: str) -> Figure | None:
+    """A row for each case."""
+    by_case: dict[str, dict[int, dict[str, Ladder]]] = {}
+    for (name, case, n), codes in by_place(data).items():
+        if name == problem and OURS in codes:
+            by_case.setdefault(case, {})[n] = codes
+    if not by_case:
+        return None
+    drawn, grid = plt.subplots(
+        len(by_case), 2, figsize=(9, 3.4 * len(by_case) + 0.5), squeeze=False, layout="constrained"
+    )
+    for (left, right), (case, places) in zip(grid, by_case.items(), strict=True):
+        # The largest size where most codes are, so that there is something to compare.
+        most = max(len(codes) for codes in places.values())
+        n = max(n for n, codes in places.items() if len(codes) == most)
+        draw_precision(left, places[n], problem)
+        draw_ratios(right, places, problem)
+        left.set_title(", ".join([f"{n}² cells", *([case] if case else [])]))
+    names: dict[str, Any] = {}
+    for axes in grid.ravel():
+        handles, labels = axes.get_legend_handles_labels()
+        names.update(zip(labels, handles, strict=True))
+    drawn.legend(list(names.values()), list(names), loc="outside lower center", ncols=3)
+    drawn.suptitle(TITLES[problem])
+    return drawn
+
+
+def write(data: dict[str, Any], folder: Path = ROOT / "docs" / "figures") -> list[Path]:
+    """peers_PROBLEM.png where there is something to draw."""
+    written = []
+    for problem in MEASURE:
+        drawn = figure(data, problem)
+        if drawn is not None:
+            written.append(folder / f"peers_{problem}.png")
+            drawn.savefig(written[-1], dpi=150)
+            plt.close(drawn)
+    return written

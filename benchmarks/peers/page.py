@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables of docs/peers.md from stored measurements: ratios at equal error, no times."""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from ..harness import ROOT
+from ..tables import between_markers, cell
+from .running import TIGHT_PLASTIC, tight
+
+PAGE = ROOT / "docs" / "peers.md"
+OURS = "samcontact"
+# The error that is made equal, and at which values.
+MEASURE = {"hertz": "pressure", "rough": "pressure", "plastic": "plastic strain"}
+TARGETS = {"hertz": (1e-4, 1e-6, 1e-8), "rough": (1e-4, 1e-6, 1e-8), "plastic": (1e-2, 1e-3, 1e-4)}
+COUNTED_AT = {"hertz": 1e-6, "rough": 1e-6, "plastic": 1e-3}
+TITLES = {
+    "hertz": "Hertz contact",
+    "rough": "Elastic rough contact",
+    "plastic": "Elastic-plastic contact",
+    "stress": "Stress under a Hertz pressure",
+}
+TIMES = {"with_setup_s": "with set-up", "without_setup_s": "without"}
+
+Place = tuple[str, str, int]
+Ladder = dict[float, list[dict[str, Any]]]
+"""Rounds of a code in one place by its tolerance, only those that worked."""
+
+
+def by_place(data: dict[str, Any]) -> dict[Place, dict[str, Ladder]]:
+    """Measurements by problem, case and size, then by code."""
+    places: dict[Place, dict[str, Ladder]] = {}
+    for key, rounds in data["rows"].items():
+        problem, case, n, code, tol = key.split("|")
+        codes = places.setdefault((problem, case, int(n)), {})
+        worked = [row for row in rounds if "failed" not in row]
+        if worked and row_counts(problem, float(tol)):
+            codes.setdefault(code, {})[float(tol)] = worked
+    order = list(TITLES)
+    return dict(sorted(places.items(), key=lambda item: (order.index(item[0][0]), item[0][1:])))
+
+
+def row_counts(problem: str, tol: float) -> bool:
+    """Whether it is no reference, whose error against itself is zero."""
+    return tol not in tight(problem).values()
+
+
+def round_of(rounds: list[dict[str, Any]], number: int) -> dict[str, Any]:
+    """Of a long measurement there is only the first."""
+    return rounds[min(number, len(rounds) - 1)]
+
+
+def points(ladder: Ladder, measure: str, time: str, number: int) -> list[tuple[float, float]]:
+    """(error, time) from the loosest tolerance to the tightest."""
+    rows = [round_of(ladder[tol], number) for tol in sorted(ladder, reverse=True)]
+    return [(row["errors"][measure], row[time]) for row in rows if row["errors"].get(measure)]
+
+
+def time_at(curve: list[tuple[float, float]], error: float) -> float | None:
+    """Time to reach the error: interpolated between the tolerances on both sides of it, in
+    logarithms; that of the loosest where it is good enough; None where it is never reached."""
+    reached = [i for i, (found, _) in enumerate(curve) if found <= error]
+    if not reached:
+        return None
+    i = reached[0]
+    if i == 0:
+        return curve[0][1]
+    (high, before), (low, after) = curve[i - 1], curve[i]
+    part = np.log(high / error) / np.log(high / low)
+    return float(np.exp(np.log(before) + part * np.log(after / before)))
+
+
+def ratio_at(
+    codes: dict[str, Ladder], code: str, measure: str, time: str, error: float
+) -> float | None:
+    """Median over the rounds of the time of a code over that of samcontact, at equal error."""
+    found = []
+    for number in range(max(len(rounds) for rounds in codes[OURS].values())):
+        ours, other = (
+            time_at(points(codes[name], measure, time, number), error) for name in (OURS, code)
+        )
+        if ours and other:
+            found.append(other / ours)
+    return statistics.median(found) if found else None
+
+
+def row_at(ladder: Ladder, measure: str, error: float) -> dict[str, Any] | None:
+    """The loosest run that is at least as good."""
+    for tol in sorted(ladder, reverse=True):
+        if ladder[tol][0]["errors"].get(measure, np.inf) <= error:
+            return ladder[tol][0]
+    return None
+
+
+def table(lines: list[dict[str, Any]]) -> str:
+    """Markdown of rows with equal keys."""
+    names = list(lines[0])
+    rows = [names, ["---"] * len(names)]
+    rows += [["" if line[name] is None else cell(line[name]) for name in names] for line in lines]
+    return "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+
+def where(place: Place, codes: dict[str, Ladder]) -> str:
+    """Name of a problem in a table, with the part in contact where there are several."""
+    _, case, _ = place
+    row = next(iter(codes[OURS].values()))[0]
+    return f"{case}, {100 * row['contact_fraction']:.2g} %" if case else "one"
+
+
+def solver_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    measure = MEASURE[problem]
+    for place, codes in by_place(data).items():
+        if place[0] != problem or OURS not in codes:
+            continue
+        for code, ladder in codes.items():
+            ratios = {
+                f"{name}, {error:.0e}".replace("e-0", "e-"): ratio_at(
+                    codes, code, measure, time, error
+                )
+                for time, name in times_of(problem).items()
+                for error in TARGETS[problem]
+            }
+            if not any(ratios.values()):
+                continue  # the code, or samcontact, has not come that far
+            line: dict[str, Any] = {"in contact": where(place, codes), "cells": f"{place[2]}²"}
+            if problem != "rough":
+                del line["in contact"]
+            line.update(code=code, **ratios)
+            best = row_at(ladder, measure, COUNTED_AT[problem])
+            line["memory_MB"] = best and best["memory_MB"]
+            line["iterations"] = best and best["counts"].get("iterations")
+            line["applications"] = best and best["counts"].get("applications")
+            yield line
+
+
+def times_of(problem: str) -> dict[str, str]:
+    """A plastic body cannot be solved twice: its set-up is always in."""
+    return {"with_setup_s": "with set-up"} if problem == "plastic" else TIMES
+
+
+def tight_plastic(data: dict[str, Any]) -> Iterator[tuple[int, str, dict[str, Any]]]:
+    """Cells across, code and row of the tightly converged plastic contacts."""
+    for key, rounds in data["rows"].items():
+        problem, _, n, code, tol = key.split("|")
+        tightest = TIGHT_PLASTIC.get(code)
+        worked = rounds and "failed" not in rounds[0]
+        if worked and problem == "plastic" and float(tol) == tightest:
+            yield int(n), code, rounds[0]
+
+
+def grid_lines(data: dict[str, Any]) -> list[dict[str, Any]]:
+    """What the grids of both codes leave, against samcontact on the finest of all."""
+    found = sorted(tight_plastic(data), key=lambda one: one[:2])
+    ours = [(n, row) for n, code, row in found if code == OURS]
+    if not ours:
+        return []
+    finest, reference = max(ours, key=lambda one: one[0])
+    quantities = ("largest_pressure", "largest_plastic_strain")
+    return [
+        {
+            "cells": f"{n}²",
+            "code": code,
+            **{
+                f"{q.replace('_', ' ')} / finest - 1": row[q] / reference[q] - 1 for q in quantities
+            },
+        }
+        for n, code, row in found
+        if n < finest
+    ]
+
+
+def stress_lines(data: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """One application: nothing to make equal."""
+    for (problem, _, n), codes in by_place(data).items():
+        if problem != "stress" or OURS not in codes:
+            continue
+        for code, ladder in codes.items():
+            line = {"cells": f"{n}² x {n // 6 + 1}", "code": code}
+            line["error"] = ladder[0.0][0]["errors"]["stress"]
+            for time, name in TIMES.items():
+                pairs = zip(ladder[0.0], codes[OURS][0.0], strict=False)
+                line[name] = statistics.median(a[time] / b[time] for a, b in pairs)
+            line["memory_MB"] = ladder[0.0][0]["memory_MB"]
+            yield line
+
+
+def without_empty(lines: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Without columns that no row fills."""
+    kept = [name for name in lines[0] if any(line[name] is not None for line in lines)]
+    return [{name: line[name] for name in kept} for line in lines]
+
+
+def wins_of_peers(data: dict[str, Any]) -> list[str]:
+    """Where a peer is faster at equal error, over the errors of the tables."""
+    found: dict[str, list[str]] = {}
+    for problem, measure in MEASURE.items():
+        for place, codes in by_place(data).items():
+            if place[0] != problem or OURS not in codes:
+                continue
+            for code in (name for name in codes if name != OURS):
+                for time, name in times_of(problem).items():
+                    ratios = [ratio_at(codes, code, measure, time, e) for e in TARGETS[problem]]
+                    least = min((ratio for ratio in ratios if ratio), default=1.0)
+                    if least < 1:
+                        title = TITLES[problem] + (f", {place[1]}" if place[1] else "")
+                        kind = "with set-up" if name == "with set-up" else "without set-up"
+                        line = f"{title}, {code}, {kind}"
+                        found.setdefault(line, []).append(f"{place[2]}² ({least:.2f})")
+    for stress in stress_lines(data):
+        for name in TIMES.values():
+            if stress[name] < 1:
+                kind = name if name == "with set-up" else "without set-up"
+                line = f"{TITLES['stress']}, {stress['code']}, {kind}"
+                found.setdefault(line, []).append(f"{stress['cells']} ({stress[name]:.2f})")
+    if not found:
+        return ["Nowhere in these tables is a peer faster at equal error."]
+    head = "At one of the errors of the tables or more (least time over that of samcontact):"
+    return ["\n".join([head, "", *(f"- {k}: {', '.join(v)}" for k, v in found.items())])]
+
+
+def failures(data: dict[str, Any]) -> list[str]:
+    """Measurements that are not in the tables, and why."""
+    found: dict[str, list[str]] = {}
+    for key, rounds in data["rows"].items():
+        problem, case, n, code, tol = key.split("|")
+        if rounds and "failed" in rounds[0]:
+            place = f"{TITLES[problem]}{', ' + case if case else ''}, {n}², tolerance {tol}"
+            found.setdefault(f"{code}: {rounds[0]['failed']}", []).append(place)
+    if not found:
+        return []
+    lines = [f"- {reason}: {'; '.join(places)}" for reason, places in found.items()]
+    return ["\n".join(["Not measured:", "", *lines])]
+
+
+def tables_of(data: dict[str, Any]) -> str:
+    """All tables, as they stand between the markers of the page."""
+    versions = ", ".join(f"{code} {version}" for code, version in data["versions"].items())
+    counts = [len(rounds) for rounds in data["rows"].values() if rounds]
+    sections = [f"{versions}; one thread; {min(counts)} to {max(counts)} rounds."]
+    for problem, title in TITLES.items():
+        lines = list(stress_lines(data) if problem == "stress" else solver_lines(problem, data))
+        if lines:
+            sections += [f"### {title}", table(without_empty(lines))]
+            if problem in MEASURE:
+                sections.append(f"![{title}: time and error](figures/peers_{problem}.png)")
+        if problem == "plastic" and lines and (grid := grid_lines(data)):
+            sections += ["Tightly converged, against samcontact on the finest grid:", table(grid)]
+    sections += ["### Where a peer is faster", *wins_of_peers(data), *failures(data)]
+    return "\n\n".join(sections)
+
+
+def write(data: dict[str, Any]) -> None:
+    """Put the tables into the page."""
+    page = PAGE.read_text(encoding="utf-8")
+    PAGE.write_text(between_markers(page, tables_of(data)), encoding="utf-8")

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The problems every code is given: arrays and numbers, in SI units, of no code in particular."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+import samcontact as sc
+
+from ..roughness import heights, wave_amplitudes
+
+E, NU = 210e9, 0.3
+E_STAR = E / (1 - NU**2)
+RADIUS = 7.5e-3  # m
+HERTZ_LOAD = 1500.0  # N
+ROUGH_SIDE = 1e-3  # m
+ROUGH_RMS = 1e-6  # m
+# Crown [m], load [N]: a few per cent of the surface in contact, and about a quarter of it.
+ROUGH_CASES = {"light": (0.02, 15.0), "heavy": (0.02, 600.0)}
+YIELD_STRESS = 0.01 * E_STAR
+HARDENING = 0.1 * E
+# In elastic contact radii: width of the cell, whose images act where it is periodic, and depth.
+PLASTIC_SIDE, STRESS_SIDE, DEPTH = 6.0, 12.0, 2.0
+INCREMENTS = 2
+
+
+@dataclass(frozen=True)
+class Elastic:
+    """A rigid body of a given gap pressed on an elastic half-space, free boundary."""
+
+    gap: np.ndarray
+    side: float
+    load: float
+
+    @property
+    def n(self) -> int:
+        return self.gap.shape[0]
+
+    @property
+    def cell(self) -> float:
+        return self.side / self.n
+
+    @property
+    def grid(self) -> sc.Grid:
+        return sc.Grid(self.n, self.n, self.cell, self.cell)
+
+
+@dataclass(frozen=True)
+class Plastic:
+    """A rigid paraboloid on a half-space with linear isotropic hardening."""
+
+    n: int
+    layers: int
+    side: float
+    depth: float
+    radius: float
+    load: float
+
+    @property
+    def gap(self) -> np.ndarray:
+        return sc.surfaces.paraboloid(self.grid, self.radius)
+
+    @property
+    def grid(self) -> sc.Grid:
+        d = self.side / self.n
+        return sc.Grid(self.n, self.n, d, d, self.layers, self.depth / self.layers)
+
+
+def hertz_theory() -> sc.hertz.PointContact:
+    return sc.hertz.point(R=RADIUS, E_star=E_STAR, load=HERTZ_LOAD)
+
+
+def hertz(n: int) -> Elastic:
+    """The contact covers four fifths of the width."""
+    side = 2 * hertz_theory().a / 0.8
+    grid = sc.Grid(n, n, side / n, side / n)
+    return Elastic(sc.surfaces.paraboloid(grid, RADIUS), side, HERTZ_LOAD)
+
+
+def rough(n: int, case: str) -> Elastic:
+    """Self-affine, Hurst exponent 0.8, the shortest wave of eight cells: every grid has a surface
+    of its own, as rough as it can carry."""
+    crown, load = ROUGH_CASES[case]
+    grid = sc.Grid(n, n, ROUGH_SIDE / n, ROUGH_SIDE / n)
+    gap = sc.surfaces.paraboloid(grid, crown)
+    gap -= heights(n, wave_amplitudes(n // 8, 0.8, seed=1), ROUGH_RMS)
+    return Elastic(gap, ROUGH_SIDE, load)
+
+
+def elastic(problem: str, case: str, n: int) -> Elastic:
+    return hertz(n) if problem == "hertz" else rough(n, case)
+
+
+def plastic(n: int, side: float = PLASTIC_SIDE) -> Plastic:
+    """Cubic cells; elastically the pressure would be four times the yield stress over a radius of
+    1 mm. The side is in such radii."""
+    a, p0 = 1e-3, 4 * YIELD_STRESS
+    layers = round(n * DEPTH / side)
+    radius = 2 * E_STAR * a / (np.pi * p0)
+    return Plastic(n, layers, side * a, DEPTH * a, radius, load=2 / 3 * np.pi * p0 * a**2)

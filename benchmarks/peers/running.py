@@ -1,0 +1,286 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measurements in processes of their own: `python -m benchmarks.peers.running CODE`."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+import resource
+import signal
+import statistics
+import subprocess
+import sys
+import time
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..harness import ROOT, peak_memory, relative_error, rms_error
+from . import problems
+
+# What anything may read: OpenMP of the codes, the threads of NumPy's BLAS.
+ONE_THREAD = {
+    name: "1"
+    for name in (
+        "OMP_NUM_THREADS",
+        "OPENBLAS_NUM_THREADS",
+        "MKL_NUM_THREADS",
+        "NUMEXPR_NUM_THREADS",
+    )
+}
+TOO_LONG = "more than"
+REPEAT_FOR = 1.0  # s of solves with the set-up done
+# Tolerances of the references: of one code for elastic contact, of each for plastic.
+TIGHT = {"samcontact": 1e-12}
+TIGHT_PLASTIC = {"samcontact": 1e-9, "tamaas": 1e-7}
+# Codes as columns: module and the class for elastic contact.
+CODES = {
+    "samcontact": ("code_samcontact", "Contact"),
+    "tamaas": ("code_tamaas", "Contact"),
+    "ContactMechanics": ("code_contact_mechanics", "Contact"),
+    "ASPHER": ("code_aspher", "Contact"),
+    "ASPHER, mixed": ("code_aspher", "Mixed"),
+    "ASPHER, H2": ("code_aspher", "Hierarchical"),
+}
+PACKAGES = {"tamaas": "tamaas", "ContactMechanics": "ContactMechanics", "ASPHER": "aspher"}
+
+
+@dataclass
+class Outcome:
+    """What a code found."""
+
+    pressure: np.ndarray
+    counts: dict[str, float]
+    approach: float | None = None
+    plastic_strain: np.ndarray | None = None
+    stress: np.ndarray | None = None
+    setup_share: float = 0.0
+    """Part of the time of the solve that the code reports as its set-up."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """What is measured: a code on a problem of n cells across, with its own tolerance."""
+
+    problem: str
+    case: str
+    n: int
+    code: str
+    tol: float
+    folder: str = ""
+    """Where references are kept; no part of what tells tasks apart."""
+
+    @property
+    def key(self) -> str:
+        return f"{self.problem}|{self.case}|{self.n}|{self.code}|{self.tol:g}"
+
+
+def code_class(code: str, problem: str) -> Any:
+    """The class of a code for a problem; raises ImportError where the code is missing."""
+    module, contact = CODES[code]
+    kinds = {"plastic": "Plasticity", "stress": "Stress"}
+    return getattr(
+        importlib.import_module(f"benchmarks.peers.{module}"), kinds.get(problem, contact)
+    )
+
+
+def tight(problem: str) -> dict[str, float]:
+    """Tolerance of the reference by code."""
+    return TIGHT_PLASTIC if problem == "plastic" else TIGHT
+
+
+def reference_file(task: Task, code: str = "samcontact") -> Path:
+    name = f"{task.problem}-{task.case or 'one'}-{task.n}-{code}.npz"
+    return Path(task.folder) / name.replace(" ", "")
+
+
+def elastic_errors(task: Task, problem: problems.Elastic, found: Outcome) -> dict[str, float]:
+    """Against the tightly converged solution of the grid, and the exact one where there is one."""
+    file = reference_file(task)
+    errors = {}
+    if file.exists():
+        with np.load(file) as tight:
+            errors["pressure"] = rms_error(found.pressure, tight["pressure"])
+    if task.problem == "hertz":
+        theory, grid = problems.hertz_theory(), problem.grid
+        exact = theory.pressure(grid.x[:, None], grid.y[None, :])
+        errors["pressure, exact"] = rms_error(found.pressure, exact)
+        errors["largest pressure, exact"] = relative_error(found.pressure.max(), theory.p0)
+        if found.approach is not None:
+            errors["approach, exact"] = relative_error(found.approach, theory.approach)
+    return errors
+
+
+def prepare(task: Task) -> tuple[Any, tuple[Any, ...]]:
+    """The problem, and the arguments of the class of the code."""
+    if task.problem == "plastic":
+        plastic = problems.plastic(task.n)
+        return plastic, (plastic, task.tol)
+    if task.problem == "stress":
+        plastic = problems.plastic(task.n, problems.STRESS_SIDE)
+        theory, grid = sphere_of(plastic), plastic.grid
+        pressure = theory.pressure(grid.x[:, None], grid.y[None, :])
+        return plastic, (plastic, pressure, depths(plastic))
+    elastic = problems.elastic(task.problem, task.case, task.n)
+    return elastic, (elastic, task.tol)
+
+
+def depths(problem: problems.Plastic) -> np.ndarray:
+    """The planes between layers, the surface first."""
+    return np.linspace(0.0, problem.depth, problem.layers + 1)
+
+
+def sphere_of(problem: problems.Plastic) -> Any:
+    return problems.sc.hertz.point(R=problem.radius, E_star=problems.E_STAR, load=problem.load)
+
+
+def stress_errors(problem: problems.Plastic, found: Outcome) -> dict[str, float]:
+    """Within 1.5 contact radii of the axis, below the surface, where the closed form is smooth."""
+    assert found.stress is not None
+    grid, z = problem.grid, depths(problem)[1:]
+    half = round(1.5 * problem.n / problems.STRESS_SIDE)
+    middle = slice(problem.n // 2 - half, problem.n // 2 + half)
+    x, y = grid.x[middle, None, None], grid.y[None, middle, None]
+    exact = sphere_of(problem).stress(x, y, z[None, None, :], problems.NU)
+    return {"stress": rms_error(found.stress[:, middle, middle, 1:], exact)}
+
+
+def plastic_errors(task: Task, found: Outcome) -> dict[str, float]:
+    """Against the code's own tightly converged solution of the grid."""
+    file = reference_file(task, task.code)
+    if not file.exists():
+        return {}
+    with np.load(file) as tight:
+        return {
+            "pressure": rms_error(found.pressure, tight["pressure"]),
+            "plastic strain": rms_error(found.plastic_strain, tight["plastic_strain"]),
+        }
+
+
+def errors_of(task: Task, problem: Any, found: Outcome) -> dict[str, float]:
+    if task.problem == "stress":
+        return stress_errors(problem, found)
+    if task.problem == "plastic":
+        return plastic_errors(task, found)
+    return elastic_errors(task, problem, found)
+
+
+def run_here(task: Task) -> dict[str, Any]:
+    """Set up and solve once, then solve again with the set-up done, while that is short."""
+    warnings.simplefilter("ignore")
+    kind = code_class(task.code, task.problem)
+    problem, arguments = prepare(task)
+    before = peak_memory()
+    start = time.process_time()
+    code = kind(*arguments)
+    built = time.process_time()
+    found = code.solve()
+    first = time.process_time() - start
+    memory = peak_memory()
+    # A plastic body keeps its strain: no second solve of the same.
+    again = [] if task.problem == "plastic" else solve_again(code, first)
+    if task.tol == tight(task.problem).get(task.code):
+        fields = {"pressure": found.pressure, "plastic_strain": found.plastic_strain}
+        np.savez(
+            reference_file(task, task.code), **{k: v for k, v in fields.items() if v is not None}
+        )
+    row = {
+        "with_setup_s": first,
+        "setup_s": built - start + found.setup_share * first,
+        "without_setup_s": statistics.median(again)
+        if again
+        else (first - (built - start)) * (1 - found.setup_share),
+        "memory_MB": (memory - before) / 1e6,
+        "peak_MB": memory / 1e6,
+        "contact_fraction": float(np.mean(found.pressure > 0)),
+        "largest_pressure": float(found.pressure.max()),
+        "counts": found.counts,
+        "errors": errors_of(task, problem, found),
+    }
+    if found.plastic_strain is not None:
+        row["largest_plastic_strain"] = float(found.plastic_strain.max())
+    return row
+
+
+def solve_again(code: Any, first: float) -> list[float]:
+    """Times of solves without set-up, at most five, none where the first was long."""
+    times: list[float] = []
+    while first < 20.0 and len(times) < 5 and sum(times) < REPEAT_FOR:
+        start = time.process_time()
+        found = code.solve()
+        times.append((time.process_time() - start) * (1 - found.setup_share))
+    return times
+
+
+class Server:
+    """A process that imports one code and forks for each measurement: a fresh process without the
+    seconds of the imports."""
+
+    def __init__(self, code: str) -> None:
+        command = [sys.executable, "-m", "benchmarks.peers.running", code]
+        environment = {**os.environ, **ONE_THREAD, "MPLBACKEND": "Agg"}
+        pipe = subprocess.PIPE
+        self.process = subprocess.Popen(
+            command, cwd=ROOT, env=environment, stdin=pipe, stdout=pipe, text=True
+        )
+
+    def run(self, task: Task, limit: float) -> dict[str, Any]:
+        """The measurement; a failure or too long a run becomes a message."""
+        assert self.process.stdin
+        assert self.process.stdout
+        self.process.stdin.write(json.dumps([task.__dict__, limit]) + "\n")
+        self.process.stdin.flush()
+        answer = self.process.stdout.readline()
+        if not answer:
+            raise RuntimeError(f"the process of {task.code} ended: {self.process.wait()}")
+        row: dict[str, Any] = json.loads(answer)
+        return row
+
+    def close(self) -> None:
+        assert self.process.stdin
+        self.process.stdin.close()
+        self.process.wait()
+
+
+def measured_in_a_fork(task: Task, limit: float) -> dict[str, Any]:
+    """Fork, measure, and wait for the row."""
+    reading, writing = os.pipe()
+    child = os.fork()
+    if child == 0:
+        os.close(reading)
+        seconds = max(1, round(limit))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+        try:
+            row = run_here(task)
+        except Exception as error:
+            row = {"failed": f"{type(error).__name__}: {error}"[:200]}
+        with os.fdopen(writing, "w") as file:
+            json.dump(row, file)
+        os._exit(0)
+    os.close(writing)
+    with os.fdopen(reading) as file:
+        text = file.read()
+    _, status = os.waitpid(child, 0)
+    if text:
+        answer: dict[str, Any] = json.loads(text)
+        return answer
+    # The kernel ends what is beyond its limit by one of these.
+    if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL):
+        return {"failed": f"{TOO_LONG} {limit:g} s"}
+    return {"failed": f"exit status {status}"}
+
+
+def serve(code: str) -> None:
+    """Measure the tasks that come as lines until there are no more."""
+    importlib.import_module(f"benchmarks.peers.{CODES[code][0]}")
+    for line in sys.stdin:
+        task, limit = json.loads(line)
+        print(json.dumps(measured_in_a_fork(Task(**task), limit)), flush=True)
+
+
+if __name__ == "__main__":
+    serve(sys.argv[1])

@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is measured, in which order, and the file that keeps it: A B A B, resumable."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from . import problems
+from .running import CODES, PACKAGES, TOO_LONG, Server, Task, code_class, tight
+
+SIZES = {
+    "hertz": (64, 128, 256, 512, 1024),
+    "rough": (256, 512, 1024, 2048),
+    "plastic": (24, 32, 48),
+    "stress": (48, 96, 192),
+}
+QUICK_SIZES = {"hertz": (64, 128), "rough": (64, 128), "plastic": (12,), "stress": (48,)}
+PROBLEMS = tuple(SIZES)
+FINEST_PLASTIC = 96  # cells across; of samcontact alone
+WITH_VOLUME = ("samcontact", "tamaas")
+LONG = 5.0  # s: what takes longer is measured once
+GROWTH = 4.0  # least factor of time from a size to the next
+
+
+def cases(problem: str) -> tuple[str, ...]:
+    return tuple(problems.ROUGH_CASES) if problem == "rough" else ("",)
+
+
+def installed(codes: tuple[str, ...] = tuple(CODES)) -> dict[str, str]:
+    """Versions of the codes that can be imported."""
+    found = {}
+    for code in codes:
+        try:
+            module = importlib.import_module(f"benchmarks.peers.{CODES[code][0]}")
+        except ImportError:
+            continue
+        found[code] = module.version()
+    return found
+
+
+def codes_for(problem: str, available: dict[str, str]) -> list[str]:
+    """Hierarchical matrices are for large rough contacts."""
+    wanted = WITH_VOLUME if problem in ("plastic", "stress") else tuple(CODES)
+    if problem == "hertz":
+        wanted = tuple(code for code in wanted if code != "ASPHER, H2")
+    return [code for code in wanted if code in available]
+
+
+def references(problem: str, case: str, n: int, available: dict[str, str]) -> list[Task]:
+    """Tightly converged solutions that the errors are taken against."""
+    if problem == "stress":
+        return []
+    codes = [code for code in tight(problem) if code in available]
+    return [Task(problem, case, n, code, tight(problem)[code]) for code in codes]
+
+
+def alternating(problem: str, case: str, n: int, available: dict[str, str]) -> Iterator[Task]:
+    """The tolerances of the codes in turn, from the loosest on."""
+    codes = codes_for(problem, available)
+    ladders = {code: code_class(code, problem).tolerances for code in codes}
+    for step in range(max(map(len, ladders.values()))):
+        for code in codes:
+            if step < len(ladders[code]):
+                yield Task(problem, case, n, code, ladders[code][step])
+
+
+class Results:
+    """Rows by task and round, kept in a file after each measurement."""
+
+    def __init__(self, file: Path) -> None:
+        self.file = file
+        self.data: dict[str, Any] = {"versions": {}, "rows": {}}
+        if file.exists():
+            self.data = json.loads(file.read_text(encoding="utf-8"))
+
+    def rounds(self, task: Task) -> list[dict[str, Any]]:
+        rows: list[dict[str, Any]] = self.data["rows"].setdefault(task.key, [])
+        return rows
+
+    def forget_shorter(self, limit: float) -> None:
+        """Forget what failed for want of time, where there is more now."""
+        for key, rounds in self.data["rows"].items():
+            self.data["rows"][key] = [
+                row
+                for row in rounds
+                if TOO_LONG not in row.get("failed", "") or row.get("limit_s", 0.0) >= limit
+            ]
+
+    def save(self) -> None:
+        part = self.file.with_suffix(".part")
+        part.write_text(rounded_json(self.data), encoding="utf-8")
+        os.replace(part, self.file)
+
+
+def rounded_json(data: Any) -> str:
+    """Numbers with five digits: nothing measured here has more; a row a line."""
+
+    def short(value: Any) -> Any:
+        if isinstance(value, float):
+            return float(f"{value:.5g}")
+        if isinstance(value, dict):
+            return {k: short(v) for k, v in value.items()}
+        return [short(v) for v in value] if isinstance(value, list) else value
+
+    rows = ",\n".join(
+        f"{json.dumps(key)}: {json.dumps(short(rows))}" for key, rows in data["rows"].items()
+    )
+    head = json.dumps({k: v for k, v in data.items() if k != "rows"})
+    return f'{head[:-1]}, "rows": {{\n{rows}\n}}}}\n'
+
+
+def too_long(task: Task, results: Results, limit: float) -> bool:
+    """Whether the code took so long on the size before that this one is hopeless."""
+    sizes = [n for n in (*SIZES[task.problem], *QUICK_SIZES[task.problem]) if n < task.n]
+    if not sizes:
+        return False
+    before = results.rounds(Task(task.problem, task.case, max(sizes), task.code, task.tol))
+    if not before:
+        return False
+    if "failed" in before[0]:
+        return TOO_LONG in before[0]["failed"]
+    growth = GROWTH * (task.n / max(sizes)) ** 2 / 4
+    return growth * before[0]["with_setup_s"] > limit
+
+
+def measure_all(
+    chosen: list[str],
+    results: Results,
+    folder: Path,
+    *,
+    quick: bool,
+    rounds: int,
+    limit: float,
+    report: Callable[[str], None],
+) -> None:
+    """Measure what the file does not have yet."""
+    available = installed()
+    versions = {name: available[name] for name in ("samcontact", *PACKAGES) if name in available}
+    results.data["versions"].update(versions)
+    results.forget_shorter(limit)
+    servers = {code: Server(code) for code in available}
+    measure = partial(attempt, results=results, servers=servers, folder=folder, report=report)
+    places = [
+        (problem, case, n)
+        for problem in chosen
+        for n in (QUICK_SIZES if quick else SIZES)[problem]
+        for case in cases(problem)
+    ]
+    for problem, case, n in places:
+        for task in references(problem, case, n, available):
+            if not results.rounds(task):
+                measure(task, limit=3 * limit)
+        for number in range(rounds):
+            for task in alternating(problem, case, n, available):
+                done = results.rounds(task)
+                again = number == 0 or ("failed" not in done[0] and done[0]["with_setup_s"] < LONG)
+                if len(done) <= number and again:
+                    measure(task, limit=limit)
+    finest = Task("plastic", "", FINEST_PLASTIC, "samcontact", tight("plastic")["samcontact"])
+    if "plastic" in chosen and not quick and not results.rounds(finest):
+        measure(finest, limit=3 * limit)
+    for server in servers.values():
+        server.close()
+
+
+def attempt(
+    task: Task,
+    *,
+    limit: float,
+    results: Results,
+    servers: dict[str, Server],
+    folder: Path,
+    report: Callable[[str], None],
+) -> None:
+    """One measurement, kept at once."""
+    if too_long(task, results, limit):
+        row: dict[str, Any] = {"failed": f"expected to take {TOO_LONG} {limit:g} s"}
+    else:
+        row = servers[task.code].run(replace(task, folder=str(folder)), limit)
+    if "failed" in row:
+        row["limit_s"] = limit
+    results.rounds(task).append(row)
+    results.save()
+    outcome = row.get("failed") or f"{row['with_setup_s']:.3g} s, {row['errors']}"
+    report(f"{task.key}: {outcome}")

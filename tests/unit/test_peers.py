@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The comparison with other codes: what it computes, the page it writes, its adapters in small."""
+
+import importlib
+import json
+
+import numpy as np
+import pytest
+
+from benchmarks.peers import code_samcontact, figures, page, problems, running, schedule
+from benchmarks.peers.__main__ import STORED, arguments
+from benchmarks.tables import between_markers
+
+
+@pytest.fixture(scope="module")
+def stored():
+    return json.loads(STORED.read_text(encoding="utf-8"))
+
+
+def test_the_page_is_what_the_measurements_say(stored):
+    text = page.PAGE.read_text(encoding="utf-8")
+    assert between_markers(text, page.tables_of(stored)) == text
+
+
+def test_figures(stored):
+    drawn = figures.figure(stored, "hertz")
+    assert all(axes.get_xscale() == axes.get_yscale() == "log" for axes in drawn.axes)
+    assert figures.figure({"rows": {}}, "hertz") is None
+    figures.plt.close(drawn)
+
+
+def test_time_at_an_error():
+    curve = [(1e-2, 1.0), (1e-4, 100.0), (1e-6, 400.0)]
+    assert page.time_at(curve, 1e-3) == pytest.approx(10.0)
+    assert page.time_at(curve, 1e-4) == pytest.approx(100.0)
+    assert page.time_at(curve, 0.1) == 1.0  # the loosest is good enough
+    assert page.time_at(curve, 1e-7) is None
+
+
+def made_up(times, error=1e-7):
+    """Rounds of one tolerance."""
+    return [
+        {
+            "with_setup_s": time,
+            "without_setup_s": time / 2,
+            "memory_MB": 1.0,
+            "contact_fraction": 0.1,
+            "counts": {"iterations": 3},
+            "errors": {"pressure": error},
+        }
+        for time in times
+    ]
+
+
+def test_ratios_are_medians_of_rounds_and_wins_of_peers_are_said():
+    rows = {
+        "hertz||64|samcontact|1e-06": made_up([1.0, 2.0, 4.0]),
+        "hertz||64|ASPHER|1e-06": made_up([0.5, 0.5, 0.5]),
+        "hertz||64|tamaas|1e-06": made_up([3.0]),
+        "hertz||128|tamaas|1e-06": [{"failed": "no memory"}],
+    }
+    data = {"versions": {"samcontact": "1"}, "rows": rows}
+    codes = page.by_place(data)["hertz", "", 64]
+    assert page.ratio_at(codes, "ASPHER", "pressure", "with_setup_s", 1e-6) == 0.25
+    assert page.ratio_at(codes, "tamaas", "pressure", "with_setup_s", 1e-6) == 1.5
+    assert page.ratio_at(codes, "tamaas", "pressure", "with_setup_s", 1e-8) is None
+    text = page.tables_of(data)
+    assert "Hertz contact, ASPHER, with set-up: 64² (0.25)" in text
+    assert "tamaas, with set-up" not in text
+    assert "tamaas: no memory: Hertz contact, 128², tolerance 1e-06" in text
+
+
+def test_results_are_kept_and_found_again(tmp_path):
+    task = running.Task("hertz", "", 64, "samcontact", 1e-6)
+    results = schedule.Results(tmp_path / "kept.json")
+    results.rounds(task).append({"with_setup_s": 0.123456789, "errors": {"pressure": 0.0}})
+    results.save()
+    again = schedule.Results(tmp_path / "kept.json")
+    assert again.rounds(task) == [{"with_setup_s": 0.12346, "errors": {"pressure": 0.0}}]
+    larger = running.Task("hertz", "", 128, "samcontact", 1e-6)
+    assert not schedule.too_long(larger, again, limit=1.0)
+    assert schedule.too_long(larger, again, limit=0.4)
+
+
+def test_more_time_is_another_chance(tmp_path):
+    results = schedule.Results(tmp_path / "kept.json")
+    task = running.Task("hertz", "", 64, "samcontact", 1e-6)
+    results.rounds(task).append({"failed": "more than 5 s", "limit_s": 5.0})
+    results.forget_shorter(5.0)
+    assert len(results.rounds(task)) == 1
+    results.forget_shorter(6.0)
+    assert results.rounds(task) == []
+
+
+def test_samcontact_has_an_adapter_for_every_problem():
+    elastic = problems.hertz(32)
+    found = code_samcontact.Contact(elastic, 1e-8).solve()
+    assert found.pressure.sum() * elastic.cell**2 == pytest.approx(elastic.load)
+    task = running.Task("hertz", "", 32, "samcontact", 1e-8)
+    assert running.elastic_errors(task, elastic, found)["largest pressure, exact"] < 5e-3
+    for case in problems.ROUGH_CASES:
+        assert problems.elastic("rough", case, 32).gap.shape == (32, 32)
+    plastic = problems.plastic(12)
+    assert code_samcontact.Plasticity(plastic, 1e-3).solve().plastic_strain.max() > 1e-3
+    task = running.Task("stress", "", 48, "samcontact", 0.0)
+    problem, given = running.prepare(task)
+    assert running.errors_of(task, problem, code_samcontact.Stress(*given).solve())["stress"] < 0.05
+
+
+def test_a_measurement_in_a_process_of_its_own(tmp_path):
+    task = running.Task("hertz", "", 32, "samcontact", 1e-12, str(tmp_path))
+    server = running.Server("samcontact")
+    try:
+        row = server.run(task, 60.0)
+        assert row["errors"]["pressure"] == 0.0  # it is the reference itself
+        assert 0 < row["setup_s"] < row["with_setup_s"]
+        assert row["memory_MB"] >= 0
+        loose = running.Task("hertz", "", 32, "samcontact", 1e-2, str(tmp_path))
+        assert 1e-6 < server.run(loose, 60.0)["errors"]["pressure"] < 0.1
+        unknown = running.Task("rough", "none", 32, "samcontact", 1e-2, str(tmp_path))
+        assert "KeyError" in server.run(unknown, 60.0)["failed"]
+    finally:
+        server.close()
+
+
+def test_a_measurement_that_takes_too_long(monkeypatch):
+    def busy(task):
+        while True:
+            pass
+
+    monkeypatch.setattr(running, "run_here", busy)
+    task = running.Task("hertz", "", 32, "samcontact", 1e-2)
+    assert running.measured_in_a_fork(task, 1.0) == {"failed": "more than 1 s"}
+
+
+@pytest.mark.parametrize("code", [code for code in running.CODES if code != "samcontact"])
+def test_peers_find_the_same_pressure(code):
+    pytest.importorskip(running.PACKAGES[code.split(",")[0]])
+    case = problems.rough(128, "heavy")
+    kind = running.code_class(code, "rough")
+    found = kind(case, 1e-6).solve()
+    ours = code_samcontact.Contact(case, 1e-8).solve()
+    largest = ours.pressure.max()
+    np.testing.assert_allclose(found.pressure, ours.pressure, atol=1e-3 * largest)
+
+
+def test_tamaas_finds_the_same_plastic_contact_and_stress():
+    pytest.importorskip("tamaas")
+    peer = importlib.import_module("benchmarks.peers.code_tamaas")
+    # four cells across a contact radius: both have their discretisation errors
+    plastic = problems.plastic(24)
+    ours = code_samcontact.Plasticity(plastic, 1e-4).solve()
+    theirs = peer.Plasticity(plastic, 1e-3).solve()
+    assert theirs.pressure.max() == pytest.approx(ours.pressure.max(), rel=0.05)
+    assert theirs.plastic_strain.max() == pytest.approx(ours.plastic_strain.max(), rel=0.15)
+    task = running.Task("stress", "", 48, "tamaas", 0.0)
+    problem, given = running.prepare(task)
+    assert running.errors_of(task, problem, peer.Stress(*given).solve())["stress"] < 0.05
+
+
+def test_choice_of_problems():
+    assert arguments([]).problems == list(schedule.PROBLEMS)
+    with pytest.raises(SystemExit):
+        arguments(["nothing"])
