@@ -9,4 +9,4 @@ from .dataset import open_results, save, scalars, to_dataset
 from .motion import COMPONENTS
 from .vtk import to_vtk
 
-__all__ = ["COMPONENTS","open_results","save","scalars","to_dataset","to_vtk"]
+__all__ = ["COMPONENTS", "open_results", "save", "scalars", "to_dataset", "to_vtk"]

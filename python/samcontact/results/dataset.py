@@ -16,7 +16,6 @@ from .._checks import choice
 from .convergence import add_convergence
 from .motion import COMPONENTS, add_motion
 from .motion import variable as _variable
-from .vtk import to_vtk
 
 if TYPE_CHECKING:
     import pandas as pd
