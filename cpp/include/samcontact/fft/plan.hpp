@@ -38,8 +38,8 @@ Plan plan_line(int m, int sign);
 /// even so that a symmetric sequence has a self-mirrored middle.
 int good_even_size(int n);
 
-/// A length >= n for complex lines, at most a fifth longer, for which estimated plans are fast: they
-/// take twice the time per point when 9 divides the length.
+/// A length >= n for complex lines, at most a fifth longer, for which estimated plans are fast:
+/// they take twice the time per point when 9 divides the length.
 int fast_line_size(int n);
 
 }  // namespace samcontact::fft

@@ -66,8 +66,8 @@ class NearDisplacement {
   fft::PeriodicTransform transform_;
   Field near_;
   CoarseAxis x_, y_;
-  // Along y: the first of the cells that lie beyond the centre of each coarse cell, and the share of
-  // the next coarse cell in each cell.
+  // Along y: the first of the cells that lie beyond the centre of each coarse cell, and the share
+  // of the next coarse cell in each cell.
   std::vector<int> y_begin_;
   Field y_share_;
   std::unique_ptr<fft::PeriodicTransform> far_transform_;  // null where padding is full
