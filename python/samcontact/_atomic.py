@@ -4,10 +4,15 @@
 from __future__ import annotations
 
 import os
+import signal
 import tempfile
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import BinaryIO
+
+from ._seal import seal
 
 
 @contextmanager
@@ -29,6 +34,84 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
         with open(temporary, "rb") as written:
             os.fsync(written.fileno())
         os.replace(temporary, target)
-    except BaseException:
+    except BaseException as error:
         temporary.unlink(missing_ok=True)
+        # a full disk is told without a name, others with that of the new file
+        if isinstance(error, OSError) and error.errno and error.filename in (None, name):
+            raise _about(target, error) from error
         raise
+
+
+@contextmanager
+def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
+    """The same for HDF5: a file object to write, which gets the digest of `_seal` in the end.
+
+    Ctrl-C waits until the file is complete. Errors of the disk are OSErrors that name `path`.
+    """
+    with undisturbed(), replacing(path) as part:
+        with open(part, "w+b", buffering=0) as opened:
+            file = _Patient(opened)
+            try:
+                yield file  # type: ignore[misc]
+            except Exception:
+                if file.error is None:
+                    raise
+            if file.error is not None:
+                raise file.error
+        seal(part)
+
+
+class _Patient:
+    """A file that keeps its first error of writing to itself, and takes what comes later.
+
+    HDF5 does not survive a disk that is full: its errors are of many kinds, come back when objects
+    are freed, and the process may crash when it ends.
+    """
+
+    def __init__(self, file: BinaryIO) -> None:
+        self.file = file
+        self.error: OSError | None = None
+        for name in ("read", "readinto", "seek", "tell"):
+            setattr(self, name, getattr(file, name))
+
+    def write(self, data: bytes) -> int:
+        rest = memoryview(data).cast("B")
+        length = len(rest)
+        try:
+            while self.error is None and rest:
+                rest = rest[self.file.write(rest) :]
+        except OSError as error:
+            self.error = error
+        return length
+
+    def truncate(self, size: int | None = None) -> int:
+        try:
+            return self.file.truncate(size)
+        except OSError as error:
+            self.error = self.error or error
+            return size or 0
+
+    def flush(self) -> None:
+        """Nothing is kept back."""
+
+
+@contextmanager
+def undisturbed() -> Iterator[None]:
+    """Keep Ctrl-C waiting: what is finished must not be lost while it is written."""
+    before = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or before is None:
+        yield  # signals go elsewhere
+        return
+    pressed: list[int] = []
+    signal.signal(signal.SIGINT, lambda number, _: pressed.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        if pressed:
+            signal.raise_signal(signal.SIGINT)
+
+
+def _about(path: Path, error: OSError) -> OSError:
+    """The same error with the name of the file that the user knows."""
+    return OSError(error.errno, error.strerror or str(error), str(path))

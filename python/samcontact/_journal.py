@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._atomic import replacing
 from ._heating import pair
-from .checkpoint import read_checkpoint, write_checkpoint
+from .checkpoint import DAMAGED, damaged, read_checkpoint, write_checkpoint
 
 if TYPE_CHECKING:
     from .simulation import Simulation
@@ -52,13 +53,14 @@ class Journal:
         """The state after the next increment, where it was kept; the simulation stands there."""
         if not (file := self._file(self.count + 1)).exists():
             return None
-        arguments, saved = read_checkpoint(file, (None, None))
+        laws = (self.simulation.body1.softening, self.simulation.body2.softening)
+        arguments, saved = read_checkpoint(file, laws)
         if not _same_surfaces(self.simulation, arguments):  # they may come from other files
             raise self._foreign()
         try:
             self.simulation._core.restore(saved)
-        except (ValueError, TypeError) as error:
-            raise ValueError(f"{file} is damaged: {error}") from error
+        except DAMAGED as error:
+            raise damaged(file, error) from error
         self.simulation.heat_factor = pair(arguments["heat_factor"])
         self.count += 1
         return self.simulation.state
@@ -80,14 +82,13 @@ class Journal:
         """Leave the description beside the checkpoints, or compare it with what is there."""
         mark = self.folder / "run.txt"
         if mark.exists():
-            if mark.read_text(encoding="utf-8") != description:
+            if mark.read_bytes() != description.encode():
                 raise self._foreign()
         elif any(self.folder.glob("*.h5")):
             raise self._foreign()
         else:
-            part = self.folder.parent / f".{self.folder.name}.part"
-            part.write_text(description, encoding="utf-8")
-            part.replace(mark)
+            with replacing(mark) as part:
+                part.write_text(description, encoding="utf-8")
 
 
 def _same_surfaces(simulation: Simulation, arguments: Mapping[str, Any]) -> bool:

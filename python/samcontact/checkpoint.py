@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable
 from dataclasses import astuple
@@ -13,8 +14,9 @@ import h5py
 import numpy as np
 
 from . import _core
-from ._atomic import replacing
+from ._atomic import replacing_hdf5
 from ._checks import FloatArray
+from ._seal import check_seal
 from .grid import Grid
 from .material import Material
 from .relief import Relief
@@ -26,9 +28,23 @@ if TYPE_CHECKING:
 
 Softening = tuple[Callable[[FloatArray], Any] | None, Callable[[FloatArray], Any] | None]
 _FORMAT = "samcontact checkpoint"
-_FORMAT_VERSION = 4
+_FORMAT_VERSION = 5
+_UNSEALED = 4  # the format before, without a digest of the file
 _SURFACE = ("pressure", "shear_x", "shear_y", "contact_gap")
 _REQUIRED = ("pressure",)
+_SETTINGS = (
+    "friction",
+    "tol",
+    "on_border",
+    "max_iterations",
+    "residual_stress",
+    "image_tol",
+    "heat_factor",
+    "velocity",
+    "reach",
+)
+_OPTIONAL = ("increment_tol", "heating_time", "heat_reference", "heat_history")
+_FARTHEST = 1 << 30  # cells from the start of a body's way
 _SCALARS = (
     "load",
     "approach",
@@ -39,6 +55,13 @@ _SCALARS = (
     "yield_excess",
     "exact_residual_stress",
 )
+
+
+DAMAGED = (
+    OSError, KeyError, ValueError, TypeError, AttributeError, IndexError, OverflowError,
+    RuntimeError, MemoryError,
+)  # fmt: skip
+"""What h5py, NumPy and the core raise for a file of which a part is not what it should be."""
 
 
 class CheckpointError(ValueError):
@@ -52,7 +75,7 @@ def write_checkpoint(
 
     state: an earlier one of the simulation, instead of the present one.
     """
-    with replacing(path) as part, h5py.File(part, "w") as file:
+    with replacing_hdf5(path) as opened, h5py.File(opened, "w") as file:
         _write(file, simulation, state)
 
 
@@ -76,17 +99,9 @@ def _write(file: h5py.File, simulation: Simulation, earlier: State | None = None
         if body.kinematic:
             file[name].attrs["kinematic"] = np.array(body.kinematic)
     file.create_group("settings").attrs.update(
-        friction=simulation.friction,
-        tol=simulation.tol,
-        on_border=simulation.on_border,
-        max_iterations=simulation.max_iterations,
-        residual_stress=simulation.residual_stress,
-        image_tol=simulation.image_tol,
-        heat_factor=np.array(simulation.heat_factor),
-        velocity=np.array(simulation.velocity),
-        reach=simulation.reach,
+        {name: getattr(simulation, name) for name in _SETTINGS}
     )
-    for name in ("increment_tol", "heating_time", "heat_reference", "heat_history"):
+    for name in _OPTIONAL:
         if getattr(simulation, name) is not None:
             file["settings"].attrs[name] = getattr(simulation, name)
     file["initial_gap"] = simulation.initial_gap
@@ -149,33 +164,90 @@ def read_checkpoint(
     path: str | os.PathLike[str], softening: Softening
 ) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the arguments of Simulation(...) and the entries for the core's restore()."""
-    if not Path(path).exists():
+    if not Path(path).is_file():
         raise FileNotFoundError(f"no checkpoint at {os.fspath(path)!r}")
     try:
+        sealed = check_seal(path)
         with h5py.File(path, "r") as file:
-            if file.attrs.get("format") != _FORMAT:
+            if _text(file.attrs.get("format")) != _FORMAT:
                 raise CheckpointError(f"{os.fspath(path)!r} is not a samcontact checkpoint")
             version = int(file.attrs["format_version"])
-            if version != _FORMAT_VERSION:
+            if version not in (_FORMAT_VERSION, _UNSEALED):
                 raise CheckpointError(
                     f"{os.fspath(path)!r} has checkpoint format {version}; "
-                    f"this version reads format {_FORMAT_VERSION}"
+                    f"this version reads formats {_UNSEALED} and {_FORMAT_VERSION}"
                 )
+            if not sealed and version != _UNSEALED:
+                raise ValueError("the digest at its end is missing: it was cut off or changed")
             return _read_scene(file, softening), _read_state(file)
     except CheckpointError:
         raise
-    except (OSError, KeyError, ValueError, TypeError) as error:
-        raise CheckpointError(f"{os.fspath(path)!r} is damaged: {error}") from error
+    except DAMAGED as error:
+        raise damaged(path, error) from error
+
+
+def damaged(path: str | os.PathLike[str], error: BaseException) -> CheckpointError:
+    """The error of a file whose content cannot be used."""
+    return CheckpointError(f"{os.fspath(path)!r} is damaged: {error}")
+
+
+def _text(value: Any) -> Any:
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else value
+
+
+def finite_dataset(
+    group: h5py.Group, name: str, shape: tuple[int, ...] | None = None
+) -> FloatArray:
+    """A dataset of finite float64, of this shape where it is told."""
+    if not isinstance(group[name], h5py.Dataset):
+        raise ValueError(f"{name} is not an array")
+    values = np.ascontiguousarray(group[name][...])
+    if values.dtype != np.float64:
+        raise ValueError(f"{name} has type {values.dtype}, not float64")
+    if shape is not None and values.shape != shape:
+        raise ValueError(f"{name} has shape {values.shape}, not {shape}")
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} has values that are not finite")
+    return values
+
+
+def _numbers(group: h5py.Group, name: str, count: int | None = None) -> list[float]:
+    """An attribute of finite numbers."""
+    values = np.asarray(group.attrs[name])
+    if values.dtype.kind not in "iuf" or values.ndim != 1:
+        raise ValueError(f"{name} is not a list of numbers")
+    if count is not None and values.size != count:
+        raise ValueError(f"{name} has {values.size} values, not {count}")
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} has values that are not finite")
+    return [float(value) for value in values]
+
+
+def _whole_numbers(group: h5py.Group, name: str, count: int) -> list[int]:
+    numbers = _numbers(group, name, count)
+    if any(number != round(number) or abs(number) >= 2**31 for number in numbers):
+        raise ValueError(f"{name} has values that are not whole numbers of 32 bits")
+    return [int(number) for number in numbers]
+
+
+def _mirrored(group: h5py.Group, name: str) -> int:
+    value = int(group.attrs[name])
+    if value not in (0, 1, 2):
+        raise ValueError(f"{name} must be 0, 1 or 2, got {value}")
+    return value
 
 
 def _read_flow(group: h5py.Group) -> dict[str, Any]:
     flow: dict[str, Any] = {
-        "mirrored": int(group.attrs["mirrored"]),
-        "advance": [float(cells) for cells in group.attrs["advance"]],
+        "mirrored": _mirrored(group, "mirrored"),
+        "advance": _numbers(group, "advance", 2),
     }
     for body in (1, 2):
-        for name, kind in ((f"cells{body}", np.uint32), (f"strain{body}", np.float64)):
-            flow[name] = group[name][...] if name in group else np.zeros(0, kind)
+        cells, strain = f"cells{body}", f"strain{body}"
+        flow[cells] = group[cells][...] if cells in group else np.zeros(0, np.uint32)
+        if flow[cells].dtype != np.uint32 or flow[cells].ndim != 1:
+            raise ValueError(f"{cells} is not a list of cells")
+        flow[strain] = finite_dataset(group, strain) if strain in group else np.zeros(0)
     return flow
 
 
@@ -185,6 +257,8 @@ def _plain(value: Any) -> Any:
 
 def _read_scene(file: h5py.File, softening: Softening) -> dict[str, Any]:
     arguments: dict[str, Any] = {k: _plain(v) for k, v in file["settings"].attrs.items()}
+    if not set(_SETTINGS) <= set(arguments) <= {*_SETTINGS, *_OPTIONAL}:
+        raise ValueError(f"its settings are {', '.join(arguments) or 'missing'}")
     arguments["grid"] = Grid(**{k: _plain(v) for k, v in file["grid"].attrs.items()})
     for name, law in zip(("body1", "body2"), softening, strict=True):
         parameters = {k: _plain(v) for k, v in file[name].attrs.items()}
@@ -206,11 +280,11 @@ def _read_scene(file: h5py.File, softening: Softening) -> dict[str, Any]:
             None if thermal is None else tuple(thermal),
             softened,
         )
-    arguments["gap"] = file["initial_gap"][...]
+    arguments["gap"] = finite_dataset(file, "initial_gap", arguments["grid"].surface_shape)
     for name in ("relief1", "relief2"):
         if name in file:
             place = {k: _plain(v) for k, v in file[name].attrs.items()}
-            arguments[name] = Relief(file[name][...], place["first"], place["periodic"])
+            arguments[name] = Relief(finite_dataset(file, name), place["first"], place["periodic"])
     return arguments
 
 
@@ -218,33 +292,48 @@ def _read_state(file: h5py.File) -> dict[str, Any]:
     group = file["state"]
     shape = file["initial_gap"].shape
     saved: dict[str, Any] = {name: _plain(group.attrs[name]) for name in _SCALARS}
+    for name in _SCALARS:
+        if not math.isfinite(saved[name]) and name != "approach":  # none with given tractions
+            raise ValueError(f"{name} must be finite, got {saved[name]}")
     for name in _SURFACE:
-        saved[name] = None
-        if name in group or name in _REQUIRED:
-            saved[name] = np.ascontiguousarray(group[name][...])
-            if saved[name].shape != shape:
-                raise ValueError(f"{name} has shape {saved[name].shape}, not {shape}")
+        present = name in group or name in _REQUIRED
+        saved[name] = finite_dataset(group, name, shape) if present else None
     saved["time"] = float(group.attrs["time"])
-    saved["travel"] = [float(cells) for cells in group.attrs["travel"]]
-    saved["past_symmetry"] = int(group.attrs["past_symmetry"])
-    saved["heating"] = [_core.Heating(*map(float, row)) for row in group.attrs["heating"]]
+    saved["travel"] = _numbers(group, "travel", 2)
+    if not math.isfinite(saved["time"]) or max(map(abs, saved["travel"])) >= _FARTHEST:
+        raise ValueError("time or travel is out of range")
+    saved["past_symmetry"] = _mirrored(group, "past_symmetry")
+    heating = np.asarray(group.attrs["heating"])
+    if heating.dtype.kind != "f" or heating.shape != (2, 8) or np.isnan(heating).any():
+        raise ValueError("heating is not 8 numbers for each body")
+    saved["heating"] = [_core.Heating(*map(float, row)) for row in heating]
     for body in (1, 2):
         for name in (f"softening{body}", f"past{body}"):
-            saved[name] = np.ascontiguousarray(group[name][...]) if name in group else None
+            saved[name] = finite_dataset(group, name) if name in group else None
         name = f"history{body}"
-        saved[name] = None
-        if name in group:
-            kept = group[name]
-            saved[name] = {
-                "box": [int(n) for n in kept.attrs["box"]],
-                "flow_box": [int(n) for n in kept.attrs["flow_box"]],
-                "mirrored": int(kept.attrs["mirrored"]),
-                "strain": np.ascontiguousarray(kept["strain"][...]),
-                "equivalent": np.ascontiguousarray(kept["equivalent"][...]),
-                "backstress": np.ascontiguousarray(
-                    kept["backstress"][...] if "backstress" in kept else np.zeros(0)
-                ),
-            }
+        saved[name] = _read_history(group[name]) if name in group else None
     saved["last_flow"] = _read_flow(group["last_flow"]) if "last_flow" in group else None
     saved["counters"] = {k: _plain(v) for k, v in file["counters"].attrs.items()}
     return saved
+
+
+def _read_history(kept: h5py.Group) -> dict[str, Any]:
+    box, flow_box = (_whole_numbers(kept, name, 5) for name in ("box", "flow_box"))
+    if abs(box[0]) >= _FARTHEST or min(box[2:] + flow_box[2:]) < 0:
+        raise ValueError("a box of a plastic history is out of range")
+    _, _, nx, ny, nz = box
+    strain, backstress = finite_dataset(kept, "strain"), np.zeros(0)
+    if strain.ndim != 4 or strain.shape[1:] != (nz, nx, ny):
+        raise ValueError(f"strain has shape {strain.shape}, its box {(nz, nx, ny)}")
+    if "backstress" in kept:
+        backstress = finite_dataset(kept, "backstress")
+        if backstress.ndim != 5 or backstress.shape[1:] != (5, nz, nx, ny):
+            raise ValueError(f"backstress has shape {backstress.shape}, its box {(nz, nx, ny)}")
+    return {
+        "box": box,
+        "flow_box": flow_box,
+        "mirrored": _mirrored(kept, "mirrored"),
+        "strain": strain,
+        "equivalent": finite_dataset(kept, "equivalent", (nz, nx, ny)),
+        "backstress": backstress,
+    }

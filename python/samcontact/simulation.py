@@ -27,7 +27,7 @@ from ._checks import (
 from ._heating import heating, march, pair, require_reference, velocities
 from ._journal import Journal
 from ._repr import Rows, Shown, counts, lengths, material_in_short, quantity
-from .checkpoint import CheckpointError, read_checkpoint, write_checkpoint
+from .checkpoint import DAMAGED, CheckpointError, damaged, read_checkpoint, write_checkpoint
 from .contact import GridTooSmallWarning, require_type
 from .grid import Grid
 from .material import Material
@@ -378,11 +378,10 @@ class Simulation(Shown):
             for arguments in bar:
                 try:
                     state = journal.next() if journal else None
-                    if state is None:
-                        state = self.step(**arguments)
-                        if journal:
-                            journal.add()
-                    states.append(state)
+                    kept = state is not None
+                    states.append(self.step(**arguments) if state is None else state)
+                    if journal and not kept:
+                        journal.add()
                 except BaseException as error:  # Ctrl-C too
                     error.states = states  # type: ignore[attr-defined]
                     raise
@@ -499,6 +498,6 @@ class Simulation(Shown):
         try:
             simulation = cls(**arguments)
             simulation._core.restore(saved)
-        except (ValueError, TypeError) as error:
-            raise CheckpointError(f"{os.fspath(path)!r} is damaged: {error}") from error
+        except DAMAGED as error:
+            raise damaged(path, error) from error
         return simulation

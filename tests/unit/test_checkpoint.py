@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checkpoints: the same bits after resuming, and no damage from damaged files or failed writes."""
 
+import contextlib
 import os
 import subprocess
 import sys
@@ -11,6 +12,7 @@ import pytest
 
 import samcontact as sc
 from samcontact import checkpoint, hertz, surfaces
+from samcontact._seal import seal
 
 E, NU = 210e9, 0.3
 MATERIALS = {
@@ -90,6 +92,33 @@ def test_goes_on_with_the_same_bits(path, body1, body2, settings):
             assert (state.iterations > 0) == plastic
 
 
+def test_the_format_before_has_no_digest(path):
+    sim = simulation()
+    sim.step(load=LOAD)
+    sim.save(path)
+    with h5py.File(path, "a") as file:
+        file.attrs["format_version"] = 4
+    assert_same(sc.Simulation.load(path).step(load=0.0), sim.step(load=0.0))
+
+
+def halved(rise):
+    return np.full(rise.shape, 0.5)
+
+
+def test_a_journal_goes_on_with_a_law_of_softening_that_no_file_holds(tmp_path):
+    steel = MATERIALS["linear"].with_thermal(50.0, 1e-5, 1.4e-5).with_softening(halved)
+
+    def soft():
+        heat = {"heat_factor": 1e-3, "heat_reference": 1.0, "velocity": [1.0, 0.0]}
+        return sc.Simulation(GRID, MATERIALS["elastic"], steel, GAP, **heat)
+
+    path = [{"load": 0.2 * LOAD}, {"load": 0.3 * LOAD}]
+    first = soft().run(path, progress=False, checkpoint=tmp_path)
+    again = soft().run(path, progress=False, checkpoint=tmp_path)
+    assert_same(again[-1], first[-1])
+    assert first[-1].plastic_cells() > 0
+
+
 def test_before_the_first_step(path):
     simulation().save(path)
     assert_same(sc.Simulation.load(path).step(load=LOAD), simulation().step(load=LOAD))
@@ -139,6 +168,14 @@ def test_in_another_process(path, tmp_path):
         np.testing.assert_array_equal(there["gap"], state.gap)
 
 
+@contextlib.contextmanager
+def edited(path):
+    """The checkpoint to change on purpose, so that not its digest tells."""
+    with h5py.File(path, "a") as file:
+        yield file
+    seal(path)
+
+
 class TestDamage:
     @pytest.fixture
     def saved(self, path):
@@ -165,9 +202,9 @@ class TestDamage:
         assert isinstance(caught.value, ValueError)
 
     def test_a_later_format(self, saved):
-        with h5py.File(saved, "a") as file:
+        with edited(saved) as file:
             file.attrs["format_version"] = 99
-        text = r"checkpoint format 99; this version reads format \d+$"
+        text = r"checkpoint format 99; this version reads formats 4 and 5$"
         with pytest.raises(sc.CheckpointError, match=text):
             sc.Simulation.load(saved)
 
@@ -203,7 +240,7 @@ class TestDamage:
         ],
     )
     def test_missing_part(self, saved, name):
-        with h5py.File(saved, "a") as file:
+        with edited(saved) as file:
             del file[name]
         with pytest.raises(sc.CheckpointError, match="is damaged"):
             sc.Simulation.load(saved)
@@ -217,16 +254,49 @@ class TestDamage:
         ],
     )
     def test_part_that_does_not_fit(self, saved, name):
-        with h5py.File(saved, "a") as file:
+        with edited(saved) as file:
             values = file["state"][name][...]
             del file["state"][name]
             file["state"][name] = values[..., 1:]
         with pytest.raises(sc.CheckpointError, match="is damaged"):
             sc.Simulation.load(saved)
 
+    def test_changed_by_another_program(self, saved):
+        with h5py.File(saved, "a") as file:
+            file["state"].attrs["load"] = 1.0
+        with pytest.raises(sc.CheckpointError, match="digest at its end is missing"):
+            sc.Simulation.load(saved)
+
+    @pytest.mark.parametrize("name", ["pressure", "history2/strain", "history2/equivalent"])
+    def test_values_that_are_no_numbers(self, saved, name):
+        with edited(saved) as file:
+            file["state"][name][..., 0] = np.nan
+        with pytest.raises(sc.CheckpointError, match=r"is damaged: .* not finite"):
+            sc.Simulation.load(saved)
+
+    def test_another_type_of_numbers(self, saved):
+        with edited(saved) as file:
+            values = file["state/pressure"][...]
+            del file["state/pressure"]
+            file["state/pressure"] = values.astype(np.float32)
+        with pytest.raises(sc.CheckpointError, match="pressure has type float32"):
+            sc.Simulation.load(saved)
+
+    def test_a_group_where_an_array_belongs(self, saved):
+        with edited(saved) as file:
+            del file["settings"]
+            file["settings"] = 1.0
+        with pytest.raises(sc.CheckpointError, match="is damaged"):
+            sc.Simulation.load(saved)
+
     @pytest.mark.parametrize(
         ("group", "attribute", "value"),
         [
+            ("state", "past_symmetry", 7),
+            ("state", "travel", [np.nan, 0.0]),
+            ("state", "load", np.inf),
+            ("state/history2", "box", [2**31 - 1, 0, 3, 3, 3]),
+            ("state/history2", "flow_box", [0, 0, -1, 3, 3]),
             ("grid", "dx", -1.0),
             ("body2", "nu", 0.7),
             ("body2", "law", "viscous"),
@@ -237,7 +307,7 @@ class TestDamage:
         ],
     )
     def test_impossible_values(self, saved, group, attribute, value):
-        with h5py.File(saved, "a") as file:
+        with edited(saved) as file:
             file[group].attrs[attribute] = value
         with pytest.raises(sc.CheckpointError, match="is damaged"):
             sc.Simulation.load(saved)

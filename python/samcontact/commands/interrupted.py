@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .._atomic import replacing
 from .._journal import Journal
 
 if TYPE_CHECKING:
@@ -24,7 +25,8 @@ def remember_case(directory: Path, case: CaseFile) -> Path:
     folder = directory / FOLDER
     folder.mkdir(parents=True, exist_ok=True)
     text = f"{case.source.resolve()}\n{case.text}"
-    (folder / CASE).write_text(text, encoding="utf-8")
+    with replacing(folder / CASE) as part:
+        part.write_text(text, encoding="utf-8")
     return folder
 
 

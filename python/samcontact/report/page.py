@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+from .._atomic import replacing
 from .._verdict import Verdict
 from . import contact, tables, tugging, wear
 
@@ -52,7 +53,8 @@ def write(dataset: xr.Dataset, path: str | Path) -> Path:
     )
     text = environment.get_template("report.html.j2").render(**_content(dataset))
     target = Path(path)
-    target.write_text(text, encoding="utf-8")
+    with replacing(target) as part:
+        part.write_text(text, encoding="utf-8")
     return target
 
 

@@ -8,11 +8,14 @@ from datetime import datetime, timezone
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import h5netcdf
 import numpy as np
 import xarray as xr
 
-from .._atomic import replacing
+from .._atomic import replacing_hdf5
 from .._checks import choice
+from .._seal import check_seal
+from ..checkpoint import DAMAGED
 from .convergence import add_convergence
 from .motion import COMPONENTS, add_motion
 from .motion import variable as _variable
@@ -314,8 +317,9 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
         for name, variable in dataset.data_vars.items()
         if variable.ndim > 1
     }
-    with replacing(target) as part:
-        dataset.to_netcdf(part, engine="h5netcdf", encoding=encoding)
+    with replacing_hdf5(target) as opened, h5netcdf.File(opened, "w") as file:
+        # to_netcdf would let HDF5 write to the disk itself
+        dataset.dump_to_store(xr.backends.H5NetCDFStore(file), encoding=encoding)
     return target
 
 
@@ -343,8 +347,11 @@ def open_results(path: str | Path) -> xr.Dataset:
     if not source.is_file():
         raise FileNotFoundError(f"no results file at {source}")
     try:
+        check_seal(source)  # files that other programs have written on purpose have none
         dataset = xr.open_dataset(source, engine="h5netcdf")
-    except OSError as error:
+    except PermissionError:
+        raise
+    except DAMAGED as error:
         raise ValueError(f"path must be a netCDF4 file, got {source}: {error}") from error
     if "samcontact_version" not in dataset.attrs:
         dataset.close()

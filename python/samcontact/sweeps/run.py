@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 from tqdm import tqdm
 
+from .._atomic import undisturbed
 from .._checks import integer
 from . import worker
 from .worker import Outcome, case_key, failure
@@ -136,7 +137,7 @@ class _Run:
         with tqdm(total=len(self.cases), disable=not progress, unit="case") as bar:
 
             def take(key: str, outcome: Outcome) -> None:
-                with _undisturbed():
+                with undisturbed():
                     if self.store is not None and "variables" in outcome:
                         self.store.write(key, outcome["variables"], self.cases[key])
                     self.outcomes[key] = outcome
@@ -151,23 +152,6 @@ class _Run:
                     content = case.model_dump(exclude_unset=True)
                     tasks[key] = content, str(case.source.resolve())
             _solve(executor, tasks, take)
-
-
-@contextmanager
-def _undisturbed() -> Iterator[None]:
-    """Keep Ctrl-C waiting: what is finished must not be lost while it is written."""
-    before = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or before is None:
-        yield  # signals go elsewhere
-        return
-    pressed: list[int] = []
-    signal.signal(signal.SIGINT, lambda number, _: pressed.append(number))
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
-        if pressed:
-            signal.raise_signal(signal.SIGINT)
 
 
 def _solve(executor: Any, tasks: Tasks, take: Take) -> None:

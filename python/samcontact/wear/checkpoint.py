@@ -14,12 +14,16 @@ from typing import Any
 import h5py
 import numpy as np
 
-from .._atomic import replacing
+from .._atomic import replacing_hdf5
 from .._checks import FloatArray
-from .checks import Scene
-from .results import Cycle
+from .._seal import check_seal
+from ..checkpoint import DAMAGED, CheckpointError
+from ..checkpoint import finite_dataset as _array
+from .checks import Scene, met_rows
+from .results import PER_BODY, Cycle
 
-_FORMAT = "samcontact wear 1"
+_FORMAT = "samcontact wear 2"
+_UNSEALED = "samcontact wear 1"  # without a digest of the file
 
 
 @dataclass
@@ -71,7 +75,7 @@ def _feed(digest: Any, value: Any) -> None:
 
 def write(path: str | os.PathLike[str], scene: Scene, standing: Standing) -> None:
     """A failure leaves the old file."""
-    with replacing(path) as part, h5py.File(part, "w") as file:
+    with replacing_hdf5(path) as opened, h5py.File(opened, "w") as file:
         _write(file, scene, standing)
 
 
@@ -99,38 +103,63 @@ def _dataset(group: h5py.Group, name: str, values: FloatArray) -> None:
 def read(path: str | os.PathLike[str], scene: Scene) -> Standing | None:
     """Where the file stands; None without a file.
 
-    Raises ValueError for a file of other arguments, of another kind, or a damaged one.
+    Raises CheckpointError for a file of other arguments, of another kind, or a damaged one.
     """
     if not Path(path).exists():
         return None
     name = os.fspath(path)
     try:
+        sealed = check_seal(path)
         with h5py.File(path, "r") as file:
-            if file.attrs.get("format") != _FORMAT:
-                raise ValueError(f"checkpoint {name!r} is no checkpoint of wear")
+            form = file.attrs.get("format")
+            if not isinstance(form, str) or form not in (_FORMAT, _UNSEALED):
+                raise CheckpointError(f"checkpoint {name!r} is no checkpoint of wear")
+            if not sealed and form != _UNSEALED:
+                raise ValueError("the digest at its end is missing: it was cut off or changed")
             if file.attrs["arguments"] != fingerprint(scene):
-                raise ValueError(
+                raise CheckpointError(
                     f"checkpoint {name!r} was written with other arguments: give those again, or "
                     "another file"
                 )
             return _read(file, scene)
-    except (OSError, KeyError) as error:
-        raise ValueError(f"checkpoint {name!r} is damaged: {error}") from error
+    except CheckpointError:
+        raise
+    except DAMAGED as error:
+        raise CheckpointError(f"checkpoint {name!r} is damaged: {error}") from error
 
 
 def _read(file: h5py.File, scene: Scene) -> Standing:
-    standing = Standing({body: list(file[f"heights{body}"][...]) for body in scene.worn})
+    cycles = _read_cycles(file["cycles"], len(scene.worn)) if "cycles" in file else []
+    standing = Standing({}, {}, cycles)
+    for body in scene.worn:
+        _, rows = met_rows(scene, body)
+        shape = (len(cycles) + 1, rows, scene.grid.ny)
+        standing.heights[body] = list(_array(file, f"heights{body}", shape))
     for body in (1, 2):
         if f"strain{body}" in file:
             group = file[f"strain{body}"]
-            names = ("strain", "equivalent", "backstress")
-            fields = {name: group[name][...] for name in names if name in group}
-            standing.strains[body] = Strain(int(group.attrs["first"]), **fields)
-    if "cycles" in file:
-        records = {item.name: file["cycles"][item.name][...] for item in dataclasses.fields(Cycle)}
-        for n in range(len(records["number"])):
-            standing.cycles.append(Cycle(**{k: _plain(v[n]) for k, v in records.items()}))
+            equivalent = _array(group, "equivalent")
+            if equivalent.ndim != 3 or equivalent.shape[1:] != scene.grid.volume_shape[1:]:
+                raise ValueError(f"equivalent has shape {equivalent.shape}")
+            strain, back = _array(group, "strain", (6, *equivalent.shape)), None
+            if "backstress" in group:
+                terms = len(scene.bodies[body - 1].kinematic)
+                back = _array(group, "backstress", (terms, *strain.shape))
+            first = int(group.attrs["first"])
+            standing.strains[body] = Strain(first, strain, equivalent, back)
     return standing
+
+
+def _read_cycles(group: h5py.Group, worn: int) -> list[Cycle]:
+    records = {item.name: group[item.name][...] for item in dataclasses.fields(Cycle)}
+    count = len(records["number"])
+    for name, values in records.items():
+        shape: tuple[int, ...] = (count, worn) if name in PER_BODY else (count,)
+        if values.dtype.kind not in "if" or values.shape != shape or not np.isfinite(values).all():
+            raise ValueError(f"{name} of the cycles is not {shape} finite numbers")
+    if list(records["number"]) != list(range(1, count + 1)):
+        raise ValueError("the cycles are not numbered one after the other")
+    return [Cycle(**{k: _plain(v[n]) for k, v in records.items()}) for n in range(count)]
 
 
 def _plain(value: Any) -> Any:

@@ -46,6 +46,10 @@ class Cycle:
     """Under the largest load [m^2]."""
 
 
+PER_BODY = ("volume", "lost", "depth", "surface_strain", "max_plastic_strain")
+"""Those of a cycle that have one value for each worn body."""
+
+
 @dataclass(eq=False)
 class WearResult:
     """Cycles, worn surfaces, and the first and last cycle's states."""

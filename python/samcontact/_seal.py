@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A digest behind the end of an HDF5 file, by which any later change of its bytes is noticed.
+
+HDF5 does not look behind the end that its header tells. The digest is compared before the file is
+opened: the HDF5 library may crash on damaged metadata.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from typing import BinaryIO
+
+_MARK = b"\nsamcontact sha256 "
+_HEX = 64
+_LENGTH = len(_MARK) + _HEX + 1
+_BLOCK = 1 << 20
+
+
+def seal(path: str | os.PathLike[str]) -> None:
+    """Append the digest to a complete file. Programs that change the file later cut it off."""
+    with open(path, "r+b") as file:
+        digest = _digest(file, os.fstat(file.fileno()).st_size)
+        file.write(_MARK + digest + b"\n")
+
+
+def check_seal(path: str | os.PathLike[str]) -> bool:
+    """Whether the file has a digest.
+
+    Raises ValueError when its bytes are not those that were sealed.
+    """
+    with open(path, "rb") as file:
+        length = os.fstat(file.fileno()).st_size - _LENGTH
+        if length < 0:
+            return False
+        file.seek(length)
+        end = file.read(_LENGTH)
+        if not end.startswith(_MARK):
+            return False
+        file.seek(0)
+        if end != _MARK + _digest(file, length) + b"\n":
+            raise ValueError("its bytes have changed since it was written")
+    return True
+
+
+def _digest(file: BinaryIO, length: int) -> bytes:
+    """Of the first bytes of a file, read from where it stands."""
+    digest = hashlib.sha256()
+    while length > 0:
+        block = file.read(min(_BLOCK, length))
+        if not block:
+            break
+        digest.update(block)
+        length -= len(block)
+    return digest.hexdigest().encode()
