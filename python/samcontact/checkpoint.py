@@ -322,7 +322,8 @@ def _read_history(kept: h5py.Group) -> dict[str, Any]:
     if abs(box[0]) >= _FARTHEST or min(box[2:] + flow_box[2:]) < 0:
         raise ValueError("a box of a plastic history is out of range")
     _, _, nx, ny, nz = box
-    strain, backstress = finite_dataset(kept, "strain"), np.zeros(0)
+    strain = finite_dataset(kept, "strain")
+    backstress: FloatArray = np.zeros(0)
     if strain.ndim != 4 or strain.shape[1:] != (nz, nx, ny):
         raise ValueError(f"strain has shape {strain.shape}, its box {(nz, nx, ny)}")
     if "backstress" in kept:
