@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 FloatArray = NDArray[np.float64]
+MOST_STEPS = 100_000
+"""Increments of one path: more would take months, and a slip of the pen fills the memory."""
 
 
 def _has_unit(value: Any) -> bool:
@@ -68,6 +70,14 @@ def integer(name: str, value: Any, minimum: int | None = None) -> int:
     if minimum is not None and value < minimum:
         raise ValueError(f"{name} must be an integer >= {minimum}, got {value}")
     return int(value)
+
+
+def step_count(name: str, value: Any) -> int:
+    """Return `value` as a number of increments that a list can hold."""
+    count = integer(name, value, 1)
+    if count > MOST_STEPS:
+        raise ValueError(f"{name} must be at most {MOST_STEPS}, got {count}")
+    return count
 
 
 def choice(name: str, value: Any, allowed: tuple[Any, ...]) -> Any:

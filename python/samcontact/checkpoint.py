@@ -43,6 +43,7 @@ _SETTINGS = (
     "velocity",
     "reach",
 )
+_PARAMETERS = ("E", "nu", "yield_stress", "tangent_modulus", "B", "C", "n")
 _OPTIONAL = ("increment_tol", "heating_time", "heat_reference", "heat_history")
 _FARTHEST = 1 << 30  # cells from the start of a body's way
 _SCALARS = (
@@ -273,9 +274,12 @@ def _read_scene(file: h5py.File, softening: Softening) -> dict[str, Any]:
                 "give it again, softening=(law of body 1, law of body 2), None for a body without"
             )
         parameters.pop("softening", None)
+        law_name = parameters.pop("law")
+        # HDF5 sorts attributes by name; a description of the run tells their order too
+        ordered = {name: parameters.pop(name) for name in _PARAMETERS if name in parameters}
         arguments[name] = Material(
-            parameters.pop("law"),
-            parameters,
+            law_name,
+            ordered | parameters,
             kinematic,
             None if thermal is None else tuple(thermal),
             softened,

@@ -13,6 +13,9 @@ from . import _core
 from ._checks import FloatArray, integer, number
 from ._repr import Rows, Shown, counts, lengths
 
+MOST_CELLS = 1 << 24
+"""Along one axis: the core counts with 32 bits, also twice as many cells."""
+
 
 @dataclass(frozen=True)
 class Grid(Shown):
@@ -24,7 +27,7 @@ class Grid(Shown):
     Parameters
     ----------
     nx, ny : int
-        Cells along x and y, > 0.
+        Cells along x and y, from 1 to 2^24.
     dx, dy : float
         Cell sizes [m], > 0.
     nz : int, optional
@@ -47,7 +50,10 @@ class Grid(Shown):
 
     def __post_init__(self) -> None:
         for name, minimum in (("nx", 1), ("ny", 1), ("nz", 0)):
-            object.__setattr__(self, name, integer(name, getattr(self, name), minimum))
+            count = integer(name, getattr(self, name), minimum)
+            if count > MOST_CELLS:
+                raise ValueError(f"{name} must be at most {MOST_CELLS}, got {count}")
+            object.__setattr__(self, name, count)
         for name in ("dx", "dy"):
             object.__setattr__(self, name, number(name, getattr(self, name)))
         if self.nz > 0 and self.dz is None:

@@ -14,6 +14,9 @@ from .surfaces import SurfaceGrid
 
 __all__ = ["Relief"]
 
+MOST_ROWS = 1 << 20
+"""From where a contact starts to the last row of a dent or furrow."""
+
 
 @dataclass(frozen=True, eq=False)
 class Relief:
@@ -65,6 +68,11 @@ def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int,
 def rows_within(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray, int]:
     """Positions of the rows of cells within a radius of x, and the number of the first one."""
     middle = 0.5 * (grid.nx - 1)
+    if not (abs(x) + radius) / grid.dx < MOST_ROWS:
+        raise ValueError(
+            f"x and its reach along x must stay within {MOST_ROWS} cells of {grid.dx!r} m, "
+            f"got {x!r} m and {radius!r} m"
+        )
     first = int(np.ceil((x - radius) / grid.dx + middle))
     last = max(first, int(np.floor((x + radius) / grid.dx + middle)))
     return np.asarray((np.arange(first, last + 1) - middle) * grid.dx, dtype=np.float64), first

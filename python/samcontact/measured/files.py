@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -84,13 +85,19 @@ def read(
 def plain_heights(path: Path) -> FloatArray:
     """Rows of heights from a plain file; a ValueError that names it where it cannot be read."""
     try:
-        if path.suffix.lower() == ".npy":
-            heights: Any = np.load(path, allow_pickle=False)
-        else:
-            delimiter = "," if path.suffix.lower() == ".csv" else None
-            heights = np.loadtxt(path, delimiter=delimiter, ndmin=2)
-    except (OSError, ValueError) as error:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of an empty file, which is refused below
+            if path.suffix.lower() == ".npy":
+                heights: Any = np.load(path, allow_pickle=False)
+            else:
+                delimiter = "," if path.suffix.lower() == ".csv" else None
+                heights = np.loadtxt(path, delimiter=delimiter, ndmin=2)
+    except (OSError, ValueError, EOFError, TypeError, ArithmeticError, MemoryError) as error:
         raise ValueError(f"path: cannot read heights from {path}: {error}") from error
+    numbers = isinstance(heights, np.ndarray) and heights.dtype.kind in "iuf"
+    if not numbers or heights.ndim != 2 or heights.size == 0:
+        found = f"{heights.dtype} of shape {heights.shape}" if numbers else type(heights).__name__
+        raise ValueError(f"path: {path} must hold rows of numbers, has {found}")
     return np.asarray(heights)
 
 
@@ -109,13 +116,15 @@ def _with_library(
             heights = np.ma.filled(np.ma.array(topography.heights(), dtype=np.float64), np.nan)
             attrs = _provenance(path, reader, info, topography)
             step_x, step_y = (float(step) for step in topography.pixel_size)
-    except OSError as error:
-        raise ValueError(f"path: cannot read heights from {path}: {error}") from error
     except io.CannotDetectFileFormat as error:
         raise ValueError(
             f"path: cannot read heights from {path}: no format that SurfaceTopography knows"
         ) from error
-    except io.ReadFileError as error:
+    except ImportError:
+        raise
+    except Exception as error:  # its readers let any kind through for a damaged file
+        if isinstance(error, ValueError) and str(path) in str(error):
+            raise
         raise ValueError(f"path: cannot read heights from {path}: {error}") from error
     return MeasuredSurface(heights, step_x, step_y, attrs)
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from .._checks import choice, finite, integer, load_or_approach, number, positive
+from .._checks import MOST_STEPS, choice, finite, load_or_approach, number, positive, step_count
 from .._heating import pair
 
 Steps = list[dict[str, Any]]
@@ -38,13 +38,14 @@ class Passes:
 
     def steps(self) -> Steps:
         lengths = _lengths(self.distance, self.step)
-        count = integer("passes", self.passes, 1)
+        count = step_count("passes", self.passes)
         if not self.value > 0.0:
             raise ValueError(f"{self.quantity} must be > 0, got {self.value!r}")
-        up = integer("increments", self.increments, 1)
+        up = step_count("increments", self.increments)
         down = up
         if self.unload_increments is not None:
-            down = integer("unload_increments", self.unload_increments, 1)
+            down = step_count("unload_increments", self.unload_increments)
+        step_count("number of increments of all passes", count * (len(lengths) + up + down + 1))
         loading = [self._still(self.value * ((i + 1) / up)) for i in range(up)]
         # load = 0, not approach = 0: a hot or flattened surface may still touch there
         unloading = [self._still(self.value * ((down - i) / down)) for i in range(1, down)]
@@ -94,6 +95,11 @@ def _lengths(distance: float, step: float) -> list[float]:
         raise ValueError("distance must not be 0")
     if whole > abs(total) * (1.0 + _ROUNDING):
         raise ValueError(f"step must be at most the distance, {abs(total)!r}, got {whole!r}")
+    if abs(total) > MOST_STEPS * whole:
+        raise ValueError(
+            f"step must be at least the distance over {MOST_STEPS}, {abs(total) / MOST_STEPS!r}, "
+            f"got {whole!r}"
+        )
     count = math.floor(abs(total) / whole + _ROUNDING)
     rest = abs(total) - count * whole
     lengths = [math.copysign(whole, total)] * count

@@ -13,10 +13,10 @@ from .._checks import (
     choice,
     finite,
     finite_array,
-    integer,
     load_or_approach,
     non_negative,
     positive,
+    step_count,
 )
 from .._heating import pair
 
@@ -26,7 +26,7 @@ Path = list[dict[str, Any]]
 def _fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
     """Increasing fractions of the ramp, the last exactly 1."""
     choice("spacing", spacing, ("linear", "power"))
-    count = integer("increments", increments, 1)
+    count = step_count("increments", increments)
     fractions = np.arange(1, count + 1, dtype=np.float64) / count
     if spacing == "power":
         fractions = fractions ** positive("exponent", exponent)
@@ -73,7 +73,7 @@ def hold(
     load, approach : float
         Load [N], >= 0, or approach [m]; give one.
     increments : int
-        Number of steps, >= 1.
+        Number of steps, from 1 to 100000.
     advance : pair of floats, optional
         How far body 1 and 2 move towards +x, in all steps together [m].
     duration : float, optional
@@ -92,7 +92,7 @@ def hold(
         Both or neither of load and approach, or a value outside its range.
     """
     name, value = load_or_approach(load, approach)
-    count = integer("increments", increments, 1)
+    count = step_count("increments", increments)
     return _with_parts([{name: value} for _ in range(count)], advance, duration, heat_factor)
 
 
@@ -115,7 +115,7 @@ def ramp(
     load, approach : float
         Target load [N], >= 0, or approach [m]; give one.
     increments : int
-        Number of steps, >= 1.
+        Number of steps, from 1 to 100000.
     start : float
         Value before the first step [N] or [m].
     spacing : {"linear", "power"}
@@ -165,7 +165,7 @@ def load_unload(
     load, approach : float
         Peak load [N] or approach [m]; give one.
     increments, unload_increments : int
-        Number of steps up and down (as many down as up by default).
+        Number of steps up and down (as many down as up by default), from 1 to 100000.
     end : float
         Value of the last step [N] or [m], below the peak.
     spacing, exponent
@@ -187,6 +187,6 @@ def load_unload(
         raise ValueError(f"{name} must be > {max(last, 0.0)!r}, got {peak!r}")
     up = _fractions(increments, spacing, exponent)
     count = increments if unload_increments is None else unload_increments
-    integer("unload_increments", count, 1)
+    step_count("unload_increments", count)
     mirrored = np.append(_fractions(count, spacing, exponent)[::-1][1:], 0.0)
     return _steps(name, 0.0, peak, up) + _steps(name, last, peak, mirrored)

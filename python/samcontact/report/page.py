@@ -11,6 +11,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from .._atomic import replacing
 from .._verdict import Verdict
+from ..results.reading import parts_of_a_run
 from . import contact, tables, tugging, wear
 
 if TYPE_CHECKING:
@@ -51,7 +52,9 @@ def write(dataset: xr.Dataset, path: str | Path) -> Path:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    text = environment.get_template("report.html.j2").render(**_content(dataset))
+    with parts_of_a_run():
+        content = _content(dataset)
+    text = environment.get_template("report.html.j2").render(**content)
     target = Path(path)
     with replacing(target) as part:
         part.write_text(text, encoding="utf-8")
@@ -79,7 +82,8 @@ def checks(dataset: xr.Dataset) -> list[Verdict]:
     ValueError
         The dataset is not that of a run.
     """
-    return list(_kind(dataset).content(dataset)["checks"])
+    with parts_of_a_run():
+        return list(_kind(dataset).content(dataset)["checks"])
 
 
 def _kind(dataset: xr.Dataset) -> ModuleType:

@@ -19,6 +19,7 @@ from ..checkpoint import DAMAGED
 from .convergence import add_convergence
 from .motion import COMPONENTS, add_motion
 from .motion import variable as _variable
+from .reading import parts_of_a_run
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -348,6 +349,7 @@ def open_results(path: str | Path) -> xr.Dataset:
         raise FileNotFoundError(f"no results file at {source}")
     try:
         check_seal(source)  # files that other programs have written on purpose have none
+        _try(source)
         dataset = xr.open_dataset(source, engine="h5netcdf")
     except PermissionError:
         raise
@@ -357,6 +359,12 @@ def open_results(path: str | Path) -> xr.Dataset:
         dataset.close()
         raise ValueError(f"path must be a results file written by samcontact, got {source}")
     return dataset
+
+
+def _try(path: Path) -> None:
+    """Read what is read at once; xarray would leave a file open that it cannot use."""
+    with h5netcdf.File(path, "r") as file:
+        xr.open_dataset(xr.backends.H5NetCDFStore(file))
 
 
 def scalars(dataset: xr.Dataset) -> pd.DataFrame:
@@ -375,4 +383,5 @@ def scalars(dataset: xr.Dataset) -> pd.DataFrame:
     names = [
         name for name, variable in dataset.data_vars.items() if variable.dims == ("increment",)
     ]
-    return dataset[names].to_dataframe()
+    with parts_of_a_run():
+        return dataset[names].to_dataframe()

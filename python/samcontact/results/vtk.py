@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._checks import FloatArray, choice, integer
+from .reading import parts_of_a_run
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -61,11 +62,16 @@ def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int
         A file cannot be written.
     """
     choice("body", body, (1, 2))
-    volume = _volume_names(dataset, body)
-    number = _number(dataset, increment, bool(volume))
     target = Path(path)
     if target.suffix != ".vtr":
         target = target.with_name(target.name + ".vtr")
+    with parts_of_a_run():
+        return _write_all(dataset, target, increment, body)
+
+
+def _write_all(dataset: xr.Dataset, target: Path, increment: int, body: int) -> list[Path]:
+    volume = _volume_names(dataset, body)
+    number = _number(dataset, increment, bool(volume))
     written = []
     if volume:
         fields = dataset[volume].sel(volume_increment=number)

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the fuzz tests share: how many inputs each tries, and how it tries them."""
+
+import signal
+from contextlib import contextmanager
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+# Inputs tried: in every run of the tests, and with the marker `slow`. docs/testing.md has them too.
+INPUTS = {
+    "texts of case files": (300, 6000),
+    "cases with wild values": (400, 8000),
+    "cases built": (60, 1200),
+    "flipped or cut bytes of checkpoints": (300, 6000),
+    "flipped or cut bytes of wear checkpoints": (150, 3000),
+    "flipped or cut bytes of a journal": (60, 1200),
+    "flipped or cut bytes of results": (60, 1200),
+    "edited parts of checkpoints": (250, 5000),
+    "edited parts of wear checkpoints": (100, 2000),
+    "edited parts of results": (60, 1200),
+    "files of heights": (200, 4000),
+    "arguments of the grid, materials and surfaces": (1000, 20000),
+    "arguments of operators": (600, 12000),
+    "arguments of contacts": (400, 8000),
+    "arguments of steps": (300, 6000),
+}
+SECONDS = 20
+"""No input may take longer; most take milliseconds."""
+
+
+def tried(name):
+    """Runs a test with `count` inputs, and as a slow one with more."""
+    few, many = INPUTS[name]
+    slow = pytest.param(many, marks=pytest.mark.slow, id="many")
+    return pytest.mark.parametrize("count", [pytest.param(few, id="few"), slow])
+
+
+def try_all(check, count, **strategies):
+    """Call a check with that many inputs; the same ones in every run."""
+
+    def limited(**drawn):
+        with no_longer_than(SECONDS):
+            check(**drawn)
+
+    steady = settings(
+        max_examples=count,
+        deadline=None,
+        derandomize=True,
+        database=None,
+        suppress_health_check=list(HealthCheck),
+    )
+    steady(given(**strategies)(limited))()
+
+
+def unless_refused(call, kind, text=""):
+    """What the call returns; None where it raises an error of this kind with this text."""
+    try:
+        return call()
+    except kind as error:
+        message = str(error)
+    assert message
+    assert text in message
+    return None
+
+
+class HangError(BaseException):
+    """An input took too long; nothing that handles errors may handle it."""
+
+
+@contextmanager
+def no_longer_than(seconds):
+    """A limit that Python code and the core's checks for signals obey."""
+
+    def stop(number, frame):
+        raise HangError(f"longer than {seconds} s")
+
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.alarm(seconds)
+    try:
+        yield
+    finally:
+        signal.alarm(0)
+        signal.signal(signal.SIGALRM, before)
