@@ -6,6 +6,7 @@
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/grid.hpp"
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/memory.hpp"
 
 namespace samcontact::bindings {
 
@@ -17,6 +18,12 @@ namespace {
 void check_signals() {
   const py::gil_scoped_acquire gil;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+/// Raises MemoryError when there is less.
+void check_memory(double bytes, const std::string& what) {
+  py::gil_scoped_acquire gil;
+  py::module_::import("samcontact._memory").attr("require")(what, bytes);
 }
 
 void bind_errors(py::module_& m) {
@@ -47,6 +54,7 @@ void bind_errors(py::module_& m) {
 
 void bind_base(py::module_& m) {
   set_interrupt_check(check_signals);
+  set_memory_check(check_memory);
   bind_errors(m);
   py::class_<Grid>(m, "Grid")
       .def(py::init<int, int, double, double, int, double>(), py::arg("nx"), py::arg("ny"),

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core
+from . import _core, _memory
 from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number
 from ._heating import heating, require_reference
 from ._repr import Rows, Shown, quantity
@@ -119,6 +119,8 @@ class ContactSolver:
     ValueError, TypeError
         An argument out of range or of the wrong kind; the text names it, its value and what is
         allowed.
+    MemoryError
+        The grid needs more memory than is available, told before any is taken.
     """
 
     def __init__(
@@ -151,7 +153,15 @@ class ContactSolver:
         upper, lower = body1._core.elastic_constants, body2._core.elastic_constants
         self.heat_reference = heat_reference
         self._heating = heating((body1, body2), heat_factor, velocity, heating_time, heat_reference)
+        self._require_memory()
         self._core = _core.ContactSolver(grid._core, upper, lower, self.friction, self._heating)
+
+    def _require_memory(self) -> None:
+        coupled = self.friction > 0 and self.body1.parameters != self.body2.parameters
+        heated = any(entry.values()[0] > 0 for entry in self._heating)
+        cell = _memory.COUPLED_CONTACT if coupled else _memory.CONTACT
+        cell = max(cell, _memory.HEATED_CONTACT) if heated else cell
+        _memory.require_for_grid("a contact", self.grid, _memory.surface(self.grid, cell))
 
     def solve(
         self,
@@ -234,6 +244,9 @@ class ContactSolver:
         material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
         if material.is_rigid:
             raise ValueError(f"body {body} is rigid: it has no stress")
+        layers = np.size(z)
+        needed = _memory.volume(self.grid, _memory.STRESS_OF_TRACTIONS, layers)
+        _memory.require_for_grid(f"the stress at {layers} depths", self.grid, needed)
         p = finite_array("pressure", pressure, self.grid.surface_shape)
         if shear is None and self.friction > 0:
             shear = self.friction * p
@@ -270,6 +283,9 @@ class ContactSolver:
         """
         index = choice("body", body, (1, 2)) - 1
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
+        layers = np.size(z)
+        needed = _memory.volume(self.grid, _memory.TEMPERATURE, layers)
+        _memory.require_for_grid(f"the temperature at {layers} depths", self.grid, needed)
         rise: FloatArray = _core.operators.temperature(
             self.grid._core, self._heating[index], depths_of(z).tolist(), p
         )

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core
+from . import _core, _memory
 from ._checks import FloatArray, choice, finite_array, number
 from .grid import Grid
 
@@ -65,6 +65,8 @@ def surface_displacement(
     Love (1929) and Cerruti (1882); Boucly (2008), eqs (2.34), (2.37) with the prefactor corrected.
     """
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
+    needed = _memory.surface(grid, _memory.DISPLACEMENT)
+    _memory.require_for_grid("a displacement", grid, needed)
     elastic = _core.Elastic.isotropic(E, nu)
     field: FloatArray = _core.operators.surface_displacement(
         grid._core, elastic, p, *shear_components(grid, shear)
@@ -94,6 +96,8 @@ def surface_stress(
     """
     depths = depths_of(z)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
+    needed = _memory.volume(grid, _memory.STRESS_OF_TRACTIONS, len(depths))
+    _memory.require_for_grid(f"the stress at {len(depths)} depths", grid, needed)
     # The stress due to tractions does not depend on Young's modulus.
     elastic = _core.Elastic.isotropic(1.0, nu)
     field: FloatArray = _core.operators.surface_stress(
@@ -132,6 +136,8 @@ def residual_stress(
     exact = choice("method", method, ("exact", "fast")) == "exact"
     if not 1e-6 <= number("image_tol", image_tol) <= 0.1:
         raise ValueError(f"image_tol must be in [1e-6, 0.1], got {image_tol!r}")
+    cell = _memory.EXACT_RESIDUAL if exact else _memory.FAST_RESIDUAL
+    _memory.require_for_grid(f"the {method} stress", grid, _memory.volume(grid, cell))
     field: FloatArray = _core.operators.residual_stress(
         grid._core, depth_major(grid, "strain", strain), elastic, exact, float(image_tol)
     )
@@ -153,6 +159,8 @@ def residual_displacement(grid: Grid, strain: ArrayLike, nu: float) -> FloatArra
     """
     _require_volume(grid)
     nu = _core.Elastic.isotropic(1.0, nu).nu
+    needed = _memory.volume(grid, _memory.FAST_RESIDUAL)
+    _memory.require_for_grid("a displacement", grid, needed)
     field: FloatArray = _core.operators.residual_displacement(
         grid._core, depth_major(grid, "strain", strain), nu
     )

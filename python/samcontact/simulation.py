@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from tqdm.auto import tqdm
 
-from . import _core
+from . import _core, _memory
 from ._checks import (
     FloatArray,
     choice,
@@ -117,6 +117,9 @@ class Simulation(Shown):
     ValueError, TypeError
         An argument out of range or of the wrong kind; the text names it, its value and what is
         allowed.
+    MemoryError
+        The surface needs more memory than is available, told before any is taken; as does `step`
+        for the plastic zone, and `State` for a volume field.
     """
 
     def __init__(
@@ -148,6 +151,9 @@ class Simulation(Shown):
         self.grid = grid
         self.body1 = body1
         self.body2 = body2
+        scanned = grid.nz > 0 and (body1.is_plastic or body2.is_plastic)
+        cell = _memory.SIMULATION + (_memory.YIELD_SCAN if scanned else 0.0)
+        _memory.require_for_grid("a simulation", grid, _memory.surface(grid, cell))
         self.initial_gap = np.array(finite_array("gap", gap, grid.surface_shape), order="C")
         self.friction = number("friction", friction)
         self.tol = number("tol", tol)
@@ -238,7 +244,10 @@ class Simulation(Shown):
         ValueError
             Bad arguments, or GridTooSmallError.
         ConvergenceError
-            With .iterations and .residual. In every case the state before the call stays.
+            With .iterations and .residual.
+        MemoryError
+            The plastic zone needs more memory than is available. In every case the state before the
+            call stays.
 
         Warns
         -----

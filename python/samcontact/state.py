@@ -8,10 +8,16 @@ from typing import Any
 
 import numpy as np
 
+from . import _memory
 from ._checks import FloatArray, choice, integer
 from ._repr import Rows, Shown, quantity
 from .grid import Grid
 from .track import Track
+
+_VOLUME = (
+    "stress", "von_mises", "hydrostatic", "residual_stress", "plastic_strain",
+    "equivalent_plastic_strain", "backstress", "temperature",
+)  # fmt: skip
 
 
 class State(Shown):
@@ -218,7 +224,13 @@ class State(Shown):
         return np.ones(self.grid.volume_shape) if factor is None else factor
 
     def _field(self, name: str, body: int) -> FloatArray:
-        field: FloatArray = getattr(self._core, name)(choice("body", body, (1, 2)) - 1)
+        index = choice("body", body, (1, 2)) - 1
+        if name in _VOLUME:
+            exact = self._core.exact_residual_stress and self._core.max_plastic_strain(index) > 0
+            cell = _memory.EXACT_RESIDUAL if exact else _memory.VOLUME_FIELD
+            what = f"the field {name}"
+            _memory.require_for_grid(what, self.grid, _memory.volume(self.grid, cell))
+        field: FloatArray = getattr(self._core, name)(index)
         return field
 
     def _rows(self) -> Rows:

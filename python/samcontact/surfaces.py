@@ -74,6 +74,8 @@ def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatAr
 
 def _circular(r2: FloatArray, R: float) -> FloatArray:
     """R - sqrt(R^2 - r^2) without cancellation."""
+    if R > 1e150:
+        raise ValueError(f"R must be at most 1e150 m, or inf for a paraboloid, got {R!r}")
     if np.max(r2) > R**2:
         raise ValueError(
             f"R must be at least {np.sqrt(np.max(r2)):.6g}, the reach of the grid, got {R!r}"

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
+#include "samcontact/base/memory.hpp"
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/base/threads.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
@@ -20,6 +22,22 @@ using operators::Tensor;
 constexpr double near_yield = 0.9;
 /// Cells around what must be in a box.
 constexpr int margin = 2;
+
+/// Memory of an increment a cell of its box where all of them flow; docs/architecture.md has the
+/// parts.
+constexpr double fast_bytes = 650, exact_bytes = 1500;
+
+double bytes_of(const Box& box, operators::ResidualMethod method) {
+  const bool exact = method == operators::ResidualMethod::exact;
+  return static_cast<double>(box.volume_size()) * (exact ? exact_bytes : fast_bytes);
+}
+
+/// Before a box of the volume is taken instead of another one, which is given back.
+void require_memory_of(const Box& box, const Box& before, operators::ResidualMethod method) {
+  require_memory(bytes_of(box, method) - bytes_of(before, method),
+                 "the plastic zone, " + std::to_string(box.nx) + " x " + std::to_string(box.ny) +
+                     " x " + std::to_string(box.nz) + " cells of the grid,");
+}
 
 /// All six components of unknown number n; with 5 components zz follows.
 plasticity::Tensor tensor_of(const Field& unknown, std::size_t n, int components) {
@@ -156,6 +174,7 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
 }
 
 void PlasticIncrement::set_box(Body& body, const Box& box) {
+  require_memory_of(box, body.box, from_.method);
   const int parts = operators::count(body.tensor);
   const auto terms = static_cast<int>(scene_.materials[body.index].backstresses.size());
   std::vector<int> active(box.volume_size(), -1);

@@ -28,7 +28,7 @@ def short_errors() -> Iterator[None]:
         message = str(error)
     except BrokenPipeError:  # the reader of our output has left: click ends quietly
         raise
-    except (OSError, ModuleNotFoundError) as error:
-        message, code = str(error), FAILED
+    except (OSError, ModuleNotFoundError, MemoryError) as error:
+        message, code = str(error) or "not enough memory", FAILED
     click.echo(f"error: {message}", err=True)
     raise SystemExit(code)

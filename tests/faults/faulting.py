@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the tests of faults share: how many trials each makes, and processes to disturb."""
+
+import contextlib
+import os
+import subprocess
+import sys
+import time
+
+import pytest
+
+# Trials: in every run of the tests, and with the marker `slow`. docs/testing.md has them too.
+TRIALS = {
+    "kill: run": (5, 50),
+    "kill: wear": (5, 50),
+    "kill: tugging": (5, 50),
+    "kill: sweep": (5, 50),
+    "full disk": (12, 200),
+    "interrupt: step": (8, 80),
+    "interrupt: run": (5, 50),
+    "memory: estimates": (10, 10),
+    "memory: refusals": (12, 12),
+    "threads": (3, 20),
+}
+
+
+def tried(name):
+    """Runs a test with `count` trials, and as a slow one with more."""
+    few, many = TRIALS[name]
+    slow = pytest.param(many, marks=pytest.mark.slow, id="many")
+    return pytest.mark.parametrize("count", [pytest.param(few, id="few"), slow])
+
+
+def start(script, *arguments, **options):
+    """A Python process of one thread."""
+    return subprocess.Popen(
+        [sys.executable, "-c", script, *map(str, arguments)],
+        env=os.environ | {"OMP_NUM_THREADS": "1"},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        **options,
+    )
+
+
+def finished(script, *arguments, timeout=120):
+    """What a process prints that must end well."""
+    process = start(script, *arguments)
+    output, errors = process.communicate(timeout=timeout)
+    assert process.returncode == 0, errors
+    return output
+
+
+NURSERY = """
+import os, sys, traceback
+for line in sys.stdin:
+    child = os.fork()
+    if child == 0:
+        try:
+            print("result", computed(line.strip()), flush=True)
+        except BaseException:
+            traceback.print_exc()
+        finally:
+            os._exit(0)
+    print("child", child, flush=True)
+    os.waitpid(child, 0)
+    print("ended", flush=True)
+"""
+
+
+class Nursery:
+    """A process that has imported all, and forks to call `computed(argument)` of a script."""
+
+    def __init__(self, script):
+        self.process = start(script + NURSERY, stdin=subprocess.PIPE)
+
+    def run(self, argument, seconds=None, number=None):
+        """The result and how long it took; after these seconds the child gets a signal."""
+        self.process.stdin.write(f"{argument}\n")
+        self.process.stdin.flush()
+        word, child = self._line()
+        assert word == "child", self.process.stderr.read()
+        begun, result = time.perf_counter(), None
+        if seconds is not None:
+            time.sleep(seconds)
+            with contextlib.suppress(ProcessLookupError):  # it was faster
+                os.kill(int(child), number)
+        while (line := self._line())[0] != "ended":
+            result = line[1]
+        return result, time.perf_counter() - begun
+
+    def _line(self):
+        word, _, rest = self.process.stdout.readline().strip().partition(" ")
+        return word, rest
+
+    def close(self):
+        self.process.communicate()

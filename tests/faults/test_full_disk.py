@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A disk that fills up while a file is written: the old file stays, and nothing else does.
+
+The limit on the size of files makes the same system calls fail, at the byte that is wanted, for any
+user; in a process of its own, which would also show a crash at its end.
+"""
+
+import pytest
+from faulting import start, tried
+
+SCRIPT = """
+import errno, os, resource, signal, sys, warnings
+import numpy as np, xarray as xr
+import samcontact as sc
+from samcontact import report, results
+warnings.simplefilter("ignore")
+report.contact.contact_figures = lambda *_: []  # they take a second
+folder, kind, count = sys.argv[1], sys.argv[2], int(sys.argv[3])
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+grid = sc.Grid(15, 15, 60e-6, 60e-6, 12, 60e-6)
+sim = sc.Simulation(grid, sc.Material.elastic(210e9, 0.3), steel,
+                    sc.surfaces.paraboloid(grid, 7.5e-3))
+first = sim.step(load=500.0)
+second = sim.step(load=600.0)
+old, new = (results.to_dataset(sim, [state]) for state in (first, second))
+path = os.path.join(folder, "file." + {"results": "nc", "report": "html"}.get(kind, "h5"))
+write = {
+    "checkpoint": lambda now: sim.save(path),
+    "results": lambda now: results.save(new if now else old, path),
+    "report": lambda now: report.write(new if now else old, path),
+}[kind]
+write(False)
+before = open(path, "rb").read()
+failed = 0
+for trial in range(count):
+    limit = int((trial + 0.5) / count * len(before))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
+    try:
+        write(True)
+    except OSError as error:
+        assert error.errno == errno.EFBIG, error
+        assert error.filename == path, error
+        assert path in str(error)
+        failed += 1
+    resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY,) * 2)
+    assert open(path, "rb").read() == before
+    assert os.listdir(folder) == [os.path.basename(path)]
+assert failed == count
+write(True)
+assert open(path, "rb").read() != before or kind == "checkpoint"
+print("survived", failed)
+"""
+
+
+@tried("full disk")
+@pytest.mark.parametrize("kind", ["checkpoint", "results", "report"])
+def test_the_old_file_stays(tmp_path, count, kind):
+    with start(SCRIPT, tmp_path, kind, count) as process:
+        output, errors = process.communicate(timeout=500)
+    assert (process.returncode, errors) == (0, "")
+    assert output == f"survived {count}\n"
+
+
+JOURNAL = """
+import resource, signal, sys
+import samcontact as sc
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+grid = sc.Grid(15, 15, 60e-6, 60e-6, 12, 60e-6)
+
+def scene():
+    return sc.Simulation(grid, sc.Material.elastic(210e9, 0.3), steel,
+                         sc.surfaces.paraboloid(grid, 7.5e-3))
+
+path = [{"load": 100.0}, {"load": 500.0}, {"load": 600.0}]
+resource.setrlimit(resource.RLIMIT_FSIZE, (25_000, resource.RLIM_INFINITY))
+sim = scene()
+try:
+    sim.run(path, progress=False, checkpoint=sys.argv[1])
+    raise SystemExit("all was written")
+except OSError as error:
+    assert "increment_0000" in str(error), error
+    done = error.states
+assert 1 <= len(done) < 3
+assert sim.state.load == done[-1].load
+resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY,) * 2)
+again = scene().run(path, progress=False, checkpoint=sys.argv[1])
+alone = scene().run(path, progress=False)
+for one, other in zip(again, alone, strict=True):
+    assert one.pressure.tobytes() == other.pressure.tobytes()
+    assert one.plastic_strain().tobytes() == other.plastic_strain().tobytes()
+print("survived")
+"""
+
+
+def test_a_run_goes_on_when_there_is_room_again(tmp_path):
+    with start(JOURNAL, tmp_path / "kept") as process:
+        output, errors = process.communicate(timeout=100)
+    assert (process.returncode, errors, output) == (0, "", "survived\n")

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Ctrl-C at any time: soon obeyed, and nothing is lost but the increment under way."""
+
+import random
+import signal
+
+from faulting import finished, start, tried
+
+SCENE = """
+import hashlib, os, signal, sys, threading, time, warnings
+import numpy as np
+import samcontact as sc
+warnings.simplefilter("ignore")
+elastic = sc.Material.elastic(210e9, 0.3)
+steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+grid = sc.Grid(41, 41, 36e-6, 36e-6, 24, 36e-6)
+gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+SLOW = 10.0  # seconds within which Ctrl-C must be obeyed, on a machine that has much else to do
+
+def scene(method):
+    return sc.Simulation(grid, elastic, steel, gap, residual_stress=method)
+
+def digest(*states):
+    fields = [f for s in states for f in (s.pressure, s.gap, s.plastic_strain())]
+    return hashlib.sha256(b"".join(np.ascontiguousarray(f).tobytes() for f in fields)).hexdigest()
+
+def press_after(seconds):
+    sent = []
+    def press():
+        time.sleep(seconds)
+        sent.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+    thread = threading.Thread(target=press)
+    thread.start()
+    return thread, sent
+"""
+STEPS = (
+    SCENE
+    + """
+def expected(method):
+    sim = scene(method)
+    sim.step(load=300.0)
+    begun = time.perf_counter()
+    return digest(sim.step(load=1200.0)), time.perf_counter() - begun
+
+known = {method: expected(method) for method in ("fast", "exact")}
+interrupted = 0
+for number, moment in enumerate(map(float, sys.argv[1:])):
+    method = ("fast", "exact")[number % 2]
+    result, whole = known[method]
+    sim = scene(method)
+    before = digest(sim.step(load=300.0))
+    thread, sent = press_after(moment * whole)
+    try:
+        sim.step(load=1200.0)
+        while not sent:
+            time.sleep(0.01)
+        time.sleep(SLOW)
+        raise SystemExit("Ctrl-C was lost")
+    except KeyboardInterrupt:
+        assert time.perf_counter() - sent[0] < SLOW
+    thread.join()
+    if digest(sim.state) == before:
+        interrupted += 1
+        assert digest(sim.step(load=1200.0)) == result
+    else:  # it came between the step and the next line
+        assert digest(sim.state) == result
+print("interrupted", interrupted)
+"""
+)
+RUNS = (
+    SCENE
+    + """
+import shutil
+path = [{"load": load} for load in (200.0, 400.0, 600.0, 800.0, 400.0, 0.0)]
+begun = time.perf_counter()
+result = digest(*scene("fast").run(path, progress=False, checkpoint=sys.argv[1] + "/whole"))
+whole = time.perf_counter() - begun
+interrupted = 0
+for number, moment in enumerate(map(float, sys.argv[2:])):
+    folder = f"{sys.argv[1]}/{number}"
+    thread, sent = press_after(moment * whole)
+    sim = scene("fast")
+    try:
+        sim.run(path, progress=False, checkpoint=folder)
+        while True:
+            time.sleep(0.01)
+    except KeyboardInterrupt as error:
+        assert time.perf_counter() - sent[0] < SLOW
+        interrupted += len(getattr(error, "states", path)) < len(path)
+    thread.join()
+    assert not [name for name in os.listdir(folder) if name.endswith(".part")]
+    assert digest(*scene("fast").run(path, progress=False, checkpoint=folder)) == result
+    shutil.rmtree(folder)
+print("interrupted", interrupted)
+"""
+)
+
+
+def moments(name, count):
+    """Parts of the time that it takes, spread over all of it."""
+    times = random.Random(name)
+    return [(trial + times.random()) / count * 0.9 for trial in range(count)]
+
+
+@tried("interrupt: step")
+def test_steps(count):
+    output = finished(STEPS, *moments("step", count), timeout=1000)
+    assert count // 2 <= int(output.split()[1]) <= count
+
+
+@tried("interrupt: run")
+def test_runs_with_checkpoints(count, tmp_path):
+    output = finished(RUNS, tmp_path, *moments("run", count), timeout=1000)
+    assert count // 2 <= int(output.split()[1]) <= count
+
+
+WRITING = """
+import os, signal, sys
+import samcontact as sc
+from samcontact import checkpoint
+grid = sc.Grid(15, 15, 60e-6, 60e-6)
+elastic = sc.Material.elastic(210e9, 0.3)
+sim = sc.Simulation(grid, elastic, elastic, sc.surfaces.paraboloid(grid, 7.5e-3))
+sim.step(load=100.0)
+write = checkpoint._write
+
+def pressed(file, *arguments):
+    os.kill(os.getpid(), signal.SIGINT)
+    write(file, *arguments)
+
+checkpoint._write = pressed
+try:
+    sim.save(sys.argv[1])
+    raise SystemExit("Ctrl-C was lost")
+except KeyboardInterrupt:
+    pass
+assert sc.Simulation.load(sys.argv[1]).state.load == sim.state.load
+print("whole")
+"""
+
+
+def test_a_file_is_written_to_its_end(tmp_path):
+    with start(WRITING, tmp_path / "state.h5") as process:
+        output, errors = process.communicate(timeout=60)
+    assert (process.returncode, output, errors) == (0, "whole\n", "")
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    assert [file.name for file in tmp_path.iterdir()] == ["state.h5"]

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Processes that are killed at any time go on from their files to the same bits."""
+
+import contextlib
+import random
+import shutil
+import signal
+
+import pytest
+from faulting import Nursery, start, tried
+
+BEGIN = """
+import hashlib, sys, warnings
+import numpy as np
+import samcontact as sc
+warnings.simplefilter("ignore")
+elastic = sc.Material.elastic(210e9, 0.3)
+steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+
+def digest(*fields):
+    data = b"".join(np.ascontiguousarray(field, dtype=float).tobytes() for field in fields)
+    return hashlib.sha256(data).hexdigest()
+
+"""
+RUN = (
+    BEGIN
+    + """
+def computed(folder):
+    grid = sc.Grid(21, 21, 60e-6, 60e-6, 14, 60e-6)
+    sim = sc.Simulation(grid, elastic, steel, sc.surfaces.paraboloid(grid, 7.5e-3))
+    path = sc.paths.rolling(load=900.0, distance=600e-6, step=60e-6, increments=3)
+    states = sim.run(path, progress=False, checkpoint=folder)
+    fields = [[s.load, s.approach] for s in states]
+    fields += [field for s in states for field in (s.pressure, s.gap, s.plastic_strain())]
+    return digest(*fields)
+"""
+)
+WEAR = (
+    BEGIN
+    + """
+def computed(folder):
+    grid = sc.Grid(25, 21, 30e-6, 30e-6, 16, 20e-6)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    gap -= sc.surfaces.sinusoidal(grid, 2e-6, 120e-6, 120e-6)
+    result = sc.wear.run(grid, elastic, steel, gap, cycle=[{"load": 40.0}, {"load": 0.0}],
+                         threshold=2.5e-3, cycles=6, window=3, checkpoint=folder + ".h5",
+                         progress=False)
+    assert len(result.cycles) >= 3
+    numbers = [[c.number, *c.volume, *c.depth, c.max_pressure] for c in result.cycles]
+    return digest(result.heights[2], numbers, *(s.pressure for s in result.last))
+"""
+)
+TUGGING = (
+    BEGIN
+    + """
+def computed(folder):
+    collision = sc.asperities.Collision(1e-3, 1e-3, 2e-6)
+    grid = collision.grid(increments=6, width=1.5, depth=1.2)
+    result = sc.asperities.tug(collision, steel, steel, grid, passes=1, checkpoint=folder,
+                               progress=False, tol=1e-4, on_border="warn")
+    series = result.series
+    return digest(*(series[name].values for name in sorted(series.data_vars)))
+"""
+)
+SWEEP = (
+    BEGIN
+    + """
+def computed(folder):
+    from samcontact.cases import parse_case
+    case = parse_case('''
+    title = "sweep"
+    grid = {nx = 15, ny = 13, dx = 60e-6, dy = 60e-6, nz = 12, dz = 60e-6}
+    body1 = {law = "elastic", E = 210e9, nu = 0.3}
+    body2 = {law = "swift", E = 210e9, nu = 0.3, B = 945e6, C = 20, n = 0.121}
+    surface = {shape = "paraboloid", Rx = 7.5e-3}
+    path = [{load = 600.0, increments = 2}]
+    ''')
+    values = {"path[0].load": [400.0, 600.0, 800.0]}
+    data = sc.sweep(case, values, output=folder, progress=False)
+    assert (data["status"].values == "done").all(), data["error"].values
+    numbers = [n for n in sorted(data.data_vars) if data[n].dtype.kind == "f"]
+    return digest(*(data[name].values for name in numbers))
+"""
+)
+SCRIPTS = {"run": RUN, "wear": WEAR, "tugging": TUGGING, "sweep": SWEEP}
+
+
+def check(kind, count, tmp_path):
+    """Kill at times spread over the run, twice in the same folder, and then let it be."""
+    times, killed = random.Random(f"killed {kind}"), 0
+    with contextlib.closing(Nursery(SCRIPTS[kind])) as nursery:
+        expected, whole = nursery.run(tmp_path / "whole")
+        assert len(expected) == 64
+        for trial in range(count):
+            folder = tmp_path / f"trial{trial}"
+            for _ in range(2):
+                moment = (trial + times.random()) / count * whole
+                result, _ = nursery.run(folder, moment, signal.SIGKILL)
+                killed += result is None
+            assert nursery.run(folder)[0] == expected
+            shutil.rmtree(folder, ignore_errors=True)
+    assert killed >= count  # some are through before
+
+
+@tried("kill: run")
+def test_run(count, tmp_path):
+    check("run", count, tmp_path)
+
+
+@tried("kill: wear")
+def test_wear(count, tmp_path):
+    check("wear", count, tmp_path)
+
+
+@tried("kill: tugging")
+def test_tugging(count, tmp_path):
+    check("tugging", count, tmp_path)
+
+
+@tried("kill: sweep")
+def test_sweep(count, tmp_path):
+    check("sweep", count, tmp_path)
+
+
+# Killed by itself at one of the system calls of writing, which a random time seldom meets.
+WRITING = """
+import os, signal, sys
+from samcontact import _atomic
+
+def deadly(module, name, number):
+    call, left = getattr(module, name), [number]
+    def counted(*arguments, **named):
+        left[0] -= 1
+        if left[0] == 0:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return call(*arguments, **named)
+    setattr(module, name, counted)
+
+folder, module, name, number = sys.argv[1:]
+deadly({"os": os, "file": _atomic._Patient, "atomic": _atomic}[module], name, int(number))
+"""
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "number"),
+    [
+        ("file", "write", 60),
+        ("atomic", "seal", 2),
+        ("os", "fsync", 3),
+        ("os", "replace", 4),
+    ],
+)
+def test_while_writing(tmp_path, module, name, number):
+    dying = WRITING + RUN + "computed(folder)"
+    with start(dying, tmp_path / "run", module, name, number) as process:
+        process.communicate(timeout=60)
+        assert process.returncode == -signal.SIGKILL
+    with contextlib.closing(Nursery(RUN)) as nursery:
+        assert nursery.run(tmp_path / "run")[0] == nursery.run(tmp_path / "whole")[0]

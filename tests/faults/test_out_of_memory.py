@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What does not fit into memory is refused before it is tried, and the estimates are right."""
+
+import contextlib
+import re
+import sys
+
+import numpy as np
+import pytest
+from faulting import TRIALS, Nursery
+
+import samcontact as sc
+from samcontact import _memory, operators, surfaces
+
+ELASTIC, OTHER = sc.Material.elastic(210e9, 0.3), sc.Material.elastic(300e9, 0.2)
+STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+WARM = ELASTIC.with_thermal(50.0, 1e-5, 1.4e-5)
+LENGTH = 2e-3
+
+MEASURED = """
+import warnings
+import numpy as np
+import samcontact as sc
+from samcontact import _memory
+warnings.simplefilter("ignore")
+elastic, other = sc.Material.elastic(210e9, 0.3), sc.Material.elastic(300e9, 0.2)
+warm = elastic.with_thermal(50.0, 1e-5, 1.4e-5)
+steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+
+def status(name):
+    with open("/proc/self/status") as lines:
+        return next(1024 * int(line.split()[1]) for line in lines if line.startswith(name))
+
+asked = [0.0]
+_memory._SMALL = 0.0
+_memory.require = lambda what, needed, remedy="": asked.append(needed)
+
+def computed(scene):
+    kind, n, nz = scene.split()
+    n, nz = int(n), int(nz)
+    grid = sc.Grid(n, n, 2e-3 / n, 2e-3 / n, nz, 1e-3 / nz if nz else None)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    field = np.ones((n, n))
+    if kind in ("exact", "fast"):
+        strain = np.zeros((6, n, n, nz))
+    if kind in ("field", "plastic"):
+        sim = sc.Simulation(grid, elastic, steel if kind == "plastic" else elastic, gap,
+                            residual_stress="fast")
+        r2 = (grid.x[:, None] ** 2 + 0.9 * grid.y**2) / 1e-6
+        tilted = np.sqrt(np.maximum(0, 1 - r2)) * (1 + 100 * (grid.x[:, None] + grid.y))
+        if kind == "field":
+            state = sim.step(pressure=1e9 * tilted)
+    asked.clear()
+    before = status("VmHWM")
+    if kind == "contact":
+        sc.ContactSolver(grid, elastic, elastic).solve(gap, load=300.0)
+    elif kind == "coupled":
+        sc.ContactSolver(grid, elastic, other, 0.3).solve(gap, load=300.0)
+    elif kind == "heated":
+        heat = dict(heat_factor=1e-3, velocity=[1.0, 0.0])
+        sc.ContactSolver(grid, sc.Material.rigid(), warm, 0.1, **heat).solve(gap, load=300.0)
+    elif kind == "simulation":
+        sc.Simulation(grid, elastic, elastic, gap).step(load=300.0)
+    elif kind == "displacement":
+        sc.operators.surface_displacement(grid, field, 2e11, 0.3)
+    elif kind == "stress":
+        sc.operators.surface_stress(grid, field, grid.z, 0.3)
+    elif kind in ("exact", "fast"):
+        sc.operators.residual_stress(grid, strain, 2e11, 0.3, method=kind)
+    elif kind == "field":
+        state.stress()
+    elif kind == "plastic":
+        state = sim.step(pressure=5e9 * tilted)
+        assert (state.max_equivalent_plastic_strain() > 0)
+    return status("VmHWM") - before, sum(asked)
+"""
+SCENES = [
+    "contact 700 0",
+    "coupled 500 0",
+    "heated 400 0",
+    "simulation 600 0",
+    "displacement 1000 0",
+    "stress 100 50",
+    "exact 64 32",
+    "fast 90 40",
+    "field 100 40",
+    "plastic 80 50",
+]
+assert len(SCENES) == TRIALS["memory: estimates"][0]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+def test_estimates_are_those_measured():
+    with contextlib.closing(Nursery(MEASURED)) as nursery:
+        ratios = {}
+        for scene in SCENES:
+            result, _ = nursery.run(scene)
+            measured, asked = map(float, result.strip("()").split(","))
+            assert measured > 15e6, scene  # else it would tell nothing
+            ratios[scene] = asked / measured
+    assert min(ratios.values()) > 0.7, ratios
+    assert max(ratios.values()) < 1.5, ratios
+
+
+HUGE = sc.Grid(60_000, 60_000, 1e-6, 1e-6, 1000, 1e-6)
+FLAT = np.broadcast_to(0.0, HUGE.surface_shape)
+REFUSED = {
+    "contact": lambda: sc.ContactSolver(HUGE, ELASTIC, ELASTIC),
+    "coupled": lambda: sc.ContactSolver(HUGE, ELASTIC, OTHER, 0.3),
+    "heated": lambda: sc.ContactSolver(HUGE, ELASTIC, WARM, heat_factor=1e-3, heat_reference=1.0),
+    "elastic": lambda: sc.Simulation(HUGE, ELASTIC, ELASTIC, FLAT),
+    "plastic": lambda: sc.Simulation(HUGE, ELASTIC, STEEL, FLAT),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_huge_grids_are_refused(name, monkeypatch):
+    monkeypatch.setattr(_memory, "available", lambda: 16e9)
+    told = (
+        r"nx = 60000, ny = 60000, nz = 1000 needs about \d+ GB of memory, and 16 GB are available"
+    )
+    with pytest.raises(MemoryError, match=told):
+        REFUSED[name]()
+
+
+GRID = sc.Grid(120, 120, LENGTH / 120, LENGTH / 120, 80, 1e-3 / 80)
+PRESSURE = np.ones(GRID.surface_shape)
+FIELDS = {
+    "stress of tractions": lambda: operators.surface_stress(GRID, PRESSURE, np.arange(80.0), 0.3),
+    "residual stress": lambda: operators.residual_stress(
+        GRID, np.zeros((6, *GRID.volume_shape)), 2e11, 0.3
+    ),
+    "print": lambda: operators.residual_displacement(GRID, np.zeros((6, *GRID.volume_shape)), 0.3),
+    "stress of a solution": lambda: sc.ContactSolver(GRID, ELASTIC, ELASTIC).stress(
+        PRESSURE, np.arange(80.0)
+    ),
+    "temperature": lambda: sc.ContactSolver(
+        GRID, ELASTIC, WARM, heat_factor=1e-3, velocity=[1.0, 0.0]
+    ).temperature(PRESSURE, np.arange(160.0)),
+    "field of a state": lambda: sc.Simulation(
+        GRID, ELASTIC, ELASTIC, np.zeros(GRID.surface_shape)
+    ).state.stress(),
+}
+assert len(REFUSED) + len(FIELDS) + 1 == TRIALS["memory: refusals"][0]
+
+
+@pytest.mark.parametrize("name", FIELDS)
+def test_fields_are_refused(name, monkeypatch):
+    monkeypatch.setattr(_memory, "available", lambda: 60e6)
+    with pytest.raises(MemoryError, match=r"needs about 0\.\d+ GB of memory, and 0\.06 GB are"):
+        FIELDS[name]()
+
+
+def test_a_plastic_zone_is_refused_and_the_state_stays(monkeypatch):
+    """Its size is known only on the way; the core asks before it takes the memory."""
+
+    def scene():
+        grid = sc.Grid(81, 81, 18e-6, 18e-6, 60, 18e-6)
+        gap = surfaces.paraboloid(grid, 7.5e-3)
+        return sc.Simulation(grid, ELASTIC, STEEL, gap, residual_stress="fast")
+
+    simulation = scene()
+    simulation.step(load=400.0)
+    before = simulation.state.pressure.copy()
+    with monkeypatch.context() as patch:
+        patch.setattr(_memory, "_SMALL", 0.0)
+        patch.setattr(_memory, "available", lambda: 20e6)
+        told = r"the plastic zone, \d+ x \d+ x \d+ cells of the grid, needs about"
+        with pytest.raises(MemoryError, match=told):
+            simulation.step(load=1500.0)
+    np.testing.assert_array_equal(simulation.state.pressure, before)
+    other = scene()
+    other.step(load=400.0)
+    np.testing.assert_array_equal(
+        simulation.step(load=1500.0).plastic_strain(), other.step(load=1500.0).plastic_strain()
+    )
+
+
+def test_what_is_available_is_known():
+    there = _memory.available()
+    assert there is not None
+    assert 1e8 < there < 1e15
+
+
+def test_a_limit_of_the_process_counts():
+    script = """
+import resource
+from samcontact import _memory
+def computed(_):
+    used = 4096 * int(open("/proc/self/statm").read().split()[0])
+    resource.setrlimit(resource.RLIMIT_AS, (used + 500_000_000, resource.RLIM_INFINITY))
+    return _memory.available()
+"""
+    with contextlib.closing(Nursery(script)) as nursery:
+        assert 3e8 < float(nursery.run("")[0]) < 5.1e8
+
+
+def test_the_command_tells_it(tmp_path, monkeypatch):
+    from click.testing import CliRunner
+
+    from samcontact.commands.main import main
+
+    text = (
+        'title = "t"\ngrid = {nx = 60000, ny = 60000, dx = 1e-6, dy = 1e-6}\n'
+        'body1 = {law = "elastic", E = 2e11, nu = 0.3}\nbody2 = {law = "rigid"}\n'
+        'surface = {shape = "paraboloid", Rx = 1.0}\npath = [{load = 1.0}]\n'
+    )
+    (tmp_path / "huge.toml").write_text(text)
+    monkeypatch.setattr(_memory, "available", lambda: 16e9)
+    arguments = ["run", str(tmp_path / "huge.toml"), "--output", str(tmp_path / "out")]
+    outcome = CliRunner().invoke(main, arguments)
+    assert outcome.exit_code == 1
+    assert re.search(r"error: .*nx = 60000, ny = 60000 needs about \d+ GB", outcome.output)
