@@ -45,7 +45,7 @@ def computed(scene):
         strain = np.zeros((6, n, n, nz))
     if kind in ("field", "plastic"):
         sim = sc.Simulation(grid, elastic, steel if kind == "plastic" else elastic, gap,
-                            residual_stress="fast")
+                            residual_stress="fast", on_border="warn")
         r2 = (grid.x[:, None] ** 2 + 0.9 * grid.y**2) / 1e-6
         tilted = np.sqrt(np.maximum(0, 1 - r2)) * (1 + 100 * (grid.x[:, None] + grid.y))
         if kind == "field":
@@ -116,9 +116,7 @@ REFUSED = {
 @pytest.mark.parametrize("name", REFUSED)
 def test_huge_grids_are_refused(name, monkeypatch):
     monkeypatch.setattr(_memory, "available", lambda: 16e9)
-    told = (
-        r"nx = 60000, ny = 60000, nz = 1000 needs about \d+ GB of memory, and 16 GB are available"
-    )
+    told = r"ny = 60000, nz = 1000 needs about [\d.e+]+ GB of memory, and 16 GB are available"
     with pytest.raises(MemoryError, match=told):
         REFUSED[name]()
 
@@ -147,7 +145,7 @@ assert len(REFUSED) + len(FIELDS) + 1 == TRIALS["memory: refusals"][0]
 @pytest.mark.parametrize("name", FIELDS)
 def test_fields_are_refused(name, monkeypatch):
     monkeypatch.setattr(_memory, "available", lambda: 60e6)
-    with pytest.raises(MemoryError, match=r"needs about 0\.\d+ GB of memory, and 0\.06 GB are"):
+    with pytest.raises(MemoryError, match=r"needs about \d\.\d+ GB of memory, and 0\.06 GB are"):
         FIELDS[name]()
 
 

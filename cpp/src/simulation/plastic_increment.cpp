@@ -23,9 +23,9 @@ constexpr double near_yield = 0.9;
 /// Cells around what must be in a box.
 constexpr int margin = 2;
 
-/// Memory of an increment a cell of its box where all of them flow; docs/architecture.md has the
-/// parts.
-constexpr double fast_bytes = 650, exact_bytes = 1500;
+/// Memory of an increment a cell of its box where all of them flow and it is divided; as measured,
+/// docs/architecture.md has the parts.
+constexpr double fast_bytes = 950, exact_bytes = 1800;
 
 double bytes_of(const Box& box, operators::ResidualMethod method) {
   const bool exact = method == operators::ResidualMethod::exact;

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
+from .. import _memory, paths
 from .. import hertz as _hertz
-from .. import paths
 from .._heating import pair, velocities
 from .base import CaseError, CaseFile
 from .errors import explain
@@ -150,6 +150,9 @@ class Case(CaseFile):
         section = "grid"
         try:
             grid = self.grid.build()
+            # before the surface, which takes a part of it
+            needed = _memory.surface(grid, _memory.SIMULATION)
+            _memory.require_for_grid("a simulation", grid, needed)
             section = "body1"
             body1 = self.body1.build()
             section = "body2"

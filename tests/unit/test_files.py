@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files that are whole or not there, their digest, and inputs of extreme size or of no size."""
+
+import os
+import re
+import signal
+
+import h5py
+import numpy as np
+import pytest
+import xarray as xr
+
+import samcontact as sc
+from samcontact import dents, measured, paths, report, results
+from samcontact._atomic import replacing, replacing_hdf5, undisturbed
+from samcontact._seal import check_seal, seal
+
+GRID = sc.Grid(8, 8, 1e-5, 1e-5)
+
+
+class TestSeal:
+    @pytest.fixture
+    def path(self, tmp_path):
+        path = tmp_path / "file.h5"
+        with h5py.File(path, "w") as file:
+            file["values"] = np.arange(100.0)
+        return path
+
+    def test_round_trip(self, path):
+        assert not check_seal(path)
+        seal(path)
+        assert check_seal(path)
+        with h5py.File(path, "r") as file:
+            assert file["values"][99] == 99
+
+    def test_any_byte_counts(self, path):
+        seal(path)
+        content = path.read_bytes()
+        for place in range(0, len(content) - 80, 97):
+            path.write_bytes(content[:place] + bytes([content[place] ^ 1]) + content[place + 1 :])
+            with pytest.raises(ValueError, match="its bytes have changed"):
+                check_seal(path)
+
+    def test_is_cut_off_by_a_change_on_purpose(self, path):
+        seal(path)
+        with h5py.File(path, "a") as file:
+            file.attrs["more"] = 1
+        assert not check_seal(path)
+
+    @pytest.mark.parametrize("content", [b"", b"x", b"x" * 200])
+    def test_of_anything_else(self, path, content):
+        path.write_bytes(content)
+        assert not check_seal(path)
+
+
+class TestReplacing:
+    def test_names_the_file_where_the_system_does_not(self, tmp_path):
+        path = tmp_path / "text"
+        path.write_text("old")
+        told = re.escape(f"[Errno 28] {os.strerror(28)}: '{path}'")
+
+        def fill():
+            with replacing(path) as part:
+                part.write_text("new")
+                raise OSError(28, os.strerror(28))
+
+        with pytest.raises(OSError, match=told):
+            fill()
+        assert path.read_text() == "old"
+        assert list(tmp_path.iterdir()) == [path]
+
+    def test_errors_that_are_not_of_the_disk_stay_what_they_are(self, tmp_path):
+        def read():
+            with replacing_hdf5(tmp_path / "a.h5") as file, h5py.File(file, "w") as opened:
+                return opened["missing"]
+
+        with pytest.raises(KeyError):
+            read()
+        assert list(tmp_path.iterdir()) == []
+
+    def test_ctrl_c_waits(self):
+        done = []
+
+        def write():
+            with undisturbed():
+                signal.raise_signal(signal.SIGINT)
+                done.append("written")
+
+        with pytest.raises(KeyboardInterrupt):
+            write()
+        assert done == ["written"]
+
+
+class TestExtremes:
+    """Refused at once: most would fill the memory, some were errors of other kinds."""
+
+    @pytest.mark.parametrize(
+        "make",
+        [
+            lambda: paths.ramp(load=1.0, increments=10**9),
+            lambda: paths.hold(load=1.0, increments=10**9),
+            lambda: paths.load_unload(load=1.0, unload_increments=10**9),
+            lambda: paths.rolling(load=1.0, distance=1.0, step=1e-9),
+            lambda: paths.rolling(load=1.0, distance=1.0, step=0.1, passes=10**5),
+            lambda: paths.rolling(load=1.0, distance=1e308, step=5e-324),
+        ],
+    )
+    def test_paths(self, make):
+        with pytest.raises(ValueError, match=r"must be at (most|least)"):
+            make()
+
+    def test_grid(self):
+        with pytest.raises(ValueError, match="ny must be at most 16777216, got 2147483648"):
+            sc.Grid(1, 2**31, 1.0, 1.0)
+
+    def test_dents(self):
+        with pytest.raises(ValueError, match="must stay within 1048576 cells"):
+            dents.furrow(GRID, 1e-6, 1e3)
+        with pytest.raises(ValueError, match="depth must be at least 1e-12 radius"):
+            dents.spherical(GRID, 1e-200, 1e-5)
+
+    def test_circles(self):
+        with pytest.raises(ValueError, match="R must be at most 1e150 m"):
+            sc.surfaces.sphere(GRID, 1e200)
+
+    def test_a_pressure_that_no_number_holds_is_not_converged(self):
+        elastic = sc.Material.elastic(210e9, 0.3)
+        solver = sc.ContactSolver(GRID, elastic, elastic, on_border="warn")
+        with pytest.raises(sc.ConvergenceError, match="beyond the range of numbers"):
+            solver.solve(sc.surfaces.paraboloid(GRID, 1e-3), approach=3.4e145)
+
+    def test_values_up_to_the_limits(self):
+        assert len(paths.ramp(load=1.0, increments=100_000)) == 100_000
+        assert sc.Grid(2**24, 1, 1.0, 1.0).nx == 2**24
+        assert dents.spherical(GRID, 1e-15, 1e-5).heights.max() <= 0
+
+
+class TestHeights:
+    @pytest.mark.parametrize("suffix", [".npy", ".txt", ".csv"])
+    def test_empty_file(self, tmp_path, suffix):
+        path = tmp_path / f"heights{suffix}"
+        path.write_bytes(b"")
+        with pytest.raises(ValueError, match=re.escape(str(path))):
+            measured.read(path, dx=1e-6)
+
+    @pytest.mark.parametrize(
+        "values", [np.zeros((3, 3), complex), np.zeros(3), np.zeros((0, 3)), np.zeros((2, 2), "S3")]
+    )
+    def test_arrays_that_are_no_heights(self, tmp_path, values):
+        np.save(tmp_path / "heights.npy", values)
+        with pytest.raises(ValueError, match=r"must hold rows of numbers, has"):
+            measured.read(tmp_path / "heights.npy", dx=1e-6)
+
+
+class TestResults:
+    """Of a variable with other dimensions, and of a file that cannot be used."""
+
+    @pytest.fixture
+    def dataset(self):
+        elastic = sc.Material.elastic(210e9, 0.3)
+        simulation = sc.Simulation(GRID, elastic, elastic, np.zeros((8, 8)), on_border="warn")
+        state = simulation.step(pressure=np.ones((8, 8)))
+        return results.to_dataset(simulation, [state])
+
+    def test_reports(self, dataset, tmp_path):
+        report.write(dataset, tmp_path / "report.html")
+        broken = dataset.drop_vars("pressure").assign(pressure=xr.Variable((), 1.0))
+        for use in (report.checks, lambda data: report.write(data, tmp_path / "other.html")):
+            with pytest.raises(ValueError, match="some part of it is missing or of another kind"):
+                use(broken)
+        assert not (tmp_path / "other.html").exists()
+
+    def test_a_changed_byte(self, dataset, tmp_path):
+        path = results.save(dataset, tmp_path / "results.nc")
+        content = path.read_bytes()
+        place = content.index(b"long_name")
+        path.write_bytes(content[:place] + b"L" + content[place + 1 :])
+        with pytest.raises(ValueError, match="its bytes have changed"):
+            results.open_results(path)
+
+    def test_a_refused_file_is_closed(self, dataset, tmp_path):
+        path = tmp_path / "results.nc"
+        results.save(dataset, path)
+        with h5py.File(path, "a") as file:
+            file["increment"].attrs["units"] = "days since never"
+        with pytest.raises(ValueError, match="netCDF4"):
+            results.open_results(path)
+        with h5py.File(path, "a") as file:  # HDF5 refuses to write to a file that is being read
+            file.attrs["free"] = 1
