@@ -79,6 +79,14 @@ def own(file):
     return [name for name in includes(file) if name.startswith("samcontact/")]
 
 
+def test_the_repository_holds_the_whole_package():
+    """A pattern of .gitignore must not leave out a part of it."""
+    command = ["git", "-C", str(ROOT), "check-ignore", "--no-index", *map(str, MODULES)]
+    ignored = subprocess.run(command, capture_output=True, text=True).stdout.splitlines()
+    assert ignored == []
+    assert [name for name in FOLDERS if not (PACKAGE / name / "__init__.py").exists()] == []
+
+
 def test_rooms_are_complete():
     for folder in (INCLUDE / "samcontact", ROOT / "cpp" / "src"):
         assert {path.name for path in folder.iterdir()} == set(BELOW)

@@ -136,11 +136,11 @@ def test_failed_write_leaves_the_old_file(simulation, states, tmp_path, monkeypa
     path = results.save(results.to_dataset(simulation, states), tmp_path / "out.nc")
     before = path.read_bytes()
 
-    def broken(self, target, **_):
-        target.write_bytes(b"half")
+    def broken(self, store, **_):
+        store.ds.attrs["half"] = 1
         raise OSError("disk full")
 
-    monkeypatch.setattr(xr.Dataset, "to_netcdf", broken)
+    monkeypatch.setattr(xr.Dataset, "dump_to_store", broken)
     with pytest.raises(OSError, match="disk full"):
         results.save(results.to_dataset(simulation, states), path)
     assert path.read_bytes() == before
