@@ -30,12 +30,12 @@ def check_seal(path: str | os.PathLike[str]) -> bool:
     Raises ValueError when its bytes are not those that were sealed.
     """
     with open(path, "rb") as file:
-        length = os.fstat(file.fileno()).st_size - _LENGTH
-        if length < 0:
-            return False
+        length = max(0, os.fstat(file.fileno()).st_size - _LENGTH)
         file.seek(length)
         end = file.read(_LENGTH)
-        if not end.startswith(_MARK):
+        if not end.startswith(_MARK) or len(end) < _LENGTH:
+            if _MARK.strip() in end or any(end.endswith(_MARK[:n]) for n in range(4, len(_MARK))):
+                raise ValueError("its end is cut off, or something was appended")
             return False
         file.seek(0)
         if end != _MARK + _digest(file, length) + b"\n":

@@ -41,6 +41,14 @@ class TestSeal:
             with pytest.raises(ValueError, match="its bytes have changed"):
                 check_seal(path)
 
+    def test_part_of_a_digest(self, path):
+        seal(path)
+        content = path.read_bytes()
+        for end in (content[:-1], content[:-64], content[:-79], content + b"x"):
+            path.write_bytes(end)
+            with pytest.raises(ValueError, match="its end is cut off, or something was appended"):
+                check_seal(path)
+
     def test_is_cut_off_by_a_change_on_purpose(self, path):
         seal(path)
         with h5py.File(path, "a") as file:
