@@ -31,6 +31,7 @@ counts = st.one_of(
     st.integers(1, 7),
     st.sampled_from([0, -1, 1.5, True, "3", None, 2**24, 2**31 - 1, 2**31, 2**63, np.int8(4)]),
 )
+few_iterations = counts.filter(lambda n: not isinstance(n, int) or n < 1000)  # takes its time
 fill = st.one_of(
     st.floats(0, 1e9),
     st.sampled_from([0.0, 1.0, 1e-7, 1e-3, -1.0, 1e308, -1e308, 5e-324, np.nan, np.inf]),
@@ -166,7 +167,7 @@ def test_contacts(count):
             st.one_of(st.just(0.0), wild), wild, st.sampled_from(["load", "load", "approach"])
         ),
         settings=st.fixed_dictionaries(
-            {}, optional={"tol": wild, "max_iterations": counts, "heat_factor": wild}
+            {}, optional={"tol": wild, "max_iterations": few_iterations, "heat_factor": wild}
         ),
         start=st.one_of(st.none(), arrays((7, 6))),
     )
