@@ -3,6 +3,8 @@
 
 import importlib.util
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -36,6 +38,23 @@ def test_every_count_is_used(folder):
     counted = getattr(module, "INPUTS" if folder == "fuzz" else "TRIALS")
     tests = "\n".join(file.read_text() for file in (ROOT / "tests" / folder).glob("test_*.py"))
     assert [name for name in counted if f'"{name}"' not in tests] == []
+
+
+def test_numbers_of_tests():
+    """As pytest and doctest count them."""
+    rows = re.findall(r"^\| \w+ \| `([\w/]+)` \| (\d+) \|", PAGE, re.MULTILINE)
+    told = {folder: int(count) for folder, count in rows}
+    cases = sum(
+        len(re.findall(r"^TEST_CASE", file.read_text(), re.MULTILINE))
+        for file in (ROOT / "cpp" / "tests").glob("*.cpp")
+    )
+    assert told.pop("cpp/tests") == cases
+    command = [sys.executable, "-m", "pytest", "-q", "--collect-only", "-m", "", *told]
+    found = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    counted = {
+        folder: len(re.findall(rf"^{folder}/.+::", found.stdout, re.MULTILINE)) for folder in told
+    }
+    assert told == counted
 
 
 def test_every_family_has_its_folder():
