@@ -36,7 +36,8 @@ inline py::array own(Field field, py::array::ShapeContainer shape,
   const double* values = kept->data();
   const py::capsule owner(kept.get(),
                           [](void* p) { std::default_delete<Field>()(static_cast<Field*>(p)); });
-  static_cast<void>(kept.release());  // NumPy owns it now
+  // NumPy owns it now.
+  static_cast<void>(kept.release());  // NOLINT(bugprone-unused-return-value)
   return py::array(py::dtype::of<double>(), std::move(shape), std::move(strides), values, owner);
 }
 

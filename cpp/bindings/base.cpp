@@ -22,7 +22,7 @@ void check_signals() {
 
 /// Raises MemoryError when there is less.
 void check_memory(double bytes, const std::string& what) {
-  py::gil_scoped_acquire gil;
+  const py::gil_scoped_acquire gil;
   py::module_::import("samcontact._memory").attr("require")(what, bytes);
 }
 

@@ -70,7 +70,7 @@ class FreedBlocks {
 
 /// Never destroyed: fields may outlive every static object.
 FreedBlocks& freed_blocks() {
-  static auto* const blocks = new FreedBlocks;
+  static auto* const blocks = new FreedBlocks;  // NOLINT(cppcoreguidelines-owning-memory)
   return *blocks;
 }
 

@@ -7,6 +7,8 @@
 namespace samcontact {
 namespace {
 
+// Set by the host, once.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<InterruptCheck> installed_check{nullptr};
 
 }  // namespace

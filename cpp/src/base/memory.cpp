@@ -6,6 +6,8 @@
 namespace samcontact {
 namespace {
 
+// Set by the host, once.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<MemoryCheck> installed_check{nullptr};
 
 }  // namespace

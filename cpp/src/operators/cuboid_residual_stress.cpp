@@ -15,6 +15,9 @@
 namespace samcontact::operators {
 namespace {
 
+// Offsets within the tensors of one chunk of wavenumbers, a few MB.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
+
 // Wavenumbers handled together: one AVX-512 register of doubles.
 constexpr int width = 8;
 using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = double;
@@ -211,7 +214,7 @@ void CuboidResidualStress::store(int ky, int block, double* values, VolumeSpectr
 void CuboidResidualStress::mode_block(int ky, int block, const VolumeSpectrum& strain,
                                       double* tensors, double* values) const {
   const int sums = 2 * nz_ - 1;
-  Lanes* full = reinterpret_cast<Lanes*>(tensors);
+  auto* full = reinterpret_cast<Lanes*>(tensors);
   Lanes* image = full + sums * pairs;
   std::fill(tensors, tensors + static_cast<std::size_t>(sums) * pairs * 4 * width, 0.0);
 
@@ -220,7 +223,7 @@ void CuboidResidualStress::mode_block(int ky, int block, const VolumeSpectrum& s
   const int step = lanes_ / width;
   Lanes* same_layer = full + (nz_ - 1) * pairs;
   for (const Term& term : full_terms_) {
-    const Lanes* from =
+    const auto* from =
         reinterpret_cast<const Lanes*>(scalars + term.kernel * nz_ * lanes_ + block * width);
     Lanes* to = same_layer + term.pair;
     accumulate(nz_, term.coefficient, from, step, to, pairs);
@@ -232,15 +235,15 @@ void CuboidResidualStress::mode_block(int ky, int block, const VolumeSpectrum& s
   scalars = image_.data() + static_cast<std::size_t>(ky) * kernels::image_count * sums * lanes_;
   for (int power = 0; power < 3; ++power) {
     for (const Term& term : image_terms_[power]) {
-      const Lanes* from =
+      const auto* from =
           reinterpret_cast<const Lanes*>(scalars + term.kernel * sums * lanes_ + block * width);
       accumulate(sums, term.coefficient, from, step, image + term.pair * 3 + power, pairs * 3);
     }
   }
 
   load(ky, block, strain, values);
-  const Lanes* in = reinterpret_cast<const Lanes*>(values);
-  Lanes* out = reinterpret_cast<Lanes*>(values) + nz_ * 6 * columns;
+  const auto* in = reinterpret_cast<const Lanes*>(values);
+  auto* out = reinterpret_cast<Lanes*>(values) + nz_ * 6 * columns;
   layer_products(nz_, dz_, strain.used.data(), full, image, in, out);
 }
 
@@ -261,5 +264,7 @@ void CuboidResidualStress::apply(VolumeSpectrum& spectrum) const {
   }
   spectrum.used.assign(nz_, 1);
 }
+
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)
 
 }  // namespace samcontact::operators

@@ -25,7 +25,7 @@ NearHeat::NearHeat(const HeatModes& modes) : modes_(modes) {
   offsets_x_ = static_cast<int>(std::ceil(modes.split_reach())) + 1;
   offsets_y_ = static_cast<int>(std::ceil(modes.split_reach() / modes.cell_y())) + 1;
   // Chebyshev points in ln(rate). The function is analytic where |Im ln(rate)| < pi/2.
-  const double low = 2 * std::log(modes.split_begin()), high = 2 * std::log(modes.cutoff());
+  const double low = 2 * std::log(HeatModes::split_begin()), high = 2 * std::log(modes.cutoff());
   const double strip = pi / (high - low);
   const double gain = std::log(strip + std::hypot(1, strip));
   const int count = static_cast<int>(std::ceil(modes.sharpness() * modes.sharpness() / gain));
@@ -36,7 +36,7 @@ NearHeat::NearHeat(const HeatModes& modes) : modes_(modes) {
   const double least = 0.01 * std::exp(-modes.sharpness() * modes.sharpness());
   const auto left = [&](double z) {
     double most = 0;
-    for (double w = modes.split_begin(); w < 20; w += 0.1) {
+    for (double w = HeatModes::split_begin(); w < 20; w += 0.1) {
       most = std::max(most, (1 - modes.split(w)) * std::exp(-w * z));
     }
     return most;
@@ -47,7 +47,7 @@ NearHeat::NearHeat(const HeatModes& modes) : modes_(modes) {
 template <class Symbol>
 NearTables NearHeat::tabulate(double z, int components, const Symbol& symbol) const {
   const auto count = static_cast<int>(rates_.size());
-  const double begin = modes_.split_begin(), cutoff = modes_.cutoff(), step = modes_.step();
+  const double begin = HeatModes::split_begin(), cutoff = modes_.cutoff(), step = modes_.step();
   const double deepest = 1.5 * modes_.sharpness() * modes_.sharpness() / z;
   // A lattice whose images are out of reach.
   const int mx = 2 * offsets_x_, my = 2 * offsets_y_;

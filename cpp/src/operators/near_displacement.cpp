@@ -102,7 +102,8 @@ void NearDisplacement::add_far(const double* pressure, double* displacement,
   const int nx = x_.cells, ny = y_.cells, cx = x_.coarse_cells(), cy = y_.coarse_cells();
   Field rows(static_cast<std::size_t>(nx) * cy), coarse(static_cast<std::size_t>(cx) * cy, 0.0);
   // Threads gather, each row for itself, so that no sum depends on their number.
-#pragma omp parallel for schedule(static) if (nx * ny >= worth_threads_cells)
+#pragma omp parallel for schedule(static) if (static_cast<std::ptrdiff_t>(nx) * ny >= \
+                                                  worth_threads_cells)
   for (int i = 0; i < nx; ++i) {
     const double* p = pressure + static_cast<std::size_t>(i) * ny;
     double* row = rows.data() + static_cast<std::size_t>(i) * cy;
@@ -125,7 +126,8 @@ void NearDisplacement::add_far(const double* pressure, double* displacement,
     }
   }
   far_transform_->filter(coarse.data(), far_.data(), coarse.data(), work);
-#pragma omp parallel for schedule(static) if (nx * ny >= worth_threads_cells)
+#pragma omp parallel for schedule(static) if (static_cast<std::ptrdiff_t>(nx) * ny >= \
+                                                  worth_threads_cells)
   for (int i = 0; i < nx; ++i) {
     const double* from = coarse.data() + static_cast<std::size_t>(x_.lower(i)) * cy;
     const double w0 = x_.weight(i, x_.lower(i)), w1 = 1.0 - w0;
