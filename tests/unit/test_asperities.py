@@ -219,6 +219,7 @@ def counted(self):
     if self.count == int(sys.argv[1]):
         os.kill(os.getpid(), signal.SIGKILL)
 _journal.Journal.add = counted
+steel = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)
 which = Collision(1.0, 1.0, 8e-4)
 tug(which, steel, steel, which.grid(8, width=1.5), passes=2, checkpoint=sys.argv[2], progress=False)
 """

@@ -44,24 +44,26 @@ class FreedBlocks {
     return p;
   }
 
-  /// False when it keeps enough.
-  bool keep(void* p, std::size_t bytes) {
+  void keep(void* p, std::size_t bytes) {
     const std::lock_guard lock(mutex_);
-    if (kept_ + bytes > most) return false;
+    if (kept_ + bytes > most) release();  // of sizes that may not come again
     blocks_.emplace(bytes, p);
     kept_ += bytes;
-    return true;
   }
 
   void clear() {
     const std::lock_guard lock(mutex_);
+    release();
+  }
+
+ private:
+  static constexpr std::size_t smallest = std::size_t{1} << 16, most = std::size_t{1} << 25;
+
+  void release() {
     for (const auto& [bytes, p] : blocks_) ::operator delete(p, alignment_of(bytes));
     blocks_.clear();
     kept_ = 0;
   }
-
- private:
-  static constexpr std::size_t smallest = std::size_t{1} << 16, most = std::size_t{1} << 27;
 
   std::mutex mutex_;
   std::multimap<std::size_t, void*> blocks_;
@@ -90,7 +92,10 @@ void* allocate_bytes(std::size_t bytes) {
 
 void deallocate_bytes(void* p, std::size_t bytes) {
 #if !defined(__SANITIZE_ADDRESS__)  // which would not see the use of a freed field
-  if (FreedBlocks::suits(bytes) && freed_blocks().keep(p, bytes)) return;
+  if (FreedBlocks::suits(bytes)) {
+    freed_blocks().keep(p, bytes);
+    return;
+  }
 #endif
   ::operator delete(p, alignment_of(bytes));
 }

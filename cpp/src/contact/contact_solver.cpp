@@ -126,15 +126,17 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
                           : multilevel_.solve(displacement_, gap, driver, std::move(pressure),
                                               settings.tol, settings.max_iterations);
   // Comparisons with NaN are false: such a solution would look converged.
-  if (!all_finite(solution.pressure) || !std::isfinite(solution.load)) {
-    throw ConvergenceError("contact did not converge at " + describe(driver) +
-                               ": the pressure is beyond the range of numbers",
-                           solution.iterations, solution.error);
-  }
-  if (heated_ && !driver.is_load() && is_unstable(solution.pressure)) {
+  const bool finite = all_finite(solution.pressure) && std::isfinite(solution.load);
+  const bool grows = solution.negative_curvatures > 0;
+  if (heated_ && !driver.is_load() && (finite ? is_unstable(solution.pressure) : grows)) {
     throw ConvergenceError("the contact is thermoelastically unstable at " + describe(driver) +
                                ": its heat raises the surfaces by more than its pressure lowers "
                                "them, so that it grows by itself; give a load instead",
+                           solution.iterations, solution.error);
+  }
+  if (!finite) {
+    throw ConvergenceError("contact did not converge at " + describe(driver) +
+                               ": the pressure is beyond the range of numbers",
                            solution.iterations, solution.error);
   }
   if (heated_ && !solution.converged && solution.negative_curvatures > 0) {
