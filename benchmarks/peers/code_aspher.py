@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from importlib.metadata import version as version_of
-from typing import Any
+from typing import Any, ClassVar
 
 import aspher
 import numpy as np
@@ -21,7 +21,7 @@ class Contact:
     """Free space by FFT, double precision. One call does it all; it says what its set-up took."""
 
     tolerances = (1e-4, 1e-6, 1e-8, 1e-10)
-    settings: dict[str, Any] = {"backend": "fft"}  # noqa: RUF012
+    settings: ClassVar[dict[str, Any]] = {"backend": "fft"}
 
     def __init__(self, problem: problems.Elastic, tol: float) -> None:
         self.problem = problem
@@ -51,11 +51,11 @@ class Mixed(Contact):
     """The contact found in single precision, polished in double."""
 
     tolerances = (1e-6, 1e-8, 1e-10)
-    settings = {"backend": "fft", "precision": "float_then_double"}  # noqa: RUF012
+    settings: ClassVar = {"backend": "fft", "precision": "float_then_double"}
 
 
 class Hierarchical(Contact):
     """H2-matrix restricted to candidates of contact; its operator is good to about 1e-5."""
 
     tolerances = (1e-5, 1e-6)
-    settings = {"backend": "h2", "active_set": True}  # noqa: RUF012
+    settings: ClassVar = {"backend": "h2", "active_set": True}
