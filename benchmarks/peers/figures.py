@@ -26,9 +26,9 @@ def style(code: str) -> dict[str, str]:
 
 def draw_precision(axes: Axes, codes: dict[str, Ladder], problem: str) -> None:
     """Error over time, in times of samcontact at the error where things are counted."""
-    unit = time_at(points(codes[OURS], MEASURE[problem], TIME, 0), COUNTED_AT[problem])
+    unit = time_at(points(codes[OURS], MEASURE[problem], TIME), COUNTED_AT[problem])
     for code, ladder in codes.items():
-        curve = points(ladder, MEASURE[problem], TIME, 0)
+        curve = points(ladder, MEASURE[problem], TIME)
         if curve and unit:
             errors, times = zip(*curve, strict=True)
             axes.loglog([t / unit for t in times], errors, markersize=5, **style(code))

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import statistics
 from collections.abc import Iterator
 from typing import Any
 
@@ -50,15 +49,13 @@ def row_counts(problem: str, tol: float) -> bool:
     return tol not in tight(problem).values()
 
 
-def round_of(rounds: list[dict[str, Any]], number: int) -> dict[str, Any]:
-    """Of a long measurement there is only the first."""
-    return rounds[min(number, len(rounds) - 1)]
-
-
-def points(ladder: Ladder, measure: str, time: str, number: int) -> list[tuple[float, float]]:
-    """(error, time) from the loosest tolerance to the tightest."""
-    rows = [round_of(ladder[tol], number) for tol in sorted(ladder, reverse=True)]
-    return [(row["errors"][measure], row[time]) for row in rows if row["errors"].get(measure)]
+def points(ladder: Ladder, measure: str, time: str) -> list[tuple[float, float]]:
+    """(error, least time of the rounds) from the loosest tolerance to the tightest."""
+    return [
+        (rounds[0]["errors"][measure], min(row[time] for row in rounds))
+        for _, rounds in sorted(ladder.items(), reverse=True)
+        if rounds[0]["errors"].get(measure)
+    ]
 
 
 def time_at(curve: list[tuple[float, float]], error: float) -> float | None:
@@ -78,15 +75,9 @@ def time_at(curve: list[tuple[float, float]], error: float) -> float | None:
 def ratio_at(
     codes: dict[str, Ladder], code: str, measure: str, time: str, error: float
 ) -> float | None:
-    """Median over the rounds of the time of a code over that of samcontact, at equal error."""
-    found = []
-    for number in range(max(len(rounds) for rounds in codes[OURS].values())):
-        ours, other = (
-            time_at(points(codes[name], measure, time, number), error) for name in (OURS, code)
-        )
-        if ours and other:
-            found.append(other / ours)
-    return statistics.median(found) if found else None
+    """Time of a code over that of samcontact, at equal error."""
+    ours, other = (time_at(points(codes[name], measure, time), error) for name in (OURS, code))
+    return other / ours if ours and other else None
 
 
 def row_at(ladder: Ladder, measure: str, error: float) -> dict[str, Any] | None:
@@ -183,8 +174,8 @@ def stress_lines(data: dict[str, Any]) -> Iterator[dict[str, Any]]:
             line = {"cells": f"{n}² x {n // 6 + 1}", "code": code}
             line["error"] = ladder[0.0][0]["errors"]["stress"]
             for time, name in TIMES.items():
-                pairs = zip(ladder[0.0], codes[OURS][0.0], strict=False)
-                line[name] = statistics.median(a[time] / b[time] for a, b in pairs)
+                least, ours = (min(row[time] for row in c[0.0]) for c in (ladder, codes[OURS]))
+                line[name] = least / ours
             line["memory_MB"] = ladder[0.0][0]["memory_MB"]
             yield line
 
