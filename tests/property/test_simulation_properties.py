@@ -35,7 +35,7 @@ def scene(body2, nx=21, ny=19, dx=60e-6, dy=65e-6, body1=ELASTIC, gap=None, leng
 
 
 @few
-@given(law=laws, load=st.floats(300, 900))
+@given(law=laws, load=st.floats(400, 900))  # the hardest yields at 320
 def test_load_balance_flow_rule_and_dissipation(law, load):
     simulation = scene(hardening(law))
     before = np.zeros(simulation.grid.volume_shape)
