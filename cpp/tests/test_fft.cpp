@@ -43,6 +43,18 @@ TEST_CASE("good sizes are even, smooth and not smaller") {
   }
 }
 
+TEST_CASE("fast sizes are even, not smaller and little longer") {
+  for (int n = 1; n < 3000; ++n) {
+    for (const int m : {fft::fast_line_size(n), fft::fast_row_size(n)}) {
+      CHECK(m >= n);
+      CHECK(m % 2 == 0);
+      CHECK(m <= std::max(n + n / 5, fft::good_even_size(n)));
+    }
+  }
+  CHECK(fft::fast_row_size(288) == 288);
+  CHECK(fft::fast_row_size(462) == 512);
+}
+
 TEST_CASE("the padded transform is the discrete Fourier transform of the padded plane") {
   const std::vector<std::pair<int, int>> shapes{{1, 1}, {1, 6}, {5, 1}, {7, 4}, {9, 17}};
   for (const auto& [nx, ny] : shapes) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "samcontact/base/threads.hpp"
+#include "samcontact/fft/parity_spectrum.hpp"
 
 namespace samcontact::fft {
 
@@ -25,15 +26,7 @@ PeriodicTransform::PeriodicTransform(int nx, int ny, int mx, int my)
 double PeriodicTransform::cost() const { return filter_cost(nx_, mx_, my_); }
 
 void PeriodicTransform::spectrum(double* quarter) const {
-  Plan plan;
-  {
-    const std::lock_guard lock(planner_mutex());
-    plan.reset(fftw_plan_r2r_2d(hy(), hx(), quarter, quarter, FFTW_REDFT00, FFTW_REDFT00,
-                                FFTW_ESTIMATE | FFTW_UNALIGNED));
-  }
-  fftw_execute(plan.get());
-  const double scale = 1.0 / (static_cast<double>(mx_) * my_);
-  std::for_each(quarter, quarter + quarter_size(), [scale](double& v) { v *= scale; });
+  ParitySpectrum(mx_, my_).transform(quarter, false, false);
 }
 
 void PeriodicTransform::filter(const double* in, const double* quarter, double* out,

@@ -30,6 +30,13 @@ Plan plan_line(int m, int sign) {
   return Plan(fftw_plan_dft_1d(m, raw(from.data()), raw(to.data()), sign, FFTW_ESTIMATE));
 }
 
+Plan plan_lines_side_by_side(int m, int count, int sign) {
+  ComplexField from(static_cast<std::size_t>(count) * m), to(from.size());
+  const std::lock_guard lock(planner_mutex());
+  return Plan(fftw_plan_many_dft(1, &m, count, raw(from.data()), nullptr, count, 1, raw(to.data()),
+                                 nullptr, count, 1, sign, FFTW_ESTIMATE));
+}
+
 int good_even_size(int n) {
   for (int m = n + n % 2;; m += 2) {
     int rest = m;
@@ -40,11 +47,27 @@ int good_even_size(int n) {
   }
 }
 
+namespace {
+
+int odd_part(int n) {
+  while (n % 2 == 0) n /= 2;
+  return n;
+}
+
+}  // namespace
+
 int fast_line_size(int n) {
   for (int m = n + n % 2; m <= n + n / 5; m += 2) {
-    int rest = m;
-    while (rest % 2 == 0) rest /= 2;
-    if (rest == 1 || rest == 3 || rest == 5) return m;
+    const int odd = odd_part(m);
+    if (odd == 1 || odd == 3 || odd == 5) return m;
+  }
+  return good_even_size(n);
+}
+
+int fast_row_size(int n) {
+  for (int m = n + n % 2; m <= n + n / 8; m += 2) {
+    const int odd = odd_part(m);
+    if (odd == 1 || odd == 5 || odd == 9) return m;
   }
   return good_even_size(n);
 }

@@ -28,7 +28,7 @@ int coarse_factor(int cells) { return std::max(2, cells / coarse_count); }
 
 int short_period_x(int cells) { return fft::fast_line_size(with_margin(cells)); }
 
-int short_period_y(int cells) { return fft::good_even_size(with_margin(cells)); }
+int short_period_y(int cells) { return fft::fast_row_size(with_margin(cells)); }
 
 Field periodic_spectrum(const fft::PeriodicTransform& transform, Field table) {
   transform.spectrum(table.data());

@@ -3,13 +3,13 @@
 // is (-i)^(number of odd directions) times a real quarter plane.
 #pragma once
 
-#include <array>
-
 #include "samcontact/fft/padded_transform.hpp"
+#include "samcontact/fft/plan.hpp"
 
 namespace samcontact::fft {
 
-/// Real quarter spectra of kernels sampled at offsets i >= 0, j >= 0.
+/// Real quarter spectra of kernels sampled at offsets i >= 0, j >= 0. FFTW would take longer to
+/// plan its transforms of even and odd sequences than these to do them.
 class ParitySpectrum {
  public:
   ParitySpectrum(int mx, int my);
@@ -28,7 +28,7 @@ class ParitySpectrum {
 
  private:
   int mx_, my_;
-  std::array<Plan, 4> plans_;  // [odd_x + 2 odd_y]
+  Plan line_x_, line_y_;
 };
 
 }  // namespace samcontact::fft

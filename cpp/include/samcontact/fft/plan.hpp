@@ -33,6 +33,7 @@ inline fftw_complex* raw(Complex* z) { return reinterpret_cast<fftw_complex*>(z)
 Plan plan_real_lines(int m, int count);
 Plan plan_half_spectra(int m, int count);
 Plan plan_line(int m, int sign);
+Plan plan_lines_side_by_side(int m, int count, int sign);
 
 /// Smallest even length >= n with prime factors 2, 3, 5 and 7 only: lengths FFTW does fast, and
 /// even so that a symmetric sequence has a self-mirrored middle.
@@ -41,5 +42,9 @@ int good_even_size(int n);
 /// A length >= n for complex lines, at most a fifth longer, for which estimated plans are fast:
 /// they take twice the time per point when 9 divides the length.
 int fast_line_size(int n);
+
+/// The same for rows (class Rows), at most an eighth longer: side by side, 9 does no harm, but 3
+/// and 15 do.
+int fast_row_size(int n);
 
 }  // namespace samcontact::fft

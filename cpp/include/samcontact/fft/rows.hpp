@@ -10,8 +10,8 @@
 
 namespace samcontact::fft {
 
-/// Rows of n cells padded to m. Within a parallel region its threads share the rows; outside, one
-/// thread does all.
+/// Rows of n cells padded to m, which is even. Within a parallel region its threads share the rows;
+/// outside, one thread does all.
 class Rows {
  public:
   Rows(int n, int m);
@@ -21,10 +21,9 @@ class Rows {
   void inverse(const Complex* columns, std::size_t stride, int count, double* plane) const;
 
  private:
-  static constexpr int block = 8;  // rows at a time: one 128-byte run per ky when transposing
-
   int n_, m_;
   Plan forward_, inverse_;
+  ComplexField turn_;  // exp(-2 pi i k / m), k <= m/4
 };
 
 }  // namespace samcontact::fft
