@@ -6,23 +6,45 @@
 #include <numbers>
 #include <utility>
 
+#include "samcontact/kernels/corners.hpp"
+#include "samcontact/kernels/far_displacement.hpp"
 #include "samcontact/kernels/surface_traction.hpp"
 #include "samcontact/operators/influence_lattice.hpp"
 
 namespace samcontact::operators {
 namespace {
 
-/// Corner sums at the offsets i dx, j dy, in units of dx, times factor.
-Field corner_table(double dx, double dy, int nx, int ny, double (*corner)(double, double),
-                   double factor) {
+using Corner = double (*)(double, double);
+
+/// Corner sum of a cell of 1 by `aspect` at an offset in units of its width.
+double corner_sum(Corner corner, double x, double y, double aspect) {
+  return kernels::corner_sum_2d<1>(x, y, 0.5, 0.5 * aspect,
+                                   [&](double s, double t) { return std::array{corner(s, t)}; })[0];
+}
+
+/// Displacements times `factor` at offsets in units of the width of a cell of 1 by `aspect`.
+Field elastic_table(const Offsets& offsets, double aspect, double factor) {
+  const auto& [x, y] = offsets;
+  const kernels::FarDisplacement far(1.0, aspect);
+  Field table(x.size() * y.size());
+  for (std::size_t j = 0; j < y.size(); ++j) {
+    double* row = table.data() + j * x.size();
+    far.evaluate(x.data(), y[j], x.size(), row);
+    if (y[j] >= far.begin()) continue;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (x[i] >= far.begin()) continue;
+      row[i] = corner_sum(kernels::pressure_displacement, x[i], y[j], aspect);
+    }
+  }
+  for (double& value : table) value *= factor / std::numbers::pi;
+  return table;
+}
+
+/// Corner sums at the offsets i dx, j dy times dx.
+Field corner_table(double dx, double dy, int nx, int ny, Corner corner, double factor) {
   const CornerLattice lattice{nx, ny, dy / dx};
   Field corners(lattice.size()), table(static_cast<std::size_t>(nx) * ny);
-  if (corner == kernels::pressure_displacement && dx == dy) {
-    lattice.evaluate_symmetric(corner, corners.data());
-  } else {
-    lattice.evaluate<1>([&](double x, double y) { return std::array{corner(x, y)}; },
-                        corners.data());
-  }
+  lattice.evaluate<1>([&](double x, double y) { return std::array{corner(x, y)}; }, corners.data());
   lattice.corner_sums(corners.data(), table.data(), nx, ny);
   for (double& value : table) value *= factor * dx / std::numbers::pi;
   return table;
@@ -47,7 +69,7 @@ bool SurfaceInfluence::has_rest() const {
 }
 
 Field SurfaceInfluence::elastic(double dx, double dy, int nx, int ny) const {
-  return corner_table(dx, dy, nx, ny, kernels::pressure_displacement, normal_);
+  return elastic_table(Offsets::lattice(1.0, dy / dx, nx, ny), dy / dx, normal_ * dx);
 }
 
 Field SurfaceInfluence::even(double dx, double dy, int nx, int ny) const {
@@ -60,18 +82,10 @@ Field SurfaceInfluence::even(double dx, double dy, int nx, int ny) const {
 }
 
 Field SurfaceInfluence::even(double dx, double dy, const Offsets& offsets) const {
-  const double aspect = dy / dx;
-  Field table;
-  for (const double y : offsets.y) {
-    for (const double x : offsets.x) {
-      const auto corner = [&](double s, double t) {
-        return kernels::pressure_displacement(x / dx + s, y / dx + t * aspect);
-      };
-      const double sum =
-          (corner(0.5, 0.5) - corner(-0.5, 0.5)) - (corner(0.5, -0.5) - corner(-0.5, -0.5));
-      table.push_back(normal_ * dx / std::numbers::pi * sum);
-    }
-  }
+  Offsets in_widths = offsets;
+  for (double& x : in_widths.x) x /= dx;
+  for (double& y : in_widths.y) y /= dx;
+  Field table = elastic_table(in_widths, dy / dx, normal_ * dx);
   if (heated_.empty()) return table;
   // Tables of heat ascend.
   const auto ascending = [](std::vector<double> values) {

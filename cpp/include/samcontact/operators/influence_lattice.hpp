@@ -30,20 +30,6 @@ struct CornerLattice {
     }
   }
 
-  /// The same for one function on square cells with corner(x, y) = corner(y, x), each pair once.
-  template <class Corner>
-  void evaluate_symmetric(const Corner& corner, double* values) const {
-    const auto at = [&](int i, int j) -> double& {
-      return values[static_cast<std::size_t>(j) * (nx + 1) + i];
-    };
-    for (int j = 0; j <= ny; ++j) {
-      for (int i = 0; i <= nx; ++i) {
-        const bool known = i < j && j <= nx;
-        at(i, j) = known ? at(j, i) : corner(i - 0.5, j - 0.5);
-      }
-    }
-  }
-
   /// quarter[j hx + i] = sum of the corners of cell (i, j); beyond the last offset 0.
   void corner_sums(const double* values, double* quarter, int hx, int hy) const;
 };
