@@ -11,14 +11,15 @@
 namespace samcontact {
 namespace {
 
+constexpr std::size_t line = 64;
 constexpr std::size_t huge_page = std::size_t{1} << 21;
 constexpr std::size_t worth_huge_pages = 2 * huge_page;
 
 std::align_val_t alignment_of(std::size_t bytes) {
-  return std::align_val_t{bytes >= worth_huge_pages ? huge_page : 64};
+  return std::align_val_t{bytes >= worth_huge_pages ? huge_page : line};
 }
 
-void* fresh(std::size_t bytes) {
+void* from_system(std::size_t bytes) {
   void* p = ::operator new(bytes, alignment_of(bytes));
 #ifdef __linux__
   // Advice only: without huge pages all works as before.
@@ -27,77 +28,119 @@ void* fresh(std::size_t bytes) {
   return p;
 }
 
-/// Freed blocks for the next field of that size. A solve makes the same few fields as the one
-/// before; the system would clear every page of them anew, a tenth of the time of a solve.
-class FreedBlocks {
+void to_system(void* p, std::size_t bytes) { ::operator delete(p, alignment_of(bytes)); }
+
+/// Fields side by side in regions on huge pages. A solve makes dozens of them; the system would
+/// hand out and clear every small page of each, up to a third of the time of a first solve. One
+/// region without fields is kept for the next solve: no more memory than was in use before.
+class Regions {
  public:
-  /// Smaller ones cost little, and larger ones are worth more than the time.
-  static bool suits(std::size_t bytes) { return bytes >= smallest && bytes <= most / 4; }
+  /// Smaller ones cost little, and larger ones are worth huge pages of their own.
+  static bool suits(std::size_t bytes) { return bytes >= smallest && bytes <= largest; }
 
+  /// Null where the system has no region to give.
   void* take(std::size_t bytes) {
+    const std::size_t length = rounded(bytes);
     const std::lock_guard lock(mutex_);
-    const auto found = blocks_.find(bytes);
-    if (found == blocks_.end()) return nullptr;
-    void* p = found->second;
-    blocks_.erase(found);
-    kept_ -= bytes;
-    return p;
+    for (auto& [start, holes] : regions_) {
+      if (char* p = from_holes(start, holes, length)) return p;
+    }
+    try {
+      char* start = static_cast<char*>(from_system(region));
+      return from_holes(start, regions_[start] = {{0, region}}, length);
+    } catch (const std::bad_alloc&) {
+      return nullptr;
+    }
   }
 
-  void keep(void* p, std::size_t bytes) {
+  /// False where it is in no region.
+  bool give_back(void* p, std::size_t bytes) {
     const std::lock_guard lock(mutex_);
-    if (kept_ + bytes > most) release();  // of sizes that may not come again
-    blocks_.emplace(bytes, p);
-    kept_ += bytes;
-  }
-
-  void clear() {
-    const std::lock_guard lock(mutex_);
-    release();
+    auto at = regions_.upper_bound(static_cast<char*>(p));
+    if (at == regions_.begin()) return false;
+    --at;
+    const std::size_t offset = static_cast<char*>(p) - at->first;
+    if (offset >= region) return false;
+    Holes& holes = at->second;
+    auto hole = holes.emplace(offset, rounded(bytes)).first;
+    const auto next = std::next(hole);
+    if (next != holes.end() && hole->first + hole->second == next->first) {
+      hole->second += next->second;
+      holes.erase(next);
+    }
+    if (hole != holes.begin()) {
+      const auto before = std::prev(hole);
+      if (before->first + before->second == hole->first) {
+        before->second += hole->second;
+        holes.erase(hole);
+        hole = before;
+      }
+    }
+    if (hole->second == region) release_others(at->first);
+    return true;
   }
 
  private:
-  static constexpr std::size_t smallest = std::size_t{1} << 16, most = std::size_t{1} << 25;
+  using Holes = std::map<std::size_t, std::size_t>;  // offset and length, ascending, none touching
 
-  void release() {
-    for (const auto& [bytes, p] : blocks_) ::operator delete(p, alignment_of(bytes));
-    blocks_.clear();
-    kept_ = 0;
+  static constexpr std::size_t smallest = std::size_t{1} << 16, largest = std::size_t{1} << 26;
+  static constexpr std::size_t region = std::size_t{1} << 27;
+
+  /// With a line between fields, lest their equal indices fall on equal places of the cache.
+  static std::size_t rounded(std::size_t bytes) { return (bytes + 2 * line - 1) / line * line; }
+
+  static char* from_holes(char* start, Holes& holes, std::size_t length) {
+    for (auto hole = holes.begin(); hole != holes.end(); ++hole) {
+      const auto [offset, room] = *hole;
+      if (room < length) continue;
+      holes.erase(hole);
+      if (room > length) holes.emplace(offset + length, room - length);
+      return start + offset;
+    }
+    return nullptr;
+  }
+
+  /// Gives back the empty regions but one.
+  void release_others(const char* kept) {
+    for (auto at = regions_.begin(); at != regions_.end();) {
+      const bool empty = !at->second.empty() && at->second.begin()->second == region;
+      if (!empty || at->first == kept) {
+        ++at;
+        continue;
+      }
+      to_system(at->first, region);
+      at = regions_.erase(at);
+    }
   }
 
   std::mutex mutex_;
-  std::multimap<std::size_t, void*> blocks_;
-  std::size_t kept_ = 0;
+  std::map<char*, Holes> regions_;  // by their start
 };
 
 /// Never destroyed: fields may outlive every static object.
-FreedBlocks& freed_blocks() {
-  static auto* const blocks = new FreedBlocks;  // NOLINT(cppcoreguidelines-owning-memory)
-  return *blocks;
+Regions& regions() {
+  static auto* const one = new Regions;  // NOLINT(cppcoreguidelines-owning-memory)
+  return *one;
 }
+
+#if defined(__SANITIZE_ADDRESS__)  // which would not see the use of a freed field
+constexpr bool with_regions = false;
+#else
+constexpr bool with_regions = true;
+#endif
 
 }  // namespace
 
 void* allocate_bytes(std::size_t bytes) {
-  if (FreedBlocks::suits(bytes)) {
-    if (void* p = freed_blocks().take(bytes)) return p;
+  if (with_regions && Regions::suits(bytes)) {
+    if (void* p = regions().take(bytes)) return p;
   }
-  try {
-    return fresh(bytes);
-  } catch (const std::bad_alloc&) {
-    freed_blocks().clear();  // blocks of other sizes may be all that is missing
-    return fresh(bytes);
-  }
+  return from_system(bytes);
 }
 
 void deallocate_bytes(void* p, std::size_t bytes) {
-#if !defined(__SANITIZE_ADDRESS__)  // which would not see the use of a freed field
-  if (FreedBlocks::suits(bytes)) {
-    freed_blocks().keep(p, bytes);
-    return;
-  }
-#endif
-  ::operator delete(p, alignment_of(bytes));
+  if (with_regions && Regions::suits(bytes) && regions().give_back(p, bytes)) return;
+  to_system(p, bytes);
 }
 
 }  // namespace samcontact

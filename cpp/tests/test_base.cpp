@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Memory of fields.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "samcontact/base/aligned.hpp"
+
+using namespace samcontact;
+
+TEST_CASE("fields that come and go share memory, never at the same time") {
+  std::mt19937 random(1);  // NOLINT(bugprone-random-generator-seed): the same in every run
+  // From below what is kept between solves to beyond it, more than one region in all.
+  std::uniform_int_distribution<std::size_t> sizes(1000, 1500000);
+  std::uniform_int_distribution<int> coin(0, 2);
+  std::vector<Field> fields;
+  for (int step = 0; step < 400; ++step) {
+    if (fields.size() > 24 || (coin(random) == 0 && !fields.empty())) {
+      const auto which = fields.begin() + static_cast<std::ptrdiff_t>(random() % fields.size());
+      const double mark = which->front();
+      REQUIRE(which->back() == mark);
+      REQUIRE(which->at(which->size() / 2) == mark);
+      fields.erase(which);
+    } else {
+      Field field(sizes(random));
+      REQUIRE(reinterpret_cast<std::uintptr_t>(field.data()) % 64 == 0);
+      REQUIRE(std::all_of(field.begin(), field.end(), [](double v) { return v == 0.0; }));
+      field.front() = field.back() = field[field.size() / 2] = step + 1.0;
+      fields.push_back(std::move(field));
+    }
+  }
+}
