@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "samcontact/base/interrupt.hpp"
-#include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/survey.hpp"
 #include "samcontact/contact/working_set.hpp"
 
 namespace samcontact::contact {
@@ -35,17 +35,19 @@ class ActiveSet {
         z_(n_),
         t_(n_),
         rest_(std::move(displacement)),
-        working_(n_) {
+        states_(n_) {
     for (std::size_t i = 0; i < n_; ++i) rest_[i] += problem.gap[i];
   }
 
   ActiveSetResult run(bool trim, double tol, int max_iterations) {
     for (;; trim = false) {
       check_interrupt();
-      approach_ = load_driven_ ? contact_mean(p_, rest_) : problem_.driver.value;
-      watch_energy();
-      if (error() <= tol || iterations_ >= max_iterations) break;
-      if (choose_working_set(trim) == 0) break;
+      const Totals all = totals(p_, rest_, problem_.gap);
+      watch_energy(all);
+      const double hold = trim ? 1.0 / problem_.self_influence : 0.0;
+      const Survey cells = survey(p_, rest_, approach_, hold, all, states_);
+      if (cells.error <= tol || iterations_ >= max_iterations) break;
+      if (choose_working_set(cells) == 0) break;
       const bool descends = minimise(tol, max_iterations);
       drop_tension();
       if (!descends) break;
@@ -65,51 +67,38 @@ class ActiveSet {
     ++operator_count_;
   }
 
-  double displacement(std::size_t i) const { return rest_[i] - problem_.gap[i]; }
-
-  double error() const {
-    return complementarity_error(
-        p_, [&](std::size_t i) { return displacement(i); },
-        [&](std::size_t i) { return rest_[i] - approach_; });
-  }
-
   /// Where the rigid bodies stand: under load, at the mean of gap and displacement.
   double position() const {
     return load_driven_ ? set_.sums(rest_, rest_).plain / set_.size() : approach_;
   }
 
-  /// A change of the set that raised the energy was premature.
-  void watch_energy() {
-    const double delta = load_driven_ ? 0.0 : approach_;
-    const double energy = ordered_sum(
-        n_, [&](std::size_t i) { return p_[i] * (0.5 * (rest_[i] + problem_.gap[i]) - delta); });
+  /// Approach and scales; a change of the set that raised the energy was premature.
+  void watch_energy(const Totals& all) {
+    approach_ = problem_.driver.value;
+    if (load_driven_) approach_ = all.contacts > 0 ? all.rest_in_contact / all.contacts : 0.0;
+    const double energy = all.energy - (load_driven_ ? 0.0 : approach_ * all.pressure);
     if (energy > energy_) patience_ *= patience_loss;
     energy_ = energy;
+    take_scales(all);
+  }
+
+  /// Scales of pressure and displacement, which hardly change on a set.
+  void take_scales(const Totals& all) {
+    p_scale_ = all.largest_pressure;
+    u_scale_ = all.largest_displacement;
   }
 
   /// Cells with pressure and, once few cells drop, those with penetration. Returns their number.
-  std::size_t choose_working_set(bool trim) {
-    const double hold = trim ? 1.0 / problem_.self_influence : 0.0;
-    std::size_t kept = 0, trimmed = 0;
-    for (std::size_t i = 0; i < n_; ++i) {
-      working_[i] = p_[i] > 0 && p_[i] > hold * (rest_[i] - approach_);
-      kept += working_[i];
-      trimmed += p_[i] > 0 && !working_[i];
-    }
-    std::size_t released = 0;
-    if (dropped_ <= calm_share * kept) {
-      for (std::size_t i = 0; i < n_; ++i) {
-        if (working_[i] || p_[i] > 0 || rest_[i] >= approach_) continue;
-        working_[i] = true;
-        ++released;
-      }
-    }
-    if (trimmed > 0 && kept + released > 0) {
-      for (std::size_t i = 0; i < n_; ++i) p_[i] = working_[i] ? p_[i] : 0.0;
+  std::size_t choose_working_set(const Survey& cells) {
+    const bool release = dropped_ <= calm_share * cells.working;
+    for (unsigned char& state : states_) state = state == working || (release && state != idle);
+    if (cells.dropped > 0 && cells.working + (release ? cells.penetrating : 0) > 0) {
+      for (std::size_t i = 0; i < n_; ++i) p_[i] = states_[i] ? p_[i] : 0.0;
       settle();
+      take_scales(totals(p_, rest_, problem_.gap));
     }
-    set_.assign(working_, 1);
-    others_.assign(working_, 0);
+    set_.assign(states_, 1);
+    others_.assign(states_, 0);
     return set_.size();
   }
 
@@ -118,12 +107,6 @@ class ActiveSet {
     if (load_driven_) scale_to_sum(p_, problem_.driver.value / problem_.cell_area);
     apply(p_, rest_);
     for (std::size_t i = 0; i < n_; ++i) rest_[i] += problem_.gap[i];
-  }
-
-  /// Scales of pressure and displacement, which hardly change on a set.
-  void update_scales() {
-    p_scale_ = largest_of(n_, [&](std::size_t i) { return p_[i]; });
-    u_scale_ = largest_of(n_, [&](std::size_t i) { return std::fabs(displacement(i)); });
   }
 
   /// r = gap on the working set, under load relative to its mean there.
@@ -138,7 +121,6 @@ class ActiveSet {
   bool minimise(double tol, int max_iterations) {
     std::fill(r_.begin(), r_.end(), 0.0);
     std::fill(t_.begin(), t_.end(), 0.0);
-    update_scales();
     double stand = position();
     update_residual(set_.lowest(p_, 0.0), others_.lowest(rest_, stand), stand);
     double zr_old = 0.0, lowest_residual = residual_;
@@ -167,7 +149,7 @@ class ActiveSet {
       set_.add(length, z_, rest_, 0.0);
       if (load_driven_) stand += length * zt.plain / set_.size();
       const double lowest_gap = others_.add(length, z_, rest_, stand);
-      if (u_scale_ == 0) update_scales();  // it was the first pressure
+      if (u_scale_ == 0) take_scales(totals(p_, rest_, problem_.gap));  // the first pressure
       update_residual(lowest_p, lowest_gap, stand);
       in_vain = residual_ < 0.5 * lowest_residual ? 0 : in_vain + 1;
       if (in_vain == 0) lowest_residual = residual_;
@@ -193,8 +175,8 @@ class ActiveSet {
   const std::size_t n_;
   const bool load_driven_;
   Field p_, r_, z_, t_;
-  Field rest_;  // gap + displacement: the gap but for the approach
-  std::vector<unsigned char> working_;
+  Field rest_;                         // gap + displacement: the gap but for the approach
+  std::vector<unsigned char> states_;  // of CellState
   CellRuns set_, others_;
   ComplexField work_;
   double approach_ = 0.0, energy_ = INFINITY, patience_ = initial_patience;
