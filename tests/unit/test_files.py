@@ -137,6 +137,17 @@ class TestExtremes:
         with pytest.raises(sc.ConvergenceError, match="beyond the range of numbers"):
             solver.solve(sc.surfaces.paraboloid(GRID, 1e-3), approach=3.4e145)
 
+    @pytest.mark.parametrize("value", [5e-324, 1e-76, 2e75, 1e308])
+    def test_numbers_whose_products_are_none(self, value):
+        with pytest.raises(ValueError, match=r"E must be between 1e-75 and 1e75 \[Pa\], got"):
+            sc.Material.elastic(value, 0.3)
+        with pytest.raises(ValueError, match=r"dx must be between 1e-75 and 1e75 \[m\], got"):
+            sc.Grid(2, 2, value, 1.0)
+        elastic = sc.Material.elastic(210e9, 0.3)
+        solver = sc.ContactSolver(GRID, elastic, elastic)
+        with pytest.raises(ValueError, match=r"load must be between 1e-75 and 1e75 \[N\], or 0"):
+            solver.solve(np.zeros(GRID.surface_shape), load=value)
+
     def test_values_up_to_the_limits(self):
         assert len(paths.ramp(load=1.0, increments=100_000)) == 100_000
         assert sc.Grid(2**24, 1, 1.0, 1.0).nx == 2**24

@@ -123,7 +123,7 @@ Regions& regions() {
   return *one;
 }
 
-#if defined(__SANITIZE_ADDRESS__)  // which would not see the use of a freed field
+#if defined(SAMCONTACT_SANITIZE)  // which would not see the use of a freed field
 constexpr bool with_regions = false;
 #else
 constexpr bool with_regions = true;

@@ -18,4 +18,8 @@ void require(bool condition, const std::string& name, const std::string& allowed
   }
 }
 
+void require_moderate(const std::string& name, double value, const std::string& unit) {
+  require(value >= 1e-75 && value <= 1e75, name, "between 1e-75 and 1e75 " + unit, value);
+}
+
 }  // namespace samcontact

@@ -10,6 +10,7 @@ namespace {
 
 void require_size(const char* name, double value) {
   require(std::isfinite(value) && value > 0, name, "a finite number > 0 [m]", value);
+  require_moderate(name, value, "[m]");
 }
 
 std::vector<double> centres(int n, double d) {

@@ -107,6 +107,7 @@ void ContactSolver::check(const Field& gap, const Driver& driver, const Field& i
   if (driver.kind == Driver::Kind::load) {
     require(std::isfinite(driver.value) && driver.value >= 0, "load", "a finite number >= 0 [N]",
             driver.value);
+    if (driver.value > 0) require_moderate("load", driver.value, "[N], or 0");
   } else {
     require(std::isfinite(driver.value), "approach", "a finite number [m]", driver.value);
   }
@@ -126,7 +127,8 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
                           : multilevel_.solve(displacement_, gap, driver, std::move(pressure),
                                               settings.tol, settings.max_iterations);
   // Comparisons with NaN are false: such a solution would look converged.
-  const bool finite = all_finite(solution.pressure) && std::isfinite(solution.load);
+  const bool finite =
+      all_finite(solution.pressure) && all_finite(solution.gap) && std::isfinite(solution.load);
   const bool grows = solution.negative_curvatures > 0;
   if (heated_ && !driver.is_load() && (finite ? is_unstable(solution.pressure) : grows)) {
     throw ConvergenceError("the contact is thermoelastically unstable at " + describe(driver) +
@@ -136,7 +138,7 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
   }
   if (!finite) {
     throw ConvergenceError("contact did not converge at " + describe(driver) +
-                               ": the pressure is beyond the range of numbers",
+                               ": the solution is beyond the range of numbers",
                            solution.iterations, solution.error);
   }
   if (heated_ && !solution.converged && solution.negative_curvatures > 0) {

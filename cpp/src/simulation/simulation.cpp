@@ -193,6 +193,7 @@ void Simulation::check(const Target& target) const {
   if (target.kind == Target::Kind::load) {
     require(std::isfinite(target.value) && target.value >= 0, "load", "a finite number >= 0 [N]",
             target.value);
+    if (target.value > 0) require_moderate("load", target.value, "[N], or 0");
   } else if (target.kind == Target::Kind::approach) {
     require(std::isfinite(target.value), "approach", "a finite number [m]", target.value);
   } else {

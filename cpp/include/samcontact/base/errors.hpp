@@ -32,4 +32,7 @@ std::string to_text(double value);
 /// Throws std::invalid_argument "NAME must be ALLOWED, got VALUE" unless `condition` holds.
 void require(bool condition, const std::string& name, const std::string& allowed, double value);
 
+/// Throws unless 1e-75 <= value <= 1e75: squares and products must be numbers.
+void require_moderate(const std::string& name, double value, const std::string& unit);
+
 }  // namespace samcontact
