@@ -25,7 +25,7 @@ QUICK_SIZES = {"hertz": (64, 128), "rough": (64, 128), "plastic": (12,), "stress
 PROBLEMS = tuple(SIZES)
 FINEST_PLASTIC = 96  # cells across; of samcontact alone
 WITH_VOLUME = ("samcontact", "tamaas")
-LONG = 5.0  # s: what takes longer is measured once
+LONG = 3.0  # s: what takes longer is measured once
 GROWTH = 4.0  # least factor of time from a size to the next
 
 

@@ -29,6 +29,19 @@ def test_figures(stored):
     figures.plt.close(drawn)
 
 
+def test_what_the_page_claims(stored):
+    """Twice the time from 256^2 cells on, in two digits, and seventy times in plastic contact."""
+    for (problem, _, n), codes in page.by_place(stored).items():
+        if problem == "stress" or (problem != "plastic" and n < 256):
+            continue
+        least = 70.0 if problem == "plastic" else 1.95
+        for time in page.times_of(problem):
+            for code in codes:
+                measure, error = page.MEASURE[problem], page.COUNTED_AT[problem]
+                ratio = page.ratio_at(codes, code, measure, time, error)
+                assert code == page.OURS or ratio is None or ratio >= least
+
+
 def test_time_at_an_error():
     curve = [(1e-2, 1.0), (1e-4, 100.0), (1e-6, 400.0)]
     assert page.time_at(curve, 1e-3) == pytest.approx(10.0)
