@@ -43,7 +43,7 @@ samcontact_fingerprint() {
 samcontact_setup() {
   local packages=(g++ libeigen3-dev libfftw3-dev) strict=OFF state
   [ "$1" = "" ] || strict=ON
-  # The browser shows reports to their test; clang brings the thread sanitizer.
+  # The browser shows reports to their test; clang brings the sanitizers and the fuzzer.
   [ "$1" = "" ] ||
     packages+=(doctest-dev valgrind clang libomp-dev $(samcontact_browser_packages))
   # A Python from elsewhere brings these two itself.

@@ -38,7 +38,8 @@ class Grid(Shown):
     Raises
     ------
     ValueError, TypeError
-        A count or size that is not positive, or dz without nz or nz without dz.
+        A count or size that is not positive, a size below 1e-75 or above 1e75 m, or dz without nz
+        or nz without dz.
     """
 
     nx: int

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Displacement u_z at the surface far from a uniformly loaded rectangle, by its moments: without the
-// logarithms of the corner sum, and without the digits that it loses, 1e-16 r^2 at r widths.
+// Displacement u_z at the surface far from a uniformly loaded rectangle, by its moments: without
+// the logarithms of the corner sum and without the digits it loses, 1e-16 r^2 at r widths.
 #pragma once
 
 #include <array>
