@@ -2,6 +2,8 @@
 #include <pybind11/gil_safe_call_once.h>
 #include <pybind11/stl.h>
 
+#include <new>
+
 #include "rooms.hpp"
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/grid.hpp"
@@ -38,6 +40,9 @@ void bind_errors(py::module_& m) {
   py::register_exception_translator([](std::exception_ptr p) {
     try {
       if (p) std::rethrow_exception(p);
+    } catch (const std::bad_alloc&) {
+      PyErr_SetString(PyExc_MemoryError,
+                      "the system has no more memory: take fewer cells, or end other programs");
     } catch (const ConvergenceError& error) {
       const py::object& type = convergence_error.get_stored();
       py::object value = type(error.what());

@@ -12,6 +12,14 @@ std::string to_text(double value) {
   return std::string(text.data(), end);
 }
 
+std::string to_short_text(double value) {
+  std::array<char, 32> text{};
+  char* const end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3)
+          .ptr;
+  return std::string(text.data(), end);
+}
+
 void require(bool condition, const std::string& name, const std::string& allowed, double value) {
   if (!condition) {
     throw std::invalid_argument(name + " must be " + allowed + ", got " + to_text(value));

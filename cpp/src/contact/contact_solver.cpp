@@ -2,6 +2,7 @@
 #include "samcontact/contact/contact_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -16,14 +17,17 @@ bool all_finite(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](double v) { return std::isfinite(v); });
 }
 
-bool touches_border(const Grid& grid, const Field& pressure) {
+/// Largest pressure on the sides of the grid across x and across y.
+std::array<double, 2> border_pressure(const Grid& grid, const Field& pressure) {
+  std::array<double, 2> largest{};
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
-      const bool border = i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1;
-      if (border && pressure[static_cast<std::size_t>(i) * grid.ny + j] > 0) return true;
+      const double p = pressure[static_cast<std::size_t>(i) * grid.ny + j];
+      if (i == 0 || i == grid.nx - 1) largest[0] = std::max(largest[0], p);
+      if (j == 0 || j == grid.ny - 1) largest[1] = std::max(largest[1], p);
     }
   }
-  return false;
+  return largest;
 }
 
 std::string describe(const Driver& driver) {
@@ -68,10 +72,22 @@ operators::SurfaceInfluence influence_of(const Elastic& body1, const Elastic& bo
 }  // namespace
 
 std::string border_complaint(const Grid& grid, const Field& pressure, const std::string& what) {
-  if (!touches_border(grid, pressure)) return {};
+  const auto [at_x, at_y] = border_pressure(grid, pressure);
+  if (at_x <= 0 && at_y <= 0) return {};
+  const double most = *std::max_element(pressure.begin(), pressure.end());
+  const auto percent = [most](double p) { return to_short_text(100 * p / most) + " % "; };
+  std::string where, what_helps;
+  if (at_x > 0) {
+    where = percent(at_x) + "at the sides across x";
+    what_helps = "nx dx";
+  }
+  if (at_y > 0) {
+    where += (where.empty() ? "" : ", ") + percent(at_y) + "at those across y";
+    what_helps += what_helps.empty() ? "ny dy" : " and ny dy";
+  }
   return "at " + what + " the contact touches the border of the grid (" +
          to_text(grid.nx * grid.dx) + " m x " + to_text(grid.ny * grid.dy) +
-         " m): enlarge nx dx and ny dy";
+         " m), with a pressure of " + where + " of the largest: enlarge " + what_helps;
 }
 
 GridTooSmallError too_small(const std::string& complaint) {
@@ -151,11 +167,11 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
                            solution.iterations, solution.error);
   }
   if (!solution.converged) {
-    throw ConvergenceError("contact did not converge at " + describe(driver) + ": error " +
-                               to_text(solution.error) + " after " +
-                               std::to_string(solution.iterations) + " iterations, tol " +
-                               to_text(settings.tol),
-                           solution.iterations, solution.error);
+    throw ConvergenceError(
+        "contact did not converge at " + describe(driver) + ": error " + to_text(solution.error) +
+            " after " + std::to_string(solution.iterations) + " iterations, tol " +
+            to_text(settings.tol) + ": allow more max_iterations, a larger tol, or smaller cells",
+        solution.iterations, solution.error);
   }
   solution.border_complaint = border_complaint(grid_, solution.pressure, describe(driver));
   if (!solution.border_complaint.empty() && settings.on_border == OnBorder::error) {

@@ -103,7 +103,7 @@ class Rounds {
         return std::move(solution_);
       }
       const bool grown = choose_box();
-      stalled = grown || solution_.error <= 0.5 * last_error ? 0 : stalled + 1;
+      stalled = grown || solution_.error < 0.5 * last_error ? 0 : stalled + 1;
       if (stalled == patience) break;
       round(std::isinf(last_error), tol,
             std::min(max_iterations - solution_.iterations, most_steps_a_round));

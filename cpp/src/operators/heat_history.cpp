@@ -19,6 +19,9 @@
 namespace samcontact::operators {
 namespace {
 
+/// How far heat must diffuse in the shortest step, in cells.
+constexpr double least_diffused = 0.02;
+
 /// 1 - exp(-z) without cancellation.
 Complex grown(Complex z) {
   const double e = std::exp(-z.real()), half = std::sin(z.imag() / 2);
@@ -114,6 +117,15 @@ HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic
           "in [1e-10, 1e-2]", settings.tolerance);
   require(std::isfinite(speed_x) && std::isfinite(speed_y), "speed", "finite",
           std::hypot(speed_x, speed_y));
+  // Else wavenumbers far beyond those of the cells are followed: time and memory without bounds.
+  const double diffused = std::sqrt(thermal.diffusivity * settings.shortest);
+  const double cell = std::max(grid.dx, grid.dy);
+  require(diffused >= least_diffused * cell, "shortest (of heat_history)",
+          "long enough for heat to diffuse over " + to_short_text(least_diffused) + " of a cell, " +
+              to_short_text(cell * cell * least_diffused * least_diffused / thermal.diffusivity) +
+              " s with cells of " + to_short_text(cell) + " m and a diffusivity of " +
+              to_short_text(thermal.diffusivity) + " m^2/s",
+          settings.shortest);
   plan_ = std::make_shared<const Plan>(grid, thermal, elastic, speed_x, speed_y, settings);
   near_.assign(plan_->near.rates().size() * grid.surface_size(), 0.0);
   modes_.assign(plan_->modes.generations(), ComplexField(plan_->modes.size(), Complex{}));

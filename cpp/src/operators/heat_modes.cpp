@@ -7,7 +7,9 @@
 #include <limits>
 #include <numbers>
 
+#include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/memory.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -185,6 +187,7 @@ void HeatModes::add_level(int number, int last, double shrink) {
   const double least = 0.1 * resolution_.tolerance;
   level.reach_a = static_cast<int>(end / level.dw1);
   level.reach_b = static_cast<int>(end / level.dw2);
+  require_memory_of(level, (number == last ? 1 : 2) * std::min(level.dw1, level.dw2));
   for (int b = 0; b <= level.reach_b; ++b) {
     for (int a = -level.reach_a; a <= level.reach_a; ++a) {
       HeatMode mode{a, b, a * level.dw1, b * level.dw2, 0, {}, 0};
@@ -212,6 +215,17 @@ void HeatModes::add_level(int number, int last, double shrink) {
   mode_count_ += level.modes.size();
   if (number > 0) add_points(level);
   levels_.push_back(std::move(level));
+}
+
+/// Modes and their amplitudes of a level, which has those in a half disc or ring of its lattice.
+void HeatModes::require_memory_of(const HeatLevel& level, double scale) const {
+  const double modes = 0.5 * pi * (level.reach_a + 1.0) * (level.reach_b + 1.0);
+  const double nodes = 1 + std::asinh(cutoff_ / scale) / step_;
+  // An increment has those of the state before and of its own.
+  const double amplitudes = 2.0 * sizeof(Complex) * (generations() + 1);
+  require_memory(modes * (sizeof(HeatMode) + 0.5 * nodes * amplitudes),
+                 "the heat of the past, followed from steps of " +
+                     to_short_text(resolution_.shortest) + " dx^2/diffusivity on,");
 }
 
 /// s = scale sinh(theta): integrands have their poles at s = +-i w, w >= scale, where the imaginary

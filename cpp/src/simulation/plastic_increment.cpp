@@ -20,6 +20,8 @@ using operators::Tensor;
 
 /// Elastic stress above this part of the yield stress belongs into the box.
 constexpr double near_yield = 0.9;
+/// Flow at the border of the grid that is little against the strain that is there.
+constexpr double negligible_flow = 1e-4;
 /// Cells around what must be in a box.
 constexpr int margin = 2;
 
@@ -567,7 +569,7 @@ bool PlasticIncrement::grow_at_rim() {
 }
 
 void PlasticIncrement::flow(State& state, Body& body, std::size_t n, const Field& mapped,
-                            double negligible) const {
+                            double largest) const {
   const std::uint32_t cell = active_.cells[n].cell;
   const Box& box = body.box;
   body.equivalent[cell] += equivalent_[n];
@@ -586,12 +588,17 @@ void PlasticIncrement::flow(State& state, Body& body, std::size_t n, const Field
   const int j = box.j0 + static_cast<int>(cell % box.ny), ki = static_cast<int>(cell / box.ny);
   const int i = box.i0 + ki % box.nx, k = ki / box.nx;
   state.flowed[body.index] = true;
-  if (equivalent_[n] <= negligible) return;
+  const double share = equivalent_[n] / largest;
+  if (share <= negligible_flow) return;
   // Mirror planes lie inside.
-  const bool at_side = i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1;
-  const bool at_bottom = k == grid.nz - 1;
-  state.flow_at_bottom[body.index] |= at_bottom;
-  state.flow_at_side[body.index] |= at_side && !at_bottom;
+  const bool at_x = i == 0 || i == grid.nx - 1, at_y = j == 0 || j == grid.ny - 1;
+  BorderFlow here;
+  if (k == grid.nz - 1) {
+    here.bottom = share;
+  } else {
+    here = {0.0, at_x ? share : 0.0, at_y ? share : 0.0};
+  }
+  state.border_flow[body.index] = state.border_flow[body.index].united(here);
 }
 
 Field PlasticIncrement::first_guess() {
@@ -697,7 +704,8 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.contact_gap.clear();
   state.load = result.contact.load;
   state.approach = result.contact.approach;
-  state.flowed = state.flow_at_bottom = state.flow_at_side = {};
+  state.flowed = {};
+  state.border_flow = {};
   state.advance = {};
   remember_flow(state, mapped);
   scatter(mapped);
@@ -712,10 +720,8 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
     for (std::size_t n = 0; n < active_.size(); ++n) {
       if (active_.cells[n].body == b) strain = std::max(strain, equivalent_[n]);
     }
-    const double negligible = 1e-4 * strain;
     for (std::size_t n = 0; n < active_.size(); ++n) {
-      if (active_.cells[n].body == b && equivalent_[n] != 0)
-        flow(state, body, n, mapped, negligible);
+      if (active_.cells[n].body == b && equivalent_[n] != 0) flow(state, body, n, mapped, strain);
     }
     if (state.flowed[i]) {
       const PlasticFields fields{body.box, std::move(body.strain), std::move(body.equivalent),
@@ -728,8 +734,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
     state.plastic[0] = state.plastic[i];
     state.flow_box[0] = state.flow_box[i];
     state.flowed[0] = state.flowed[i];
-    state.flow_at_bottom[0] = state.flow_at_bottom[i];
-    state.flow_at_side[0] = state.flow_at_side[i];
+    state.border_flow[0] = state.border_flow[i];
   }
   if (target_.kind != Target::Kind::tractions) {
     Box whole = Box::whole(scene_.grid);

@@ -33,16 +33,21 @@ std::string shape_text(std::initializer_list<int> extents) {
   return shape + ")";
 }
 
-/// Where plastic flow of an increment meets the bottom or a side of the volume.
-std::string flow_at_border(const Grid& grid, const State& state, int body) {
-  if (state.flow_at_bottom[body]) {
-    return "bottom of the volume (" + to_text(grid.nz * grid.dz) + " m): enlarge nz dz";
+/// Where plastic flow of an increment meets the bottom or sides of the volume, and how much.
+std::string flow_at_border(const Grid& grid, const BorderFlow& flow) {
+  const auto much = [](double share) {
+    return ", where it flows by " + to_short_text(100 * share) +
+           " % of its largest plastic strain: enlarge ";
+  };
+  if (flow.bottom > 0) {
+    return "bottom of the volume (" + to_text(grid.nz * grid.dz) + " m)" + much(flow.bottom) +
+           "nz dz";
   }
-  if (state.flow_at_side[body]) {
-    return "sides of the volume (" + to_text(grid.nx * grid.dx) + " m x " +
-           to_text(grid.ny * grid.dy) + " m): enlarge nx dx and ny dy";
-  }
-  return {};
+  const bool x = flow.across_x > 0, y = flow.across_y > 0;
+  if (!x && !y) return {};
+  return "sides of the volume (" + to_text(grid.nx * grid.dx) + " m x " +
+         to_text(grid.ny * grid.dy) + " m)" + much(std::max(flow.across_x, flow.across_y)) +
+         (x ? "nx dx" : "") + (x && y ? " and " : "") + (y ? "ny dy" : "");
 }
 
 /// Cells of the grid up to which the exact residual stress is the default.
@@ -260,11 +265,11 @@ State Simulation::walk(const Target& target) {
   const auto add_flow = [](const State& earlier, State& state) {
     for (int b = 0; b < 2; ++b) {
       state.flowed[b] |= earlier.flowed[b];
-      state.flow_at_bottom[b] |= earlier.flow_at_bottom[b];
-      state.flow_at_side[b] |= earlier.flow_at_side[b];
+      state.border_flow[b] = state.border_flow[b].united(earlier.border_flow[b]);
     }
   };
-  moment.flowed = moment.flow_at_bottom = moment.flow_at_side = {};
+  moment.flowed = {};
+  moment.border_flow = {};
   double done = 0.0, part = 1.0;
   while (done < 1.0) {
     const double goal = std::min(1.0, done + part);
@@ -327,7 +332,7 @@ std::vector<std::string> Simulation::border_complaints(const State& reached,
     add(contact::border_complaint(scene_->grid, reached.tractions.pressure, describe(target)));
   }
   for (int b = 0; b < 2; ++b) {
-    const auto where = flow_at_border(scene_->grid, reached, b);
+    const auto where = flow_at_border(scene_->grid, reached.border_flow[b]);
     if (where.empty()) continue;
     add("at " + describe(target) + " the plastic zone of body " + std::to_string(b + 1) +
         " reaches the " + where);

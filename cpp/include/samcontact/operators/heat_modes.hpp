@@ -102,6 +102,7 @@ class HeatModes {
   fft::PaddedTransform padded(const Grid& grid) const;
   void set_reach(HeatLevel& level, double shrink) const;
   void add_level(int number, int last, double shrink);
+  void require_memory_of(const HeatLevel& level, double scale) const;
   void add_nodes(HeatLevel& level, double scale) const;
   void add_points(HeatLevel& level) const;
 

@@ -108,9 +108,9 @@ class PlasticIncrement {
   static std::span<const plasticity::Tensor> backstresses(const Body& body, std::uint32_t cell,
                                                           plasticity::Tensors& place);
   void remember_flow(State& state, const Field& mapped) const;
-  /// Active cell number n, at the end of the increment; flow up to `negligible` may be at the
-  /// border.
-  void flow(State& state, Body& body, std::size_t n, const Field& mapped, double negligible) const;
+  /// Active cell number n, at the end of the increment; flow at the border counts against the
+  /// `largest` plastic strain of the body.
+  void flow(State& state, Body& body, std::size_t n, const Field& mapped, double largest) const;
   /// Grows the boxes whose rim flows.
   bool grow_at_rim();
 

@@ -3,6 +3,7 @@
 // volume on demand.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -24,6 +25,17 @@ struct Flow {
   };
   std::array<Body, 2> bodies;
   bool operator==(const Flow&) const = default;
+};
+
+/// Largest plastic flow of an increment at the border of the grid, over the body's largest plastic
+/// strain: at the bottom, and above it at the sides across x and y; 0 where it is negligible.
+struct BorderFlow {
+  double bottom = 0.0, across_x = 0.0, across_y = 0.0;
+  /// The larger ones of both.
+  BorderFlow united(const BorderFlow& other) const {
+    return {std::max(bottom, other.bottom), std::max(across_x, other.across_x),
+            std::max(across_y, other.across_y)};
+  }
 };
 
 class State {
@@ -54,9 +66,9 @@ class State {
   int plastic_iterations = 0, contact_iterations = 0, substeps = 0;
   double plastic_residual = 0.0;  // relative change of the plastic strain increment when accepted
   double yield_excess = 0.0;      // max (von Mises - yield)/yield when accepted
-  /// In this increment: whether a body flowed, and whether it did at the bottom and at a side of
-  /// the grid.
-  std::array<bool, 2> flowed{}, flow_at_bottom{}, flow_at_side{};
+  /// In this increment: whether a body flowed, and how much at the border of the grid.
+  std::array<bool, 2> flowed{};
+  std::array<BorderFlow, 2> border_flow{};
   std::vector<std::string> warnings;
 
   const Scene& scene() const { return *scene_; }
