@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Semi-analytical elastic-plastic contact of two bodies. SI units everywhere."""
 
+from . import _starting  # noqa: F401  (while all else is loaded)
+
+# isort: split
 from . import _load_core  # noqa: F401  (before anything that needs the core)
 
 # isort: split
@@ -29,6 +32,7 @@ from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
 from .grid import Grid
 from .material import Material
 from .relief import Relief
+from .resolution import ElasticStrainWarning, ResolutionWarning
 from .simulation import CheckpointError, PlasticStrainWarning, Simulation
 from .state import State
 from .sweeps import SweepInterrupted, sweep
@@ -39,12 +43,14 @@ __all__ = [
     "ContactSolution",
     "ContactSolver",
     "ConvergenceError",
+    "ElasticStrainWarning",
     "Grid",
     "GridTooSmallError",
     "GridTooSmallWarning",
     "Material",
     "PlasticStrainWarning",
     "Relief",
+    "ResolutionWarning",
     "Simulation",
     "State",
     "SweepInterrupted",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 import tempfile
@@ -14,6 +15,9 @@ from typing import BinaryIO
 
 from ._seal import seal
 
+ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+"""Ctrl-C, what a batch system or a shutdown sends, and a terminal that is closed."""
+
 
 @contextmanager
 def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
@@ -22,6 +26,8 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     When something fails the new file is removed, and an old one stays as it is.
     """
     target = Path(path)
+    if not target.parent.is_dir():
+        raise FileNotFoundError(errno.ENOENT, "there is no folder for", str(target))
     handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".part", dir=target.parent)
     os.close(handle)
     temporary = Path(name)
@@ -97,19 +103,23 @@ class _Patient:
 
 @contextmanager
 def undisturbed() -> Iterator[None]:
-    """Keep Ctrl-C waiting: what is finished must not be lost while it is written."""
-    before = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or before is None:
+    """Keep Ctrl-C and other wishes to end waiting: what is finished must not be lost meanwhile."""
+    if threading.current_thread() is not threading.main_thread():
         yield  # signals go elsewhere
         return
-    pressed: list[int] = []
-    signal.signal(signal.SIGINT, lambda number, _: pressed.append(number))
+    waiting: list[int] = []
+    before = {number: signal.getsignal(number) for number in ENDING}
+    # None: not set by Python
+    held = [number for number, old in before.items() if old not in (None, signal.SIG_IGN)]
+    for number in held:
+        signal.signal(number, lambda number, _: waiting.append(number))
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, before)
-        if pressed:
-            signal.raise_signal(signal.SIGINT)
+        for number in held:
+            signal.signal(number, before[number])
+        if waiting:
+            signal.raise_signal(waiting[0])
 
 
 def _about(path: Path, error: OSError) -> OSError:

@@ -3,14 +3,26 @@
 
 from __future__ import annotations
 
+import difflib
 import math
+import os
+import unicodedata
+from collections.abc import Iterable, Mapping
+from itertools import islice
 from numbers import Integral, Real
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 FloatArray = NDArray[np.float64]
+MOST_COUNT = (1 << 31) - 1
+"""The core counts with 32 bits."""
+MOST_CELLS = 1 << 24
+"""Along one axis, twice as many for transforms included."""
+MOST_STRESS = 1e75
+"""Like the largest load and modulus [Pa]: products stay in the range of numbers."""
 MOST_STEPS = 100_000
 """Increments of one path: more would take months, and a slip of the pen fills the memory."""
 
@@ -20,6 +32,14 @@ def _has_unit(value: Any) -> bool:
     return hasattr(value, "to_base_units")
 
 
+def escaped(text: str) -> str:
+    """Text without control characters, which would command a terminal; lines and tabs stay."""
+    return "".join(
+        repr(c)[1:-1] if unicodedata.category(c) in ("Cc", "Cs") and c not in "\n\t" else c
+        for c in text
+    )
+
+
 def number(name: str, value: Any) -> float:
     """Return `value` as a float; raise TypeError unless it is a real number (not a bool)."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
@@ -27,7 +47,12 @@ def number(name: str, value: Any) -> float:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, Real):
         hint = ": convert it with samcontact.units.si" if _has_unit(value) else ""
         raise TypeError(f"{name} must be a number, got {value!r}{hint}")
-    return float(value)
+    try:
+        return float(value) + 0.0  # never -0.0
+    except OverflowError as error:
+        raise ValueError(f"{name} must be a finite number, got one beyond 1e308") from error
+    except TypeError as error:  # a span of time is an integer to NumPy
+        raise TypeError(f"{name} must be a number, got {value!r}") from error
 
 
 def finite(name: str, value: Any) -> float:
@@ -63,13 +88,58 @@ def poisson_ratio(name: str, value: Any) -> float:
     return result
 
 
-def integer(name: str, value: Any, minimum: int | None = None) -> int:
-    """Return `value` as an int, >= `minimum`."""
+def given_or_none(name: str, value: Any) -> float | None:
+    """Return `value` as a float, or None."""
+    return None if value is None else number(name, value)
+
+
+def integer(
+    name: str, value: Any, minimum: int | None = None, largest: int | None = MOST_COUNT
+) -> int:
+    """Return `value` as an int, >= `minimum`, of a size up to `largest`."""
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, Integral):
         raise TypeError(f"{name} must be an integer, got {value!r}")
     if minimum is not None and value < minimum:
         raise ValueError(f"{name} must be an integer >= {minimum}, got {value}")
-    return int(value)
+    count = int(value)
+    if largest is not None and abs(count) > largest:
+        raise ValueError(f"{name} must be an integer of a size up to {largest}, got {count:.6g}")
+    return count
+
+
+def in_cells(name: str, length: float, step: float) -> float:
+    """A length [m] as a number of cells, which the core can count."""
+    if not abs(length) <= MOST_CELLS * step:
+        raise ValueError(
+            f"{name} must be at most {MOST_CELLS * step:.6g} m, {MOST_CELLS} cells of {step!r} m, "
+            f"got {length!r} m"
+        )
+    return length / step
+
+
+def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any]]:
+    """Return `steps` as a list of arguments of `Simulation.step`, whose names are `known`."""
+    several = isinstance(steps, Iterable) and not isinstance(steps, Mapping)
+    given = list(islice(steps, MOST_STEPS + 1)) if several else [steps]
+    if len(given) > MOST_STEPS:
+        raise ValueError(f"{name} must have at most {MOST_STEPS} increments, got more")
+    wrong = [step for step in given if not (several and isinstance(step, Mapping))]
+    if wrong:
+        raise TypeError(
+            f"{name} must be a list of arguments of step(), e.g. [{{'load': 300.0}}], "
+            f"got {wrong[0]!r:.80}"
+        )
+    known = list(known)
+    for number_, step in enumerate(given, 1):
+        for key in step:
+            if key not in known:
+                near = difflib.get_close_matches(str(key), known, 1)
+                hint = f": did you mean {near[0]}?" if near else f": one of {', '.join(known)}"
+                raise TypeError(f"increment {number_} of {name} has an unknown field {key!r}{hint}")
+        exactly_one(**{key: step.get(key) for key in ("load", "approach", "pressure")})
+        if step.get("pressure") is None:
+            load_or_approach(step.get("load"), step.get("approach"))
+    return [dict(step) for step in given]  # the caller's may change meanwhile
 
 
 def step_count(name: str, value: Any) -> int:
@@ -82,10 +152,10 @@ def step_count(name: str, value: Any) -> int:
 
 def choice(name: str, value: Any, allowed: tuple[Any, ...]) -> Any:
     """Return `value` when it is one of `allowed`."""
-    if value not in allowed:
+    if (np.ndim(value) if isinstance(value, np.ndarray) else 0) or value not in allowed:
         listed = ", ".join(repr(item) for item in allowed)
         raise ValueError(f"{name} must be one of {listed}, got {value!r}")
-    return value
+    return allowed[allowed.index(value)]  # 2 where 2.0 was given
 
 
 def exactly_one(**given: Any) -> str:
@@ -98,16 +168,48 @@ def exactly_one(**given: Any) -> str:
     return names[0]
 
 
-def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
-    """Return `value` as a float64 array of exactly this `shape` with finite entries."""
+def real_array(name: str, value: ArrayLike) -> FloatArray:
+    """Return `value` as a float64 array of any shape; nothing is lost on the way."""
     if _has_unit(value):
         raise TypeError(f"{name} has a unit: convert it with samcontact.units.si")
+    parts = value if isinstance(value, (list, tuple)) else (value,)
+    lost = sum(int(np.sum(p.mask)) for p in parts if isinstance(p, np.ma.MaskedArray))
+    if lost:  # NumPy would take what lies under the mask
+        raise ValueError(
+            f"{name} must be defined everywhere, got {lost} masked values: fill them first "
+            "(heights: samcontact.measured.MeasuredSurface(...).filled())"
+        )
+    axes = [axis for axis in getattr(value, "dims", ()) if axis in ("x", "y", "z")]
+    if axes != sorted(axes):
+        raise ValueError(
+            f"{name} must have its axes in the order x, y, z, got {value.dims}: "  # type: ignore[union-attr]
+            f"use .transpose({', '.join(map(repr, sorted(axes)))})"
+        )
     try:
-        array = np.asarray(value, dtype=np.float64)
+        given = np.asarray(value)
+        _require_numbers(given)
+        return np.asarray(given, dtype=np.float64)
+    except OverflowError as error:
+        raise ValueError(f"{name} must be finite everywhere, got a number beyond 1e308") from error
     except (TypeError, ValueError) as error:
         raise TypeError(
-            f"{name} must be an array of numbers, got {type(value).__name__}"
+            f"{name} must be an array of numbers, got {type(value).__name__}: {error}"
         ) from error
+
+
+def _require_numbers(given: NDArray[Any]) -> None:
+    """NumPy would read texts, count days and take a mask for heights without a word."""
+    kinds = {np.dtype(type(v)).kind for v in given.flat} if given.dtype.kind == "O" else set()
+    wrong = ({given.dtype.kind} | kinds) - set("iufO")
+    if wrong:
+        names = {"b": "truth values", "c": "complex numbers", "S": "texts", "U": "texts"}
+        names |= {"m": "spans of time", "M": "dates"}
+        raise TypeError(" and ".join(sorted({names.get(kind, "records") for kind in wrong})))
+
+
+def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
+    """Return `value` as a float64 array of exactly this `shape` with finite entries."""
+    array = real_array(name, value)
     if array.shape != shape:
         raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
     bad = np.argwhere(~np.isfinite(array))
@@ -116,6 +218,25 @@ def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatAr
         where = f" at index {index}" if index else ""
         raise ValueError(f"{name} must be finite everywhere, got {array[index]}{where}")
     return array
+
+
+def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
+    """Return `value` as a contiguous array of stresses [Pa] that a load can be made of."""
+    array = np.ascontiguousarray(finite_array(name, value, shape))
+    largest = float(np.abs(array).max(initial=0.0))
+    if largest > MOST_STRESS:
+        raise ValueError(f"{name} must be of a size up to {MOST_STRESS:g} Pa, got {largest:.6g}")
+    return array
+
+
+def file_path(name: str, value: Any) -> Path:
+    """Return `value` as the path of a file or folder."""
+    if not isinstance(value, (str, os.PathLike)):
+        raise TypeError(f"{name} must be a path, got {value!r}")
+    text = os.fspath(value)
+    if not text or "\0" in text:
+        raise ValueError(f"{name} must be a path without NUL that is not empty, got {text!r}")
+    return Path(text)
 
 
 def load_or_approach(load: float | None, approach: float | None) -> tuple[str, float]:

@@ -50,18 +50,7 @@ class Heating:
 class Material:
     elastic_constants: Elastic
     is_plastic: bool
-    @staticmethod
-    def elastic(E: float, nu: float) -> Material: ...
-    @staticmethod
-    def rigid() -> Material: ...
-    @staticmethod
-    def perfect_plastic(E: float, nu: float, yield_stress: float) -> Material: ...
-    @staticmethod
-    def linear_hardening(
-        E: float, nu: float, yield_stress: float, tangent_modulus: float
-    ) -> Material: ...
-    @staticmethod
-    def swift(E: float, nu: float, B: float, C: float, n: float) -> Material: ...
+    # and a factory of each law, by its name in samcontact._laws
     def with_thermal(
         self, conductivity: float, expansion: float, diffusivity: float
     ) -> Material: ...

@@ -11,15 +11,23 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import finite_array, non_negative, positive
+from ._checks import finite_array, non_negative, positive, real_array
 
 if TYPE_CHECKING:
+    from .grid import Grid
     from .material import Material
+
+MOST_HEAT_WAY = 1e7
+"""Largest speed times extent of the grid over diffusivity [-]: the work grows with it."""
 
 
 def pair(heat_factor: float | Sequence[float]) -> tuple[float, float]:
     """Checked heat factors of both bodies; a single number is that of body 2."""
-    given = [0.0, heat_factor] if np.ndim(heat_factor) == 0 else list(np.asarray(heat_factor))
+    given = (
+        [0.0, heat_factor]
+        if np.ndim(heat_factor) == 0
+        else list(real_array("heat_factor", heat_factor))
+    )
     if len(given) != 2:
         raise ValueError(f"heat_factor must be a number or a pair, got {len(given)} values")
     return non_negative("heat_factor", given[0]), non_negative("heat_factor", given[1])
@@ -62,6 +70,32 @@ def heating(
     return entries
 
 
+def require_range(grid: Grid, bodies: tuple[Material, Material], entries: list[Any]) -> None:
+    """Refuse what the kernels of heat would, in the words of the user's arguments."""
+    extent = max(grid.nx * grid.dx, grid.ny * grid.dy)
+    for n, (body, entry) in enumerate(zip(bodies, entries, strict=True), 1):
+        factor, _, _, diffusivity, vx, vy, since, _ = entry.values()
+        if not factor > 0 or body.thermal is None:
+            continue
+        speed, fastest = math.hypot(vx, vy), MOST_HEAT_WAY * diffusivity / extent
+        if speed > fastest:
+            raise ValueError(
+                f"velocity of body {n} must be at most {fastest:.4g} m/s on this grid "
+                f"({extent:.4g} m long, diffusivity {diffusivity:.4g} m^2/s), got {speed:.4g} m/s"
+            )
+        least = 1e-55 * diffusivity / min(grid.dx, grid.dy)
+        if 0 < speed < least:
+            raise ValueError(
+                f"velocity of body {n} must be 0 or at least {least:.3g} m/s, got {speed:.3g} m/s"
+            )
+        longest = 1e55 * min(grid.dx, grid.dy) ** 2 / diffusivity
+        if longest < since < math.inf:
+            raise ValueError(
+                f"heating_time must be at most {longest:.3g} s, or left out for ever, "
+                f"got {since:.3g} s"
+            )
+
+
 def march(
     heat_history: Sequence[float] | None, heating_time: float | None
 ) -> tuple[float, float] | None:
@@ -70,13 +104,15 @@ def march(
         return None
     if heating_time is not None:
         raise ValueError("give heat_history or heating_time, not both")
-    given = list(heat_history)
+    given = list(heat_history) if np.ndim(heat_history) == 1 else []
     if len(given) != 2:
-        raise ValueError(f"heat_history must be a pair (shortest, longest) [s], got {given!r}")
-    shortest, longest = (positive("heat_history", value) for value in given)
-    if not shortest < longest:
         raise ValueError(
-            f"heat_history must be (shortest, longest) with shortest < longest, got {given!r}"
+            f"heat_history must be a pair (shortest, longest) [s], got {heat_history!r}"
+        )
+    shortest, longest = (positive("heat_history", value) for value in given)
+    if not shortest <= longest:  # equal: a single step
+        raise ValueError(
+            f"heat_history must be (shortest, longest) with shortest <= longest, got {given!r}"
         )
     return shortest, longest
 

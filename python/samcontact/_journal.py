@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,12 +12,26 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._atomic import replacing
+from ._checks import file_path
+from ._copies import laws
 from ._heating import pair
-from .checkpoint import DAMAGED, damaged, read_checkpoint, write_checkpoint
+from .checkpoint import (
+    DAMAGED,
+    DamagedCheckpointError,
+    ForeignCheckpointError,
+    damaged,
+    read_checkpoint,
+    write_checkpoint,
+)
 
 if TYPE_CHECKING:
     from .simulation import Simulation
     from .state import State
+
+
+def describe(simulation: Simulation, what: object) -> str:
+    """A run that is about to begin; the repr of `what`, e.g. its path, is part of it."""
+    return f"{simulation!r}\n{what!r}\n"
 
 
 class Journal:
@@ -30,9 +45,9 @@ class Journal:
         Made when it is missing.
     simulation : Simulation
         That makes the increments.
-    what : object
-        Whose repr tells this run from another of the same simulation, e.g. its path; checkpoints of
-        another run are refused.
+    description : str
+        From `describe`, before the first increment: it tells this run from others, whose
+        checkpoints are refused.
 
     Raises
     ------
@@ -41,20 +56,33 @@ class Journal:
     """
 
     def __init__(
-        self, folder: str | os.PathLike[str], simulation: Simulation, what: object
+        self, folder: str | os.PathLike[str], simulation: Simulation, description: str
     ) -> None:
-        self.folder, self.simulation = Path(folder), simulation
+        self.folder, self.simulation = file_path("checkpoint", folder), simulation
         self.count = 0
         """Increments so far, restored or new."""
         self.folder.mkdir(parents=True, exist_ok=True)
-        self._claim(f"{simulation!r}\n{what!r}\n")
+        self._claim(description)
 
     def next(self) -> State | None:
-        """The state after the next increment, where it was kept; the simulation stands there."""
+        """The state after the next increment, where it was kept; the simulation stands there.
+
+        A damaged checkpoint is none, with a warning: its increment follows from the one before.
+        """
         if not (file := self._file(self.count + 1)).exists():
             return None
-        laws = (self.simulation.body1.softening, self.simulation.body2.softening)
-        arguments, saved = read_checkpoint(file, laws)
+        try:
+            self._restore(file)
+        except DamagedCheckpointError as error:
+            number = self.count + 1
+            text = f"{error}: going on from the one before, increment {number} is solved again"
+            warnings.warn(text, stacklevel=3)
+            return None
+        self.count += 1
+        return self.simulation.state
+
+    def _restore(self, file: Path) -> None:
+        arguments, saved = read_checkpoint(file, laws(self.simulation))
         if not _same_surfaces(self.simulation, arguments):  # they may come from other files
             raise self._foreign()
         try:
@@ -62,8 +90,6 @@ class Journal:
         except DAMAGED as error:
             raise damaged(file, error) from error
         self.simulation.heat_factor = pair(arguments["heat_factor"])
-        self.count += 1
-        return self.simulation.state
 
     def add(self, state: State | None = None) -> None:
         """Keep the simulation after a new increment: as it stands, or an earlier state of it."""
@@ -73,8 +99,8 @@ class Journal:
     def _file(self, number: int) -> Path:
         return self.folder / f"increment_{number:05d}.h5"
 
-    def _foreign(self) -> ValueError:
-        return ValueError(
+    def _foreign(self) -> ForeignCheckpointError:
+        return ForeignCheckpointError(
             f"{self.folder} holds checkpoints of another run: remove it, or choose another folder"
         )
 

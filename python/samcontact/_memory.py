@@ -19,6 +19,8 @@ CONTACT, COUPLED_CONTACT, HEATED_CONTACT = 95.0, 180.0, 205.0
 """Of a surface cell of an elastic contact: smooth; with shear that displaces; heated."""
 SIMULATION, YIELD_SCAN = 145.0, 450.0
 """Of a surface cell: of increments; and of finding where a body yields first."""
+SURFACE = 48.0
+"""Of a surface cell: heights, and the waves of a rough one while they are made."""
 DISPLACEMENT = 80.0
 """Of a surface cell."""
 STRESS_OF_TRACTIONS, TEMPERATURE = 56.0, 35.0

@@ -4,12 +4,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from html import escape
 from typing import Any
 
+import numpy as np
+
+from ._laws import LAWS
+
 Rows = Sequence[tuple[str, str]]
+LONGEST = 160
+"""Characters of one value in a repr."""
 
 # Units of the fields of dataclasses that are shown as they are; "" is a pure number.
 UNITS = {
@@ -58,14 +64,12 @@ def quantity(value: float, unit: str = "", digits: int = 4) -> str:
     if unit == "m²":
         shown = next(name for name, least in _AREAS if abs(value) >= least)
         return f"{value * _AREA_FACTORS[shown]:.{digits}g} {shown}"
-    if unit in ("", "K"):
+    mantissa, power = f"{value:.{digits - 1}e}".split("e")
+    place, shift = divmod(int(power), 3)
+    if unit in ("", "K") or value == 0 or abs(place) > 10:  # there is no prefix
         return f"{value:.{digits}g} {unit}".strip()
-    # only here: the package itself loads no figure library
-    from matplotlib.ticker import EngFormatter
-
-    # rounded first: the formatter chooses the prefix by the number it is given
-    text = EngFormatter(unit=unit)(float(f"{value:.{digits}g}"))
-    return text.replace("\N{MINUS SIGN}", "-")  # can be copied as a number
+    prefix = "qryzafpnµm kMGTPEZYRQ"[place + 10].strip()
+    return f"{float(f'{mantissa}e{shift}'):g} {prefix}{unit}"
 
 
 def lengths(*values: float) -> str:
@@ -90,6 +94,31 @@ def html_table(title: str, rows: Rows) -> str:
     return f"<table>{caption}<tbody>{body}</tbody></table>"
 
 
+def in_short(value: Any) -> str:
+    """One value of a repr: large ones by kind and size."""
+    if isinstance(value, np.ndarray) and value.ndim > 0:
+        shape = " x ".join(map(str, value.shape))
+        known = value[~np.isnan(value)] if value.dtype.kind == "f" else value
+        span = f", {known.min():.4g} to {known.max():.4g}" if known.size else ""
+        lost = f", {value.size - known.size} NaN" if known.size < value.size else ""
+        return f"<array {shape}{span}{lost}>"
+    if isinstance(value, (list, tuple, Mapping)) and len(value) > LONGEST // 10:
+        return f"<{type(value).__name__} of {len(value)}>"
+    text = repr(value)
+    if len(text) <= LONGEST:
+        return text
+    return f"{text[: LONGEST // 2]}...'" if isinstance(value, str) else f"<{type(value).__name__}>"
+
+
+class Brief:
+    """A dataclass without a repr of its own, which may hold arrays."""
+
+    def __repr__(self) -> str:
+        shown = [field.name for field in fields(self) if field.repr]  # type: ignore[arg-type]
+        listed = ", ".join(f"{name}={in_short(getattr(self, name))}" for name in shown)
+        return f"{type(self).__name__}({listed})"
+
+
 class Shown:
     """Something that notebooks show as a table; dataclasses of numbers need nothing more."""
 
@@ -105,11 +134,12 @@ class Shown:
 
 def material_rows(material: Any) -> Rows:
     """Law and constants of a material."""
-    units = {"E": "Pa", "yield_stress": "Pa", "tangent_modulus": "Pa", "B": "Pa"}
+    constants = LAWS[material.law].constants
     rows = [("law", material.law.replace("_", " "))]
     for name, value in material.parameters.items():
-        text = f"{value:.4g} microstrain" if name == "C" else quantity(value, units.get(name, ""))
-        rows.append((name, text))
+        unit = constants[name].unit
+        counted = f"{value:.4g} {unit}"  # without a prefix
+        rows.append((name, counted if unit == "microstrain" else quantity(value, unit)))
     for number, (modulus, recovery) in enumerate(material.kinematic, 1):
         text = f"modulus {quantity(modulus, 'Pa')}, recovery {recovery:.4g}"
         rows.append((f"backstress {number}", text))

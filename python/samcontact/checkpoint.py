@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
+import io
 import math
 import os
 from collections.abc import Callable
 from dataclasses import astuple
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import h5py
@@ -15,7 +15,7 @@ import numpy as np
 
 from . import _core
 from ._atomic import replacing_hdf5
-from ._checks import FloatArray
+from ._checks import FloatArray, file_path
 from ._seal import check_seal
 from .grid import Grid
 from .material import Material
@@ -43,7 +43,6 @@ _SETTINGS = (
     "velocity",
     "reach",
 )
-_PARAMETERS = ("E", "nu", "yield_stress", "tangent_modulus", "B", "C", "n")
 _OPTIONAL = ("increment_tol", "heating_time", "heat_reference", "heat_history")
 _FARTHEST = 1 << 30  # cells from the start of a body's way
 _SCALARS = (
@@ -69,6 +68,14 @@ class CheckpointError(ValueError):
     """The file is no checkpoint of this package, or it is damaged."""
 
 
+class DamagedCheckpointError(CheckpointError):
+    """It is one, or was, but cannot be used: an earlier one may serve."""
+
+
+class ForeignCheckpointError(CheckpointError):
+    """It belongs to another run."""
+
+
 def write_checkpoint(
     path: str | os.PathLike[str], simulation: Simulation, state: State | None = None
 ) -> None:
@@ -76,8 +83,17 @@ def write_checkpoint(
 
     state: an earlier one of the simulation, instead of the present one.
     """
+    file_path("path", path)
     with replacing_hdf5(path) as opened, h5py.File(opened, "w") as file:
         _write(file, simulation, state)
+
+
+def to_bytes(simulation: Simulation, state: State | None = None) -> bytes:
+    """The content of such a file."""
+    content = io.BytesIO()
+    with h5py.File(content, "w") as file:
+        _write(file, simulation, state)
+    return content.getvalue()
 
 
 def _write(file: h5py.File, simulation: Simulation, earlier: State | None = None) -> None:
@@ -102,6 +118,8 @@ def _write(file: h5py.File, simulation: Simulation, earlier: State | None = None
     file.create_group("settings").attrs.update(
         {name: getattr(simulation, name) for name in _SETTINGS}
     )
+    if earlier is not None:
+        file["settings"].attrs["heat_factor"] = earlier.heat_factor
     for name in _OPTIONAL:
         if getattr(simulation, name) is not None:
             file["settings"].attrs[name] = getattr(simulation, name)
@@ -165,7 +183,7 @@ def read_checkpoint(
     path: str | os.PathLike[str], softening: Softening
 ) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the arguments of Simulation(...) and the entries for the core's restore()."""
-    if not Path(path).is_file():
+    if not file_path("path", path).is_file():
         raise FileNotFoundError(f"no checkpoint at {os.fspath(path)!r}")
     try:
         sealed = check_seal(path)
@@ -187,9 +205,15 @@ def read_checkpoint(
         raise damaged(path, error) from error
 
 
-def damaged(path: str | os.PathLike[str], error: BaseException) -> CheckpointError:
+def from_bytes(content: bytes, softening: Softening) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The same as `read_checkpoint` from what `to_bytes` has made."""
+    with h5py.File(io.BytesIO(content), "r") as file:
+        return _read_scene(file, softening), _read_state(file)
+
+
+def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckpointError:
     """The error of a file whose content cannot be used."""
-    return CheckpointError(f"{os.fspath(path)!r} is damaged: {error}")
+    return DamagedCheckpointError(f"{os.fspath(path)!r} is damaged: {error}")
 
 
 def _text(value: Any) -> Any:
@@ -274,12 +298,9 @@ def _read_scene(file: h5py.File, softening: Softening) -> dict[str, Any]:
                 "give it again, softening=(law of body 1, law of body 2), None for a body without"
             )
         parameters.pop("softening", None)
-        law_name = parameters.pop("law")
-        # HDF5 sorts attributes by name; a description of the run tells their order too
-        ordered = {name: parameters.pop(name) for name in _PARAMETERS if name in parameters}
         arguments[name] = Material(
-            law_name,
-            ordered | parameters,
+            parameters.pop("law"),
+            parameters,
             kinematic,
             None if thermal is None else tuple(thermal),
             softened,

@@ -11,10 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core, _memory
-from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number
-from ._heating import heating, require_reference
-from ._repr import Rows, Shown, quantity
+from . import _core, _expected, _memory, resolution
+from ._checks import FloatArray, choice, exactly_one, finite_array, given_or_none, integer, number
+from ._frozen import Fixed
+from ._heating import heating, require_range, require_reference
+from ._overlap import require_apart
+from ._repr import Brief, Rows, Shown, quantity
 from .grid import Grid
 from .material import Material
 from .operators import depths_of, shear_components
@@ -30,8 +32,8 @@ def require_type(name: str, value: Any, kind: type) -> None:
         raise TypeError(f"{name} must be a samcontact.{kind.__name__}, got {value!r}")
 
 
-@dataclass(frozen=True)
-class ContactSolution(Shown):
+@dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
+class ContactSolution(Brief, Shown):
     """Solution of one elastic contact.
 
     Attributes
@@ -81,7 +83,7 @@ class ContactSolution(Shown):
         ]
 
 
-class ContactSolver:
+class ContactSolver(Fixed):
     """Contact of two elastic half-spaces with Coulomb friction, gross sliding along x.
 
     Exact Love and Cerruti coefficients, discrete convolution by FFT, active sets with a spectral
@@ -151,10 +153,20 @@ class ContactSolver:
         self.on_border = choice("on_border", on_border, ("error", "warn"))
         self.max_iterations = integer("max_iterations", max_iterations, 1)
         upper, lower = body1._core.elastic_constants, body2._core.elastic_constants
-        self.heat_reference = heat_reference
+        self.heat_reference = given_or_none("heat_reference", heat_reference)
         self._heating = heating((body1, body2), heat_factor, velocity, heating_time, heat_reference)
         self._require_memory()
+        require_range(grid, (body1, body2), self._heating)
         self._core = _core.ContactSolver(grid._core, upper, lower, self.friction, self._heating)
+
+    def __repr__(self) -> str:
+        settings = ("friction", "tol", "on_border", "max_iterations", "heat_reference")
+        listed = ", ".join(f"{name}={getattr(self, name)!r}" for name in settings)
+        heated = [n for n, entry in enumerate(self._heating, 1) if entry.values()[0] > 0]
+        return (
+            f"ContactSolver({self.grid!r}, {self.body1!r}, {self.body2!r}, {listed}, "
+            f"heated bodies={heated})"
+        )
 
     def _require_memory(self) -> None:
         coupled = self.friction > 0 and self.body1.parameters != self.body2.parameters
@@ -191,6 +203,15 @@ class ContactSolver:
             Bad arguments; GridTooSmallError when the contact touches the border of the grid.
         ConvergenceError
             With .iterations and .residual.
+
+        Warns
+        -----
+        ResolutionWarning
+            The contact is fewer than 8 cells across.
+        ElasticStrainWarning
+            The largest pressure is more than half the contact modulus.
+        GridTooSmallWarning
+            With on_border="warn", where there would be a GridTooSmallError.
         """
         driver = exactly_one(load=load, approach=approach)
         value = number(driver, load if approach is None else approach)
@@ -200,20 +221,29 @@ class ContactSolver:
         start = None
         if initial_pressure is not None:
             checked = finite_array("initial_pressure", initial_pressure, shape)
-            start = np.ascontiguousarray(checked)
-        found = self._core.solve(
-            np.ascontiguousarray(finite_array("gap", gap, shape)),
-            driver == "load",
-            value,
-            start,
-            self.tol,
-            self.max_iterations,
-            self.on_border == "error",
-        )
+            # numbers that mean nothing beside any load would divide by zero
+            start = np.where(checked > 1e-75, checked, 0.0)
+        checked_gap = np.ascontiguousarray(finite_array("gap", gap, shape))
+        bodies = (self.body1, self.body2)
+        scene = _expected.Scene(self.grid, checked_gap, bodies)
+        with scene.beside(load=load, approach=approach):
+            found = self._core.solve(
+                checked_gap,
+                driver == "load",
+                value,
+                start,
+                self.tol,
+                self.max_iterations,
+                self.on_border == "error",
+            )
         complaint = found.pop("border_complaint")
         if complaint:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=2)
-        return ContactSolution(**found)
+        solution = ContactSolution(**found)
+        require_apart(solution, self.grid.cell_area, bodies, self.friction, self.tol)
+        resolution.warn_of_contact(solution, scene, stacklevel=2)
+        resolution.warn_of_strain(solution.pressure, scene, stacklevel=2)
+        return solution
 
     def stress(
         self,

@@ -94,10 +94,21 @@ class CriticalCylinder(Shown):
     b: float
 
 
+def _require_numbers(R: float, E_star: float, p0: float) -> None:
+    """Refuse what has no energy within the range of numbers, and so no load either."""
+    powers = [5 * math.log10(p0), 3 * math.log10(R), -4 * math.log10(E_star)]
+    if not all(abs(sum(powers[: n + 1])) < 300 for n in range(3)):
+        raise ValueError(
+            "the critical values are beyond the range of numbers: got "
+            f"R = {R!r}, E_star = {E_star!r}, yield_stress of {p0:.4g} over C"
+        )
+
+
 def _sphere(R: float, E_star: float, C: float, yield_stress: float) -> CriticalSphere:
     R, E_star = positive("R", R), positive("E_star", E_star)
     p0 = C * positive("yield_stress", yield_stress)
     strength = math.pi * p0
+    _require_numbers(R, E_star, p0)
     return CriticalSphere(
         interference=(strength / (2.0 * E_star)) ** 2 * R,
         load=strength**3 * R**2 / (6.0 * E_star**2),
@@ -111,6 +122,7 @@ def _sphere(R: float, E_star: float, C: float, yield_stress: float) -> CriticalS
 def _cylinder(R: float, E_star: float, C: float, yield_stress: float) -> CriticalCylinder:
     R, E_star = positive("R", R), positive("E_star", E_star)
     p0 = C * positive("yield_stress", yield_stress)
+    _require_numbers(R, E_star, p0)
     return CriticalCylinder(
         load_per_length=math.pi * R * p0**2 / E_star, C=C, p0=p0, b=2.0 * p0 * R / E_star
     )

@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import critical
-from ._checks import FloatArray
+from ._checks import FloatArray, real_array
+from ._repr import Brief
 from .critical import CriticalSphere
 
 __all__ = ["Flattening", "jackson_green", "kogut_etsion"]
@@ -24,8 +25,8 @@ KOGUT_ETSION_LIMIT = 110.0
 """Largest interference of the fit, in critical interferences."""
 
 
-@dataclass(frozen=True)
-class Flattening:
+@dataclass(frozen=True, repr=False)
+class Flattening(Brief):
     """Load and area of a flattened sphere; arrays have the shape of the interference.
 
     Attributes
@@ -135,12 +136,7 @@ def jackson_green(
 
 
 def _interference(value: ArrayLike) -> FloatArray:
-    try:
-        array = np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise TypeError(
-            f"interference must be a number or an array of numbers, got {value!r}"
-        ) from error
+    array = real_array("interference", value)
     bad = ~(np.isfinite(array) & (array >= 0.0))
     if bad.any():
         raise ValueError(f"interference must be finite and >= 0, got {float(array[bad].flat[0])!r}")

@@ -10,11 +10,9 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._checks import FloatArray, integer, number
+from ._checks import MOST_CELLS, FloatArray, integer, number
+from ._frozen import read_only
 from ._repr import Rows, Shown, counts, lengths
-
-MOST_CELLS = 1 << 24
-"""Along one axis: the core counts with 32 bits, also twice as many cells."""
 
 
 @dataclass(frozen=True)
@@ -73,26 +71,26 @@ class Grid(Shown):
     @cached_property
     def x(self) -> FloatArray:
         """Cell centres along x [m], shape (nx,)."""
-        return np.array(self._core.x())
+        return read_only(np.array(self._core.x()))
 
     @cached_property
     def y(self) -> FloatArray:
         """Cell centres along y [m], shape (ny,)."""
-        return np.array(self._core.y())
+        return read_only(np.array(self._core.y()))
 
     @cached_property
     def z(self) -> FloatArray:
         """Mid-depths of the layers [m], shape (nz,)."""
-        return np.array(self._core.z())
+        return read_only(np.array(self._core.z()))
 
     @property
     def surface_shape(self) -> tuple[int, int]:
-        """Shape of a surface field: (nx, ny)."""
+        """Shape of a surface field, (nx, ny)."""
         return (self.nx, self.ny)
 
     @property
     def volume_shape(self) -> tuple[int, int, int]:
-        """Shape of a scalar volume field: (nx, ny, nz)."""
+        """Shape of a scalar volume field, (nx, ny, nz)."""
         return (self.nx, self.ny, self.nz)
 
     @property

@@ -42,6 +42,8 @@ def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[floa
         An argument is outside its range.
     """
     total = non_negative("friction", friction) * non_negative("speed", speed)
+    if not math.isfinite(total):
+        raise ValueError(f"friction times speed must be finite, got {friction!r} and {speed!r}")
     share = number("partition", partition)
     if not 0.0 <= share <= 1.0:
         raise ValueError(f"partition must be in [0, 1], got {share!r}")

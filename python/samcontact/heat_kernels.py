@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import FloatArray, finite, non_negative, number, positive
+from ._checks import FloatArray, finite, non_negative, number, positive, real_array
 from .kernels import _constants, _depths, _points, _sizes
 
 Velocity = tuple[float, float]
@@ -223,7 +223,7 @@ def _distortion(nu: float, expansion: float, conductivity: float) -> float:
 
 
 def _offsets(name: str, value: ArrayLike) -> tuple[FloatArray, Any]:
-    array = np.asarray(value, dtype=np.float64)
+    array = real_array(name, value)
     if array.ndim != 1 or array.size == 0:
         raise ValueError(f"{name} must be one-dimensional and not empty, got shape {array.shape}")
     if not np.isfinite(array).all():

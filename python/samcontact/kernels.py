@@ -13,11 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import FloatArray, positive
+from ._checks import FloatArray, positive, real_array
 
 
 def _points(*coordinates: ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
-    arrays = np.broadcast_arrays(*(np.asarray(c, dtype=np.float64) for c in coordinates))
+    named = zip("XYz", coordinates, strict=False)
+    arrays = np.broadcast_arrays(*(real_array(name, given) for name, given in named))
     for name, array in zip("XYz", arrays, strict=False):
         if not np.isfinite(array).all():
             raise ValueError(f"{name} must be finite everywhere")

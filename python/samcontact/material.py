@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any
@@ -12,11 +12,25 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import FloatArray, number
+from ._checks import FloatArray, number, real_array
+from ._laws import LAWS, checked_constants
 from ._repr import Rows, Shown, material_rows
 
 
-@dataclass(frozen=True)
+def _many(value: Any) -> list[Any]:
+    value = value.tolist() if isinstance(value, np.ndarray) else value
+    return list(value) if isinstance(value, Iterable) else [value]
+
+
+def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
+    """Constants that belong together, e.g. those of heat."""
+    values = _many(given)
+    if len(values) != len(parts):
+        raise ValueError(f"{name} must hold {', '.join(parts)}, got {given!r}")
+    return tuple(number(part, value) for part, value in zip(parts, values, strict=True))
+
+
+@dataclass(frozen=True, repr=False)
 class Material(Shown):
     """A material; make it with one of the factories, e.g. `Material.swift(...)`.
 
@@ -24,8 +38,8 @@ class Material(Shown):
     ----------
     law : str
         "elastic", "rigid", "perfect_plastic", "linear_hardening" or "swift".
-    parameters : dict
-        The factory's arguments, SI units.
+    parameters : mapping of str to float
+        The factory's arguments, SI units; cannot be changed.
     kinematic : tuple of (float, float)
         Modulus [Pa] and recovery [-] of each backstress, see `with_kinematic_hardening`.
     thermal : tuple of float, or None
@@ -35,24 +49,26 @@ class Material(Shown):
     """
 
     law: str
-    parameters: dict[str, float]
+    parameters: Mapping[str, float]
     kinematic: tuple[tuple[float, float], ...] = ()
     thermal: tuple[float, float, float] | None = None
     softening: Callable[[FloatArray], ArrayLike] | None = None
 
     def __post_init__(self) -> None:
-        checked = {name: number(name, value) for name, value in self.parameters.items()}
-        object.__setattr__(self, "parameters", checked)
+        object.__setattr__(self, "parameters", checked_constants(self.law, self.parameters))
         terms = tuple(
-            (number("modulus", modulus), number("recovery", recovery))
-            for modulus, recovery in self.kinematic
+            _numbers("kinematic", ("modulus", "recovery"), t) for t in _many(self.kinematic)
         )
         object.__setattr__(self, "kinematic", terms)
         if self.thermal is not None:
             names = ("conductivity", "expansion", "diffusivity")
-            constants = tuple(number(n, v) for n, v in zip(names, self.thermal, strict=True))
-            object.__setattr__(self, "thermal", constants)
-        _ = self._core
+            object.__setattr__(self, "thermal", _numbers("thermal", names, self.thermal))
+        if self.softening is not None:
+            self._check_softening(self.softening)
+        if self.is_plastic and not np.isfinite(self.yield_stress(0.0)):
+            raise ValueError(
+                f"the yield stress of {self!r} must be finite: its constants are too large"
+            )
 
     @classmethod
     def elastic(cls, E: float, nu: float) -> Material:
@@ -125,8 +141,9 @@ class Material(Shown):
         TypeError
             One is not a number.
         """
-        moduli = list(modulus) if isinstance(modulus, Sequence) else [modulus]
-        recoveries = list(recovery) if isinstance(recovery, Sequence) else [recovery] * len(moduli)
+        moduli, recoveries = _many(modulus), _many(recovery)
+        if np.ndim(recovery) == 0 and len(recoveries) == 1:  # one number for all
+            recoveries *= len(moduli)
         if len(moduli) != len(recoveries) or not moduli:
             raise ValueError(
                 f"modulus and recovery must be as many, at least one each, got {len(moduli)} and "
@@ -183,17 +200,17 @@ class Material(Shown):
         TypeError
             The law is not callable.
         """
+        self._check_softening(law)
+        return replace(self, softening=law)
+
+    def _check_softening(self, law: Any) -> None:
         if not callable(law):
             raise TypeError(f"law must be callable, got {law!r}")
         if not self.is_plastic:
             raise ValueError("softening needs a body that yields, not an elastic one")
-        return replace(self, softening=law)
 
     @cached_property
     def _core(self) -> Any:
-        factories = ("elastic", "rigid", "perfect_plastic", "linear_hardening", "swift")
-        if self.law not in factories:
-            raise ValueError(f"law must be one of {', '.join(factories)}, got {self.law!r}")
         isotropic = getattr(_core.Material, self.law)(**self.parameters)
         core = isotropic.with_backstresses(list(self.kinematic)) if self.kinematic else isotropic
         return core if self.thermal is None else core.with_thermal(*self.thermal)
@@ -224,7 +241,7 @@ class Material(Shown):
         With kinematic hardening the radius of the yield surface, without its backstress. Infinite
         for an elastic or rigid body. Raises ValueError where g is negative or not finite.
         """
-        strain = np.asarray(g, dtype=np.float64)
+        strain = real_array("g", g)
         bad = ~(np.isfinite(strain) & (strain >= 0))
         if bad.any():
             raise ValueError(f"g must be finite and >= 0, got {float(strain[bad].flat[0])!r}")
@@ -238,17 +255,10 @@ class Material(Shown):
         without thermal softening. Scalar or array (same shape); 0 for a body that cannot yield.
         Raises ValueError where g is negative or not finite.
         """
-        highest = self.yield_stress(g)  # checks g
-        if not self.is_plastic:
-            return 0.0 * np.asarray(g, dtype=np.float64) if np.ndim(g) else 0.0
-        strain = np.asarray(g, dtype=np.float64)
-        if self.law == "swift":
-            B, C, n = (self.parameters[name] for name in ("B", "C", "n"))
-            grown = (C + 1e6 * strain) ** (n + 1) - C ** (n + 1)
-            work = B * grown / (1e6 * (n + 1))
-        else:  # straight lines
-            work = 0.5 * (self.yield_stress(0.0) + highest) * strain
-        return work if np.ndim(g) else float(work)
+        self.yield_stress(g)  # checks g
+        strain, integral = real_array("g", g), LAWS[self.law].work
+        work = 0.0 * strain if integral is None else integral(self.parameters, strain)
+        return work if strain.ndim else float(work)
 
     def uniaxial_stress(self, strain: ArrayLike) -> FloatArray:
         """Axial stress in a bar of this material that is stretched and compressed.
@@ -272,17 +282,29 @@ class Material(Shown):
         """
         if self.is_rigid:
             raise ValueError("a rigid body has no uniaxial stress")
-        history = np.asarray(strain, dtype=np.float64)
+        history = real_array("strain", strain)
         if history.ndim != 1 or not np.isfinite(history).all():
             raise ValueError("strain must be one-dimensional and finite everywhere")
-        return np.asarray(self._core.uniaxial_stress(history.tolist()), dtype=np.float64)
+        stress = np.asarray(self._core.uniaxial_stress(history.tolist()), dtype=np.float64)
+        if not np.isfinite(stress).all():
+            largest = float(np.abs(history).max())
+            raise ValueError(f"strain leads beyond the range of numbers, got up to {largest!r}")
+        return stress
 
     def _rows(self) -> Rows:
         return material_rows(self)
 
+    def __repr__(self) -> str:
+        """All that it is: a run is known by it."""
+        extra = {name: getattr(self, name) for name in ("kinematic", "thermal", "softening")}
+        given = {
+            **self.parameters,
+            **{name: value for name, value in extra.items() if value not in ((), None)},
+        }
+        return f"Material({', '.join([repr(self.law), *(f'{n}={v!r}' for n, v in given.items())])})"
+
     def __hash__(self) -> int:
-        parameters = tuple(sorted(self.parameters.items()))
-        return hash((self.law, parameters, self.kinematic, self.thermal, self.softening))
+        return hash((self.law, self.parameters, self.kinematic, self.thermal, self.softening))
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in fields(self)}

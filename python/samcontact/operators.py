@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _memory
-from ._checks import FloatArray, choice, finite_array, number
+from ._checks import FloatArray, choice, finite_array, number, real_array, tractions
 from .grid import Grid
 
 
@@ -22,16 +22,18 @@ def shear_components(
         return None, None
     shape = grid.surface_shape
     if np.ndim(shear) == 3:
-        both = finite_array("shear", shear, (2, *shape))
-        return np.ascontiguousarray(both[0]), np.ascontiguousarray(both[1])
-    return np.ascontiguousarray(finite_array("shear", shear, shape)), None
+        both = tractions("shear", shear, (2, *shape))
+        return both[0], both[1]
+    return tractions("shear", shear, shape), None
 
 
 def depths_of(z: ArrayLike) -> FloatArray:
     """Check depths [m], a scalar or one-dimensional."""
-    depths = np.atleast_1d(np.asarray(z, dtype=np.float64))
-    if depths.ndim != 1 or not (np.isfinite(depths) & (depths >= 0)).all():
-        raise ValueError(f"z must be a one-dimensional array of depths >= 0 [m], got {z!r}")
+    depths = np.atleast_1d(real_array("z", z))
+    if depths.ndim != 1 or not ((depths <= 1e75) & (depths >= 0)).all():
+        raise ValueError(
+            f"z must be a one-dimensional array of depths >= 0 [m], up to 1e75, got {z!r}"
+        )
     return depths
 
 
@@ -64,9 +66,9 @@ def surface_displacement(
     -----
     Love (1929) and Cerruti (1882); Boucly (2008), eqs (2.34), (2.37) with the prefactor corrected.
     """
-    p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     needed = _memory.surface(grid, _memory.DISPLACEMENT)
     _memory.require_for_grid("a displacement", grid, needed)
+    p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     elastic = _core.Elastic.isotropic(E, nu)
     field: FloatArray = _core.operators.surface_displacement(
         grid._core, elastic, p, *shear_components(grid, shear)
@@ -95,9 +97,9 @@ def surface_stress(
     Boucly (2008), eqs (2.81)-(2.93), L_22 corrected.
     """
     depths = depths_of(z)
-    p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     needed = _memory.volume(grid, _memory.STRESS_OF_TRACTIONS, len(depths))
     _memory.require_for_grid(f"the stress at {len(depths)} depths", grid, needed)
+    p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     # The stress due to tractions does not depend on Young's modulus.
     elastic = _core.Elastic.isotropic(1.0, nu)
     field: FloatArray = _core.operators.surface_stress(

@@ -8,7 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from ._checks import FloatArray, finite_array, integer
+from ._checks import FloatArray, choice, finite_array, integer, real_array
+from ._frozen import read_only
+from ._repr import Brief
 from .grid import Grid
 from .surfaces import SurfaceGrid
 
@@ -18,8 +20,8 @@ MOST_ROWS = 1 << 20
 """From where a contact starts to the last row of a dent or furrow."""
 
 
-@dataclass(frozen=True, eq=False)
-class Relief:
+@dataclass(frozen=True, eq=False, repr=False)
+class Relief(Brief):
     """Heights of a body's surface, fixed to the body.
 
     Parameters
@@ -43,13 +45,13 @@ class Relief:
     periodic: bool = False
 
     def __post_init__(self) -> None:
-        heights = np.asarray(self.heights)
+        heights = real_array("heights", self.heights)
         if heights.ndim != 2:
             raise ValueError(f"heights must have shape (rows, ny), got {heights.shape}")
         checked = np.array(finite_array("heights", heights, heights.shape), order="C")
-        checked.flags.writeable = False
-        object.__setattr__(self, "heights", checked)
+        object.__setattr__(self, "heights", read_only(checked))
         object.__setattr__(self, "first", integer("first", self.first))
+        object.__setattr__(self, "periodic", bool(choice("periodic", self.periodic, (True, False))))
 
 
 def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool] | None:

@@ -5,27 +5,37 @@ from __future__ import annotations
 
 import logging
 import os
+import threading
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from tqdm.auto import tqdm
 
-from . import _core, _memory
+from . import _core, _expected, _memory, resolution
 from ._checks import (
     FloatArray,
     choice,
     exactly_one,
     finite_array,
+    given_or_none,
+    in_cells,
     integer,
     non_negative,
     number,
     positive,
+    step_list,
+    tractions,
 )
-from ._heating import heating, march, pair, require_reference, velocities
-from ._journal import Journal
+from ._copies import reduced, restored, stand_at
+from ._core import ConvergenceError
+from ._frozen import Fixed, read_only
+from ._heating import heating, march, pair, require_range, require_reference, velocities
+from ._journal import Journal, describe
+from ._overlap import require_apart
+from ._progress import progress_bar
 from ._repr import Rows, Shown, counts, lengths, material_in_short, quantity
 from .checkpoint import DAMAGED, CheckpointError, damaged, read_checkpoint, write_checkpoint
 from .contact import GridTooSmallWarning, require_type
@@ -58,11 +68,31 @@ def _log(state: State, number: int, count: int) -> None:
     )  # fmt: skip
 
 
+_TOLD = ("_warned_of_strain", "_warned_of_pressure", "_looks_at_steps", "_largest_load")
+"""What a copy of a simulation need not tell again."""
+
+
+_STEP = (
+    "load", "approach", "pressure", "shear", "advance", "heat_factor", "duration",
+)  # fmt: skip
+"""Arguments of `Simulation.step`."""
+
+
+def require_over_grid(grid: Grid, strain: FloatArray, first: int) -> None:
+    """Refuse a plastic strain that lies beside the grid as a whole."""
+    rows = np.flatnonzero(strain.any(axis=(0, 2, 3))) + first
+    if rows.size and not ((rows >= 0) & (rows < grid.nx)).any():
+        raise ValueError(
+            f"strain must lie over the grid at least in part, rows 0 to {grid.nx - 1}; with "
+            f"first = {first} it lies in rows {rows[0]} to {rows[-1]}"
+        )
+
+
 class PlasticStrainWarning(UserWarning):
     """The plastic strain is beyond the small-strain theory."""
 
 
-class Simulation(Shown):
+class Simulation(Fixed, Shown):
     """Elastic-plastic contact of two bodies, increment after increment.
 
     Each increment solves, implicitly, contact and plastic flow together: the plastic strain
@@ -154,7 +184,8 @@ class Simulation(Shown):
         scanned = grid.nz > 0 and (body1.is_plastic or body2.is_plastic)
         cell = _memory.SIMULATION + (_memory.YIELD_SCAN if scanned else 0.0)
         _memory.require_for_grid("a simulation", grid, _memory.surface(grid, cell))
-        self.initial_gap = np.array(finite_array("gap", gap, grid.surface_shape), order="C")
+        checked = np.array(finite_array("gap", gap, grid.surface_shape), order="C")
+        self.initial_gap = read_only(checked)
         self.friction = number("friction", friction)
         self.tol = number("tol", tol)
         self.increment_tol = None
@@ -171,16 +202,20 @@ class Simulation(Shown):
         self.image_tol = number("image_tol", image_tol)
         if not 1e-6 <= self.image_tol <= 0.1:
             raise ValueError(f"image_tol must be in [1e-6, 0.1], got {self.image_tol!r}")
-        self.heat_factor = pair(heat_factor)
         self.velocity = velocities(velocity)
-        self.heating_time = heating_time
-        self.heat_reference = heat_reference
+        self.heating_time = given_or_none("heating_time", heating_time)
+        self.heat_reference = given_or_none("heat_reference", heat_reference)
         self.heat_history = march(heat_history, heating_time)
-        self._heating(self.heat_factor, heating_time)
+        self.heat_factor = pair(heat_factor)
         self.relief1, self.relief2 = relief1, relief2
         length = grid.nx * grid.dx
         self.reach = length if reach is None else non_negative("reach", reach)
-        self._warned_of_strain = False
+        relieved = relief1 is not None or relief2 is not None
+        self._scene = _expected.Scene(grid, self.initial_gap, (body1, body2), relieved)
+        self._warned_of_strain = self._warned_of_pressure = False
+        self._looks_at_steps = True  # a run looks at its grid as a whole
+        self._largest_load = 0.0
+        self._turn = threading.Lock()
         self._core = _core.Simulation(
             grid._core,
             body1._core,
@@ -195,9 +230,20 @@ class Simulation(Shown):
             self.image_tol,
             [self._softening(body) for body in (body1, body2)],
             self.heat_history or (0.0, 0.0),
-            round(self.reach / grid.dx),
+            round(in_cells("reach", self.reach, grid.dx)),
             [relief_rows(f"relief{n}", r, grid) for n, r in ((1, relief1), (2, relief2))],
         )
+
+    @property
+    def heat_factor(self) -> tuple[float, float]:
+        """Of both bodies, from now on [m/s]; may be set."""
+        return self._heat_factor
+
+    @heat_factor.setter
+    def heat_factor(self, value: float | Sequence[float]) -> None:
+        factors = pair(value)
+        self._heating(factors, self.heating_time)  # checks them against the bodies
+        self._heat_factor = factors
 
     def step(
         self,
@@ -248,19 +294,26 @@ class Simulation(Shown):
         MemoryError
             The plastic zone needs more memory than is available. In every case the state before the
             call stays.
+        RuntimeError
+            Another thread, or a law of softening, is in the middle of an increment.
 
         Warns
         -----
+        ElasticStrainWarning
+            Once in a simulation, when the largest pressure passes half the contact modulus.
         PlasticStrainWarning
             Once in a simulation, when the largest equivalent plastic strain passes 5 %.
         GridTooSmallWarning
             With on_border="warn", where there would be a GridTooSmallError.
+        ResolutionWarning
+            Once in a simulation, when the contact is fewer than 4 cells across, or a plastic zone
+            beyond the strain at yield fewer than 4 layers high; `run` warns below 8.
         """
         kind = exactly_one(load=load, approach=approach, pressure=pressure)
         value, p, shear_x, shear_y = 0.0, None, None, None
         if kind == "pressure":
             shape = self.grid.surface_shape
-            p = np.ascontiguousarray(finite_array("pressure", pressure, shape))  # type: ignore[arg-type]
+            p = tractions("pressure", pressure, shape)  # type: ignore[arg-type]
             if shear is None and self.friction > 0:
                 shear = self.friction * p
             shear_x, shear_y = shear_components(self.grid, shear)
@@ -268,18 +321,38 @@ class Simulation(Shown):
             raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")
         else:
             value = number(kind, load if kind == "load" else approach)
-        dx = self.grid.dx
-        first, second = (float(s) / dx for s in finite_array("advance", advance, (2,)))
+        ways = finite_array("advance", advance, (2,))
+        first, second = (in_cells("advance", float(way), self.grid.dx) for way in ways)
         self._check_motion(first, second, duration)
         factors = self.heat_factor if heat_factor is None else pair(heat_factor)
         entries = self._heating(factors, self._time_of_step(duration))
         if kind == "approach":
             require_reference(entries, self.heat_reference)
-        core = self._core.step(kind, value, p, shear_x, shear_y, entries, (first, second))
+        target = {} if kind == "pressure" else {kind: value}
+        if factors == (0.0, 0.0):
+            self._require_room(**target)
+        before = self.state
+        with self._alone(), self._scene.beside(**target):
+            core = self._core.step(kind, value, p, shear_x, shear_y, entries, (first, second))
+        state = State(core, self)
+        if target:
+            try:
+                bodies = (self.body1, self.body2)
+                require_apart(state, self.grid.cell_area, bodies, self.friction, self.tol)
+            except ConvergenceError:
+                stand_at(self, before)
+                raise
         self.heat_factor = factors
         for warning in core.warnings:
             warnings.warn(warning, GridTooSmallWarning, stacklevel=2)
-        state = State(core, self.grid)
+        if self._looks_at_steps and state.load > self._largest_load:
+            self._largest_load = state.load
+            warned = resolution.warn_of_step(state, self._scene, stacklevel=2)
+            self._looks_at_steps = not warned
+        if not self._warned_of_pressure:
+            self._warned_of_pressure = resolution.warn_of_strain(
+                state.pressure, self._scene, stacklevel=2
+            )
         if not self._warned_of_strain:
             strain, body = max((state.max_plastic_strain(b), b) for b in (1, 2))
             if strain > SMALL_STRAIN:
@@ -292,6 +365,33 @@ class Simulation(Shown):
                     stacklevel=2,
                 )
         return state
+
+    @contextmanager
+    def _alone(self) -> Iterator[None]:
+        """Refuse a second thread, or a law of softening, that would change the same simulation."""
+        if not self._turn.acquire(blocking=False):
+            raise RuntimeError(
+                "this simulation is in the middle of an increment: one thread at a time, each "
+                "with a simulation of its own (copy.deepcopy makes one)"
+            )
+        try:
+            yield
+        finally:
+            self._turn.release()
+
+    def _require_room(self, load: float | None = None, approach: float | None = None) -> None:
+        """Refuse what Hertz says will not fit, where nothing else shapes the gap."""
+        strained = any(self.state.max_plastic_strain(body) for body in (1, 2))
+        if self.on_border == "error" and not strained:
+            self._scene.require_room(load, approach)
+
+    def _require_room_of(self, steps: Sequence[Mapping[str, Any]]) -> None:
+        """The same of the largest load of a path, before its first increment."""
+        heated = any(self.heat_factor) or any("heat_factor" in step for step in steps)
+        loads = [step.get("load") for step in steps]
+        given = [load for load in loads if isinstance(load, (int, float))]
+        if given and not heated:
+            self._require_room(load=max(given))
 
     def _softening(self, body: Material) -> Callable[[FloatArray], FloatArray] | None:
         """The law of a material as the core calls it: (nx, ny, nz) in, depth-major out."""
@@ -342,13 +442,10 @@ class Simulation(Shown):
                 )
 
     def _heating(self, factors: tuple[float, float], time: float | None) -> list[Any]:
-        return heating(
-            (self.body1, self.body2),
-            factors,
-            self.velocity,
-            time,
-            self.heat_reference,
-        )
+        bodies = (self.body1, self.body2)
+        entries = heating(bodies, factors, self.velocity, time, self.heat_reference)
+        require_range(self.grid, bodies, entries)
+        return entries
 
     def run(
         self,
@@ -364,7 +461,7 @@ class Simulation(Shown):
         path : iterable of dict
             See `samcontact.paths` for helpers.
         progress : bool, optional
-            Show a progress bar.
+            Show a progress bar; where there is no terminal, ten lines at most.
         checkpoint : path, optional
             Folder in which to keep each increment. The same call of a new simulation goes on from
             it, with the same bits as without interruption. Remove it when it is no longer needed.
@@ -379,36 +476,66 @@ class Simulation(Shown):
         Raises
         ------
         ValueError
-            `checkpoint` holds those of another run; and as `step`.
+            `checkpoint` holds those of another run; and as `step`. A contact that does not fit into
+            the grid by far is refused before the first increment.
+
+        Warns
+        -----
+        ResolutionWarning
+            At the end, when the contact is fewer than 8 cells across under the largest load, a
+            plastic zone fewer than 8 layers high, or the layers cannot show whether a body yields.
         """
-        steps, states = list(path), []
-        journal = None if checkpoint is None else Journal(checkpoint, self, steps)
-        with tqdm(steps, disable=not progress, unit="increment") as bar:
-            for arguments in bar:
-                try:
+        states: list[State] = []
+        try:
+            self._run_into(states, step_list("path", path, _STEP), progress, checkpoint)
+        except BaseException as error:  # Ctrl-C too
+            error.states = states  # type: ignore[attr-defined]
+            raise
+        return states
+
+    def _run_into(
+        self,
+        states: list[State],
+        steps: Sequence[Mapping[str, Any]],
+        progress: bool,
+        checkpoint: str | os.PathLike[str] | None,
+    ) -> None:
+        """Append the state of each increment as soon as it is done."""
+        self._require_room_of(steps)
+        journal = None if checkpoint is None else Journal(checkpoint, self, describe(self, steps))
+        looks, self._looks_at_steps = self._looks_at_steps, False
+        try:
+            with progress_bar(len(steps), "increment", shown=progress) as bar:
+                for arguments in steps:
                     state = journal.next() if journal else None
                     kept = state is not None
-                    states.append(self.step(**arguments) if state is None else state)
-                    if journal and not kept:
-                        journal.add()
-                except BaseException as error:  # Ctrl-C too
-                    error.states = states  # type: ignore[attr-defined]
-                    raise
-                _log(states[-1], len(states), len(steps))
-                if not bar.disable:
-                    bar.set_postfix(
-                        iterations=states[-1].iterations, plastic_cells=states[-1].plastic_cells()
-                    )
-        return states
+                    try:
+                        states.append(self.step(**arguments) if state is None else state)
+                    except Warning:  # made an error by a filter: the increment is done
+                        states.append(self.state)
+                        raise
+                    finally:
+                        if journal and not kept and len(states) > journal.count:
+                            journal.add()
+                    _log(states[-1], len(states), len(steps))
+                    bar.update()
+                    if progress:
+                        bar.set_postfix(
+                            iterations=states[-1].iterations,
+                            plastic_cells=states[-1].plastic_cells(),
+                        )
+        finally:
+            self._looks_at_steps = looks
+        resolution.warn_of_run(states, self._scene, stacklevel=4)
 
     @property
     def state(self) -> State:
         """The present state."""
-        return State(self._core.state, self.grid)
+        return State(self._core.state, self)
 
     @property
     def counters(self) -> dict[str, int]:
-        """Work done so far: contact_solves, contact_iterations, yield_checks, plastic_solves,
+        """Work done so far, as contact_solves, contact_iterations, yield_checks, plastic_solves,
         plastic_iterations, halvings, and volume_bytes (memory of plastic state and kernels)."""
         return dict(self._core.counters)
 
@@ -449,8 +576,8 @@ class Simulation(Shown):
             given = np.shape(strain)
             rows = given[1] if len(given) == 4 and given[1] > 0 else rows
         shape = (rows, ny, nz)
-        checked = finite_array("strain", strain, (6, *shape))
-        depthwise = np.ascontiguousarray(np.moveaxis(checked, 3, 1))
+        checked_strain = finite_array("strain", strain, (6, *shape))
+        depthwise = np.ascontiguousarray(np.moveaxis(checked_strain, 3, 1))
         history: FloatArray | None = None
         if equivalent is not None:
             checked = finite_array("equivalent", equivalent, shape)
@@ -460,7 +587,9 @@ class Simulation(Shown):
             terms = len((self.body1, self.body2)[index].kinematic)
             checked = finite_array("backstress", backstress, (terms, 6, *shape))
             centre = np.ascontiguousarray(np.moveaxis(checked, 4, 2))
-        self._core.set_plastic_state(index, first or 0, depthwise, history, centre)
+        require_over_grid(self.grid, checked_strain, first or 0)
+        with self._alone():
+            self._core.set_plastic_state(index, first or 0, depthwise, history, centre)
 
     def _rows(self) -> Rows:
         grid, state = self.grid, self.state
@@ -483,8 +612,12 @@ class Simulation(Shown):
             "image_tol", "heat_factor", "velocity", "heating_time", "heat_reference",
             "heat_history", "reach",
         )  # fmt: skip
-        listed = ", ".join(f"{name}={getattr(self, name)!r}" for name in settings)
+        values = ((name, getattr(self, name)) for name in settings)
+        listed = ", ".join(f"{name}={value!r}" for name, value in values if value is not None)
         return f"Simulation({self.grid!r}, {self.body1!r}, {self.body2!r}, {listed})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return restored, reduced(self), {name: getattr(self, name) for name in _TOLD}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a checkpoint (HDF5), replacing an old one only when the new one is complete."""
@@ -502,7 +635,12 @@ class Simulation(Shown):
 
         Raises CheckpointError (a ValueError) for a file that is no checkpoint or is damaged.
         """
-        law1, law2 = softening
+        try:
+            law1, law2 = softening
+        except (TypeError, ValueError) as error:
+            raise TypeError(
+                f"softening must be a pair, (law of body 1, law of body 2), got {softening!r}"
+            ) from error
         arguments, saved = read_checkpoint(path, (law1, law2))
         try:
             simulation = cls(**arguments)

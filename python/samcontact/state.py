@@ -4,15 +4,19 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _memory
-from ._checks import FloatArray, choice, integer
+from ._checks import MOST_CELLS, FloatArray, choice, integer
+from ._copies import reduced, restored_state
+from ._frozen import Fixed
 from ._repr import Rows, Shown, quantity
-from .grid import Grid
 from .track import Track
+
+if TYPE_CHECKING:
+    from .simulation import Simulation
 
 _VOLUME = (
     "stress", "von_mises", "hydrostatic", "residual_stress", "plastic_strain",
@@ -20,17 +24,21 @@ _VOLUME = (
 )  # fmt: skip
 
 
-class State(Shown):
+class State(Fixed, Shown):
     """Fields of one moment, in SI units; volume fields are computed when they are asked for.
 
     Tensor components are xx, yy, zz, yz, xz, xy in the frame of the body (z into it); tension is
     positive. Methods take body = 1 or 2; those of volume fields raise ValueError for a grid without
-    layers or a rigid body.
+    layers or a rigid body. A pickle or copy stands for itself, with a simulation of its own.
     """
 
-    def __init__(self, core: Any, grid: Grid) -> None:
+    def __init__(self, core: Any, simulation: Simulation) -> None:
+        self.grid = simulation.grid
         self._core = core
-        self.grid = grid
+        self._simulation = simulation
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return restored_state, reduced(self._simulation, self)
 
     @property
     def pressure(self) -> FloatArray:
@@ -79,6 +87,12 @@ class State(Shown):
         return float(self._core.time)
 
     @property
+    def heat_factor(self) -> tuple[float, float]:
+        """Heat flux over pressure of body 1 and 2 in this increment [m/s]."""
+        first, second = (float(entry.values()[0]) for entry in self._core.heating)
+        return first, second
+
+    @property
     def travel(self) -> tuple[float, float]:
         """How far the surfaces of body 1 and 2 have moved through the contact, in +x [m]."""
         first, second = self._core.travel
@@ -113,9 +127,12 @@ class State(Shown):
         Returns
         -------
         Track
+            Its fields are computed when asked for; a MemoryError says before what they need.
         """
         choice("body", body, (1, 2))
         cells = self.grid.nx // 4 if margin is None else integer("margin", margin, 0)
+        if cells > MOST_CELLS // 4:
+            raise ValueError(f"margin must be at most {MOST_CELLS // 4} cells, got {cells}")
         return Track(self._core, self.grid, body, cells)
 
     @property
@@ -135,7 +152,7 @@ class State(Shown):
 
     @property
     def substeps(self) -> int:
-        """Parts into which the increment was divided to converge (1: none)."""
+        """Parts into which the increment was divided to converge, 1 if it was not."""
         return int(self._core.substeps)
 
     @property

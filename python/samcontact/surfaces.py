@@ -13,6 +13,7 @@ import numpy as np
 import scipy.fft
 from numpy.typing import ArrayLike
 
+from . import _memory
 from ._checks import FloatArray, choice, finite_array, integer, non_negative, number, positive
 
 __all__ = [
@@ -42,7 +43,13 @@ class SurfaceGrid(Protocol):
     def y(self) -> FloatArray: ...
 
 
+def _require_memory(grid: SurfaceGrid) -> None:
+    what = f"a surface of nx = {grid.nx}, ny = {grid.ny}"
+    _memory.require(what, _memory.SURFACE * grid.nx * grid.ny)
+
+
 def _coordinates(grid: SurfaceGrid) -> tuple[FloatArray, FloatArray]:
+    _require_memory(grid)
     return np.asarray(grid.x)[:, None], np.asarray(grid.y)[None, :]
 
 
@@ -64,12 +71,16 @@ def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatAr
     Raises
     ------
     ValueError
-        A radius is not positive.
+        A radius is not positive, or so small that the gap is infinite.
     """
     Rx = positive("Rx", Rx, allow_inf=True)
     Ry = Rx if Ry is None else positive("Ry", Ry, allow_inf=True)
     x, y = _coordinates(grid)
-    return np.asarray(0.5 * x**2 / Rx + 0.5 * y**2 / Ry, dtype=np.float64)
+    with np.errstate(over="ignore"):
+        gap = np.asarray(0.5 * x**2 / Rx + 0.5 * y**2 / Ry, dtype=np.float64)
+    if not np.isfinite(gap).all():
+        raise ValueError(f"Rx and Ry must give a finite gap on the grid, got {Rx!r} and {Ry!r}")
+    return gap
 
 
 def _circular(r2: FloatArray, R: float) -> FloatArray:
@@ -246,6 +257,8 @@ def rough_self_affine(
     ------
     ValueError
         An argument is outside its range, or no wave of the grid lies between the cut-offs.
+    MemoryError
+        The grid needs more memory than is available; so for all surfaces.
     """
     rms_height = non_negative("rms_height", rms_height)
     if not 0.0 <= number("hurst", hurst) <= 1.0:
@@ -264,6 +277,7 @@ def rough_self_affine(
             f"got {low!r}, {middle!r}, {high!r} (min, roll-off, max)"
         )
 
+    _require_memory(grid)
     qx = scipy.fft.fftfreq(grid.nx, grid.dx)[:, None]
     qy = scipy.fft.rfftfreq(grid.ny, grid.dy)[None, :]
     q = np.hypot(qx, qy)
@@ -275,7 +289,7 @@ def rough_self_affine(
         )
     filter_ = np.zeros_like(q)
     filter_[inside] = np.maximum(q[inside] * middle, 1.0) ** -(1.0 + float(hurst))
-    rng = np.random.default_rng(integer("seed", seed, 0))
+    rng = np.random.default_rng(integer("seed", seed, 0, None))
     noise = scipy.fft.rfft2(rng.standard_normal((grid.nx, grid.ny)))
     heights = scipy.fft.irfft2(noise * filter_, s=(grid.nx, grid.ny))
     heights *= rms_height / np.sqrt(np.mean(heights**2))

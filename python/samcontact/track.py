@@ -7,14 +7,16 @@ from typing import Any
 
 import numpy as np
 
+from . import _memory
 from ._checks import FloatArray
+from ._frozen import Fixed, read_only
 from ._tensors import von_mises
 from .grid import Grid
 
 __all__ = ["Track"]
 
 
-class Track:
+class Track(Fixed):
     """What is left in one body along its whole track, unloaded, in the frame of the body.
 
     Made by `State.track`. The origin of x is where the contact stood on the body at the start of
@@ -22,7 +24,6 @@ class Track:
     """
 
     def __init__(self, core: Any, grid: Grid, body: int, margin: int) -> None:
-        self._core = core
         self.body = body
         start, rows = core.history_rows(body - 1) or (0, grid.nx)
         self._first_row = start - margin
@@ -39,10 +40,11 @@ class Track:
         """The cells of the track; its own x is counted from the middle, see `x`."""
         # The body's cell number n stood at (n - (nx - 1)/2) dx of the grid at the start.
         cells = self.first + np.arange(self.grid.nx)
-        self.x: FloatArray = (cells - 0.5 * (grid.nx - 1)) * grid.dx
+        self.x: FloatArray = read_only((cells - 0.5 * (grid.nx - 1)) * grid.dx)
         """Positions of the cells on the body [m]."""
         self.contact = -core.travel[body - 1] * grid.dx
         """Where the contact stands on the body now [m]."""
+        self._core = core
 
     @property
     def y(self) -> FloatArray:
@@ -84,6 +86,9 @@ class Track:
         return self._field("backstress")
 
     def _field(self, name: str) -> FloatArray:
+        cell = _memory.FAST_RESIDUAL if name.startswith("residual") else _memory.VOLUME_FIELD
+        needed = _memory.volume(self.grid, cell)
+        _memory.require_for_grid(f"the field {name} of a track", self.grid, needed)
         method = getattr(self._core, f"track_{name}")
         field: FloatArray = method(self.body - 1, self._first_row, self.grid.nx)
         return field

@@ -34,7 +34,8 @@ def _registry() -> Any:
 def from_text(text: str, unit: str) -> float:
     """Number of a text such as "25 um" in this unit; a ValueError that begins with "must be"."""
     match = _TEXT.fullmatch(text)
-    if match is None or not match.group(2):
+    # pint reads up to a semicolon, comment or new line, and forgets the rest
+    if match is None or not match.group(2) or re.search(r"[;#\n\r]", match.group(2)):
         raise ValueError(f"must be a number and a unit that converts to {unit}, got {text!r}")
     registry = _registry()
     number = Decimal(match.group(1))
@@ -85,6 +86,8 @@ def si(value: Any, unit: str) -> Any:
             raise ValueError(
                 f"value must have a unit that converts to {unit}, got {value!s}"
             ) from error
+    if np.ma.is_masked(value):
+        raise ValueError("value must be defined everywhere, got masked values")
     array = np.asarray(value)
     if array.dtype == bool or array.dtype.kind not in "iufO":
         raise TypeError(f"value must be a number, a quantity or a text, got {value!r}")

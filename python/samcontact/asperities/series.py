@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING
@@ -43,7 +44,10 @@ BY_PASS = {
 
 @dataclass
 class Row:
-    """One increment; the last four values are known later, those of the pass in its last row."""
+    """One increment; the last three values are known later, those of the pass in its last row.
+
+    Of a pass that has not come to its end they stay NaN.
+    """
 
     offset: float
     angle: float
@@ -57,8 +61,8 @@ class Row:
     contact_area: float
     max_equivalent_plastic_strain: tuple[float, float]
     work: float = 0.0
-    residual_energy: float = 0.0
-    residual_displacement: tuple[float, float] = (0.0, 0.0)
+    residual_energy: float = math.nan
+    residual_displacement: tuple[float, float] = (math.nan, math.nan)
 
 
 def _table(passes: Sequence[Sequence[Row]], name: str) -> FloatArray:
@@ -84,8 +88,10 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Data
     data["load_ratio"] = np.where(data["normal_force"] > 0, ratio, np.nan)
     last = [rows[-1] for rows in passes]
     stored = np.array([row.residual_energy for row in last])
-    data["net_energy"] = np.array([row.work for row in last])
-    data["dissipation"] = np.diff([row.plastic_work for row in last], prepend=0.0)
+    ended = np.isfinite(stored)
+    net, plastic = (np.array([getattr(row, n) for row in last]) for n in ("work", "plastic_work"))
+    data["net_energy"] = np.where(ended, net, np.nan)
+    data["dissipation"] = np.where(ended, np.diff(plastic, prepend=0.0), np.nan)
     data["residual_energy"] = stored
     rest = data["net_energy"] - data["dissipation"] - np.diff(stored, prepend=0.0)
     data["energy_imbalance"] = rest

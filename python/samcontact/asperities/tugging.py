@@ -10,11 +10,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from tqdm.auto import tqdm
 
-from .. import energy, surfaces
+from .. import energy, resolution, surfaces
 from .._checks import FloatArray, finite, integer, positive
-from .._journal import Journal
+from .._journal import Journal, describe
+from .._progress import progress_bar
+from .._repr import Brief
 from ..contact import require_type
 from ..grid import Grid
 from ..material import Material
@@ -136,8 +137,8 @@ class Collision:
         return Grid(nx, ny, dx, across, layers, down)
 
 
-@dataclass
-class Tugging:
+@dataclass(repr=False)
+class Tugging(Brief):
     """Result of `tug`."""
 
     collision: Collision
@@ -187,7 +188,7 @@ def tug(
         Folder in which to keep each increment. The same call goes on from it, with the same bits as
         without interruption. Remove it when it is no longer needed.
     progress : bool
-        Show a progress bar.
+        Show a progress bar; where there is no terminal, ten lines at most.
     **settings
         Of `Simulation`, e.g. increment_tol, tol (1e-8 by default for elastic spheres),
         residual_stress, reach.
@@ -209,6 +210,8 @@ def tug(
     ValueError
         A friction or heat setting (the spheres are smooth and cold), a grid whose increment is
         longer than a quarter of the way, or a `checkpoint` of another call; and as `Simulation`.
+        An error of a later increment has the result of those before in its attribute `result`; what
+        belongs to a pass is NaN in one that has not come to its end.
     """
     require_type("collision", collision, Collision)
     require_type("body1", body1, Material)
@@ -228,18 +231,29 @@ def tug(
     if not (body1.is_plastic or body2.is_plastic):
         settings = {"tol": 1e-8, **settings}  # a net energy of nothing, at a fifth more work
     simulation = Simulation(grid, body1, body2, gap, relief1=relief1, relief2=relief2, **settings)
+    simulation._looks_at_steps = False  # the first ones only touch
     journal = None
     if checkpoint is not None:
-        journal = Journal(checkpoint, simulation, (collision, count, step, back_and_forth))
+        what = describe(simulation, (collision, count, step, back_and_forth))
+        journal = Journal(checkpoint, simulation, what)
     rows: list[list[Row]] = []
     unloaded: list[State] = []
     expected = 2 * (math.floor(collision.half_angle / step) + 1) + 1
-    with tqdm(total=count * expected, disable=not progress, unit="increment") as bar:
+    with progress_bar(count * expected, "increment", shown=progress) as bar:
         run = _Run(collision, simulation, step, journal, bar)
-        for number in range(count):
-            backwards = back_and_forth and number % 2 == 1
-            rows.append(list(run.one_pass(-1 if backwards else 1)))
-            unloaded.append(run.state)
+        try:
+            for number in range(count):
+                backwards = back_and_forth and number % 2 == 1
+                rows.append([])
+                for row in run.one_pass(-1 if backwards else 1):
+                    rows[-1].append(row)
+                unloaded.append(run.state)
+        except Exception as error:
+            if done := [one for one in rows if one]:
+                found = Tugging(collision, simulation, to_dataset(collision, done), unloaded)
+                error.result = found  # type: ignore[attr-defined]
+            raise
+    resolution.warn_of_run([run.peak, run.state], simulation._scene, stacklevel=2)
     return Tugging(collision, simulation, to_dataset(collision, rows), unloaded)
 
 
@@ -256,7 +270,7 @@ class _Run:
     ) -> None:
         self.collision, self.simulation, self.step = collision, simulation, step
         self.journal, self.bar = journal, bar
-        self.state = simulation.state
+        self.state = self.peak = simulation.state
         self.position = 0  # in steps from where the spheres are aligned
         self.plastic_work = 0.0
 
@@ -317,6 +331,7 @@ class _Run:
             if self.journal is not None:
                 self.journal.add()
         self.state = kept
+        self.peak = max(self.peak, kept, key=lambda state: state.load)
         for body in self._inelastic:
             material = (self.simulation.body1, self.simulation.body2)[body - 1]
             tracks = (s.track(body, margin=0) for s in (self.state, before))

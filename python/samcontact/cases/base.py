@@ -3,15 +3,24 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PrivateAttr
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    PrivateAttr,
+    field_validator,
+)
 
 from .. import measured
-from .._checks import FloatArray
-from ..measured.files import PLAIN_FORMATS, plain_heights
+from .._checks import FloatArray, escaped
+from ..measured.files import is_plain, plain_heights
 from ..units import from_text
 
 
@@ -21,6 +30,8 @@ def convert(value: Any, unit: str) -> Any:
         return [convert(item, unit) for item in value]
     if not isinstance(value, str):
         return value
+    if value == "inf":  # as a number, for a list in which others have units
+        return math.inf
     try:
         return from_text(value, unit)
     except ImportError as error:  # pydantic collects errors of value only
@@ -36,10 +47,8 @@ Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 Radius = Annotated[float, Field(gt=0.0), in_unit("m")]  # inf is straight
 NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 Finite = Annotated[float, Field(allow_inf_nan=False)]
-Poisson = Annotated[float, Field(ge=0.0, lt=0.5)]
 Length = Annotated[Positive, in_unit("m")]
 Position = Annotated[Finite, in_unit("m")]
-Stress = Annotated[Positive, in_unit("Pa")]
 Count = Annotated[int, Field(ge=1)]
 Pair = Annotated[list[Finite], Field(min_length=2, max_length=2)]
 HeatFactor = Annotated[
@@ -50,12 +59,31 @@ Velocity = Annotated[
 ]
 
 
+def require_printable(text: str) -> None:
+    if escaped(text) != text:
+        raise ValueError(f"must be text without control characters, got {text!r:.80}")
+
+
 class CaseError(ValueError):
     """A case file that cannot be used; the message names the file, the field and the remedy."""
 
 
 class Section(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+    @field_validator("*")
+    @classmethod
+    def _printable(cls, value: Any) -> Any:
+        """Texts reach terminals, files and names of files."""
+        if isinstance(value, str):
+            require_printable(value)
+        return value
+
+
+def changed(section: Section, names: Iterable[str]) -> set[str]:
+    """Which of these fields are not as they are by default: a copy may give all of them."""
+    fields = type(section).model_fields
+    return {name for name in names if getattr(section, name) != fields[name].default}
 
 
 class OutputPlace(Section):
@@ -68,11 +96,16 @@ class OutputPlace(Section):
 class CaseFile(Section):
     """What every kind of case file has: where it came from, and where its results go."""
 
-    if TYPE_CHECKING:  # the last field of each kind
+    if TYPE_CHECKING:  # the first and the last field of each kind
+        title: str
         output: OutputPlace
 
     _source: Path = PrivateAttr(default=Path("case.toml"))
     _text: str = PrivateAttr(default="")
+
+    def __repr_args__(self) -> list[tuple[str | None, Any]]:
+        """Of its repr, which would be the whole file."""
+        return [("title", self.title[:60]), ("source", str(self._source))]
 
     @property
     def source(self) -> Path:
@@ -105,11 +138,9 @@ class HeightsFile(Section):
     average: bool | None = None
     fill: Position | None = None
 
-    @property
-    def is_plain(self) -> bool:
+    def is_plain(self, folder: Path) -> bool:
         """Whether it is an array for exactly the cells of the grid."""
-        fields = self.model_fields_set & set(HeightsFile.model_fields) - {"path"}
-        return Path(self.path).suffix.lower() in PLAIN_FORMATS and not fields
+        return changed(self, HeightsFile.model_fields) <= {"path"} and is_plain(folder / self.path)
 
     def plain(self, folder: Path) -> FloatArray:
         return plain_heights(folder / self.path)

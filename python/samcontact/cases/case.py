@@ -14,10 +14,12 @@ from .. import _memory, paths
 from .. import hertz as _hertz
 from .._heating import pair, velocities
 from .base import CaseError, CaseFile
+from .bodies import BodySection
 from .errors import explain
 from .motion import ReliefSection, Segment
-from .sections import BodySection, ContactSection, GridSection, OutputSection, SurfaceSection
+from .sections import ContactSection, GridSection, OutputSection, SurfaceSection
 from .tugging import TuggingCase
+from .used import require_all_used
 from .wear import WearSection
 
 if sys.version_info >= (3, 11):
@@ -27,6 +29,10 @@ else:
 
 if TYPE_CHECKING:
     from ..simulation import Simulation
+
+
+MOST_CHARACTERS = 100_000_000
+"""Of a case file."""
 
 
 class Case(CaseFile):
@@ -55,7 +61,7 @@ class Case(CaseFile):
         if all(body.law == "rigid" for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
         for name, body in zip(("body1", "body2"), bodies, strict=True):
-            if body.law not in ("rigid", "elastic") and self.grid.nz == 0:
+            if body.is_plastic and self.grid.nz == 0:
                 raise ValueError(f"{name} is inelastic ({body.law}): [grid] needs nz and dz")
         marches = self.contact.heat_history is not None
         for index, segment in enumerate(self.path):
@@ -66,11 +72,12 @@ class Case(CaseFile):
                     "neither"
                 )
         selected = self.output.body
-        stored = self.grid.nz > 0
+        stored = self.grid.nz > 0 and self.wear is None
         if stored and bodies[selected - 1].law == "rigid":
             raise ValueError(
                 f"output.body = {selected} is rigid and has no stresses: set it to {3 - selected}"
             )
+        require_all_used(self)
         self.steps()
         return self
 
@@ -193,11 +200,22 @@ def load_case(path: str | Path) -> Case | TuggingCase:
     """
     source = Path(path)
     try:
-        text = source.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = getattr(error, "strerror", None) or error
+        text = _text_of(source)
+    except UnicodeDecodeError as error:
+        reason = f"its byte {error.start} is not UTF-8: save it as UTF-8 text"
+        raise CaseError(f"{source}: cannot read the case file: {reason}") from error
+    except (OSError, ValueError) as error:  # ValueError: a null character in its name
+        reason = getattr(error, "strerror", None) or str(error)
         raise CaseError(f"{source}: cannot read the case file: {reason}") from error
     return parse_case(text, source)
+
+
+def _text_of(source: Path) -> str:
+    with source.open(encoding="utf-8") as file:
+        text = file.read(MOST_CHARACTERS + 1)  # devices and wrong files may have no end
+    if len(text) > MOST_CHARACTERS:
+        raise ValueError(f"it has more than {MOST_CHARACTERS} characters: is it another file?")
+    return text
 
 
 def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCase:
@@ -222,14 +240,16 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCas
     """
     source = Path(source)
     try:
-        content = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise CaseError(f"{source}: not valid TOML: {error}") from error
-    kind = TuggingCase if "tugging" in content else Case
-    try:
+        # editors of some systems begin a text with a mark of its encoding
+        content = tomllib.loads(text.removeprefix("\N{ZERO WIDTH NO-BREAK SPACE}"))
+        kind = TuggingCase if "tugging" in content else Case
         case = kind.model_validate(content)
     except ValidationError as error:
         lines = [explain(kind, item) for item in error.errors()]
         raise CaseError("\n".join(f"{source}: {line}" for line in lines)) from error
+    except ValueError as error:  # a number of thousands of digits too
+        raise CaseError(f"{source}: not valid TOML: {error}") from error
+    except RecursionError:
+        raise CaseError(f"{source}: lists or tables are nested too deeply") from None
     case._source, case._text = source, text
     return case

@@ -4,10 +4,46 @@
 from __future__ import annotations
 
 import difflib
+import re
+from collections.abc import Sequence
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel
+
+from .._repr import in_short
+
+# What users call fields, without signs between words.
+_WORDS = {
+    "radius": ("R", "Rx", "R1"),
+    "radiusx": ("Rx",),
+    "radiusy": ("Ry",),
+    "r": ("Rx",),
+    "young": ("E",),
+    "youngsmodulus": ("E",),
+    "youngmodulus": ("E",),
+    "elasticmodulus": ("E",),
+    "modulus": ("E",),
+    "poisson": ("nu",),
+    "poissonratio": ("nu",),
+    "poissonsratio": ("nu",),
+    "sigmay": ("yield_stress",),
+    "yieldstrength": ("yield_stress",),
+    "mu": ("friction",),
+    "cof": ("friction",),
+    "force": ("load",),
+    "indentation": ("approach",),
+    "displacement": ("approach",),
+    "steps": ("increments",),
+    "tolerance": ("tol",),
+    "material": ("law",),
+    "type": ("law", "kind", "shape"),
+    "name": ("title",),
+    "file": ("path",),
+    "filename": ("path",),
+    "speed": ("velocity",),
+    "folder": ("directory",),
+}
 
 
 def explain(root: type[BaseModel], item: Any) -> str:
@@ -16,8 +52,8 @@ def explain(root: type[BaseModel], item: Any) -> str:
     kind, context = item["type"], item.get("ctx", {})
     where = _dotted(names)
     if kind == "extra_forbidden":
-        near = difflib.get_close_matches(str(names[-1]), fields, 1, cutoff=0.5)
-        hint = f"; did you mean {near[0]}?" if near else ""
+        near = nearest(str(names[-1]), fields)
+        hint = f"; did you mean {near}?" if near else ""
         return f"{where}: unknown field; allowed here: {', '.join(fields)}{hint}"
     if kind == "missing":
         return f"{where}: required field is missing"
@@ -31,7 +67,18 @@ def explain(root: type[BaseModel], item: Any) -> str:
         message = str(context["error"])
         return f"{where}: {message}" if where else message
     message = item["msg"][0].lower() + item["msg"][1:]
-    return f"{where}: {message}, got {item['input']!r}"
+    return f"{where}: {message}, got {in_short(item['input'])}"
+
+
+def nearest(name: str, fields: Sequence[str]) -> str | None:
+    """The field that was probably meant: another word for it, or one that is spelled alike."""
+    lower = {field.lower(): field for field in reversed(fields)}
+    word = re.sub(r"[^a-z]", "", name.lower())
+    for meant in _WORDS.get(word, ()):
+        if meant in fields:
+            return meant
+    found = difflib.get_close_matches(name.lower(), lower, 1, cutoff=0.5)
+    return lower[found[0]] if found else None
 
 
 def _dotted(names: list[str | int]) -> str:

@@ -9,11 +9,12 @@ from typing import Any, get_args
 
 from pydantic import BaseModel
 
+from .._laws import LAWS
 from .case import Case
 from .tugging import TuggingCase
 
-# Counts microstrain, a number for the conversion of units.
-_SPECIAL = {"C": "microstrain"}
+# Those of laws are not all units for the conversion: microstrain is a number there.
+_OF_LAWS = {name: one.unit for law in LAWS.values() for name, one in law.constants.items()}
 # The marks are for the conversion, these for the reader.
 _WRITTEN = {"m**2/s": "m²/s", "W/(m*K)": "W/(m K)"}
 
@@ -62,7 +63,7 @@ def _units(section: str) -> dict[str, str]:
     units: dict[str, str] = {}
     for model in all_models(*roots):
         for name, field in model.model_fields.items():
-            units[name] = _SPECIAL.get(name) or unit_of(field.annotation, field.metadata)
+            units[name] = _OF_LAWS.get(name) or unit_of(field.annotation, field.metadata)
     return units
 
 

@@ -21,6 +21,7 @@ from .base import (
     Position,
     Positive,
     Section,
+    changed,
     convert,
     in_unit,
 )
@@ -93,10 +94,12 @@ class Segment(Section):
     def _one_movement(self) -> Segment:
         if self.roll is not None and self.slide is not None:
             raise ValueError("give roll or slide, not both")
+        if self.spacing == "linear" and changed(self, ["exponent"]):
+            raise ValueError('exponent is of spacing = "power": give that too')
         if self.roll is not None or self.slide is not None:
             kind = "roll" if self.roll is not None else "slide"
             others = {"start", "spacing", "exponent", "advance", "duration"}
-            given = sorted(others & self.model_fields_set)
+            given = sorted(changed(self, others))
             if given:
                 hint = "; give it speed instead" if "duration" in given else ""
                 raise ValueError(f"{kind} goes without {', '.join(given)}{hint}")
@@ -149,6 +152,8 @@ class Segment(Section):
         }
         optional = (self.advance, self.duration, self.heat_factor)
         if target == start and optional != (None, None, None):
+            if changed(self, ["spacing"]):
+                raise ValueError(f"spacing is of a change of {name}, which stays at {target!r}")
             return paths.hold(**common), (name, target)
         ramp = paths.ramp(start=start, spacing=self.spacing, exponent=self.exponent, **common)
         return ramp, (name, target)
@@ -162,7 +167,7 @@ class FileRelief(HeightsFile):
     periodic: bool = False
 
     def build(self, grid: Grid, folder: Path) -> Relief:
-        if not self.is_plain:
+        if not self.is_plain(folder):
             surface = self.surface(folder)
             return surface.relief(grid, self.x, periodic=self.periodic, **self.placement())
         heights = self.plain(folder)

@@ -17,19 +17,16 @@ from .base import (
     Length,
     NonNegative,
     OutputPlace,
-    Poisson,
     Position,
     Positive,
     Radius,
     Section,
-    Stress,
     Velocity,
     in_unit,
 )
 
 if TYPE_CHECKING:
     from ..grid import Grid
-    from ..material import Material
 
 
 class GridSection(Section):
@@ -52,137 +49,6 @@ class GridSection(Section):
         from ..grid import Grid
 
         return Grid(self.nx, self.ny, self.dx, self.dy, self.nz, self.dz)
-
-
-class KinematicHardening(Section):
-    """Moves the yield surface with the plastic strain, see `Material.with_kinematic_hardening`."""
-
-    modulus: Annotated[Positive | list[Positive], in_unit("Pa")]
-    recovery: NonNegative | list[NonNegative] = 0.0
-
-    @model_validator(mode="after")
-    def _as_many(self) -> KinematicHardening:
-        moduli = self.modulus if isinstance(self.modulus, list) else [self.modulus]
-        if not 1 <= len(moduli) <= 4:
-            raise ValueError(f"modulus must have from 1 to 4 values, got {len(moduli)}")
-        if isinstance(self.recovery, list) and len(self.recovery) != len(moduli):
-            raise ValueError(
-                f"recovery must have as many values as modulus, {len(moduli)}, "
-                f"got {len(self.recovery)}"
-            )
-        return self
-
-
-class ThermalConstants(Section):
-    """Of a body that frictional heat enters, see `Material.with_thermal`."""
-
-    conductivity: Annotated[Positive, in_unit("W/(m*K)")]
-    expansion: Annotated[NonNegative, in_unit("1/K")]
-    diffusivity: Annotated[Positive, in_unit("m**2/s")]
-
-
-class JohnsonCookSoftening(Section):
-    """Yield stress that falls with the temperature, see `softening.JohnsonCook`."""
-
-    kind: Literal["johnson_cook"]
-    melting: Annotated[Positive, in_unit("K")]
-    m: Positive
-    reference: Annotated[NonNegative, in_unit("K")] = 293.15
-    ambient: Annotated[NonNegative, in_unit("K")] = 293.15
-    floor: Annotated[float, Field(gt=0.0, le=1.0)] = 0.01
-
-    @model_validator(mode="after")
-    def _melts_above_reference(self) -> JohnsonCookSoftening:
-        if not self.melting > self.reference:
-            raise ValueError(
-                f"melting must be > reference = {self.reference!r} K, got {self.melting!r}"
-            )
-        return self
-
-
-class _Body(Section):
-    def build(self) -> Material:
-        from ..material import Material
-        from ..softening import JohnsonCook
-
-        parameters = self.model_dump()
-        extra = {name: parameters.pop(name, None) for name in ("kinematic", "thermal", "softening")}
-        material: Material = getattr(Material, parameters.pop("law"))(**parameters)
-        if extra["kinematic"] is not None:
-            material = material.with_kinematic_hardening(**extra["kinematic"])
-        if extra["thermal"] is not None:
-            material = material.with_thermal(**extra["thermal"])
-        if extra["softening"] is not None:
-            del extra["softening"]["kind"]
-            material = material.with_softening(JohnsonCook(**extra["softening"]))
-        return material
-
-
-class _ElasticBody(_Body):
-    thermal: ThermalConstants | None = None
-
-
-class _PlasticBody(_ElasticBody):
-    kinematic: KinematicHardening | None = None
-    softening: JohnsonCookSoftening | None = None
-
-
-class RigidBody(_Body):
-    """A body that does not deform."""
-
-    law: Literal["rigid"]
-
-
-class ElasticBody(_ElasticBody):
-    """Linear elasticity."""
-
-    law: Literal["elastic"]
-    E: Stress
-    nu: Poisson
-
-
-class PerfectPlasticBody(_PlasticBody):
-    """Elastic, perfectly plastic."""
-
-    law: Literal["perfect_plastic"]
-    E: Stress
-    nu: Poisson
-    yield_stress: Stress
-
-
-class LinearHardeningBody(_PlasticBody):
-    """Linear isotropic hardening; tangent modulus of the uniaxial curve."""
-
-    law: Literal["linear_hardening"]
-    E: Stress
-    nu: Poisson
-    yield_stress: Stress
-    tangent_modulus: Annotated[NonNegative, in_unit("Pa")]
-
-    @model_validator(mode="after")
-    def _tangent_below_E(self) -> LinearHardeningBody:
-        if self.tangent_modulus >= self.E:
-            raise ValueError(
-                f"tangent_modulus must be < E = {self.E!r}, got {self.tangent_modulus!r}"
-            )
-        return self
-
-
-class SwiftBody(_PlasticBody):
-    """Swift hardening B (C + 1e6 g)^n."""
-
-    law: Literal["swift"]
-    E: Stress
-    nu: Poisson
-    B: Stress
-    C: Positive
-    n: Annotated[float, Field(ge=0.0, le=1.0)]
-
-
-BodySection = Annotated[
-    RigidBody | ElasticBody | PerfectPlasticBody | LinearHardeningBody | SwiftBody,
-    Field(discriminator="law"),
-]
 
 
 class SinusoidalRoughness(Section):
@@ -282,7 +148,7 @@ class FileSurface(_Surface, HeightsFile):
         return self
 
     def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
-        if self.is_plain and self.x is None:
+        if self.is_plain(folder) and self.x is None:
             heights = self.plain(folder)
         else:
             x = 0.0 if self.x is None else self.x

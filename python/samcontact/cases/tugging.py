@@ -21,8 +21,10 @@ from .base import (
     Section,
     in_unit,
 )
+from .bodies import BodySection
 from .motion import ReliefSection
-from .sections import BodySection, GridSection
+from .sections import GridSection
+from .used import require_all_used_in_tugging
 
 
 class TuggingSection(Section):
@@ -84,6 +86,7 @@ class TuggingCase(CaseFile):
         if self.grid is not None and self.tugging.grid_arguments():
             given = ", ".join(self.tugging.grid_arguments())
             raise ValueError(f"tugging: {given} make a grid: leave out [grid], or these")
+        require_all_used_in_tugging(self)
         return self
 
     def solve(

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+from inspect import signature
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field
@@ -39,8 +40,9 @@ class WearSection(Section):
         from .. import wear
 
         window = self.window if isinstance(self.window, int) else tuple(self.window)
-        names = ("tol", "increment_tol", "on_border", "max_iterations", "residual_stress",
-                 "image_tol", "reach")  # fmt: skip
+        # all of them: a setting that is left out would be read and not used
+        arguments = signature(type(scene)).parameters.values()
+        names = [argument.name for argument in arguments if argument.kind is argument.KEYWORD_ONLY]
         return wear.run(
             scene.grid,
             scene.body1,
@@ -54,8 +56,6 @@ class WearSection(Section):
             order=self.order,
             strain_depth=self.strain_depth,
             friction=scene.friction,
-            relief1=scene.relief1,
-            relief2=scene.relief2,
             checkpoint=checkpoint,
             progress=progress,
             **{name: getattr(scene, name) for name in names},

@@ -3,32 +3,83 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 import click
 
+from .._checks import escaped
+from .signals import exit_code
+
 BAD_INPUT = 2
 FAILED = 1
-INTERRUPTED = 130
+
+
+class StoppedEarlyError(Exception):
+    """A run that an error ended, its cause, after some increments; the text tells what is left."""
 
 
 @contextmanager
 def short_errors() -> Iterator[None]:
     """Turn the errors a user can cause into one message on stderr, without a traceback."""
-    from .. import ConvergenceError
-
-    code = BAD_INPUT
     try:
         yield
-        return
-    except ConvergenceError as error:
-        message, code = f"no convergence: {error}", FAILED
-    except ValueError as error:
-        message = str(error)
-    except BrokenPipeError:  # the reader of our output has left: click ends quietly
+    except KeyboardInterrupt as stop:
+        click.echo("interrupted", err=True)
+        raise SystemExit(exit_code(stop)) from None
+    except StoppedEarlyError as stopped:
+        cause = stopped.__cause__
+        assert isinstance(cause, Exception)
+        message, _ = _told(cause)
+        click.echo(f"error: {message or f'{type(cause).__name__}: {cause}'}\n{stopped}", err=True)
+        if not message:  # no error that a user can cause
+            raise cause from None
+        raise SystemExit(FAILED) from None
+    except BrokenPipeError:
         raise
-    except (OSError, ModuleNotFoundError, MemoryError) as error:
-        message, code = str(error) or "not enough memory", FAILED
-    click.echo(f"error: {message}", err=True)
-    raise SystemExit(code)
+    except Exception as error:
+        message, code = _told(error)
+        if not message:
+            raise
+        click.echo(f"error: {escaped(message)}", err=True)
+        raise SystemExit(code) from None
+
+
+def tell_partial(
+    write: Callable[[str], object], error: Exception, what: str, directory: Path
+) -> str:
+    """Write what an error has left of a run; the text for those who wait for it.
+
+    Parameters
+    ----------
+    write : callable
+        Writes results, then figures, given why they are not complete.
+    error : Exception
+    what : str
+        How much there is.
+    directory : Path
+        Of the results.
+    """
+    reason = f"{type(error).__name__}: {error}"
+    told = f"{what} are in {directory}, marked as incomplete"
+    try:
+        write(reason)
+    except Exception as another:
+        told = f"{what} are done, but not all could be written: {another}"
+    return f"{told}; to try on:\n  samcontact resume {directory}"
+
+
+def _told(error: Exception) -> tuple[str, int]:
+    """What the user is told of an error, and the exit code; no text for those of this program."""
+    from .. import ConvergenceError
+
+    if isinstance(error, ConvergenceError):
+        return f"no convergence: {error}", FAILED
+    if isinstance(error, ValueError):
+        return str(error), BAD_INPUT
+    if isinstance(error, Warning):  # PYTHONWARNINGS=error
+        return f"a warning, which the environment makes an error: {error}", FAILED
+    if isinstance(error, (OSError, ModuleNotFoundError, MemoryError)):
+        return str(error) or "not enough memory", FAILED
+    return "", FAILED

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from .arguments import FilePath
 from .errors import FAILED, short_errors
 
 
@@ -16,7 +17,7 @@ from .errors import FAILED, short_errors
 @click.option("--list", "listing", is_flag=True, help="Print the parts and their figures.")
 @click.option(
     "--output",
-    type=click.Path(path_type=Path),
+    type=FilePath(),
     default=Path("gallery"),
     show_default=True,
     help="Directory of the pages.",

@@ -9,16 +9,19 @@ import click
 
 from .. import hertz as _hertz
 from .._checks import poisson_ratio
+from .arguments import Quantity
 from .errors import short_errors
+
+LENGTH, STRESS = Quantity("m"), Quantity("Pa")
 
 
 @click.command()
-@click.option("--R", "radius", type=float, required=True, help="Equivalent radius (Rx) [m].")
-@click.option("--Ry", "radius_y", type=float, help="Second equivalent radius [m]: elliptic.")
-@click.option("--E-star", "modulus", type=float, required=True, help="Contact modulus [Pa].")
-@click.option("--load", type=float, help="Normal load [N].")
-@click.option("--approach", type=float, help="Rigid-body approach [m].")
-@click.option("--p0", type=float, help="Maximum pressure [Pa].")
+@click.option("--R", "radius", type=LENGTH, required=True, help="Equivalent radius (Rx) [m].")
+@click.option("--Ry", "radius_y", type=LENGTH, help="Second equivalent radius [m]: elliptic.")
+@click.option("--E-star", "modulus", type=STRESS, required=True, help="Contact modulus [Pa].")
+@click.option("--load", type=Quantity("N"), help="Normal load [N].")
+@click.option("--approach", type=LENGTH, help="Rigid-body approach [m].")
+@click.option("--p0", type=STRESS, help="Maximum pressure [Pa].")
 @click.option("--nu", type=float, help="Poisson's ratio: adds the largest von Mises stress.")
 def hertz(
     radius: float,
@@ -29,7 +32,10 @@ def hertz(
     p0: float | None,
     nu: float | None,
 ) -> None:
-    """Hertz point or elliptic contact from one of --load, --approach, --p0."""
+    """Hertz point or elliptic contact from one of --load, --approach, --p0.
+
+    Quantities are numbers in SI units, or have a unit: --R "7.5 mm" --E-star "115 GPa".
+    """
     with short_errors():
         given: dict[str, Any] = {"load": load, "approach": approach, "p0": p0}
         contact: _hertz.PointContact | _hertz.EllipticContact

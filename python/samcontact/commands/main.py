@@ -2,7 +2,7 @@
 """The command ``samcontact``: run case files, one or many of a kind, report, print Hertz values.
 
 Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad input,
-130 interrupted.
+130 interrupted (Ctrl-C), 143 terminated, 129 its terminal was closed.
 """
 
 from __future__ import annotations
@@ -14,6 +14,8 @@ from .gallery import gallery
 from .hertz import hertz
 from .results import export, report
 from .run import resume, run
+from .signals import stoppable
+from .streams import guarded_output
 from .sweep import sweep
 
 
@@ -35,8 +37,11 @@ def _print_version(context: click.Context, _: click.Parameter, value: bool) -> N
     callback=_print_version,
     help="Print the version and exit.",
 )
-def main() -> None:
+@click.pass_context
+def main(context: click.Context) -> None:
     """Semi-analytical elastic-plastic contact of two half-spaces."""
+    context.with_resource(stoppable())
+    context.with_resource(guarded_output())
 
 
 for _command in (run, resume, sweep, report, export, gallery, hertz, doctor):

@@ -7,39 +7,47 @@ from pathlib import Path
 
 import click
 
+from .arguments import FilePath
 from .errors import short_errors
 
 
 @click.command()
-@click.argument("results_file", metavar="RESULTS.nc", type=click.Path(path_type=Path))
+@click.argument("results_file", metavar="RESULTS.nc", type=FilePath())
 @click.option("--vtk", is_flag=True, help="VTK files for ParaView: volume and surface.")
 @click.option(
     "--increment", type=int, default=-1, show_default=True, help="Its number; -1: last stored."
 )
+@click.option("--all", "every", is_flag=True, help="Every increment, and a .pvd of them.")
 @click.option(
     "--body", type=click.Choice(["1", "2"]), default="2", show_default=True, help="Whose fields."
 )
-@click.option(
-    "--output", type=click.Path(path_type=Path), help="File; default: RESULTS.vtr beside it."
-)
-def export(results_file: Path, vtk: bool, increment: int, body: str, output: Path | None) -> None:
-    """Write the fields of one increment for another program."""
+@click.option("--output", type=FilePath(), help="File; default: beside RESULTS.nc.")
+def export(
+    results_file: Path, vtk: bool, increment: int, every: bool, body: str, output: Path | None
+) -> None:
+    """Write the fields of one increment, or of all, for another program."""
     if not vtk:
         raise click.UsageError("say which format: --vtk")
+    if every and increment != -1:
+        raise click.UsageError("give --increment or --all, not both")
     with short_errors():
         from .. import results
 
-        target = results_file.with_suffix(".vtr") if output is None else output
+        target = results_file.with_suffix(".pvd" if every else ".vtr") if output is None else output
         with results.open_results(results_file) as dataset:
-            for file in results.to_vtk(dataset, target, increment, int(body)):
-                click.echo(str(file))
+            if every:
+                written = results.to_pvd(dataset, target, int(body))
+            else:
+                written = results.to_vtk(dataset, target, increment, int(body))
+        for file in written:
+            click.echo(str(file))
 
 
 @click.command()
-@click.argument("run", metavar="RUN", type=click.Path(path_type=Path))
+@click.argument("run", metavar="RUN", type=FilePath())
 @click.option(
     "--output",
-    type=click.Path(path_type=Path),
+    type=FilePath(),
     help="Default: report.html beside the results.",
 )
 def report(run: Path, output: Path | None) -> None:
@@ -49,13 +57,29 @@ def report(run: Path, output: Path | None) -> None:
         from .. import results
 
         source = _results_of(run) if run.is_dir() else run
+        target = output or source.with_name("report.html")
+        _require_page(target)
         with results.open_results(source) as dataset:
-            file = reports.write(dataset, output or source.with_name("report.html"))
+            file = reports.write(dataset, target)
             failed = [check for check in reports.checks(dataset) if not check.passed]
         for check in failed:
             text = f"check failed: {check.name}: {check.shown}, limit {check.condition}"
             click.echo(text, err=True)
         click.echo(str(file))
+
+
+def _require_page(target: Path) -> None:
+    """Nothing but an older page is replaced; what cannot be written is told before the work."""
+    if target.is_dir():
+        raise ValueError(f"--output must be a file, and {target} is a directory")
+    if not target.parent.is_dir():
+        raise ValueError(
+            f"--output must be in a directory that exists: there is no {target.parent}"
+        )
+    if target.is_file() and target.suffix.lower() not in (".html", ".htm"):
+        raise ValueError(
+            f"--output must end in .html where there is a file: {target} would be lost"
+        )
 
 
 def _results_of(folder: Path) -> Path:

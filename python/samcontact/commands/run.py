@@ -7,17 +7,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
-from rich.console import Console
 
-from .errors import INTERRUPTED, short_errors
+from .arguments import FilePath
+from .errors import short_errors
+from .signals import exit_code
 
 if TYPE_CHECKING:
+    from rich.console import Console
+
     from ..cases import Case, TuggingCase
 
 
 @click.command()
-@click.argument("case_file", metavar="CASE.toml", type=click.Path(path_type=Path))
-@click.option("--output", type=click.Path(path_type=Path), help="Directory of the results.")
+@click.argument("case_file", metavar="CASE.toml", type=FilePath())
+@click.option("--output", type=FilePath(), help="Directory of the results.")
 @click.option("--no-figures", is_flag=True, help="Write no figures.")
 @click.option(
     "--animate", is_flag=True, help="Write rolling.gif too, for a path that moves the bodies."
@@ -25,7 +28,7 @@ if TYPE_CHECKING:
 @click.option(
     "--resume",
     is_flag=True,
-    help="Write a checkpoint after each increment, and go on from those of an interrupted run.",
+    help="Write a checkpoint after each increment, and go on from those that are there.",
 )
 @click.option("--quiet", is_flag=True, help="Print the paths of the results only.")
 def run(
@@ -33,56 +36,56 @@ def run(
 ) -> None:
     """Solve a case file; write results.nc and figures."""
     with short_errors():
-        from ..cases import TuggingCase, load_case
+        from ..cases import load_case
         from .interrupted import is_interrupted
+        from .tables import new_console
 
         case = load_case(case_file)
         directory = case.output_directory if output is None else output
-        console, figures = Console(quiet=quiet), not no_figures
+        console, figures = new_console(quiet), not no_figures
         try:
-            if isinstance(case, TuggingCase) or case.wear is not None:
-                written = _solve_study(case, directory, console, figures, animate)
-            else:
-                from .solve_contact import solve_contact
-
-                written = solve_contact(
-                    case, directory, console, figures=figures, animate=animate, journal=resume
-                )
-        except KeyboardInterrupt:
+            written = _solve(
+                case, directory, console, figures=figures, animate=animate, resume=resume
+            )
+        except KeyboardInterrupt as stop:
             if not is_interrupted(directory):
                 raise
             click.echo(f"interrupted: go on with\n  samcontact resume {directory}", err=True)
-            raise SystemExit(INTERRUPTED) from None
+            raise SystemExit(exit_code(stop)) from None
     for file in written:
         click.echo(str(file))
 
 
-def _solve_study(
-    case: Case | TuggingCase, directory: Path, console: Console, figures: bool, animate: bool
+def _solve(
+    case: Case | TuggingCase,
+    directory: Path,
+    console: Console,
+    *,
+    figures: bool,
+    animate: bool,
+    resume: bool,
 ) -> list[Path]:
-    """Tugging, or the cycles of wear; their checkpoints cost little, and are always written."""
+    """The files of a contact, of tugging, or of the cycles of wear."""
     from ..cases import TuggingCase
-    from .interrupted import forget_case, remember_case
 
-    if animate:
-        section = "tugging" if isinstance(case, TuggingCase) else "wear"
+    section = "tugging" if isinstance(case, TuggingCase) else "wear" if case.wear else None
+    if animate and section is not None:
         raise ValueError(f"--animate is not for a case with [{section}]")
-    checkpoints = remember_case(directory, case)
-    console.print(case.title, style="bold", markup=False, highlight=False)
     if isinstance(case, TuggingCase):
         from .solve_tugging import solve_tugging
 
-        written = solve_tugging(case, directory, checkpoints, console, figures)
-    else:
+        return solve_tugging(case, directory, console, figures=figures, resume=resume)
+    if case.wear is not None:
         from .solve_wear import solve_wear
 
-        written = solve_wear(case, directory, checkpoints, console, figures)
-    forget_case(directory)
-    return written
+        return solve_wear(case, directory, console, figures=figures, resume=resume)
+    from .solve_contact import solve_contact
+
+    return solve_contact(case, directory, console, figures=figures, animate=animate, resume=resume)
 
 
 @click.command()
-@click.argument("directory", type=click.Path(path_type=Path))
+@click.argument("directory", type=FilePath())
 @click.option("--no-figures", is_flag=True, help="Write no figures.")
 @click.option("--quiet", is_flag=True, help="Print the paths of the results only.")
 @click.pass_context

@@ -4,86 +4,133 @@
 from __future__ import annotations
 
 import math
+from contextlib import nullcontext
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
 from rich.console import Console
-from rich.table import Table
-from rich.text import Text
 
 from .. import hertz, results
+from .._journal import describe
+from .._peak import peak_of_dataset
 from ..results.against_hertz import hertz_area, hertz_rows
-from .interrupted import forget_case, keep_states, remember_case
-from .tables import contact_columns, new_table
+from .errors import StoppedEarlyError, tell_partial
+from .folder import publish
+from .interrupted import checkpoints_of
+from .tables import Sheet, contact_columns, numbers
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..cases import Case
+    from ..simulation import Simulation
+    from ..state import State
 
 MOST_FRAMES = 120  # of an animation
 
 
 def solve_contact(
-    case: Case, directory: Path, console: Console, *, figures: bool, animate: bool, journal: bool
+    case: Case, directory: Path, console: Console, *, figures: bool, animate: bool, resume: bool
 ) -> list[Path]:
     """Write results.nc and figures; the files.
 
-    With `journal`, each increment leaves a checkpoint, and those of an interrupted run are used.
-    Without it, Ctrl-C leaves them all.
+    With `resume`, each increment leaves a checkpoint. Without it whatever ends the run before all
+    files are written leaves them all. An error after some increments leaves these as results, too.
     """
     if animate and not (case.moves and case.grid.nz > 0):
         raise ValueError("--animate needs a path that moves a body, and a grid with layers")
     simulation, path = case.build()
+    description = describe(simulation, path)
     # before the computation: a directory that cannot be made must not cost a run
-    directory.mkdir(parents=True, exist_ok=True)
-    console.print(case.title, style="bold", markup=False, highlight=False)
-    kept = remember_case(directory, case) if journal else None
-    try:
-        states = simulation.run(path, progress=not console.quiet, checkpoint=kept)
-    except KeyboardInterrupt as stop:
-        if kept is None:
-            kept = remember_case(directory, case)
-            keep_states(kept, simulation, path, getattr(stop, "states", ()))
-        raise
-    dataset = results.to_dataset(simulation, states, case)
-    written = [results.save(dataset, directory / "results.nc")]
-    body = case.output.body
-    console.print(_summary(dataset, body))
-    peak = int(np.argmax(dataset["load"].values))
-    load = float(dataset["load"].values[peak])
-    reference = case.hertz(load) if load > 0.0 else None
-    if reference is not None:
-        console.print(_comparison(dataset, peak, reference, body))
-    if case.output.figures and figures:
-        from ..plotting import summary_figures
-
-        written += summary_figures(simulation, states, directory, body=body, hertz=reference)
-    if animate:
-        from ..plotting import rolling_animation, save_animation
-
-        shown = states[:: math.ceil(len(states) / MOST_FRAMES)]
-        animation = rolling_animation(shown, body=body)
-        written.append(save_animation(animation, directory / "rolling.gif"))
-    if kept is not None:
-        forget_case(directory)
-    return written
+    with checkpoints_of(directory, case) as checkpoints:
+        journal = checkpoints.claim(resume)
+        console.print(case.title, style="bold", markup=False, highlight=False)
+        states: list[State] = []
+        try:
+            with checkpoints.used() if journal else nullcontext() as kept:
+                error = None
+                try:
+                    simulation._run_into(states, path, not console.quiet, kept)
+                except Exception as stop:
+                    if not states:
+                        raise
+                    error = stop
+            run = _Run(case, directory, console, simulation, states)
+            if error is not None:
+                raise StoppedEarlyError(run.partial(error, len(path), figures)) from error
+            return run.write(figures=figures, animate=animate)
+        except BaseException:
+            if states and not journal:
+                checkpoints.keep(simulation, description, states)
+            raise
 
 
-def _summary(dataset: xr.Dataset, body: int) -> Table:
+@dataclass
+class _Run:
+    """A simulation after the increments of a case, all or some."""
+
+    case: Case
+    directory: Path
+    console: Console
+    simulation: Simulation
+    states: list[State]
+
+    def write(self, *, figures: bool, animate: bool = False, stopped_by: str = "") -> list[Path]:
+        """Results, tables and figures; the files."""
+        case, console, states = self.case, self.console, self.states
+        dataset = results.to_dataset(self.simulation, states, case, stopped_by=stopped_by)
+        written = [publish(dataset, self.directory / "results.nc")]
+        body = case.output.body
+        console.print(_summary(dataset, body))
+        peak = peak_of_dataset(dataset)
+        load = float(dataset["load"].values[peak])
+        reference = case.hertz(load) if load > 0.0 else None
+        if reference is not None:
+            console.print(_comparison(dataset, peak, reference, body))
+        if case.output.figures and figures:
+            from ..plotting import summary_figures
+
+            written += summary_figures(
+                self.simulation,
+                states,
+                self.directory,
+                body=body,
+                hertz=reference,
+                peak=states[peak],
+            )
+        if animate:
+            from ..plotting import rolling_animation, save_animation
+
+            shown = states[:: math.ceil(len(states) / MOST_FRAMES)]
+            animation = rolling_animation(shown, body=body)
+            written.append(save_animation(animation, self.directory / "rolling.gif"))
+        return written
+
+    def partial(self, error: Exception, wanted: int, figures: bool) -> str:
+        """Write what there is after an error; what is told of it."""
+        return tell_partial(
+            lambda reason: self.write(figures=figures, stopped_by=reason),
+            error,
+            f"{len(self.states)} of {wanted} increments",
+            self.directory,
+        )
+
+
+def _summary(dataset: xr.Dataset, body: int) -> Sheet:
     """Table of all increments, in units that read well."""
     wanted = [
         *contact_columns(body),
-        (f"travel_body{body}", "travel\n[µm]", 1e6, ".2f"),
-        ("iterations", "itera-\ntions", 1.0, ".0f"),
+        (f"print_depth_body{body}", "print\n[µm]", 1e6, 5),
+        (f"travel_body{body}", "travel\n[µm]", 1e6, 6),
+        ("iterations", "iter.", 1.0, 6),
     ]
-    shown = [column for column in wanted if column[0] in dataset]
-    table = new_table("Increments", "", *(heading for _, heading, _, _ in shown))
-    for index, number in enumerate(dataset["increment"].values):
-        values = [format(dataset[n].values[index] * f, form) for n, _, f, form in shown]
-        table.add_row(str(number), *values)
-    return table
+    sheet = Sheet("Increments")
+    sheet.add("", [str(number) for number in dataset["increment"].values])
+    for name, heading, factor, digits in wanted:
+        if name in dataset:
+            sheet.add(heading, numbers(dataset[name].values * factor, digits))
+    return sheet
 
 
 def _comparison(
@@ -91,11 +138,9 @@ def _comparison(
     peak: int,
     reference: hertz.PointContact | hertz.EllipticContact,
     body: int,
-) -> Table:
-    """Computed values at the peak load next to those of elastic Hertz contact."""
-    table = new_table(
-        f"Against elastic Hertz contact at {reference.load:.6g} N", "", "Hertz", "here"
-    )
+) -> Sheet:
+    """Computed values at the peak next to those of elastic Hertz contact."""
+    number = int(dataset["increment"][peak])
     unit, factor = ("mm²", 1e6) if hertz_area(reference) > 1e-8 else ("µm²", 1e12)
     shown = {
         "maximum pressure": ("p_max [MPa]", 1e-6),
@@ -103,7 +148,13 @@ def _comparison(
         "contact area": (f"contact area [{unit}]", factor),
         "maximum von Mises stress": ("von Mises [MPa]", 1e-6),
     }
+    rows = []
     for name, _, exact, here in hertz_rows(dataset, peak, reference, body):
         label, factor = shown[name]
-        table.add_row(Text(label), f"{exact * factor:.6g}", f"{here * factor:.6g}")
-    return table
+        rows.append((label, *numbers([exact * factor, here * factor], 6)))
+    labels, elastic, computed = zip(*rows, strict=True)
+    sheet = Sheet(f"Increment {number} against elastic Hertz contact at {reference.load:.6g} N")
+    sheet.add("", labels)
+    sheet.add("Hertz", elastic)
+    sheet.add("here", computed)
+    return sheet

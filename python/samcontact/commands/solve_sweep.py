@@ -13,15 +13,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
-from rich.console import Console
-from rich.table import Table
-from rich.text import Text
 
+from .._peak import peak_of_dataset
 from ..cases import load_case
 from ..cases.tugging import TuggingCase
 from ..sweeps import SweepInterrupted, sweep
-from .errors import FAILED, INTERRUPTED
-from .tables import contact_columns
+from .errors import FAILED
+from .folder import locked
+from .signals import exit_code
+from .tables import Sheet, contact_columns, new_console, numbers
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -34,13 +34,13 @@ if TYPE_CHECKING:
     from ..cases import Case
 
 MOST_ERRORS = 10  # printed
-# variable, heading, factor, format
+# variable, heading, factor, digits
 _TUGGING = [
-    ("force_x", "F_x max\n[N]", 1.0, ".5g"),
-    ("force_z", "F_z max\n[N]", 1.0, ".5g"),
-    ("max_pressure", "p_max\n[MPa]", 1e-6, ".1f"),
-    ("net_energy", "net energy\nmax [J]", 1.0, ".5g"),
-    ("residual_displacement", "print max\n[µm]", 1e6, ".5g"),
+    ("force_x", "F_x max\n[N]", 1.0, 5),
+    ("force_z", "F_z max\n[N]", 1.0, 5),
+    ("max_pressure", "p_max\n[MPa]", 1e-6, 5),
+    ("net_energy", "net energy\nmax [J]", 1.0, 5),
+    ("residual_displacement", "print max\n[µm]", 1e6, 5),
 ]
 
 
@@ -59,16 +59,16 @@ def run_sweep(
     parameters = parse_settings(settings)
     case = load_case(case_file)
     folder = case.output_directory / "sweep" if output is None else output
-    console = Console(quiet=quiet)
+    console = new_console(quiet)
     console.print(case.title, style="bold", markup=False, highlight=False)
     mode, code = "zip" if zipped else "product", 0
-    with _executor(jobs, address) as executor:
+    with locked(folder), _executor(jobs, address) as executor:
         try:
             dataset = sweep(
                 case, parameters, executor=executor, output=folder, progress=not quiet, mode=mode
             )
         except SweepInterrupted as stop:
-            dataset, code = stop.dataset, INTERRUPTED
+            dataset, code = stop.dataset, exit_code(stop.__cause__ or stop)
     console.print(_table(dataset, list(parameters), case))
     status = dataset["status"].values
     for word in ("failed", "cancelled"):
@@ -105,10 +105,17 @@ def parse_settings(settings: Sequence[str]) -> dict[str, list[Any]]:
         if name in parameters:
             raise ValueError(f"--set must name each field once, got {name} twice")
         try:
-            parameters[name] = tomllib.loads(f"v = [{text}]")["v"]
-        except tomllib.TOMLDecodeError:
-            parameters[name] = [_value(word.strip()) for word in text.split(",")]
+            parameters[name] = _values(text)
+        except RecursionError:
+            raise ValueError(f"--set {name}: lists are nested too deeply") from None
     return parameters
+
+
+def _values(text: str) -> list[Any]:
+    try:
+        return list(tomllib.loads(f"v = [{text}]")["v"])
+    except tomllib.TOMLDecodeError:
+        return [_value(word.strip()) for word in text.split(",")]
 
 
 def _value(word: str) -> Any:
@@ -130,34 +137,27 @@ def _errors(dataset: xr.Dataset) -> list[str]:
     return texts
 
 
-def _columns(case: Case | TuggingCase) -> list[tuple[str, str, float, str]]:
+def _columns(case: Case | TuggingCase) -> list[tuple[str, str, float, int]]:
     if isinstance(case, TuggingCase):
         return _TUGGING
     return contact_columns(case.output.body)
 
 
-def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | TuggingCase) -> Table:
-    """One row for each case: its values at the peak load; of a tugging, the largest ones."""
-    shown = [column for column in _columns(case) if column[0] in dataset]
-    title = "Largest values" if isinstance(case, TuggingCase) else "At the peak load"
-    table = Table(title=title, title_justify="left")
-    for name in names:
-        # Text: "path[0].load" in a plain string would be read as markup
-        table.add_column(Text(name.replace(".", ".\n")), overflow="fold")
-    for heading in (*(heading for _, heading, _, _ in shown), "status"):
-        table.add_column(Text(heading), justify="right")
+def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | TuggingCase) -> Sheet:
+    """One row for each case: its values at the peak of stress; of a tugging, the largest ones."""
     status = dataset["status"]
-    for place in np.ndindex(*status.shape):
-        one = dataset.isel(dict(zip(status.dims, place, strict=True)))
-        values = [_shown(one, name, case) for name, _, _, _ in shown]
-        cells = [
-            "" if math.isnan(value) else format(value * factor, form)
-            for value, (_, _, factor, form) in zip(values, shown, strict=True)
-        ]
-        labels = (str(one[name].item()) for name in names)
-        words = (*labels, *cells, one["status"].item())
-        table.add_row(*(Text(word) for word in words))
-    return table
+    places = [dict(zip(status.dims, place, strict=True)) for place in np.ndindex(*status.shape)]
+    cases = [dataset.isel(place) for place in places]
+    sheet = Sheet("Largest values" if isinstance(case, TuggingCase) else "At the peak of stress")
+    sheet.add("case", [str(number) for number in range(1, len(cases) + 1)])
+    for name in names:
+        sheet.add(name.replace(".", ".\n"), [str(one[name].item()) for one in cases])
+    for name, heading, factor, digits in _columns(case):
+        if name in dataset:
+            values = [_shown(one, name, case) * factor for one in cases]
+            sheet.add(heading, numbers(values, digits))
+    sheet.add("status", [one["status"].item() for one in cases])
+    return sheet
 
 
 def _shown(one: xr.Dataset, name: str, case: Case | TuggingCase) -> float:
@@ -166,4 +166,4 @@ def _shown(one: xr.Dataset, name: str, case: Case | TuggingCase) -> float:
         return math.nan
     if isinstance(case, TuggingCase):
         return float(np.nanmax(values))
-    return float(values[int(np.nanargmax(one["load"].values))])
+    return float(values[peak_of_dataset(one)])

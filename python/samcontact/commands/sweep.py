@@ -8,11 +8,12 @@ from typing import Any
 
 import click
 
+from .arguments import FilePath
 from .errors import short_errors
 
 
 @click.command()
-@click.argument("case_file", metavar="CASE.toml", type=click.Path(path_type=Path))
+@click.argument("case_file", metavar="CASE.toml", type=FilePath())
 @click.option(
     "--set",
     "settings",
@@ -24,7 +25,7 @@ from .errors import short_errors
 @click.option("--zip", "zipped", is_flag=True, help="First values, second ones, ... together.")
 @click.option("--jobs", type=click.IntRange(min=1), help="Worker processes of one thread each.")
 @click.option("--dask", "address", metavar="ADDRESS", help="Scheduler of a Dask cluster.")
-@click.option("--output", type=click.Path(path_type=Path), help="Directory of the results.")
+@click.option("--output", type=FilePath(), help="Directory of the results.")
 @click.option("--quiet", is_flag=True, help="Print the path of the results only.")
 def sweep(case_file: Path, **options: Any) -> None:
     """Solve a case file for many values of its fields; write sweep.nc.

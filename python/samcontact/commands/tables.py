@@ -1,28 +1,130 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables that the commands print."""
+"""Tables that the commands print, none of whose numbers is ever cut or broken."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike
+from rich.console import Console, ConsoleOptions
 from rich.table import Table
 from rich.text import Text
 
-
-def new_table(title: str, *columns: str) -> Table:
-    """Numbers on the right of their columns; the first column names them."""
-    table = Table(title=title, title_justify="left")
-    for index, column in enumerate(columns):
-        # Text: "[mm²]" in a plain string would be read as markup
-        table.add_column(Text(column), justify="right" if index else "left")
-    return table
+UNLIMITED = 10_000
+"""Columns of a file or a pipe, which has no width of its own."""
+NARROWEST = 40
+"""Columns that are taken of any terminal; a narrower one breaks the lines itself."""
+_LONGEST_WORD = 24  # a double with all its digits; words that are longer are folded
+_FRAME = 3  # of a cell: a line and a space on either side
 
 
-def contact_columns(body: int) -> list[tuple[str, str, float, str]]:
-    """Variables of a contact that its tables show: name, heading, factor to its unit, format."""
+def new_console(quiet: bool = False) -> Console:
+    """Where commands print: as wide as the terminal, and of any width where there is none."""
+    console = Console(quiet=quiet)
+    console.width = max(console.width, NARROWEST) if console.is_terminal else UNLIMITED
+    return console
+
+
+def numbers(column: ArrayLike, digits: int = 5) -> list[str]:
+    """Texts of a column: the largest value has so many digits, the others as many decimals.
+
+    A value that would keep less than two digits has its own; where there is none, "-".
+    """
+    values = np.asarray(column, dtype=np.float64).tolist()
+    largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
+    decimals = 0 if largest == 0 else max(digits - 1 - math.floor(math.log10(largest)), 0)
+    odd = largest >= 1e7 or decimals > 8
+    plain = [not odd and (value == 0 or abs(value) * 10.0**decimals >= 10) for value in values]
+    texts = [f"{abs(v):.{decimals}f}" for v, fixed in zip(values, plain, strict=True) if fixed]
+    zeros = min((decimals, *(len(text) - len(text.rstrip("0")) for text in texts)))
+    decimals -= zeros
+
+    def text(value: float, fixed: bool) -> str:
+        if not math.isfinite(value):
+            return "-"
+        return f"{value + 0.0:.{decimals}f}" if fixed else f"{value + 0.0:.{digits if odd else 2}g}"
+
+    return [text(value, fixed) for value, fixed in zip(values, plain, strict=True)]
+
+
+@dataclass
+class Sheet:
+    """A table that fits: headings wrap at words, and what is too wide goes on below.
+
+    The first column names the rows and is repeated in each part.
+    """
+
+    title: str
+    columns: list[tuple[str, list[str]]] = field(default_factory=list)
+
+    def add(self, heading: str, cells: Sequence[str]) -> None:
+        """Add a column; line breaks of the heading are kept."""
+        self.columns.append((heading, list(cells)))
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Text | Table]:
+        available = options.max_width
+        for number, part in enumerate(self._parts(available)):
+            # a title of the table would be broken at its width
+            yield Text(self.title if number == 0 else f"{self.title}, continued", style="italic")
+            yield self._part(part, available)
+
+    def _parts(self, available: int) -> list[list[int]]:
+        """Columns beside each other, in as few parts of like width as there can be."""
+        narrow = [_FRAME + _narrowest(*column) for column in self.columns]
+
+        def filled(limit: int) -> list[list[int]]:
+            parts: list[list[int]] = [[0]]
+            for column in range(1, len(narrow)):
+                width = 1 + sum(narrow[i] for i in (*parts[-1], column))
+                if len(parts[-1]) > 1 and width > limit:
+                    parts.append([0])
+                parts[-1].append(column)
+            return parts
+
+        fewest = filled(available)
+        if len(fewest) == 1:
+            return fewest
+        return next(p for n in range(available + 1) if len(p := filled(n)) == len(fewest))
+
+    def _part(self, chosen: list[int], available: int) -> Table:
+        widths = {i: _narrowest(*self.columns[i]) for i in chosen}
+        left = available - 1 - sum(_FRAME + width for width in widths.values())
+        table = Table()
+        for i in chosen:
+            heading, cells = self.columns[i]
+            more = min(max(left, 0), max(_natural(heading, cells) - widths[i], 0))
+            left -= more
+            table.add_column(
+                Text(heading),  # "[mm²]" in a plain string would be read as markup
+                justify="right" if i else "left",
+                width=widths[i] + more,
+                overflow="fold",
+            )
+        for row in zip(*(self.columns[i][1] for i in chosen), strict=True):
+            table.add_row(*(Text(cell) for cell in row))
+        return table
+
+
+def _narrowest(heading: str, cells: Sequence[str]) -> int:
+    words = [word for text in (heading, *cells) for word in text.split()]
+    return max((min(len(word), _LONGEST_WORD) for word in words), default=0)
+
+
+def _natural(heading: str, cells: Sequence[str]) -> int:
+    lines = [line for text in (heading, *cells) for line in text.splitlines()]
+    return max(map(len, lines), default=0)
+
+
+def contact_columns(body: int) -> list[tuple[str, str, float, int]]:
+    """Variables of a contact that its tables show: name, heading, factor to its unit, digits."""
     return [
-        ("load", "load\n[N]", 1.0, ".6g"),
-        ("approach", "approach\n[µm]", 1e6, ".4f"),
-        ("max_pressure", "p_max\n[MPa]", 1e-6, ".1f"),
-        (f"max_von_mises_body{body}", "von Mises\n[MPa]", 1e-6, ".1f"),
-        (f"max_equivalent_plastic_strain_body{body}", "plastic\nstrain [%]", 1e2, ".4f"),
-        (f"max_temperature_body{body}", "heating\n[K]", 1.0, ".1f"),
+        ("load", "load\n[N]", 1.0, 6),
+        ("approach", "approach\n[µm]", 1e6, 6),
+        ("max_pressure", "p_max\n[MPa]", 1e-6, 5),
+        (f"max_von_mises_body{body}", "von Mises\n[MPa]", 1e-6, 5),
+        (f"max_equivalent_plastic_strain_body{body}", "plastic\nstrain [%]", 1e2, 4),
+        (f"max_temperature_body{body}", "heating\n[K]", 1.0, 5),
     ]

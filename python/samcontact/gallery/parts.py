@@ -72,6 +72,7 @@ def make(
         failed += len(wrong)
         seconds = time.perf_counter() - start
         say(f"{name}: {len(entries)} stated values, {len(wrong)} differ, {seconds:.0f} s")
+        say(f"  {folder / name}.md")
         for entry in wrong:
             say(f"  {entry.quantity}: thesis {entry.thesis}, computed {entry.ours}")
     return failed

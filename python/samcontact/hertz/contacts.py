@@ -12,7 +12,15 @@ from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 from scipy.special import ellipkm1, elliprd
 
-from .._checks import FloatArray, exactly_one, finite_array, non_negative, poisson_ratio, positive
+from .._checks import (
+    FloatArray,
+    exactly_one,
+    finite_array,
+    non_negative,
+    poisson_ratio,
+    positive,
+    real_array,
+)
 from .._repr import Shown
 from .axis import line_axis, line_max_von_mises, point_axis, point_max_von_mises
 from .field import field
@@ -67,7 +75,7 @@ def _points(**coordinates: ArrayLike) -> list[FloatArray]:
 
 
 def _depth_ratio(z: ArrayLike, length: float) -> FloatArray:
-    depth = np.asarray(z, dtype=np.float64)
+    depth = real_array("z", z)
     if not np.all(np.isfinite(depth)) or np.any(depth < 0.0):
         raise ValueError("z must be finite and >= 0 (depth into the body)")
     return depth / length
@@ -261,6 +269,9 @@ class EllipticContact(Shown):
         return _semi_ellipsoid(self.p0, across / self.a_x, along / self.a_y)
 
 
+_LARGEST_RATIO = 1e100  # of radii; the squares of what follows from it are numbers
+
+
 def _axis_ratio(radius_ratio: float) -> float:
     """Ratio (>= 1) of the semi-axes of a contact whose radii have the ratio >= 1.
 
@@ -313,7 +324,13 @@ def elliptic(
     Rx, Ry, E_star = positive("Rx", Rx), positive("Ry", Ry), positive("E_star", E_star)
     given = exactly_one(load=load, approach=approach, p0=p0)
     long_radius = max(Rx, Ry)
-    ratio = _axis_ratio(long_radius / min(Rx, Ry))
+    radius_ratio = long_radius / min(Rx, Ry)
+    if not radius_ratio <= _LARGEST_RATIO:
+        raise ValueError(
+            f"Rx and Ry must differ by a factor of at most {_LARGEST_RATIO:g}, got {Rx!r} and "
+            f"{Ry!r}: a straight line of contact is that of `line`"
+        )
+    ratio = _axis_ratio(radius_ratio)
     m1 = ratio**-2
     shape, K = float(elliprd(0.0, m1, 1.0)), float(ellipkm1(m1))
 
@@ -326,6 +343,8 @@ def elliptic(
         a = 2.0 * long_radius * positive("p0", p0) * shape / (3.0 * ratio * E_star)
     b = a / ratio
     peak = 3.0 * ratio * E_star * a / (2.0 * long_radius * shape)
+    if not (b > 0.0 and 0.0 < peak < math.inf):
+        raise ValueError(f"{given} gives a contact beyond the range of numbers: a = {a!r} m")
     a_x, a_y = (b, a) if Ry >= Rx else (a, b)
     return EllipticContact(
         Rx=Rx,

@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+import codecs
 import os
+import re
 import warnings
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +16,8 @@ import numpy as np
 from .._checks import FloatArray, choice, positive
 from .surface import TRENDS, MeasuredSurface, library
 
-PLAIN_FORMATS = (".npy", ".txt", ".dat", ".csv")
+PLAIN_FORMATS = (".npy", ".txt", ".dat", ".asc", ".csv")
+_DAMAGED = (OSError, ValueError, EOFError, TypeError, ArithmeticError, MemoryError)
 
 
 def read(
@@ -32,8 +36,8 @@ def read(
     ----------
     path : str or path
         Any format of SurfaceTopography (.al3d, .sur, .x3p, .opd, .vk4, .nc, text, ...), found from
-        the content. With `dx` and no `unit`, .npy, .txt, .dat (blanks) and .csv are plain arrays
-        of heights [m], nx rows of ny values, and are read without it.
+        the content. With `dx`, plain arrays of heights: .npy, and .txt, .dat, .asc (blanks) and
+        .csv (commas or semicolons, decimal points) without a header that tells sizes or units.
     channel : int or str, optional
         Number (from 0) or name of the map in the file; by default the one that the format puts
         first.
@@ -44,14 +48,14 @@ def read(
     dx, dy : float, optional
         Distance of the samples [m], for files that do not tell it. dy defaults to dx.
     unit : str, optional
-        Length unit ("nm", "um", ...) of a file that does not tell it.
+        Length unit of the heights ("nm", "um", ...), of a file that does not tell it; of a plain
+        array by default metres.
 
     Returns
     -------
     MeasuredSurface
         With `attrs` source, format, channel, the file's unit, trend and number of filled points,
-        and where the file tells them instrument and acquisition_time. Axes are those of
-        SurfaceTopography: the first index runs along x.
+        and where the file tells them instrument and acquisition_time.
 
     Raises
     ------
@@ -60,6 +64,12 @@ def read(
         or tells one that is given; or an argument is outside its range.
     ImportError
         SurfaceTopography is needed and not installed.
+
+    Notes
+    -----
+    The first index of the heights runs along x, whatever the format. A line of a plain text holds
+    the ny heights of one x, as NumPy writes such an array; a text with a header, of an instrument
+    or of SurfaceTopography, is an image, of which a line holds the nx heights of one y.
     """
     choice("undefined", undefined, ("fill", "error", "keep"))
     choice("detrend", detrend, (*TRENDS, None))
@@ -68,10 +78,13 @@ def read(
     step_y = step_x if dy is None else positive("dy", dy)
     if step_y is not None and step_x is None:
         raise ValueError(f"dx must be given with dy = {dy!r}, got None")
-    plain = source.suffix.lower() in PLAIN_FORMATS and (channel, unit) == (None, None)
-    if step_x is not None and plain:
+    if step_x is not None and channel in (None, 0, "Default") and is_plain(source):
         attrs = {"source": str(source), "format": source.suffix.lower()[1:]}
-        surface = MeasuredSurface(plain_heights(source), step_x, step_y, attrs)
+        heights = plain_heights(source)
+        if unit is not None:
+            heights = heights * _metres(unit)
+            attrs["unit"] = unit
+        surface = MeasuredSurface(heights, step_x, step_y, attrs)
     else:
         given = None if step_x is None or step_y is None else (step_x, step_y)
         surface = _with_library(source, channel, given, unit)
@@ -82,23 +95,87 @@ def read(
     return surface.filled() if undefined == "fill" else surface
 
 
+def is_plain(path: Path) -> bool:
+    """Whether a file is an array of heights only, without sizes or units of its own."""
+    if path.suffix.lower() not in PLAIN_FORMATS:
+        return False
+    try:
+        lines = [] if path.suffix.lower() == ".npy" else _lines(path)
+    except OSError:  # told by reading its heights
+        return True
+    before = takewhile(lambda line: not _is_data(line), lines)
+    # values of a header stand after a colon (in Japanese a wide one) or an equals sign
+    comment = re.compile("\\s*(#[^:=\N{FULLWIDTH COLON}]*)?")
+    return all(comment.fullmatch(line) for line in before)
+
+
+def _is_data(line: str) -> bool:
+    """Whether a line of a text begins with a number."""
+    first = re.split(r"[\s,;]", line.strip(), maxsplit=1)[0]
+    try:
+        float(first)
+    except ValueError:
+        return False
+    return True
+
+
+def _lines(path: Path) -> list[str]:
+    """The lines of a text as spreadsheets and instruments write it, with or without a mark."""
+    content = path.read_bytes()
+    is_wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    # what is no text is no number either, and refused as such
+    return content.decode("utf-16" if is_wide else "utf-8-sig", errors="replace").splitlines()
+
+
 def plain_heights(path: Path) -> FloatArray:
     """Rows of heights from a plain file; a ValueError that names it where it cannot be read."""
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of an empty file, which is refused below
-            if path.suffix.lower() == ".npy":
-                heights: Any = np.load(path, allow_pickle=False)
-            else:
-                delimiter = "," if path.suffix.lower() == ".csv" else None
-                heights = np.loadtxt(path, delimiter=delimiter, ndmin=2)
-    except (OSError, ValueError, EOFError, TypeError, ArithmeticError, MemoryError) as error:
+        if path.suffix.lower() == ".npy":
+            heights: Any = _array(path)
+        else:
+            heights = _rows(_lines(path), path.suffix.lower() == ".csv")
+    except _DAMAGED as error:
         raise ValueError(f"path: cannot read heights from {path}: {error}") from error
     numbers = isinstance(heights, np.ndarray) and heights.dtype.kind in "iuf"
     if not numbers or heights.ndim != 2 or heights.size == 0:
         found = f"{heights.dtype} of shape {heights.shape}" if numbers else type(heights).__name__
         raise ValueError(f"path: {path} must hold rows of numbers, has {found}")
     return np.asarray(heights)
+
+
+def _array(path: Path) -> Any:
+    with path.open("rb") as file:
+        start = file.read(6)
+    # others would be taken for pickles, and the user be told to load them without safety
+    if not start.startswith((b"\x93NUMPY", b"PK")):
+        raise ValueError(f"it begins with {start!r}, is no file of numpy.save")
+    return np.load(path, allow_pickle=False)
+
+
+def _rows(lines: list[str], is_csv: bool) -> FloatArray:
+    """Numbers of a text; a comma is never guessed to be a decimal one."""
+    first = next((line for line in lines if _is_data(line)), "")
+    delimiter = ";" if ";" in first else "," if is_csv and "," in first else None
+    if "," in first and delimiter != ",":
+        raise ValueError(
+            f"numbers must have decimal points, and commas separate them in .csv only, got "
+            f"{first.strip()[:40]!r}"
+        )
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of an empty file, which is refused by shape
+        try:
+            return np.loadtxt(lines, delimiter=delimiter, ndmin=2)
+        except ValueError as error:  # without what NumPy advises, which is for its own arguments
+            raise ValueError(str(error).split("; use `usecols`")[0]) from error
+
+
+def _metres(unit: str) -> float:
+    """What a length unit is in metres."""
+    conversion = library("SurfaceTopography.Support.UnitConversion")
+    try:
+        return float(conversion.get_unit_conversion_factor(unit, "m"))
+    except (KeyError, TypeError, ValueError) as error:
+        raise ValueError(f'unit must be a length unit, e.g. "nm" or "um", got {unit!r}') from error
 
 
 def _with_library(
@@ -112,10 +189,16 @@ def _with_library(
         # an open file: given a path, readers that fail to recognise the file may leave it open
         with path.open("rb") as file, io.open_topography(file) as reader:
             info = _channel(reader, channel, path)
+            # a text whose header tells nothing is a plain array all the same
+            plain = (reader.format(), info.physical_sizes, info.unit) == ("asc", None, None)
+            if plain:
+                steps, unit = steps and steps[::-1], unit or "m"
             topography = info.topography(**_missing(info, steps, unit, path)).to_unit("m")
-            heights = np.ma.filled(np.ma.array(topography.heights(), dtype=np.float64), np.nan)
+            heights, sizes = topography.heights(), topography.pixel_size
+            if plain:
+                heights, sizes = heights.T, sizes[::-1]
             attrs = _provenance(path, reader, info, topography)
-            step_x, step_y = (float(step) for step in topography.pixel_size)
+            step_x, step_y = (float(step) for step in sizes)
     except io.CannotDetectFileFormat as error:
         raise ValueError(
             f"path: cannot read heights from {path}: no format that SurfaceTopography knows"
@@ -170,10 +253,8 @@ def _missing(
         metadata["unit"] = unit
     if steps is not None:
         # sizes are in the unit of the heights
-        factor = library("SurfaceTopography.Support.UnitConversion").get_unit_conversion_factor(
-            "m", info.unit if unit is None else unit
-        )
+        metre = _metres(info.unit if unit is None else unit)
         metadata["physical_sizes"] = tuple(
-            n * step * factor for n, step in zip(info.nb_grid_pts, steps, strict=True)
+            n * step / metre for n, step in zip(info.nb_grid_pts, steps, strict=True)
         )
     return metadata

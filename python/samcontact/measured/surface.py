@@ -14,8 +14,11 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, finite, positive
+from .._checks import FloatArray, choice, finite, positive, real_array
+from .._frozen import FrozenDict, read_only
+from .._repr import Brief
 from ..grid import Grid
 from ..relief import Relief, rows_within
 from ..surfaces import SurfaceGrid
@@ -37,14 +40,24 @@ def library(module: str = "SurfaceTopography") -> Any:
         ) from error
 
 
-@dataclass(frozen=True, eq=False)
-class MeasuredSurface:
+def undefined_as_nan(heights: ArrayLike) -> FloatArray:
+    """A copy of heights that may be masked, with NaN under the mask."""
+    if isinstance(heights, (list, tuple)) and any(np.ma.isMaskedArray(row) for row in heights):
+        heights = np.ma.stack(heights)
+    if np.ma.isMaskedArray(heights):
+        heights = np.ma.filled(np.ma.asarray(heights, dtype=np.float64), np.nan)
+    return np.array(real_array("heights", heights), order="C")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class MeasuredSurface(Brief):
     """Heights on a regular grid of samples.
 
     Parameters
     ----------
     heights : array_like, shape (nx, ny)
-        [m], positive out of the body; NaN where undefined. At least two samples each way.
+        [m], positive out of the body; the first index runs along x. NaN, or masked, where
+        undefined. At least two samples each way.
     dx, dy : float
         Distance of the samples along x and y [m]. dy defaults to dx.
     attrs : mapping, optional
@@ -67,18 +80,17 @@ class MeasuredSurface:
     attrs: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        heights = np.array(self.heights, dtype=np.float64, order="C")
+        heights = undefined_as_nan(self.heights)
         if heights.ndim != 2 or min(heights.shape) < 2:
             raise ValueError(f"heights must have shape (nx, ny), each >= 2, got {heights.shape}")
         if np.isinf(heights).any():
             raise ValueError("heights must be finite, or NaN where undefined, got inf")
         if np.isnan(heights).all():
             raise ValueError("heights must be defined somewhere, got NaN only")
-        heights.flags.writeable = False
-        object.__setattr__(self, "heights", heights)
+        object.__setattr__(self, "heights", read_only(heights))
         object.__setattr__(self, "dx", positive("dx", self.dx))
         object.__setattr__(self, "dy", self.dx if self.dy is None else positive("dy", self.dy))
-        object.__setattr__(self, "attrs", dict(self.attrs))
+        object.__setattr__(self, "attrs", FrozenDict(self.attrs))
 
     @property
     def steps(self) -> tuple[float, float]:

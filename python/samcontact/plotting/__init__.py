@@ -14,9 +14,10 @@ from .contact import (
     pressure_profile,
     print_profile,
     section,
-    summary_figures,
     temperature_profile,
 )
+from .maps import surface_map, track_map
+from .summary import summary_figures
 from .track import loaded_section, track_print, track_section
 
 __all__ = [
@@ -29,7 +30,9 @@ __all__ = [
     "save_animation",
     "section",
     "summary_figures",
+    "surface_map",
     "temperature_profile",
+    "track_map",
     "track_print",
     "track_section",
     "tugging",

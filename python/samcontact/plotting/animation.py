@@ -36,7 +36,8 @@ def rolling_animation(
         Whose frame, section and print.
     quantity : {"von_mises", "residual_von_mises", "equivalent_plastic_strain"}
         Of the section. With "von_mises" the stress under load is shown inside of the grid, which
-        moves with the contact, and the residual one outside.
+        moves with the contact and is framed, and outside of it the residual one where the body has
+        yielded. What is not computed is grey.
     interval : float, optional
         Between two frames [ms], > 0, where it is shown on a screen.
 
@@ -80,12 +81,17 @@ def rolling_animation(
     (pressure_line,) = above.plot([], [], "-", linewidth=1.2, color="C3")
     above.set_ylim(0.0, 1.08 * max(float(np.max(p)) for p in pressures) or 1.0)
     above.set_ylabel("pressure [GPa]")
-    largest = factor * max(float(np.max(s)) for s in sections)
+    largest = factor * max(float(np.nanmax(s)) for s in sections)
     shape = (grid.nz, count)
     mesh = middle.pcolormesh(
         across, depth, np.zeros(shape), cmap=colours, vmin=0.0, vmax=largest or 1.0, rasterized=True
     )
-    figure.colorbar(mesh, ax=middle, label=f"{text} [{unit}]")
+    figure.colorbar(mesh, ax=middle)
+    grey = "" if quantity == "equivalent_plastic_strain" else ", grey: not computed"
+    middle.set_title(f"{text} [{unit}]{grey}", fontsize="medium")
+    middle.set_facecolor("0.85")
+    framed = quantity == "von_mises"
+    frame = [middle.axvline(color="C3", linestyle=":", linewidth=framed) for _ in range(2)]
     middle.set_ylabel("depth z [µm]")
     middle.invert_yaxis()
     (print_line,) = below.plot([], [], "-", linewidth=1.2, color="C0")
@@ -104,10 +110,13 @@ def rolling_animation(
         pressure_line.set_data((np.asarray(grid.x) - state.origin + place) * 1e6, pressures[number])
         mesh.set_array(sections[number].T * factor)
         print_line.set_data(prints[number][0] * 1e6, prints[number][1] * 1e6)
+        ends = edges(windows[number], grid.dx)[[0, -1]] * 1e6
+        for line, end in zip(frame, ends, strict=True):
+            line.set_xdata([end, end])
         above.set_title(
             f"load {state.load:.4g} N, contact at {place * 1e6 + 0.0:.4g} µm", fontsize="medium"
         )
-        return [pressure_line, mesh, print_line]
+        return [pressure_line, mesh, print_line, *frame]
 
     draw(0)
     figure.draw_without_rendering()
@@ -120,12 +129,16 @@ def rolling_animation(
 def _section(
     state: State, body: int, quantity: str, row: int, window: FloatArray, x: FloatArray
 ) -> FloatArray:
-    """The plane y = 0 on all cells x of the body, shape (len(x), nz)."""
-    values = np.zeros((len(x), state.grid.nz))
+    """The plane y = 0 on all cells x of the body, shape (len(x), nz); NaN: not computed."""
+    # beyond the track nothing has yielded, but there are stresses
+    beyond = 0.0 if quantity == "equivalent_plastic_strain" else np.nan
+    values = np.full((len(x), state.grid.nz), beyond)
     track = state.track(body=body)
     field = "residual_von_mises" if quantity == "von_mises" else quantity
     rows = np.round((track.x - x[0]) / state.grid.dx).astype(int)
     shown = (rows >= 0) & (rows < len(x))
+    if quantity == "von_mises":  # beside what has yielded it is the load that counts
+        shown &= np.any(track.equivalent_plastic_strain() > 0, axis=(1, 2))
     values[rows[shown]] = getattr(track, field)()[shown, row, :]
     if quantity == "von_mises":
         start = round((window[0] - x[0]) / state.grid.dx)

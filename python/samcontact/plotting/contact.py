@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of a contact that stays in place, and the summary of a run."""
+"""Figures of a contact that stays in place."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
 from .._checks import choice, finite, finite_array
-from .._tensors import von_mises
 from ..hertz import EllipticContact, PointContact
 from .parts import (
     COMPONENTS,
@@ -22,15 +20,12 @@ from .parts import (
     edges,
     finish,
     nearest,
-    new_figure,
     show_section,
     surface_line,
 )
-from .track import track_summary
 
 if TYPE_CHECKING:
     from ..grid import Grid
-    from ..simulation import Simulation
     from ..state import State
 
 HertzContact = PointContact | EllipticContact
@@ -43,6 +38,7 @@ def pressure_profile(
     *,
     hertz: HertzContact | None = None,
     axis: str = "x",
+    position: float = 0.0,
     label: str = "computed",
 ) -> Axes:
     """Pressure along an axis, with that of Hertz.
@@ -59,6 +55,8 @@ def pressure_profile(
         Drawn as a dashed line, along the same row of cells.
     axis : {"x", "y"}
         Direction of the profile.
+    position : float
+        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
     label : str
         Of the computed curve.
 
@@ -72,15 +70,15 @@ def pressure_profile(
         Wrong shape of the field or unknown axis.
     """
     field: Any = state
-    s, pressure = surface_line(getattr(field, "pressure", field), "pressure", grid, axis)
+    s, pressure = surface_line(getattr(field, "pressure", field), "pressure", grid, axis, position)
     ax = axes_or_new(ax)
     ax.plot(s * 1e6, pressure * 1e-9, "o-", markersize=3, linewidth=1.2, label=label)
     if hertz is not None:
         fine = np.linspace(s[0], s[-1], 801)
         if axis == "x":
-            curve = hertz.pressure(fine, grid.y[nearest(grid.y, 0.0)])
+            curve = hertz.pressure(fine, grid.y[nearest(grid.y, position)])
         else:
-            curve = hertz.pressure(grid.x[nearest(grid.x, 0.0)], fine)
+            curve = hertz.pressure(grid.x[nearest(grid.x, position)], fine)
         ax.plot(fine * 1e6, curve * 1e-9, "k--", linewidth=1.0, label="Hertz")
     ax.set_xlabel(f"{axis} [µm]")
     ax.set_ylabel("pressure [GPa]")
@@ -147,6 +145,8 @@ def load_approach(
 ) -> Axes:
     """Load against approach, with that of Hertz (load ~ approach^1.5).
 
+    The increments are points; the dotted line between them tells their order only.
+
     Parameters
     ----------
     states : sequence of State
@@ -170,14 +170,16 @@ def load_approach(
     ax = axes_or_new(ax)
     approach = np.array([state.approach for state in states])
     load = np.array([state.load for state in states])
-    ax.plot(approach * 1e6, load, "o-", markersize=3, linewidth=1.2, label="computed")
+    # between the increments nothing is known: the line tells their order only
+    ax.plot(approach * 1e6, load, ":", color="C0", linewidth=0.8, label="_order")
+    ax.plot(approach * 1e6, load, "o", color="C0", markersize=3, label="increments")
     if hertz is not None:
         # prescribed tractions have no approach (NaN)
         largest = np.max(approach, initial=0.0, where=np.isfinite(approach))
         fine = np.linspace(0.0, float(largest), 201)
         curve = hertz.load * (fine / hertz.approach) ** 1.5
         ax.plot(fine * 1e6, curve, "k--", linewidth=1.0, label="Hertz")
-        ax.legend(frameon=False)
+    ax.legend(frameon=False)
     ax.set_xlabel("approach [µm]")
     ax.set_ylabel("load [N]")
     return finish(ax)
@@ -190,6 +192,7 @@ def print_profile(
     *,
     body: int = 2,
     axis: str = "x",
+    position: float = 0.0,
     label: str | None = None,
 ) -> Axes:
     """Residual displacement of the surface along an axis: the print, depth downward.
@@ -206,6 +209,8 @@ def print_profile(
         Whose print.
     axis : {"x", "y"}
         Direction of the profile.
+    position : float
+        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
     label : str, optional
         Of the curve.
 
@@ -221,7 +226,7 @@ def print_profile(
     field: Any = state
     if hasattr(field, "residual_displacement"):
         field = field.residual_displacement(body=body)
-    s, depth = surface_line(field, "residual displacement", grid, axis)
+    s, depth = surface_line(field, "residual displacement", grid, axis, position)
     ax = axes_or_new(ax)
     ax.plot(s * 1e6, depth * 1e6, "-", linewidth=1.2, label=label)
     if not ax.yaxis_inverted():
@@ -240,6 +245,7 @@ def temperature_profile(
     *,
     body: int = 2,
     axis: str = "x",
+    position: float = 0.0,
     label: str | None = None,
 ) -> Axes:
     """Rise of temperature of the surface (flash temperature) along an axis.
@@ -256,6 +262,8 @@ def temperature_profile(
         Whose surface.
     axis : {"x", "y"}
         Direction of the profile.
+    position : float
+        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
     label : str, optional
         Of the curve.
 
@@ -271,7 +279,7 @@ def temperature_profile(
     field: Any = state
     if hasattr(field, "surface_temperature"):
         field = field.surface_temperature(body=body)
-    s, rise = surface_line(field, "temperature", grid, axis)
+    s, rise = surface_line(field, "temperature", grid, axis, position)
     ax = axes_or_new(ax)
     ax.plot(s * 1e6, rise, "-", linewidth=1.2, label=label)
     ax.set_xlabel(f"{axis} [µm]")
@@ -329,94 +337,10 @@ def axis_profile(
             label = QUANTITIES[component][0]
         ax.plot(values * 1e-6, np.asarray(grid.z) * 1e6, linewidth=1.2, label=label)
     ax.set_ylim(float(np.max(grid.z)) * 1e6, 0.0)
+    ax.xaxis.set_major_locator(
+        MaxNLocator(5, steps=[1, 2, 5, 10])
+    )  # five digits and a sign are wide
     ax.set_xlabel("stress on the axis [MPa]")
     ax.set_ylabel("depth z [µm]")
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
     return finish(ax)
-
-
-def summary_figures(
-    simulation: Simulation,
-    states: Sequence[State],
-    directory: str | Path,
-    *,
-    body: int = 2,
-    hertz: HertzContact | None = None,
-) -> list[Path]:
-    """Write the standard figures of a run as PNG files.
-
-    Parameters
-    ----------
-    simulation : Simulation
-        Gives the grid and the materials.
-    states : sequence of State
-        In the order of the path.
-    directory : str or Path
-        Created when missing.
-    body : {1, 2}
-        Whose stresses and print are shown.
-    hertz : PointContact or EllipticContact, optional
-        Hertz contact at the peak load.
-
-    Returns
-    -------
-    list of Path
-        pressure.png and load_approach.png; with a volume axis_stress.png and sections.png;
-        for a heated body flash_temperature.png and, with a volume, temperature.png (hottest
-        increment); for an inelastic body print.png and residual.png (last increment) and, when it
-        moved, track_print.png and track_sections.png.
-
-    Raises
-    ------
-    ValueError
-        No states, or an unknown body.
-    """
-    if len(states) == 0:
-        raise ValueError("states must hold at least one state, got none")
-    choice("body", body, (1, 2))
-    folder = Path(directory)
-    folder.mkdir(parents=True, exist_ok=True)
-    grid = simulation.grid
-    material = simulation.body1 if body == 1 else simulation.body2
-    peak = states[int(np.argmax([state.load for state in states]))]
-    figures: dict[str, Figure] = {}
-
-    def panel(name: str, width: float = 5.0, height: float = 3.6) -> Axes:
-        figures[name] = new_figure(width, height)
-        return figures[name].subplots()
-
-    ax = pressure_profile(peak, grid, panel("pressure"), hertz=hertz)
-    ax.set_title(f"load {peak.load:.6g} N", fontsize="medium")
-    load_approach(states, panel("load_approach"), hertz=hertz)
-    if grid.nz > 0 and material.law != "rigid":
-        axis_profile(peak, grid, panel("axis_stress", 4.6, 4.2), body=body)
-        figures["sections"] = _sections(peak, grid, body, material.is_plastic)
-    hottest = max(states, key=lambda state: float(state.surface_temperature(body=body).max()))
-    if np.any(hottest.surface_temperature(body=body)):
-        ax = temperature_profile(hottest, grid, panel("flash_temperature"), body=body)
-        ax.set_title(f"load {hottest.load:.6g} N", fontsize="medium")
-        if grid.nz > 0:
-            section(
-                hottest.temperature(body=body), grid, panel("temperature"), quantity="temperature"
-            )
-    if material.is_plastic:
-        last = states[-1]
-        print_profile(last, grid, panel("print"), body=body)
-        residual = von_mises(np.asarray(last.residual_stress(body=body)))
-        section(residual, grid, panel("residual"), quantity="residual_von_mises")
-        if any(state.travel[body - 1] for state in states):
-            figures |= track_summary(states, body)
-
-    written = []
-    for name, figure in figures.items():
-        written.append(folder / f"{name}.png")
-        figure.savefig(written[-1])
-    return written
-
-
-def _sections(state: State, grid: Grid, body: int, inelastic: bool) -> Figure:
-    names = ["von_mises", "hydrostatic"] + ["equivalent_plastic_strain"] * inelastic
-    figure = new_figure(5.0, 2.9 * len(names))
-    for ax, name in zip(np.ravel(figure.subplots(len(names), 1)), names, strict=True):
-        section(getattr(state, name)(body=body), grid, ax, quantity=name)
-    return figure

@@ -3,16 +3,19 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import TwoSlopeNorm
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, finite_array
+from .._checks import FloatArray, choice, finite, finite_array
 
 if TYPE_CHECKING:
     from ..grid import Grid
@@ -27,6 +30,14 @@ QUANTITIES = {
     "stress": ("stress", 1e-6, "MPa", "RdBu_r"),
     "temperature": ("rise of temperature", 1.0, "K", "inferno"),
 }
+# of the surface
+SURFACES = {
+    "pressure": ("pressure", 1e-9, "GPa", "viridis"),
+    "gap": ("gap", 1e6, "µm", "cividis"),
+    "print": ("residual displacement", 1e6, "µm", "RdBu_r"),
+}
+_FROM_ZERO = ("equivalent_plastic_strain", "temperature", "pressure", "gap")
+_FLAT = 0.45  # depth over width: a label beside such a section would be longer than it
 COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
 
 
@@ -34,6 +45,18 @@ def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
     figure = Figure(figsize=(width, height), layout="compressed", dpi=200)
     FigureCanvasAgg(figure)
     return figure
+
+
+def save(figure: Figure | None, path: Path) -> Path:
+    """Write a figure (that of an axes is never none) without what is blank around it."""
+    assert figure is not None
+    figure.savefig(path, bbox_inches="tight", pad_inches=0.08)
+    return path
+
+
+def section_height(width: float, across: float, depth: float) -> float:
+    """Of the figure of one section [in], so that nothing is left blank: see `new_figure`."""
+    return min(max(0.75 * width * depth / across, 0.5), 1.5 * width) + 0.95
 
 
 def axes_or_new(ax: Axes | None) -> Axes:
@@ -46,8 +69,31 @@ def finish(ax: Axes) -> Axes:
     return ax
 
 
+def counted(ax: Axes) -> Axes:
+    """Ticks along x at whole numbers only: of passes, cycles, increments."""
+    ax.xaxis.set_major_locator(MaxNLocator(integer=True))
+    return ax
+
+
 def nearest(values: ArrayLike, position: float) -> int:
     return int(np.argmin(np.abs(np.asarray(values) - position)))
+
+
+def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
+    """The middle row, unless others have more to show, as on a rough surface: then that of most.
+
+    `values` has the largest magnitude of each row.
+    """
+    sizes = np.asarray(values, dtype=np.float64)
+    middle = nearest(coordinate, 0.0)
+    if sizes[middle] >= 0.9 * sizes.max():
+        return middle
+    return int(np.argmax(sizes >= (1.0 - 1e-6) * sizes.max()))  # the same of mirrored rows
+
+
+def place(name: str, value: float) -> str:
+    """Where a row lies, as labels tell it."""
+    return f"{name} = {value * 1e6 + 0.0:.4g} µm"
 
 
 def edges(centres: ArrayLike, step: float) -> FloatArray:
@@ -56,14 +102,15 @@ def edges(centres: ArrayLike, step: float) -> FloatArray:
 
 
 def surface_line(
-    field: ArrayLike, name: str, grid: Grid, axis: str
+    field: ArrayLike, name: str, grid: Grid, axis: str, position: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Coordinates and values of a surface field along an axis, through the cell nearest to 0."""
+    """Coordinates and values of a surface field along an axis, in the nearest row of cells."""
     choice("axis", axis, ("x", "y"))
     values = finite_array(name, field, (grid.nx, grid.ny))
+    finite("position", position)
     if axis == "x":
-        return np.asarray(grid.x), values[:, nearest(grid.y, 0.0)]
-    return np.asarray(grid.y), values[nearest(grid.x, 0.0), :]
+        return np.asarray(grid.x), values[:, nearest(grid.y, position)]
+    return np.asarray(grid.y), values[nearest(grid.x, position), :]
 
 
 def show_section(
@@ -76,29 +123,93 @@ def show_section(
     label: str | None,
     *,
     titled: bool = False,
+    equal: bool = True,
 ) -> Axes:
     """A plane of a volume field with a colour bar, depth downward.
 
     `across` and `depth` are edges of cells [m], `values` the field on them in SI units, `name` that
     of the coordinate, and `label`, if any, replaces that of the quantity. `titled`: the label is
-    the title, for sections that are too flat for it beside them.
+    the title, as it is of sections that are too flat for it beside them. `equal`: as long and deep
+    as it is.
     """
     text, factor, unit, colours = QUANTITIES[quantity]
-    shown = values * factor
     ax = axes_or_new(ax)
-    options: dict[str, Any] = {}
-    if colours == "RdBu_r" and np.any(shown):
-        span = float(np.max(np.abs(shown)))  # white is zero
-        options["norm"] = TwoSlopeNorm(0.0, -span, span)
-    mesh = ax.pcolormesh(
-        across * 1e6, depth * 1e6, shown.T, cmap=colours, rasterized=True, **options
-    )
-    full = f"{label or text} [{unit}]"
-    ax.figure.colorbar(mesh, ax=ax, label="" if titled else full)
-    if titled:
-        ax.set_title(full, fontsize="medium")
-    ax.set_aspect("equal")
+    flat = depth[-1] - depth[0] < _FLAT * (across[-1] - across[0])
+    _mesh(
+        ax, across, depth, values * factor, quantity, colours, f"{label or text} [{unit}]",
+        titled=titled or flat, equal=equal,
+    )  # fmt: skip
     ax.set_xlabel(f"{name} [µm]")
     ax.set_ylabel("depth z [µm]")
     ax.invert_yaxis()
     return ax
+
+
+def show_surface(
+    ax: Axes | None,
+    x: FloatArray,
+    y: FloatArray,
+    values: FloatArray,
+    quantity: str,
+    name: str,
+    note: str = "",
+) -> Axes:
+    """A field of the surface from above with a colour bar; NaN is left white.
+
+    `x` and `y` are edges of cells [m], `name` that of the coordinate along x; a `note` follows the
+    name of the quantity.
+    """
+    text, factor, unit, colours = SURFACES[quantity]
+    ax = axes_or_new(ax)
+    full = f"{text} [{unit}]{note}"
+    _mesh(ax, x, y, values * factor, quantity, colours, full, titled=True)
+    ax.set_xlabel(f"{name} [µm]")
+    ax.set_ylabel("y [µm]")
+    return ax
+
+
+def _mesh(
+    ax: Axes,
+    across: FloatArray,
+    down: FloatArray,
+    shown: FloatArray,
+    quantity: str,
+    colours: str,
+    label: str,
+    *,
+    titled: bool,
+    equal: bool = True,
+) -> None:
+    """Cells in their colours; a field that is zero has none, and says so instead."""
+    zero = not np.any(np.nan_to_num(shown))
+    ratio = float((down[-1] - down[0]) / (across[-1] - across[0]))
+    options: dict[str, Any] = {}
+    if zero:
+        colours, options = "Greys", {"vmin": 0.0, "vmax": 1.0}
+    elif colours == "RdBu_r":
+        span = float(np.nanmax(np.abs(shown)))  # white is zero
+        options["norm"] = TwoSlopeNorm(0.0, -span, span)
+    elif quantity in _FROM_ZERO:
+        options["vmin"] = 0.0
+    mesh = ax.pcolormesh(
+        across * 1e6, down * 1e6, shown.T, cmap=colours, rasterized=True, **options
+    )
+    if zero:
+        ax.text(0.5, 0.5, "zero\neverywhere", transform=ax.transAxes, ha="center", va="center")
+        titled = True
+    else:
+        bar = ax.figure.colorbar(mesh, ax=ax, label="" if titled else label)
+        if equal:
+            _fewer_ticks(bar.ax.yaxis, ratio, 14)
+    if titled:
+        ax.set_title(label, fontsize="medium")
+    if equal:
+        ax.set_aspect("equal")
+        _fewer_ticks(ax.yaxis, ratio, 14)
+        _fewer_ticks(ax.xaxis, 1.0 / ratio, 7)
+
+
+def _fewer_ticks(axis: Axis, ratio: float, most: int) -> None:
+    """Along a side that is this part of the other: labels must not run into each other."""
+    if most * ratio < 6:
+        axis.set_major_locator(MaxNLocator(max(int(most * ratio), 1)))

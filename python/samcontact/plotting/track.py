@@ -14,7 +14,18 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from .._checks import FloatArray, choice, finite
-from .parts import COMPONENTS, axes_or_new, edges, finish, nearest, new_figure, show_section
+from .parts import (
+    COMPONENTS,
+    axes_or_new,
+    edges,
+    finish,
+    nearest,
+    new_figure,
+    place,
+    row_of_interest,
+    section_height,
+    show_section,
+)
 
 if TYPE_CHECKING:
     from ..state import State
@@ -193,26 +204,48 @@ def _section(
     )
 
 
+def print_along(track: Track, ax: Axes) -> Axes:
+    """The print along x through its deepest row, where it is."""
+    field = np.abs(track.residual_displacement())
+    row = row_of_interest(field.max(axis=0), track.y)
+    track_print(track, ax, positions=(float(track.y[row]),))
+    left, right = _extent(track.x, field.max(axis=1))
+    ax.set_xlim(left * 1e6, right * 1e6)
+    return ax
+
+
+def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
+    """From where to where there is something, with as much again beside it at most."""
+    there = x[sizes > 0.02 * sizes.max()] if np.any(sizes) else x
+    margin = 0.5 * float(np.ptp(there)) + 2.0 * float(x[1] - x[0])
+    return max(float(x[0]), float(there[0]) - margin), min(float(x[-1]), float(there[-1]) + margin)
+
+
 def track_summary(states: Sequence[State], body: int) -> dict[str, Figure]:
     """Print and sections of the track at the end of a run, by name of the figure."""
     track = states[-1].track(body=body)
     places = [-state.travel[body - 1] for state in states]
     start, end = min(places), max(places)
-    middle = 0.5 * (start + end)
     length = float(np.ptp(track.x))
+    depth = np.abs(track.residual_displacement()).max(axis=1)
+    strained = track.equivalent_plastic_strain().max(axis=(1, 2))
+    most = float(track.x[int(np.argmax(strained))])
 
     prints = new_figure(5.0, 6.0)
     along, across = prints.subplots(2, 1)
-    track_print(track, along)
-    track_print(track, across, axis="y", positions=(start, middle, end))
+    print_along(track, along)
+    rows = {nearest(track.x, x) for x in (start, 0.5 * (start + end), end, most)}
+    shown = [row for row in sorted(rows) if depth[row] > 0.02 * depth.max()]
+    track_print(track, across, axis="y", positions=[float(track.x[row]) for row in shown or rows])
 
-    width = 7.0
-    height = 5.0 * track.grid.nz * (track.grid.dz or 0.0) / length + 0.9
-    sections = new_figure(width, 3 * height + 2.9)
-    panels = sections.subplots(4, 1, height_ratios=[height] * 3 + [2.9])
+    width, depth_of_grid = 7.0, track.grid.nz * (track.grid.dz or 0.0)
+    heights = [section_height(width, length, depth_of_grid)] * len(_RESIDUAL)
+    heights.append(min(section_height(width, track.grid.ny * track.grid.dy, depth_of_grid), 3.4))
+    sections = new_figure(width, sum(heights))
+    panels = sections.subplots(len(heights), 1, height_ratios=heights)
     for ax, quantity in zip(panels, _RESIDUAL, strict=False):
         track_section(track, ax, quantity=quantity)
-    track_section(track, panels[3], plane="x", position=middle)
-    title = panels[3].get_title()
-    panels[3].set_title(f"{title}, x = {middle * 1e6 + 0.0:.4g} µm", fontsize="medium")
+    track_section(track, panels[-1], plane="x", position=most)
+    title = panels[-1].get_title()
+    panels[-1].set_title(f"{title}, {place('x', most)}", fontsize="medium")
     return {"track_print": prints, "track_sections": sections}

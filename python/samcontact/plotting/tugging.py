@@ -70,7 +70,8 @@ def force(
     for result in results:
         series = _one_pass(result, number)
         x = series["offset"].values / result.collision.R
-        ax.plot(x, series[f"force_{component}"].values / unit, label=_label(result, critical))
+        force = series[f"force_{component}"].values / unit
+        ax.plot(x, force, ".-", markersize=3, linewidth=1.0, label=_label(result, critical))
     name = {"x": "tangential force", "z": "normal force"}[component]
     ax.set_ylabel(f"{name} [N]" if critical is None else f"{name} / critical load")
     return _finished(ax, "offset X/R")
@@ -91,7 +92,8 @@ def load_ratio(
     for result in results:
         series = _one_pass(result, number)
         x = series["offset"].values / result.collision.R
-        ax.plot(x, series["load_ratio"].values, label=_label(result, critical))
+        ratio = series["load_ratio"].values
+        ax.plot(x, ratio, ".-", markersize=3, linewidth=1.0, label=_label(result, critical))
     ax.set_ylabel("tangential / normal force")
     return _finished(ax, "offset X/R")
 

@@ -15,7 +15,17 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, finite, integer
-from .parts import axes_or_new, edges, finish, nearest, new_figure, show_section
+from .parts import (
+    axes_or_new,
+    counted,
+    edges,
+    finish,
+    nearest,
+    new_figure,
+    place,
+    row_of_interest,
+    show_section,
+)
 
 if TYPE_CHECKING:
     from ..state import State
@@ -56,7 +66,7 @@ def worn_profile(
     *,
     body: int | None = None,
     axis: str = "x",
-    position: float = 0.0,
+    position: float | None = None,
     cycles: Sequence[int] | None = None,
 ) -> Axes:
     """Heights of a worn body after several cycles, along x or y.
@@ -70,8 +80,9 @@ def worn_profile(
         A worn body; default the last one.
     axis : {"x", "y"}
         Direction of the profile.
-    position : float
-        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
+    position : float, optional
+        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells; default
+        through the middle, or the deepest wear where that is much deeper.
     cycles : sequence of int, optional
         Numbers of cycles, 0: before the first; default all.
 
@@ -89,7 +100,12 @@ def worn_profile(
     shown = range(len(result.cycles) + 1) if cycles is None else cycles
     ax = axes_or_new(ax)
     last = max(len(result.cycles), 1)
-    index = nearest(y if axis == "x" else x, finite("position", position))
+    across = y if axis == "x" else x
+    if position is None:
+        worn = result.profile(0, body) - result.profile(-1, body)
+        index = row_of_interest(np.abs(worn).max(axis=0 if axis == "x" else 1), across)
+    else:
+        index = nearest(across, finite("position", position))
     for n in shown:
         heights = result.profile(integer("cycles", n, 0), body)
         line = heights[:, index] if axis == "x" else heights[index]
@@ -99,7 +115,8 @@ def worn_profile(
         ax.plot(along * 1e6, line * 1e6, linewidth=1.0, color=colour, label=f"{n}")
     ax.set_xlabel(f"{axis} [µm]")
     ax.set_ylabel("height [µm]")
-    ax.legend(title="cycles", frameon=False, fontsize="small", ncols=2, loc="lower left")
+    ax.set_title(place("y" if axis == "x" else "x", float(across[index])), fontsize="medium")
+    ax.legend(title="cycles", frameon=False, fontsize="small", ncols=2)
     return finish(ax)
 
 
@@ -163,14 +180,14 @@ def wear_rate(result: WearResult, ax: Axes | None = None) -> Axes:
     ax.set_ylim(bottom=0)
     ax.set_xlabel("cycle")
     ax.set_ylabel("worn volume per cycle [µm³]")
-    return finish(ax)
+    return finish(counted(ax))
 
 
 def cycle_panels(
     moments: tuple[State, State],
     *,
     body: int = 2,
-    position: float = 0.0,
+    position: float | None = None,
     width: float | None = None,
     depth: float | None = None,
 ) -> Figure:
@@ -182,8 +199,9 @@ def cycle_panels(
         `WearResult.first` or `WearResult.last`: loaded, and unloaded. Of a grid with layers.
     body : {1, 2}
         Whose stress and strain.
-    position : float
-        Value of y [m]; the nearest row of cells is shown.
+    position : float, optional
+        Value of y [m]; the nearest row of cells is shown. Default the middle, or the row of the
+        largest pressure where that is much larger.
     width, depth : float, optional
         What is shown [m]: x from -`width` to `width`, z down to `depth`; default the whole grid.
 
@@ -195,10 +213,15 @@ def cycle_panels(
     grid = loaded.grid
     figure = new_figure(9.0, 5.6)
     (first, second), (third, fourth) = figure.subplots(2, 2)
-    j, x = nearest(grid.y, finite("position", position)), np.asarray(grid.x)
+    x = np.asarray(grid.x)
+    if position is None:
+        j = row_of_interest(loaded.pressure.max(axis=0), grid.y)
+    else:
+        j = nearest(grid.y, finite("position", position))
     first.plot(x * 1e6, loaded.pressure[:, j] * 1e-9, linewidth=1.2)
     first.set_xlabel("x [µm]")
     first.set_ylabel("pressure [GPa]")
+    first.set_title(place("y", float(grid.y[j])), fontsize="medium")
     finish(first)
     sections = (
         (second, tresca(loaded.stress(body=body)[:, :, j]), "von_mises", "Tresca stress, loaded"),
@@ -213,8 +236,7 @@ def cycle_panels(
     assert grid.dz is not None
     for ax, values, quantity, label in sections:
         across, down = edges(x, grid.dx), edges(grid.z, grid.dz)
-        show_section(ax, across, down, values, quantity, "x", label, titled=True)
-        ax.set_aspect("auto")
+        show_section(ax, across, down, values, quantity, "x", label, titled=True, equal=False)
         if depth is not None:
             ax.set_ylim(depth * 1e6, 0)
     if width is not None:

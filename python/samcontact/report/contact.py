@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
+from .._peak import peak_of_dataset
 from . import tables
 from .figures import contact_figures
 from .verdicts import verdicts
@@ -22,7 +21,7 @@ NEEDED = ("load", "approach", "pressure", "gap", "initial_gap")
 def content(dataset: xr.Dataset) -> dict[str, Any]:
     """Its part of what the template names."""
     case = stored_case(dataset)
-    peak = int(np.argmax(dataset["load"].values))
+    peak = peak_of_dataset(dataset)
     load = float(dataset["load"].values[peak])
     hertz = case.hertz(load) if case is not None and load > 0 else None
     body = _body(dataset)
@@ -31,6 +30,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
         "checks": verdicts(dataset, case),
         "hertz": tables.hertz_table(dataset, peak, hertz, body) if hertz else [],
         "hertz_load": f"{load:.6g}",
+        "hertz_increment": int(dataset["increment"][peak]),
         "values": [("increments", "Increments", tables.scalars_table(dataset))],
         "convergence": [("convergence", "Convergence", tables.convergence_table(dataset))],
         "figures": contact_figures(dataset, body, peak, hertz),

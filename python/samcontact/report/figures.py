@@ -14,10 +14,19 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .. import plotting
+from .._peak import peak_of_dataset
 from .._tensors import von_mises
 from ..grid import Grid
 from ..plotting.contact import HertzContact
-from ..plotting.parts import QUANTITIES, finish, new_figure
+from ..plotting.parts import (
+    QUANTITIES,
+    counted,
+    finish,
+    new_figure,
+    place,
+    row_of_interest,
+    section_height,
+)
 from ..results.vtk import cell_size
 
 if TYPE_CHECKING:
@@ -41,7 +50,7 @@ class Scene:
     dataset: xr.Dataset
     grid: Grid
     body: int
-    peak: int  # position of the increment with the largest load
+    peak: int  # position of the increment with the largest stress
     hertz: HertzContact | None
 
     def field(self, name: str, increment: int) -> Any:
@@ -84,23 +93,32 @@ Made = tuple[str, str, Figure]
 def embedded(caption: str, description: str, figure: Figure) -> ReportFigure:
     """The image as text, so that the page needs no other file."""
     buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=DOTS_PER_INCH)
+    figure.savefig(buffer, format="png", dpi=DOTS_PER_INCH, bbox_inches="tight", pad_inches=0.08)
     text = base64.b64encode(buffer.getvalue()).decode("ascii")
     return ReportFigure(caption, description, f"data:image/png;base64,{text}")
 
 
 def _contact(scene: Scene) -> Iterator[Made]:
     data, number = scene.dataset, int(scene.dataset["increment"][scene.peak])
-    pressure = data["pressure"].values[scene.peak]
+    pressure, gap = (data[name].values[scene.peak] for name in ("pressure", "gap"))
     beside = ", with the Hertz contact as a dashed line" if scene.hertz is not None else ""
-    for axis in ("x", "y"):
+    for index, axis in enumerate("xy"):
+        across = data["y" if axis == "x" else "x"].values
+        row = float(across[row_of_interest(pressure.max(axis=index), across)])
+        where = place("y" if axis == "x" else "x", row)
         figure = new_figure()
         plotting.pressure_profile(
-            pressure, scene.grid, figure.subplots(), hertz=scene.hertz, axis=axis
+            pressure, scene.grid, figure.subplots(), hertz=scene.hertz, axis=axis, position=row
         )
-        text = f"Pressure along {axis} through the middle{beside}; its maximum in the grid is "
+        text = f"Pressure along {axis} at {where}{beside}; its maximum in the grid is "
         text += f"{pressure.max() * 1e-9:.4g} GPa."
         yield f"Pressure along {axis}, {scene.moment(number)}", text, figure
+    state: Any = SimpleNamespace(pressure=pressure, gap=gap)
+    for quantity in ("pressure", "gap"):
+        figure = new_figure()
+        plotting.surface_map(state, scene.grid, figure.subplots(), quantity=quantity)
+        text = f"The {quantity} of the whole grid from above."
+        yield f"Map of the {quantity}, {scene.moment(number)}", text, figure
     if not np.any(np.isfinite(data["approach"])):
         return
     states: Any = [
@@ -117,8 +135,7 @@ def _volume(scene: Scene) -> Iterator[Made]:
         return
     data = scene.dataset
     stored = data["volume_increment"].values
-    loads = data["load"].sel(increment=stored).values
-    number = int(stored[int(np.argmax(loads))])
+    number = int(stored[peak_of_dataset(data.sel(increment=stored))])
     state: Any = SimpleNamespace(
         **{
             name: lambda body, name=name: scene.field(name, number)
@@ -136,11 +153,17 @@ def _volume(scene: Scene) -> Iterator[Made]:
 
 
 def _section(scene: Scene, values: Any, quantity: str, when: str) -> Made:
-    figure = new_figure(5.6, 3.4)
-    plotting.section(values, scene.grid, figure.subplots(), quantity=quantity)
+    grid = scene.grid
+    height = section_height(5.0, grid.nx * grid.dx, grid.nz * (grid.dz or 0.0))
+    figure = new_figure(5.0, height)
+    y = float(grid.y[row_of_interest(np.abs(values).max(axis=(0, 2)), grid.y)])
+    plotting.section(values, grid, figure.subplots(), quantity=quantity, position=y)
     label, factor, unit, _ = QUANTITIES[quantity]
     low, high = (f"{factor * float(value):.4g}" for value in (np.min(values), np.max(values)))
-    text = f"Section in the plane y = 0 of the {label}, from {low} to {high} {unit} in the volume."
+    where = place("y", y)
+    text = (
+        f"Section in the plane {where} of the {label}, from {low} to {high} {unit} in the volume."
+    )
     return f"{label[0].upper()}{label[1:]}, {when}", text, figure
 
 
@@ -151,15 +174,18 @@ def _temperature(scene: Scene) -> Iterator[Made]:
     rises = scene.dataset[name].values
     hottest = int(np.argmax(rises.max(axis=(1, 2))))
     figure = new_figure()
-    plotting.temperature_profile(rises[hottest], scene.grid, figure.subplots(), body=scene.body)
+    y = float(scene.grid.y[row_of_interest(rises[hottest].max(axis=0), scene.grid.y)])
+    plotting.temperature_profile(rises[hottest], scene.grid, figure.subplots(), position=y)
     text = f"Rise of temperature of the surface along x, up to {rises[hottest].max():.4g} K."
     number = int(scene.dataset["increment"][hottest])
     yield f"Flash temperature, body {scene.body}, {scene.moment(number)}", text, figure
 
 
 def _remains(scene: Scene) -> Iterator[Made]:
-    """Print and residual stress after the last increment."""
+    """Print and residual stress after the last increment; of a track all of it, see there."""
     data, number = scene.dataset, int(scene.dataset["increment"][-1])
+    if f"track_residual_displacement_body{scene.body}" in data:
+        return
     figure, deepest = new_figure(), []
     ax = figure.subplots()
     for body in (1, 2):
@@ -171,6 +197,12 @@ def _remains(scene: Scene) -> Iterator[Made]:
     if deepest:
         text = f"Permanent displacement of the surface along x, at most {', '.join(deepest)}."
         yield f"Print, {scene.moment(number)}", text, figure
+    if f"residual_displacement_body{scene.body}" in data:
+        values = data[f"residual_displacement_body{scene.body}"].values[-1]
+        figure = new_figure()
+        plotting.surface_map(values, scene.grid, figure.subplots(), quantity="print")
+        caption = f"Map of the print, body {scene.body}, {scene.moment(number)}"
+        yield caption, "Permanent displacement of the whole surface from above.", figure
     if scene.has("residual_stress") and number in data["volume_increment"].values:
         values = von_mises(scene.field("residual_stress", number))
         when = f"body {scene.body}, {scene.moment(number)}"
@@ -186,13 +218,30 @@ def _track(scene: Scene) -> Iterator[Made]:
     track: Any = SimpleNamespace(
         x=scene.dataset[f"track_x_body{body}"].values,
         y=scene.dataset["y"].values,
+        grid=scene.grid,
         body=body,
         residual_displacement=lambda: values,
     )
+    when = f"body {body}, unloaded"
     figure = new_figure()
-    plotting.track_print(track, figure.subplots())
+    plotting.track.print_along(track, figure.subplots())
     text = f"Permanent displacement along the track, at most {values.max() * 1e9:.4g} nm."
-    yield f"Print of the track, body {body}, unloaded", text, figure
+    yield f"Print of the track, {when}", text, figure
+    length = float(np.ptp(track.x))
+    figure = new_figure(5.0, section_height(5.0, length, float(np.ptp(track.y))))
+    plotting.track_map(track, figure.subplots())
+    yield f"Map of the print of the track, {when}", "The track from above.", figure
+    name = f"track_residual_von_mises_body{body}"
+    if name not in scene.dataset:
+        return
+    residual = scene.dataset[name].values
+    y = float(track.y[row_of_interest(residual.max(axis=(0, 2)), track.y)])
+    track.residual_von_mises = lambda: residual
+    depth = scene.grid.nz * (scene.grid.dz or 0.0)
+    figure = new_figure(5.0, section_height(5.0, length, depth))
+    plotting.track_section(track, figure.subplots(), position=y)
+    text = f"Section along the track at {place('y', y)}, up to {residual.max() * 1e-6:.4g} MPa."
+    yield f"Residual von Mises stress of the track, {when}", text, figure
 
 
 def _convergence(scene: Scene) -> Iterator[Made]:
@@ -220,6 +269,6 @@ def _convergence(scene: Scene) -> Iterator[Made]:
     lower.set_xlabel("increment")
     lower.set_ylabel("count")
     lower.legend(frameon=False)
-    finish(lower)
+    finish(counted(lower))
     text = "Residuals against the tolerance, and iterations, of each increment; see the table."
     yield "Convergence", text, figure

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+_MANY = {"increment": "increments", "pass": "passes", "cycle": "cycles"}
+
+
 def write(dataset: xr.Dataset, path: str | Path) -> Path:
     """Write the report of a run.
 
@@ -73,8 +76,9 @@ def checks(dataset: xr.Dataset) -> list[Verdict]:
     Returns
     -------
     list of Verdict
-        Each with name, value, limit and whether it passed. Of a contact: balance of the load,
-        complementarity of pressure and gap, yield condition, distance from the border of the grid,
+        Each with name, value, limit and whether it passed. Of a run that did not reach its end:
+        that it did not. Of a contact: balance of the load, complementarity of pressure and gap,
+        yield condition, distance from the border of the grid,
         small strain. Of tugging: energy, and no force at the end of a pass. Of wear: volume.
 
     Raises
@@ -83,7 +87,7 @@ def checks(dataset: xr.Dataset) -> list[Verdict]:
         The dataset is not that of a run.
     """
     with parts_of_a_run():
-        return list(_kind(dataset).content(dataset)["checks"])
+        return [*_end(dataset), *_kind(dataset).content(dataset)["checks"]]
 
 
 def _kind(dataset: xr.Dataset) -> ModuleType:
@@ -98,10 +102,21 @@ def _kind(dataset: xr.Dataset) -> ModuleType:
     return kind
 
 
+def _end(dataset: xr.Dataset) -> list[Verdict]:
+    """Whether the run reached its end, of one that did not."""
+    if dataset.attrs.get("complete", 1):
+        return []
+    dim = next(dim for dim in ("pass", "cycle", "increment") if dim in dataset.sizes)
+    return [Verdict(f"{_MANY[dim]}: the whole path (1) or a part (0)", 0.0, 1.0, at_least=True)]
+
+
 def _content(dataset: xr.Dataset) -> dict[str, Any]:
     """Everything that the template names."""
     attributes = dataset.attrs
+    content = _kind(dataset).content(dataset)
+    content["checks"] = [*_end(dataset), *content["checks"]]
     return {
+        "stopped_by": attributes.get("stopped_by", ""),
         "title": attributes.get("title") or "Contact",
         "description": attributes.get("description", ""),
         "version": attributes.get("samcontact_version", ""),
@@ -110,5 +125,5 @@ def _content(dataset: xr.Dataset) -> dict[str, Any]:
         "parameters": tables.parameters(dataset),
         "hertz": [],
         "convergence": [],
-        **_kind(dataset).content(dataset),
+        **content,
     }

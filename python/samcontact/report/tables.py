@@ -123,6 +123,7 @@ _SCALARS = {
     "contact_area": ("contact area", "mm²", 1e6),
     "max_von_mises": ("maximum von Mises stress", "MPa", 1e-6),
     "max_equivalent_plastic_strain": ("maximum equivalent plastic strain", "%", 1e2),
+    "print_depth": ("print depth", "µm", 1e6),
     "max_temperature": ("maximum rise of temperature", "K", 1.0),
     "travel": ("travel", "µm", 1e6),
     "time": ("time", "s", 1.0),
@@ -134,6 +135,8 @@ _CONVERGENCE = {
     "contact_iterations": ("contact iterations", "", 1.0),
     "substeps": ("substeps", "", 1.0),
     "contact_margin": ("contact to border", "cells", 1.0),
+    "contact_cells": ("across the contact", "cells", 1.0),
+    "plastic_layers": ("plastic zone", "layers", 1.0),
     "plastic_margin": ("plastic zone to border", "cells", 1.0),
 }
 

@@ -12,16 +12,19 @@ import numpy as np
 from .. import plotting
 from .._verdict import Verdict
 from ..asperities import Collision
-from ..plotting.parts import finish, new_figure
+from ..plotting.parts import counted, finish, new_figure
 from .figures import ReportFigure, embedded
 from .tables import study_table
 
 if TYPE_CHECKING:
     import xarray as xr
 
-NEEDED = ("force_x", "force_z", "net_energy", "energy_imbalance")
+NEEDED = ("force_x", "force_z", "work", "net_energy", "energy_imbalance")
 ENERGY = 0.05
-"""Part of the net energy that may be missing; it falls with the increments."""
+"""Part of the largest energy that a pass takes or stores that may be missing in any of them: a
+later pass may take next to nothing. It falls with the increments."""
+EXCHANGED = 0.02
+"""Part of the work within a pass, most of which it gives back, that may be missing in it."""
 RELEASED = 1e-6
 """Part of the largest force that may be left at the end of a pass."""
 # variable: (heading, unit shown, factor)
@@ -55,13 +58,19 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
 
 
 def _checks(dataset: xr.Dataset) -> Iterator[Verdict]:
-    net = np.abs(dataset["net_energy"].values)
-    plastic = dataset["dissipation"].values > 0
-    if plastic.any():  # an elastic pass takes none
-        worst = float(np.max(np.abs(dataset["energy_imbalance"].values[plastic]) / net[plastic]))
-        yield Verdict(
-            "energy not found as plastic work or residual stress, relative", worst, ENERGY
-        )
+    missing = np.abs(dataset["energy_imbalance"].values)
+    taken = max(
+        float(np.abs(dataset[name]).max())
+        for name in ("net_energy", "dissipation", "residual_energy")
+    )
+    if float(dataset["dissipation"].max()) > 0:  # elastic passes take none
+        name = "energy not found as plastic work or residual stress, over the largest of a pass"
+        yield Verdict(name, float(missing.max()) / taken, ENERGY)
+    exchanged = np.nanmax(np.abs(dataset["work"].values), axis=1)
+    met = exchanged > 0
+    if met.any():
+        name = "energy not found in a pass over the largest work within it"
+        yield Verdict(name, float(np.max(missing[met] / exchanged[met])), EXCHANGED)
     force = dataset["normal_force"]
     end = np.array([row[np.isfinite(row)][-1] for row in force.values])
     largest = float(force.max())
@@ -94,5 +103,5 @@ def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
         ax.set_xlabel("pass")
         ax.set_ylabel("energy [J]")
         ax.legend(frameon=False)
-        finish(ax)
+        finish(counted(ax))
         yield embedded("Energy of the passes", "Net and stored energy of each pass.", figure)

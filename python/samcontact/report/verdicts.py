@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._checks import FloatArray
+from .._expected import Expected
 from .._verdict import Verdict
+from ..resolution import TOO_FEW
 from ..results.vtk import cell_size
 from ..simulation import SMALL_STRAIN
 
@@ -22,13 +24,14 @@ DEFAULT_TOL = 1e-6  # of files that do not tell theirs
 
 
 def verdicts(dataset: xr.Dataset, case: Case | None) -> list[Verdict]:
-    """Check balance, complementarity, yield condition, borders and strain, where there are any."""
+    """Check balance, complementarity, yield, borders, resolution and strain, as far as stored."""
     tol = float(dataset.attrs.get("tol", DEFAULT_TOL))
     return [
         _load_balance(dataset, case, tol),
         *_complementarity(dataset, tol),
         *_yield_condition(dataset, tol),
         *_borders(dataset),
+        *_resolution(dataset, case),
         *_strains(dataset),
     ]
 
@@ -91,6 +94,24 @@ def _borders(dataset: xr.Dataset) -> Iterator[Verdict]:
         margins = dataset[variable].values
         if np.any(np.isfinite(margins)):  # else there was no contact, no flow
             yield Verdict(name, float(np.nanmin(margins)), 1.0, at_least=True)
+
+
+def _resolution(dataset: xr.Dataset, case: Case | None) -> Iterator[Verdict]:
+    """Under the largest load, and of the whole plastic zone."""
+    if "contact_cells" in dataset:
+        cells = dataset["contact_cells"].values
+        peak = int(np.argmax(np.where(np.isnan(cells), -1.0, dataset["load"].values)))
+        load = float(dataset["load"].values[peak])
+        hertz = case.hertz(load) if case is not None and load > 0 else None
+        beside = "" if hertz is None else f" ({Expected(hertz)})"
+        if np.isfinite(cells[peak]):
+            name = f"cells across the contact under the largest load{beside}"
+            yield Verdict(name, float(cells[peak]), TOO_FEW, at_least=True)
+    for body in (1, 2):
+        layers = dataset.get(f"plastic_layers_body{body}")
+        if layers is not None and np.any(np.isfinite(layers.values)):
+            name = f"layers of the plastic zone, body {body}"
+            yield Verdict(name, float(np.nanmax(layers.values)), TOO_FEW, at_least=True)
 
 
 def _strains(dataset: xr.Dataset) -> Iterator[Verdict]:

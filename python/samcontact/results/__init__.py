@@ -5,8 +5,10 @@ Names ending in _body1 or _body2 belong to that body; tensor components are labe
 xx, yy, zz, yz, xz, xy (tensor shear strains).
 """
 
-from .dataset import open_results, save, scalars, to_dataset
+from .dataset import to_dataset
+from .file import open_results, save, scalars
 from .motion import COMPONENTS
+from .pvd import to_pvd
 from .vtk import to_vtk
 
-__all__ = ["COMPONENTS", "open_results", "save", "scalars", "to_dataset", "to_vtk"]
+__all__ = ["COMPONENTS", "open_results", "save", "scalars", "to_dataset", "to_pvd", "to_vtk"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Computed values at the peak load next to those of elastic Hertz contact."""
+"""Computed values at the peak next to those of elastic Hertz contact."""
 
 from __future__ import annotations
 

@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from ..resolution import cells_across, layers_across
 from .motion import variable
 
 if TYPE_CHECKING:
@@ -33,6 +34,12 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
 
     margins = [free_cells(np.asarray(state.pressure) != 0) for state in states]
     add("contact_margin", "cells between contact and border, least", margins)
+    solved = [np.isfinite(state.approach) for state in states]  # else the tractions were given
+    across = [
+        cells_across(state.pressure) if found else np.nan
+        for state, found in zip(states, solved, strict=True)
+    ]
+    add("contact_cells", "cells across the spot under the largest pressure", across)
     if not inelastic:
         return
     residuals = [float(state.plastic_residual) for state in states]
@@ -44,17 +51,24 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
         strains = [float(state.max_plastic_strain(body=body)) for state in states]
         add(f"max_plastic_strain_body{body}", text, strains)
         text = f"cells between plastic strain and border of the volume, least, body {body}"
-        add(f"plastic_margin_body{body}", text, _plastic_margins(states, body))
+        margins, layers = _plastic_zones(states, body)
+        add(f"plastic_margin_body{body}", text, margins)
+        text = f"layers from top to bottom of the plastic zone, body {body}"
+        add(f"plastic_layers_body{body}", text, layers)
 
 
-def _plastic_margins(states: Sequence[State], body: int) -> list[float]:
-    """Where a body has moved, its plastic strain leaves the grid along x: that border is none."""
-    margins, moved = [], False
+def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], list[float]]:
+    """How far the border is, and how many layers have yielded.
+
+    Where a body has moved, its plastic strain leaves the grid along x: that border is none.
+    """
+    margins, layers, moved = [], [], False
     for state in states:
         moved = moved or any(state.travel)
         strained = np.asarray(state.equivalent_plastic_strain(body=body)) > 0
         margins.append(free_cells(strained, along_x=not moved))
-    return margins
+        layers.append(layers_across(strained))
+    return margins, layers
 
 
 def free_cells(inside: NDArray[np.bool_], *, along_x: bool = True) -> float:

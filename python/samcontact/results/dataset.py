@@ -1,29 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The dataset of a simulation, and its file."""
+"""The dataset of a simulation."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from datetime import datetime, timezone
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import h5netcdf
 import numpy as np
 import xarray as xr
 
-from .._atomic import replacing_hdf5
 from .._checks import choice
-from .._seal import check_seal
-from ..checkpoint import DAMAGED
+from .._peak import peak_of_dataset
 from .convergence import add_convergence
 from .motion import COMPONENTS, add_motion
 from .motion import variable as _variable
-from .reading import parts_of_a_run
 
 if TYPE_CHECKING:
-    import pandas as pd
-
     from ..cases import Case
     from ..material import Material
     from ..simulation import Simulation
@@ -53,6 +46,7 @@ def to_dataset(
     *,
     body: int | None = None,
     volume: str | None = None,
+    stopped_by: str = "",
 ) -> xr.Dataset:
     """Collect the states of a simulation in one labelled dataset.
 
@@ -68,8 +62,12 @@ def to_dataset(
         Body whose stresses are stored even when it is elastic; from the case, or 2.
         Inelastic bodies are always stored.
     volume : {"none", "last", "peak_and_last", "all"}, optional
-        Increments whose volume fields are stored (peak: largest load); from the case, or
-        "peak_and_last".
+        Increments whose volume fields are stored; from the case, or "peak_and_last". The peak is
+        the increment of largest von Mises stress; of several with the same, to 0.1 %, that of
+        largest pressure, then of largest load.
+    stopped_by : str, optional
+        Of a run that did not reach the end of its path: why, e.g. the text of the error whose
+        attribute `states` the states are. The attribute ``complete`` is then 0.
 
     Returns
     -------
@@ -99,15 +97,20 @@ def to_dataset(
     if simulation.grid.nz > 0:
         bodies = _stored_bodies(simulation, body)
         _add_maxima(dataset, states, bodies)
-        chosen = _chosen_increments(states, volume)
+        chosen = _chosen_increments(dataset, volume)
         if chosen:
             _add_volume(dataset, states, bodies, chosen)
             _add_volume_temperatures(dataset, states, heated, chosen)
     inelastic = _inelastic(simulation)
     add_convergence(dataset, states, inelastic)
     add_motion(dataset, states, inelastic, volume != "none")
-    dataset.attrs = _attributes(simulation, case, body)
+    dataset.attrs = _attributes(simulation, case, body) | completeness(stopped_by)
     return dataset
+
+
+def completeness(stopped_by: str) -> dict[str, int | str]:
+    """Attributes that tell whether a run reached its end, or else what stopped it."""
+    return {"complete": 0, "stopped_by": stopped_by} if stopped_by else {"complete": 1}
 
 
 def _coordinates(simulation: Simulation) -> dict[str, xr.Variable]:
@@ -155,12 +158,12 @@ def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
         if np.any(fields):
             add(f"shear_{direction}", "Pa", f"shear along +{direction} on body 2", list(fields))
     for body in _inelastic(simulation):
-        add(
-            f"residual_displacement_body{body}",
-            "m",
-            f"normal surface displacement by plastic strain, body {body}, into the body",
-            [s.residual_displacement(body=body) for s in states],
-        )
+        prints = [s.residual_displacement(body=body) for s in states]
+        text = f"normal surface displacement by plastic strain, body {body}, into the body"
+        add(f"residual_displacement_body{body}", "m", text, prints)
+        depths = [float(np.max(field)) for field in prints]
+        text = f"deepest point of the print within the grid, body {body}"
+        dataset[f"print_depth_body{body}"] = _variable("increment", depths, "m", text)
     initial = np.asarray(simulation.initial_gap)
     dataset["initial_gap"] = _variable(("x", "y"), initial, "m", "gap of the unloaded bodies")
 
@@ -172,6 +175,12 @@ def _add_temperatures(
     if any(state.time for state in states):
         time = [state.time for state in states]
         dataset["time"] = _variable("increment", time, "s", "time since the start")
+    bodies = (simulation.body1, simulation.body2)
+    if any(material.thermal is not None for material in bodies):
+        factors = [state.heat_factor for state in states]
+        text = "heat flux into body 1 and 2 over pressure"
+        dataset["heat_factor"] = _variable(("increment", "body"), factors, "m/s", text)
+        dataset.coords["body"] = _variable("body", [1, 2], "1", "number of the body")
     heated = []
     for body in (1, 2):
         if _material(simulation, body).thermal is None:
@@ -225,16 +234,15 @@ def _add_maxima(dataset: xr.Dataset, states: Sequence[State], bodies: dict[int, 
             dataset[name] = _variable("increment", strain, "1", text)
 
 
-def _chosen_increments(states: Sequence[State], volume: str) -> list[int]:
-    last = len(states) - 1
+def _chosen_increments(dataset: xr.Dataset, volume: str) -> list[int]:
+    last = dataset.sizes["increment"] - 1
     if volume == "none":
         return []
     if volume == "all":
         return list(range(last + 1))
     if volume == "last":
         return [last]
-    peak = int(np.argmax([state.load for state in states]))
-    return sorted({peak, last})
+    return sorted({peak_of_dataset(dataset), last})
 
 
 def _add_volume(
@@ -265,7 +273,6 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
         "friction": float(simulation.friction),
         "tol": float(simulation.tol),
         "reach": float(simulation.reach),
-        "heat_factor": [float(factor) for factor in simulation.heat_factor],
     }
     if simulation.grid.dz is not None:
         attributes["dz"] = float(simulation.grid.dz)
@@ -288,100 +295,3 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
         attributes["description"] = case.description
         attributes["case"] = case.text
     return attributes
-
-
-def save(dataset: xr.Dataset, path: str | Path) -> Path:
-    """Write a dataset as compressed netCDF4, atomically.
-
-    The file appears under its name only when it is complete; an existing one is replaced.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        From `to_dataset`.
-    path : str or Path
-        The file, customarily ending in .nc; its directory must exist.
-
-    Returns
-    -------
-    Path
-        The file written.
-
-    Raises
-    ------
-    OSError
-        The directory is missing or cannot be written.
-    """
-    target = Path(path)
-    encoding = {
-        name: {"zlib": True, "complevel": 1, "shuffle": True}
-        for name, variable in dataset.data_vars.items()
-        if variable.ndim > 1
-    }
-    with replacing_hdf5(target) as opened, h5netcdf.File(opened, "w") as file:
-        # to_netcdf would let HDF5 write to the disk itself
-        dataset.dump_to_store(xr.backends.H5NetCDFStore(file), encoding=encoding)
-    return target
-
-
-def open_results(path: str | Path) -> xr.Dataset:
-    """Open a results file; fields are read when they are used.
-
-    Parameters
-    ----------
-    path : str or Path
-        A file written by `save`.
-
-    Returns
-    -------
-    xarray.Dataset
-        Close it, or use it in a ``with`` statement.
-
-    Raises
-    ------
-    FileNotFoundError
-        There is no such file.
-    ValueError
-        The file is not a results file of this package.
-    """
-    source = Path(path)
-    if not source.is_file():
-        raise FileNotFoundError(f"no results file at {source}")
-    try:
-        check_seal(source)  # files that other programs have written on purpose have none
-        _try(source)
-        dataset = xr.open_dataset(source, engine="h5netcdf")
-    except PermissionError:
-        raise
-    except DAMAGED as error:
-        raise ValueError(f"path must be a netCDF4 file, got {source}: {error}") from error
-    if "samcontact_version" not in dataset.attrs:
-        dataset.close()
-        raise ValueError(f"path must be a results file written by samcontact, got {source}")
-    return dataset
-
-
-def _try(path: Path) -> None:
-    """Read what is read at once; xarray would leave a file open that it cannot use."""
-    with h5netcdf.File(path, "r") as file:
-        xr.open_dataset(xr.backends.H5NetCDFStore(file))
-
-
-def scalars(dataset: xr.Dataset) -> pd.DataFrame:
-    """Table of the quantities that have one value per increment.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        From `to_dataset` or `open_results`.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Indexed by increment, SI units.
-    """
-    names = [
-        name for name, variable in dataset.data_vars.items() if variable.dims == ("increment",)
-    ]
-    with parts_of_a_run():
-        return dataset[names].to_dataframe()

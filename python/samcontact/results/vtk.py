@@ -70,21 +70,30 @@ def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int
 
 
 def _write_all(dataset: xr.Dataset, target: Path, increment: int, body: int) -> list[Path]:
-    volume = _volume_names(dataset, body)
-    number = _number(dataset, increment, bool(volume))
-    written = []
-    if volume:
-        fields = dataset[volume].sel(volume_increment=number)
-        _write(target, _volume_edges(dataset, number, body), fields, body, number)
-        written.append(target)
+    volume = bool(volume_names(dataset, body))
+    number = _number(dataset, increment, volume)
+    written = [write_volume(dataset, target, number, body)] if volume else []
     surface = target.with_name(f"{target.stem}_surface.vtr")
+    written.append(write_surface(dataset, surface, number, body))
+    return [*written, *write_track(dataset, target, body)]
+
+
+def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
+    """Of an increment that has volume fields; the file."""
+    fields = dataset[volume_names(dataset, body)].sel(volume_increment=number)
+    _write(target, _volume_edges(dataset, number, body), fields, body, number)
+    return target
+
+
+def write_surface(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
+    """Of any increment; the file."""
     fields = dataset[_surface_names(dataset, body)].sel(increment=number)
     edges = [_edges(dataset, "x"), _edges(dataset, "y"), np.zeros(1)]
-    _write(surface, edges, fields, body, number)
-    return [*written, surface, *_write_track(dataset, target, body)]
+    _write(target, edges, fields, body, number)
+    return target
 
 
-def _write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
+def write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
     """What is left in a body that has moved, if it is inelastic."""
     x = f"track_x_body{body}"
     if x not in dataset.coords:
@@ -107,7 +116,8 @@ def _write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
     return written
 
 
-def _volume_names(dataset: xr.Dataset, body: int) -> list[str]:
+def volume_names(dataset: xr.Dataset, body: int) -> list[str]:
+    """Fields of a body that belong to increments with volume fields."""
     return [
         str(name)
         for name, field in dataset.data_vars.items()

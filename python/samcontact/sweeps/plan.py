@@ -7,6 +7,7 @@ import copy
 import difflib
 import itertools
 import json
+import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -22,6 +23,7 @@ from ..cases.field_units import field_unit
 
 MODES = ("product", "zip")
 MOST_LINES = 10  # of an error message
+MOST_CASES = 100_000
 
 _DOTTED = re.compile(r"[A-Za-z_]\w*(\[\d+\])*(\.[A-Za-z_]\w*(\[\d+\])*)*")
 Keys = list[str | int]
@@ -54,6 +56,13 @@ def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str
     if mode == "zip" and len(set(counts.values())) > 1:
         listed = ", ".join(f"{name} {count}" for name, count in counts.items())
         raise ValueError(f"parameters must have as many values each in mode 'zip', got {listed}")
+    wanted = math.prod(counts.values()) if mode == "product" else max(counts.values())
+    if wanted > MOST_CASES:
+        listed = ", ".join(f"{name} {count}" for name, count in counts.items())
+        raise ValueError(
+            f"a sweep must have at most {MOST_CASES} cases, got {wanted}: values of {listed} in "
+            f"mode {mode!r}; mode 'zip' takes first values, second ones, ... together"
+        )
     combine: Any = itertools.product if mode == "product" else zip
     cases = _validated(case, keys, list(combine(*values.values())))
     if mode == "zip":
@@ -145,6 +154,11 @@ def _validated(
         except _UnknownField as error:
             lines = [str(error)]
         else:
+            if getattr(made, "wear", None) is not None:
+                raise CaseError(
+                    f"{case.source}: [wear] is not for a sweep, which solves the path once: leave "
+                    "it out, or call samcontact.wear.run for each value"
+                )
             made._source, made._text = case.source, case.text
             cases.append(made)
             continue

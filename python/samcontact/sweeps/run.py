@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import os
 import signal
-import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import (
     BrokenExecutor,
@@ -19,10 +18,10 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tqdm import tqdm
-
+from .. import resolution
 from .._atomic import undisturbed
 from .._checks import integer
+from .._progress import progress_bar
 from . import worker
 from .worker import Outcome, case_key, failure
 
@@ -72,7 +71,7 @@ def sweep(
         Folder of the results: each case is written there as soon as it is done, all in `sweep.nc`
         at the end. A later call reads what is done and tries again what failed.
     progress : bool, optional
-        Show a progress bar.
+        Show a progress bar; where there is no terminal, ten lines at most.
     mode : {"product", "zip"}, optional
         All combinations of values, each parameter being a dimension; or the first values of all
         parameters, then the second ones, and so on, along a dimension "case".
@@ -95,6 +94,12 @@ def sweep(
         The output cannot be written.
     SweepInterrupted
         Ctrl-C. What is finished is kept.
+
+    Warns
+    -----
+    ResolutionWarning
+        Once: how many cases are fewer than 8 cells across, or have plastic zones of fewer than 8
+        layers.
     """
     from ..cases import load_case
     from ..cases.base import CaseFile
@@ -109,19 +114,20 @@ def sweep(
     run = _Run(
         dict(zip(keys, plan.cases, strict=True)), None if output is None else Store(Path(output))
     )
-    interrupted = False
+    interrupted: KeyboardInterrupt | None = None
     with _resolved(executor) as chosen:
         try:
             run.solve(chosen, progress)
-        except KeyboardInterrupt:
-            interrupted = True
+        except KeyboardInterrupt as stop:
+            interrupted = stop
             if isinstance(chosen, _OwnPool):
                 chosen.terminate()
     dataset = assemble(plan, keys, run.outcomes, base)
+    resolution.warn_of_sweep(dataset, stacklevel=2)
     if output is not None:
         save(dataset, Path(output) / "sweep.nc")
-    if interrupted:
-        raise SweepInterrupted(dataset)
+    if interrupted is not None:
+        raise SweepInterrupted(dataset) from interrupted
     return dataset
 
 
@@ -134,7 +140,7 @@ class _Run:
 
     def solve(self, executor: Any, progress: bool) -> None:
         """Find the outcome of every case: what is kept of it, or a new one."""
-        with tqdm(total=len(self.cases), disable=not progress, unit="case") as bar:
+        with progress_bar(len(self.cases), "case", shown=progress) as bar:
 
             def take(key: str, outcome: Outcome) -> None:
                 with undisturbed():
@@ -215,18 +221,20 @@ class _OwnPool(ProcessPoolExecutor):
     """
 
     def __init__(self, count: int) -> None:
-        super().__init__(count, get_context("spawn"), _begin_worker)
+        super().__init__(count, get_context("spawn"))
+
+    def submit(self, *task: Any, **named: Any) -> Future[Any]:
+        """Workers that start now inherit that Ctrl-C is not for them, also while they import."""
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            return super().submit(*task, **named)
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
     def terminate(self) -> None:
         """End the workers now, in the middle of their cases."""
         for process in list((self._processes or {}).values()):
             process.terminate()
-
-
-def _begin_worker() -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent to handle
-    # the default lock would leave a semaphore behind when the worker is ended
-    tqdm.set_lock(threading.RLock())
 
 
 @contextmanager

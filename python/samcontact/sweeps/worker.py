@@ -5,9 +5,12 @@ from __future__ import annotations
 
 import hashlib
 import json
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from ..resolution import ResolutionWarning
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -57,7 +60,9 @@ def _solve(case: Any) -> Variables:
     from .. import results
 
     simulation, path = case.build()
-    states = simulation.run(path, progress=False)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ResolutionWarning)  # the sweep tells it of all
+        states = simulation.run(path, progress=False)
     dataset = results.to_dataset(simulation, states, case, volume="none")
     names = [name for name, field in dataset.data_vars.items() if field.dims == ("increment",)]
     return _plain(dataset[names])

@@ -6,6 +6,8 @@ from __future__ import annotations
 import dataclasses
 import hashlib
 import os
+import shutil
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,10 +16,15 @@ from typing import Any
 import h5py
 import numpy as np
 
-from .._atomic import replacing_hdf5
+from .._atomic import replacing, replacing_hdf5
 from .._checks import FloatArray
 from .._seal import check_seal
-from ..checkpoint import DAMAGED, CheckpointError
+from ..checkpoint import (
+    DAMAGED,
+    CheckpointError,
+    DamagedCheckpointError,
+    ForeignCheckpointError,
+)
 from ..checkpoint import finite_dataset as _array
 from .checks import Scene, met_rows
 from .results import PER_BODY, Cycle
@@ -73,8 +80,16 @@ def _feed(digest: Any, value: Any) -> None:
         digest.update(repr(value).encode())
 
 
+def _before(path: str | os.PathLike[str]) -> Path:
+    """The checkpoint of the cycle before."""
+    return Path(f"{os.fspath(path)}.before")
+
+
 def write(path: str | os.PathLike[str], scene: Scene, standing: Standing) -> None:
-    """A failure leaves the old file."""
+    """A failure leaves the old file; a copy of it stays in any case."""
+    if _is_whole(path):
+        with replacing(_before(path)) as part:
+            shutil.copyfile(path, part)
     with replacing_hdf5(path) as opened, h5py.File(opened, "w") as file:
         _write(file, scene, standing)
 
@@ -100,6 +115,24 @@ def _dataset(group: h5py.Group, name: str, values: FloatArray) -> None:
     group.create_dataset(name, data=values, fletcher32=True, chunks=True)
 
 
+def _is_whole(path: str | os.PathLike[str]) -> bool:
+    try:
+        return Path(path).exists() and check_seal(path)
+    except ValueError:
+        return False
+
+
+def latest(path: str | os.PathLike[str], scene: Scene) -> Standing | None:
+    """As `read`; of a damaged file that of the cycle before, with a warning, where there is one."""
+    try:
+        return read(path, scene)
+    except DamagedCheckpointError as error:
+        if not _before(path).exists():
+            raise DamagedCheckpointError(f"{error}: delete it to start anew") from error
+        warnings.warn(f"{error}: going on from the cycle before", stacklevel=3)
+        return read(_before(path), scene)
+
+
 def read(path: str | os.PathLike[str], scene: Scene) -> Standing | None:
     """Where the file stands; None without a file.
 
@@ -117,7 +150,7 @@ def read(path: str | os.PathLike[str], scene: Scene) -> Standing | None:
             if not sealed and form != _UNSEALED:
                 raise ValueError("the digest at its end is missing: it was cut off or changed")
             if file.attrs["arguments"] != fingerprint(scene):
-                raise CheckpointError(
+                raise ForeignCheckpointError(
                     f"checkpoint {name!r} was written with other arguments: give those again, or "
                     "another file"
                 )
@@ -125,7 +158,7 @@ def read(path: str | os.PathLike[str], scene: Scene) -> Standing | None:
     except CheckpointError:
         raise
     except DAMAGED as error:
-        raise CheckpointError(f"checkpoint {name!r} is damaged: {error}") from error
+        raise DamagedCheckpointError(f"checkpoint {name!r} is damaged: {error}") from error
 
 
 def _read(file: h5py.File, scene: Scene) -> Standing:

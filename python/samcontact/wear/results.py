@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._checks import FloatArray, choice, integer
+from .._repr import Brief
 from ..grid import Grid
 from ..relief import Relief
 from ..state import State
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Moments = tuple[State, State]
-"""Under the largest load of a cycle, and unloaded at its end."""
+"""Under the largest load of a cycle, where its pressure is largest, and unloaded at its end."""
 
 
 @dataclass(frozen=True)
@@ -50,8 +51,8 @@ PER_BODY = ("volume", "lost", "depth", "surface_strain", "max_plastic_strain")
 """Those of a cycle that have one value for each worn body."""
 
 
-@dataclass(eq=False)
-class WearResult:
+@dataclass(eq=False, repr=False)
+class WearResult(Brief):
     """Cycles, worn surfaces, and the first and last cycle's states."""
 
     grid: Grid
@@ -66,7 +67,7 @@ class WearResult:
     """Of each worn body, at the start and after each cycle [m], shape (cycles + 1, rows, ny)."""
     first_row: dict[int, int] = field(repr=False)
     last: Moments = field(repr=False)
-    """States of the last cycle: under its largest load, and unloaded before anything is removed."""
+    """States of the last cycle, under its largest load, and unloaded before anything is removed."""
     _solve_first: Callable[[], Moments] = field(repr=False)
 
     @cached_property

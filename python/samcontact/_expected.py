@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What Hertz expects of a scene, before it is solved and beside what comes out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.optimize import brentq
+
+from . import hertz
+from ._core import ConvergenceError, GridTooSmallError
+from ._repr import lengths, quantity
+
+if TYPE_CHECKING:
+    from ._checks import FloatArray
+    from .grid import Grid
+    from .material import Material
+
+SMOOTH = 0.03
+"""How far a gap may be from a paraboloid, relative to its height: a sphere differs by (r/R)^2/4."""
+SOFTEST = 1e4
+"""Contact modulus below which the unit of E is doubted [Pa]: the softest gels have some 1e3."""
+_POINTS = 17  # a side, to which a paraboloid is fitted
+_ASK = ', or ask for a warning with on_border="warn"'
+
+
+@dataclass(frozen=True)
+class Expected:
+    """Elastic Hertz contact of a smooth scene; as a text its size, pressure and a likely slip."""
+
+    contact: hertz.PointContact | hertz.EllipticContact
+
+    @property
+    def semi_axes(self) -> tuple[float, float]:
+        """Larger and smaller semi-axis of the contact [m]."""
+        if isinstance(self.contact, hertz.PointContact):
+            return self.contact.a, self.contact.a
+        a, b = self.contact.a_x, self.contact.a_y
+        return max(a, b), min(a, b)
+
+    def yield_depth(self, body: Material) -> float | None:
+        """Depth down to which a body would yield under this pressure [m], on the axis.
+
+        0 where it does not; None where it is not known (an elliptic contact).
+        """
+        contact = self.contact
+        if not isinstance(contact, hertz.PointContact) or not body.is_plastic:
+            return None
+        limit = float(body.yield_stress(0.0))
+        largest, depth = contact.max_von_mises(body.nu)
+        if largest <= limit:
+            return 0.0
+
+        def beyond(z: float) -> float:
+            radial, axial = contact.axis_stress(z, body.nu)
+            return abs(float(axial) - float(radial)) - limit
+
+        return float(brentq(beyond, depth, 1e3 * depth * math.sqrt(largest / limit)))
+
+    def __str__(self) -> str:
+        long, short = self.semi_axes
+        size = f"radius {quantity(long, 'm')}"
+        if long != short:
+            size = f"semi-axes {lengths(long, short)}"
+        text = f"Hertz: {size}, largest pressure {quantity(self.contact.p0, 'Pa')}"
+        if self.contact.E_star < SOFTEST:
+            text += f", with E* = {self.contact.E_star:.4g} Pa (E is in pascals: 210 GPa is 210e9)"
+        return text
+
+
+class Scene:
+    """A gap between two bodies, with what Hertz says where the gap is a paraboloid.
+
+    relieved: there is something else between the bodies, and Hertz says nothing.
+    """
+
+    def __init__(
+        self,
+        grid: Grid,
+        gap: FloatArray,
+        bodies: tuple[Material, Material],
+        relieved: bool = False,
+    ) -> None:
+        self.grid, self.gap, self.bodies, self.relieved = grid, gap, bodies, relieved
+
+    @cached_property
+    def radii(self) -> tuple[float, float] | None:
+        """Larger and smaller principal radius [m]; None unless the gap is a convex paraboloid."""
+        shape = self.grid.surface_shape
+        if min(shape) < 3 or self.relieved:
+            return None
+        rows, columns = (
+            np.unique(np.linspace(0, n - 1, min(n, _POINTS), dtype=int)) for n in shape
+        )
+        a, b = np.abs(self.grid.x).max(), np.abs(self.grid.y).max()
+        grids = np.meshgrid(self.grid.x[rows] / a, self.grid.y[columns] / b, indexing="ij")
+        x, y = (v.ravel() for v in grids)
+        heights = self.gap[np.ix_(rows, columns)].ravel()
+        lowest, highest = float(heights.min()), float(heights.max())
+        if not 0 < highest - lowest < math.inf:
+            return None
+        heights = (heights - lowest) / (highest - lowest)
+        basis = np.stack([np.ones_like(x), x, y, 0.5 * x * x, x * y, 0.5 * y * y], axis=1)
+        found, *_ = np.linalg.lstsq(basis, heights, rcond=None)
+        if not np.max(np.abs(basis @ found - heights)) <= SMOOTH:
+            return None
+        curvature = np.array([[found[3] / a**2, 0.0], [found[4] / (a * b), found[5] / b**2]])
+        least, most = np.linalg.eigvalsh(curvature)
+        if not least > 1e-9 * most:  # a cylinder, a saddle, a hollow
+            return None
+        scale = highest - lowest
+        return 1.0 / (scale * float(least)), 1.0 / (scale * float(most))
+
+    def hertz(self, load: float | None = None, approach: float | None = None) -> Expected | None:
+        """Hertz contact under a load [N] or an approach [m]; None where there is none."""
+        if approach is not None:
+            approach -= float(self.gap.min())
+        drive = load if approach is None else approach
+        if drive is None or not 0 < drive < math.inf or self.radii is None:
+            return None
+        try:
+            E_star = hertz.effective_modulus(*self.bodies)
+            if math.isclose(*self.radii, rel_tol=1e-6):
+                return Expected(hertz.point(self.radii[0], E_star, load=load, approach=approach))
+            return Expected(hertz.elliptic(*self.radii, E_star, load=load, approach=approach))
+        except (ValueError, ArithmeticError):  # beyond the range of numbers
+            return None
+
+    def require_room(self, load: float | None = None, approach: float | None = None) -> None:
+        """Raise GridTooSmallError when the Hertz contact, or what yields below it, does not fit.
+
+        Before a solve that would end so after a while: contact and plastic zone of bodies that
+        yield are not smaller than those of elastic ones.
+        """
+        expected, grid = self.hertz(load, approach), self.grid
+        if expected is None:
+            return
+        where = f"at load {load:.6g} N" if approach is None else f"at approach {approach:.6g} m"
+        long, short = expected.semi_axes
+        sides = grid.nx * grid.dx, grid.ny * grid.dy
+        # an elliptic contact may lie any way round
+        if 2 * short > min(sides) or 2 * long > max(sides):
+            raise GridTooSmallError(
+                f"{where} the contact touches the border of the grid ({lengths(*sides)}). "
+                f"{expected}: enlarge nx dx and ny dy to {lengths(2.5 * long, 2.5 * short)} or more"
+                f"{_ASK}"
+            )
+        height = grid.nz * (grid.dz or 0.0)
+        for number, body in enumerate(self.bodies, 1):
+            depth = expected.yield_depth(body)
+            if depth is not None and 0 < height < 0.8 * depth:
+                raise GridTooSmallError(
+                    f"{where} the plastic zone of body {number} reaches the bottom of the volume "
+                    f"({quantity(height, 'm')}): elastically it would yield down to "
+                    f"{quantity(depth, 'm')}. {expected}: enlarge nz dz{_ASK}"
+                )
+
+    @contextmanager
+    def beside(self, load: float | None = None, approach: float | None = None) -> Iterator[None]:
+        """What Hertz expects, added to a GridTooSmallError; a gap that lies far away."""
+        try:
+            yield
+        except ConvergenceError as error:
+            far, height = (
+                float(np.abs(self.gap).max()),
+                float(self.gap.max()) - float(self.gap.min()),
+            )
+            if not 1e-16 * far > 1e-11 * height > 0:
+                raise
+            error.args = (
+                f"{error}. The gap lies {far:.6g} m away with heights of {height:.3g} m, which "
+                "costs their digits: subtract its minimum",
+            )
+            raise
+        except GridTooSmallError as error:
+            expected = self.hertz(load, approach)
+            if expected is None or str(expected) in str(error):
+                raise
+            raise GridTooSmallError(f"{error}. {expected}") from None

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sections of a case file for the bodies: one model for each law of `samcontact._laws`."""
+
+from __future__ import annotations
+
+from functools import reduce
+from operator import or_
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from pydantic import Field, create_model, model_validator
+
+from .._laws import LAWS, Constant, Law
+from .base import Finite, NonNegative, Positive, Section, in_unit
+
+if TYPE_CHECKING:
+    from ..material import Material
+
+
+class KinematicHardening(Section):
+    """Moves the yield surface with the plastic strain, see `Material.with_kinematic_hardening`."""
+
+    modulus: Annotated[Positive | list[Positive], in_unit("Pa")]
+    recovery: NonNegative | list[NonNegative] = 0.0
+
+    @model_validator(mode="after")
+    def _as_many(self) -> KinematicHardening:
+        moduli = self.modulus if isinstance(self.modulus, list) else [self.modulus]
+        if not 1 <= len(moduli) <= 4:
+            raise ValueError(f"modulus must have from 1 to 4 values, got {len(moduli)}")
+        if isinstance(self.recovery, list) and len(self.recovery) != len(moduli):
+            raise ValueError(
+                f"recovery must have as many values as modulus, {len(moduli)}, "
+                f"got {len(self.recovery)}"
+            )
+        return self
+
+
+class ThermalConstants(Section):
+    """Of a body that frictional heat enters, see `Material.with_thermal`."""
+
+    conductivity: Annotated[Positive, in_unit("W/(m*K)")]
+    expansion: Annotated[NonNegative, in_unit("1/K")]
+    diffusivity: Annotated[Positive, in_unit("m**2/s")]
+
+
+class JohnsonCookSoftening(Section):
+    """Yield stress that falls with the temperature, see `softening.JohnsonCook`."""
+
+    kind: Literal["johnson_cook"]
+    melting: Annotated[Positive, in_unit("K")]
+    m: Positive
+    reference: Annotated[NonNegative, in_unit("K")] = 293.15
+    ambient: Annotated[NonNegative, in_unit("K")] = 293.15
+    floor: Annotated[float, Field(gt=0.0, le=1.0)] = 0.01
+
+    @model_validator(mode="after")
+    def _melts_above_reference(self) -> JohnsonCookSoftening:
+        if not self.melting > self.reference:
+            raise ValueError(
+                f"melting must be > reference = {self.reference!r} K, got {self.melting!r}"
+            )
+        return self
+
+
+class _Body(Section):
+    if TYPE_CHECKING:
+        law: str
+
+    @property
+    def is_plastic(self) -> bool:
+        return isinstance(self, _PlasticBody)
+
+    @model_validator(mode="after")
+    def _possible(self) -> _Body:
+        """What the core asks of several constants together."""
+        self.build()
+        return self
+
+    def build(self) -> Material:
+        from ..material import Material
+        from ..softening import JohnsonCook
+
+        parameters = self.model_dump()
+        extra = {name: parameters.pop(name, None) for name in ("kinematic", "thermal", "softening")}
+        material: Material = getattr(Material, parameters.pop("law"))(**parameters)
+        if extra["kinematic"] is not None:
+            material = material.with_kinematic_hardening(**extra["kinematic"])
+        if extra["thermal"] is not None:
+            material = material.with_thermal(**extra["thermal"])
+        if extra["softening"] is not None:
+            del extra["softening"]["kind"]
+            material = material.with_softening(JohnsonCook(**extra["softening"]))
+        return material
+
+
+class _ElasticBody(_Body):
+    thermal: ThermalConstants | None = None
+
+
+class _PlasticBody(_ElasticBody):
+    kinematic: KinematicHardening | None = None
+    softening: JohnsonCookSoftening | None = None
+
+
+def _field(constant: Constant) -> Any:
+    limits = Field(gt=constant.gt, ge=constant.ge, lt=constant.lt, le=constant.le)
+    if constant.unit in ("", "microstrain"):
+        return Annotated[Finite, limits]
+    return Annotated[Finite, limits, in_unit(constant.unit)]
+
+
+def _model(name: str, law: Law) -> type[_Body]:
+    """The section of a law, e.g. `SwiftBody`."""
+    base = _PlasticBody if law.work is not None else _ElasticBody if law.constants else _Body
+    fields: dict[str, Any] = {"law": (Literal[name], ...)}
+    fields |= {constant: (_field(law.constants[constant]), ...) for constant in law.constants}
+    title = "".join(word.capitalize() for word in name.split("_"))
+    return create_model(f"{title}Body", __base__=base, __doc__=law.says, **fields)
+
+
+if TYPE_CHECKING:
+    BodySection = _Body
+else:
+    _MODELS = tuple(_model(name, law) for name, law in LAWS.items())
+    BodySection = Annotated[reduce(or_, _MODELS), Field(discriminator="law")]

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a case gives must be used: a field without effect is a slip, and refused by its name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from .base import changed
+
+if TYPE_CHECKING:
+    from .bodies import BodySection
+    from .case import Case
+    from .tugging import TuggingCase
+
+_OF_HEAT = ("velocity", "heating_time", "heat_reference", "heat_history")
+
+
+def require_all_used(case: Case) -> None:
+    """Raise ValueError naming the first field of a contact or of wear that has no effect."""
+    contact = case.contact
+    # a factor of 0 is a source that is off, on purpose
+    heated = "heat_factor" in contact.model_fields_set or any(
+        segment.heat_factor is not None for segment in case.path
+    )
+    if not heated:
+        for name in _OF_HEAT:
+            if getattr(contact, name) is not None:
+                raise ValueError(
+                    f"contact.{name} is of frictional heat: give contact.heat_factor too"
+                )
+        _require_cold(
+            (("body1", case.body1), ("body2", case.body2)), "give contact.heat_factor too"
+        )
+    _require_image_tol(contact)
+    given = changed(case.output, ("body", "volume"))
+    if case.wear is not None:
+        for name in sorted(given):
+            raise ValueError(f"output.{name} is not for a case with [wear]: leave it out")
+    if case.grid.nz == 0 and "volume" in given and case.output.volume != "none":
+        raise ValueError(
+            f"output.volume = {case.output.volume!r} needs a [grid] with nz and dz: give them, or "
+            "leave it out"
+        )
+
+
+def require_all_used_in_tugging(case: TuggingCase) -> None:
+    """The same of two asperities, which know no heat."""
+    bodies = (("body1", case.body1), ("body2", case.body2))
+    _require_cold(bodies, "leave it out, [tugging] knows no heat")
+    _require_image_tol(case.contact)
+
+
+def _require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
+    for name, body in bodies:
+        softening: Any = getattr(body, "softening", None)
+        if getattr(body, "thermal", None) is not None:
+            raise ValueError(f"{name}.thermal is of frictional heat: {remedy}")
+        if softening is not None and softening.ambient <= softening.reference:
+            raise ValueError(
+                f"{name}.softening begins at reference = {softening.reference!r} K, and nothing is "
+                f"warmer than ambient = {softening.ambient!r} K without frictional heat: {remedy}"
+            )
+
+
+def _require_image_tol(contact: Any) -> None:
+    if contact.residual_stress == "exact" and changed(contact, ["image_tol"]):
+        raise ValueError('contact.image_tol is of residual_stress = "fast" or "auto": leave it out')

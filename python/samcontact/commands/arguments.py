@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Kinds of arguments of the commands: names of files, and numbers that may have a unit."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..units import from_text
+
+if TYPE_CHECKING:
+    Numbers = click.ParamType[float]
+else:
+    Numbers = click.ParamType
+
+
+class FilePath(click.Path):
+    """The name of a file or directory."""
+
+    def __init__(self) -> None:
+        super().__init__(path_type=Path)
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, context: click.Context | None
+    ) -> Any:
+        """No system has names with a null character, and each says so in its own way."""
+        if "\0" in str(value):
+            self.fail(f"must not hold a null character, got {str(value)!r}", param, context)
+        return super().convert(value, param, context)
+
+
+class Quantity(Numbers):
+    """A number in the SI unit, or a text with another unit of the same kind."""
+
+    name = "quantity"
+
+    def __init__(self, unit: str) -> None:
+        self.unit = unit
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, context: click.Context | None
+    ) -> float:
+        try:
+            return float(value)
+        except ValueError:
+            pass
+        try:
+            return from_text(value, self.unit)
+        except (ValueError, ImportError) as error:
+            self.fail(str(error), param, context)

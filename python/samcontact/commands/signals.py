@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Signals that ask the command to end, as exceptions that leave what was computed."""
+
+from __future__ import annotations
+
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from .._atomic import ENDING
+
+INTERRUPTED = 130
+_ONE_WISH = 1.0
+"""Seconds: signals that follow one another faster are one wish to end, such as those that `timeout`
+sends to a process and to its group."""
+
+
+class Stopped(KeyboardInterrupt):
+    """Ctrl-C, or another signal that is treated like it."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(signal.Signals(number).name)
+        self.exit_code = 128 + number
+
+
+def exit_code(stop: BaseException) -> int:
+    """Of a command that such an exception has ended, as shells have it."""
+    return getattr(stop, "exit_code", INTERRUPTED)
+
+
+@contextmanager
+def stoppable() -> Iterator[None]:
+    """Raise `Stopped` where such a signal arrives; those that are ignored stay so (nohup)."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    last = -_ONE_WISH
+
+    def stop(number: int, _: Any) -> None:
+        nonlocal last
+        before, last = last, time.monotonic()
+        if last - before >= _ONE_WISH:
+            raise Stopped(number)
+
+    old = {number: signal.getsignal(number) for number in ENDING}
+    taken = [number for number, handler in old.items() if handler not in (None, signal.SIG_IGN)]
+    for number in taken:
+        signal.signal(number, stop)
+    try:
+        yield
+    finally:
+        for number in taken:
+            signal.signal(number, old[number])

@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether a grid resolves a contact and the plastic zone below it, and elasticity carries it."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy import ndimage
+
+from . import hertz
+from ._checks import FloatArray
+from ._repr import lengths, quantity
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ._expected import Scene
+    from .contact import ContactSolution
+    from .state import State
+
+FEW = 8
+"""Cells across a contact, and layers of a plastic zone, below which there is a warning."""
+TOO_FEW = 4
+"""Below this results are numbers of the grid: the check of a report fails."""
+LARGEST_STRAIN = 0.5
+"""Of the largest pressure over E*: that of a Hertz contact with a/R = 0.8."""
+_CLASSIC_DEPTH = 0.8
+"""Depth of the largest von Mises stress over the half width: 0.48 (point) to 0.79 (line)."""
+
+
+class ResolutionWarning(UserWarning):
+    """The cells of the grid are too large for the contact, or its layers for the plastic zone."""
+
+
+class ElasticStrainWarning(UserWarning):
+    """The elastic strain is beyond linear elasticity."""
+
+
+def warn_of_strain(pressure: FloatArray, scene: Scene, *, stacklevel: int) -> bool:
+    """Warn of pressures that linear elasticity cannot carry; whether it did."""
+    largest = float(pressure.max())
+    share = largest / hertz.effective_modulus(*scene.bodies)
+    if not share > LARGEST_STRAIN:
+        return False
+    text = (
+        f"the largest pressure, {quantity(largest, 'Pa')}, is {share:.3g} of the contact modulus "
+        f"E*, more than {LARGEST_STRAIN}: slopes and strains of this size are beyond linear "
+        "elasticity. Lengths are in metres, loads in newtons, moduli in pascals"
+    )
+    warnings.warn(text, ElasticStrainWarning, stacklevel=stacklevel + 1)
+    return True
+
+
+def main_spot(pressure: ArrayLike) -> tuple[slice, slice] | None:
+    """Rows and columns of the spot (of touching cells) under the largest pressure.
+
+    Parameters
+    ----------
+    pressure : array_like, shape (nx, ny)
+        [Pa], >= 0.
+
+    Returns
+    -------
+    pair of slice, or None without contact
+    """
+    field: FloatArray = np.asarray(pressure, dtype=np.float64)
+    peak = np.unravel_index(int(field.argmax()), field.shape)
+    if not field[peak] > 0:
+        return None
+    spots, _ = ndimage.label(field > 0, structure=np.ones((3, 3)))
+    rows, columns = ndimage.find_objects((spots == spots[peak]).astype(np.int8))[0]
+    return rows, columns
+
+
+def cells_across(pressure: ArrayLike) -> float:
+    """Cells across the contact: along the shorter side of the spot under the largest pressure.
+
+    Parameters
+    ----------
+    pressure : array_like, shape (nx, ny)
+        [Pa], >= 0.
+
+    Returns
+    -------
+    float
+        A whole number; NaN without contact. A side of the spot that spans the grid does not count:
+        it is cut by the border, not by the cells.
+    """
+    spot = main_spot(pressure)
+    if spot is None:
+        return math.nan
+    sides = [s.stop - s.start for s in spot]
+    inside = [side for side, n in zip(sides, np.shape(pressure), strict=True) if side < n]
+    return float(min(inside)) if inside else math.nan
+
+
+def _is_wide(pressure: FloatArray) -> bool:
+    """Whether `FEW` cells along x and y through the largest pressure are in contact; costs little.
+
+    Then the spot is as wide; where not, it may still be.
+    """
+    i, j = divmod(int(pressure.argmax()), pressure.shape[1])
+    around = (pressure[max(0, i - FEW) : i + FEW, j], pressure[i, max(0, j - FEW) : j + FEW])
+    return all(_longest_run(line > 0) >= FEW for line in around)
+
+
+def _longest_run(inside: NDArray[np.bool_]) -> int:
+    ends = np.flatnonzero(np.diff(np.concatenate(([0], inside.astype(np.int8), [0]))))
+    return int(max(ends[1::2] - ends[::2], default=0))
+
+
+def layers_across(equivalent: ArrayLike) -> float:
+    """Layers from the top of a plastic zone to its bottom.
+
+    Parameters
+    ----------
+    equivalent : array_like, shape (nx, ny, nz)
+        Equivalent plastic strain [-].
+
+    Returns
+    -------
+    float
+        A whole number; NaN without plastic strain.
+    """
+    strained = np.flatnonzero(np.asarray(equivalent).any(axis=(0, 1)))
+    return float(strained[-1] - strained[0] + 1) if strained.size else math.nan
+
+
+def warn_of_contact(
+    solution: ContactSolution | State, scene: Scene, few: int = FEW, *, stacklevel: int
+) -> bool:
+    """Warn when fewer than `few` cells lie across a contact; whether it did."""
+    pressure, grid = solution.pressure, scene.grid
+    if _is_wide(pressure) or not (cells := cells_across(pressure)) < few:
+        return False
+    text = (
+        f"at load {solution.load:.6g} N the contact is only {cells:.0f} of {FEW} or more "
+        f"cells across ({lengths(grid.dx, grid.dy)}): its pressures depend on the grid. "
+    )
+    if (expected := scene.hertz(load=solution.load)) is not None:
+        widest = quantity(2 * expected.semi_axes[1] / FEW, "m")
+        text += f"{expected}: take cells of at most {widest}. Lengths are in metres"
+    else:
+        text += "Take smaller cells; lengths are in metres"
+    warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
+    return True
+
+
+def warn_of_zone(states: Sequence[State], body: int, few: int = FEW, *, stacklevel: int) -> bool:
+    """Warn when fewer than `few` layers lie across the plastic zone of a body; whether it did.
+
+    In the state where it is highest: a moving body carries its strain out of the grid.
+    """
+    heights = [layers_across(state.equivalent_plastic_strain(body)) for state in states]
+    layers = max((height for height in heights if height > 0), default=math.nan)
+    if not layers < few:
+        return False
+    text = (
+        f"the plastic zone of body {body} is only {layers:.0f} of {FEW} or more layers high "
+        f"({quantity(states[0].grid.dz or 0.0, 'm')} each): its strains and residual stresses "
+        "depend on the grid. Take thinner layers, a smaller dz"
+    )
+    warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
+    return True
+
+
+def warn_of_unseen(
+    peak: State, last: State, scene: Scene, few: int = TOO_FEW, *, stacklevel: int
+) -> bool:
+    """Warn of layers that cannot show whether a body yields below a contact; whether it did.
+
+    Where the contact presses hard enough and there are fewer than `few` layers in its half width,
+    or they end above where the stress is largest.
+    """
+    spot, grid = main_spot(peak.pressure), peak.grid
+    if spot is None or grid.dz is None:
+        return False
+    sizes, hardest = (grid.dx, grid.dy), float(peak.pressure.max())
+    half = 0.5 * min((s.stop - s.start) * d for s, d in zip(spot, sizes, strict=True))
+    for body, material in enumerate(scene.bodies, 1):
+        yields = last.max_equivalent_plastic_strain(body) > 0
+        if yields or not material.is_plastic or hardest < float(material.yield_stress(0.0)):
+            continue
+        if half / grid.dz < few:
+            fault = f"too thick: dz = {quantity(grid.dz, 'm')}"
+        elif grid.nz * grid.dz < _CLASSIC_DEPTH * half:
+            fault = f"too few: they end at nz dz = {quantity(grid.nz * grid.dz, 'm')}"
+        else:
+            continue
+        text = (
+            f"at load {peak.load:.6g} N body {body} does not yield, but the contact's half width is"
+            f" {quantity(half, 'm')}, and the stress is largest at half to {_CLASSIC_DEPTH} of that"
+            f" depth: the layers are {fault}"
+        )
+        warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
+        return True
+    return False
+
+
+def warn_of_step(state: State, scene: Scene, *, stacklevel: int) -> bool:
+    """Warn of what no later increment can mend, since this may be the first of many; whether so."""
+    if math.isfinite(state.approach):
+        if warn_of_contact(state, scene, TOO_FEW, stacklevel=stacklevel + 1):
+            return True
+        if warn_of_unseen(state, state, scene, 1, stacklevel=stacklevel + 1):
+            return True
+    for body, material in enumerate(scene.bodies, 1):
+        strain = state.max_equivalent_plastic_strain(body)
+        beyond = strain * material.E > float(material.yield_stress(0.0))
+        if beyond and warn_of_zone([state], body, TOO_FEW, stacklevel=stacklevel + 1):
+            return True
+    return False
+
+
+def warn_of_run(states: Sequence[State], scene: Scene, *, stacklevel: int) -> bool:
+    """Warn when the grid does not resolve contact and plastic zones of a whole run; whether so."""
+    solved = [state for state in states if math.isfinite(state.approach)]
+    peak = max(solved, key=lambda state: state.load, default=None)
+    if peak is not None and warn_of_contact(peak, scene, stacklevel=stacklevel + 1):
+        return True
+    moments = [peak, states[-1]] if peak is not None else list(states[-1:])
+    warned = [
+        warn_of_zone(moments, body, stacklevel=stacklevel + 1)
+        for body in (1, 2)
+        if moments and moments[-1].max_equivalent_plastic_strain(body) > 0
+    ]
+    if peak is not None:
+        warned.append(warn_of_unseen(peak, states[-1], scene, stacklevel=stacklevel + 1))
+    return any(warned)
+
+
+def warn_of_sweep(dataset: xr.Dataset, *, stacklevel: int) -> None:
+    """Warn of the cases of a sweep that their grids do not resolve, in one text."""
+    found = []
+    for name, what in (
+        ("contact_cells", f"a contact of fewer than {FEW} cells across"),
+        ("plastic_layers_body1", f"a plastic zone of body 1 of fewer than {FEW} layers"),
+        ("plastic_layers_body2", f"a plastic zone of body 2 of fewer than {FEW} layers"),
+    ):
+        if name in dataset and (count := int((dataset[name].max("increment") < FEW).sum())):
+            found.append(f"{count} with {what}")
+    if found:
+        text = (
+            f"of {dataset['status'].size} cases there are {', '.join(found)}: see contact_cells "
+            "and plastic_layers_bodyN of each"
+        )
+        warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of datasets: netCDF4 with a digest behind its end."""
+
+from __future__ import annotations
+
+import warnings
+from datetime import datetime, timezone
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import h5netcdf
+import xarray as xr
+
+from .._atomic import replacing_hdf5
+from .._seal import check_seal
+from ..checkpoint import DAMAGED
+from .reading import parts_of_a_run
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+CONVENTIONS = "CF-1.11"
+
+
+def save(dataset: xr.Dataset, path: str | Path) -> Path:
+    """Write a dataset as compressed netCDF4, atomically.
+
+    The file appears under its name only when it is complete; an existing one is replaced. It gets
+    the attributes `Conventions` (CF) and `history`, to which each file adds a line.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        From `to_dataset`.
+    path : str or Path
+        The file, customarily ending in .nc; its directory must exist.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    OSError
+        The directory is missing or cannot be written.
+    """
+    target = Path(path)
+    encoding = {
+        name: {"zlib": True, "complevel": 1, "shuffle": True}
+        for name, variable in dataset.data_vars.items()
+        if variable.ndim > 1
+    }
+    told = dataset.assign_attrs(Conventions=CONVENTIONS, history=_history(dataset))
+    with replacing_hdf5(target) as opened, h5netcdf.File(opened, "w") as file:
+        # to_netcdf would let HDF5 write to the disk itself
+        told.dump_to_store(xr.backends.H5NetCDFStore(file), encoding=encoding)
+    return target
+
+
+def _history(dataset: xr.Dataset) -> str:
+    """What was done when, a line each, oldest first as CF has it."""
+    from .. import __version__
+
+    now = datetime.now(timezone.utc).isoformat(timespec="seconds")
+    before = dataset.attrs.get("history")
+    return (f"{before}\n" if before else "") + f"{now}: written by samcontact {__version__}"
+
+
+def open_results(path: str | Path) -> xr.Dataset:
+    """Open a results file; fields are read when they are used.
+
+    Parameters
+    ----------
+    path : str or Path
+        A file written by `save`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Close it, or use it in a ``with`` statement.
+
+    Raises
+    ------
+    FileNotFoundError
+        There is no such file.
+    ValueError
+        The file is not a results file of this package.
+    """
+    source = Path(path)
+    if not source.is_file():
+        raise FileNotFoundError(f"no results file at {source}")
+    try:
+        check_seal(source)  # files that other programs have written on purpose have none
+        _try(source)
+        dataset = xr.open_dataset(source, engine="h5netcdf")
+    except PermissionError:
+        raise
+    except (*DAMAGED, xr.SerializationWarning) as error:
+        raise ValueError(f"path must be a netCDF4 file, got {source}: {error}") from error
+    if "samcontact_version" not in dataset.attrs:
+        dataset.close()
+        raise ValueError(f"path must be a results file written by samcontact, got {source}")
+    return dataset
+
+
+def _try(path: Path) -> None:
+    """Read what is read at once; xarray would leave a file open that it cannot use."""
+    with (
+        h5netcdf.File(path, "r", decode_vlen_strings=True) as file,  # as xarray does
+        warnings.catch_warnings(),
+    ):
+        warnings.simplefilter("error", xr.SerializationWarning)  # it would drop what does not fit
+        xr.open_dataset(xr.backends.H5NetCDFStore(file))
+
+
+def scalars(dataset: xr.Dataset) -> pd.DataFrame:
+    """Table of the quantities that have one value per increment.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        From `to_dataset` or `open_results`.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Indexed by increment, SI units.
+    """
+    names = [
+        name for name, variable in dataset.data_vars.items() if variable.dims == ("increment",)
+    ]
+    with parts_of_a_run():
+        return dataset[names].to_dataframe()
