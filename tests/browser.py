@@ -20,6 +20,8 @@ SWITCHES = (
     "--disable-gpu",
     "--window-size=1200,900",
 )
+NEVER = 10**12
+"""Milliseconds: pages are as slow as the machine is busy."""
 
 
 def _program(*names):
@@ -33,14 +35,16 @@ def _program(*names):
 
 
 @contextmanager
-def chromium():
-    """A driver of the browser."""
+def chromium(*more):
+    """A driver of the browser, started with more switches."""
     options = webdriver.ChromeOptions()
     options.binary_location = _program("chromium", "chromium-browser", "google-chrome")
-    for switch in SWITCHES:
+    for switch in (*SWITCHES, *more):
         options.add_argument(switch)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    options.timeouts = {"script": NEVER, "pageLoad": NEVER}
     driver = webdriver.Chrome(options=options, service=Service(_program("chromedriver")))
+    driver.command_executor.client_config.timeout = None
     try:
         yield driver
     finally:

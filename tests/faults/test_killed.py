@@ -87,19 +87,19 @@ SCRIPTS = {"run": RUN, "wear": WEAR, "tugging": TUGGING, "sweep": SWEEP}
 
 def check(kind, count, tmp_path):
     """Kill at times spread over the run, twice in the same folder, and then let it be."""
-    times, killed = random.Random(f"killed {kind}"), 0
+    times = random.Random(f"killed {kind}")
     with contextlib.closing(Nursery(SCRIPTS[kind])) as nursery:
         expected, whole = nursery.run(tmp_path / "whole")
         assert len(expected) == 64
         for trial in range(count):
             folder = tmp_path / f"trial{trial}"
-            for _ in range(2):
-                moment = (trial + times.random()) / count * whole
-                result, _ = nursery.run(folder, moment, signal.SIGKILL)
-                killed += result is None
+            moments = [(trial + times.random()) / count * whole for _ in range(2)]
+            while nursery.run(folder, moments[0], signal.SIGKILL)[0] is not None:
+                shutil.rmtree(folder, ignore_errors=True)
+                moments[0] /= 2  # it was through before
+            nursery.run(folder, moments[1], signal.SIGKILL)
             assert nursery.run(folder)[0] == expected
             shutil.rmtree(folder, ignore_errors=True)
-    assert killed >= count  # some are through before
 
 
 @tried("kill: run")
@@ -152,7 +152,7 @@ deadly({"os": os, "file": _atomic._Patient, "atomic": _atomic}[module], name, in
 def test_while_writing(tmp_path, module, name, number):
     dying = WRITING + RUN + "computed(folder)"
     with start(dying, tmp_path / "run", module, name, number) as process:
-        process.communicate(timeout=60)
+        process.communicate()
         assert process.returncode == -signal.SIGKILL
     with contextlib.closing(Nursery(RUN)) as nursery:
         assert nursery.run(tmp_path / "run")[0] == nursery.run(tmp_path / "whole")[0]

@@ -39,7 +39,7 @@ wild_values = st.one_of(
     st.floats(),
     st.sampled_from([np.nan, np.inf, -np.inf, 1e308, -1.0, 0.0, 5e-324]),
     st.text(alphabet="swift elastic\u00e9", max_size=8),
-    st.binary(max_size=5).map(np.void),
+    st.binary(min_size=1, max_size=5).map(np.void),
     st.booleans(),
     st.lists(st.floats(), max_size=6).map(np.array),
     st.integers(0, 3).map(lambda n: np.zeros((n, 2, 2))),

@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the fuzz tests share: how many inputs each tries, and how it tries them."""
 
-import signal
-from contextlib import contextmanager
-
 import pytest
 from hypothesis import HealthCheck, given, settings
 
@@ -25,8 +22,6 @@ INPUTS = {
     "arguments of contacts": (400, 8000),
     "arguments of steps": (300, 6000),
 }
-SECONDS = 20
-"""No input may take longer; most take milliseconds."""
 
 
 def tried(name):
@@ -39,9 +34,8 @@ def tried(name):
 def try_all(check, count, **strategies):
     """Call a check with that many inputs; the same ones in every run."""
 
-    def limited(**drawn):
-        with no_longer_than(SECONDS):
-            check(**drawn)
+    def tried(**drawn):
+        check(**drawn)  # what it returns is for other callers
 
     steady = settings(
         max_examples=count,
@@ -50,7 +44,7 @@ def try_all(check, count, **strategies):
         database=None,
         suppress_health_check=list(HealthCheck),
     )
-    steady(given(**strategies)(limited))()
+    steady(given(**strategies)(tried))()
 
 
 def unless_refused(call, kind, text=""):
@@ -62,23 +56,3 @@ def unless_refused(call, kind, text=""):
     assert message
     assert text in message
     return None
-
-
-class HangError(BaseException):
-    """An input took too long; nothing that handles errors may handle it."""
-
-
-@contextmanager
-def no_longer_than(seconds):
-    """A limit that Python code and the core's checks for signals obey."""
-
-    def stop(number, frame):
-        raise HangError(f"longer than {seconds} s")
-
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.alarm(seconds)
-    try:
-        yield
-    finally:
-        signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)

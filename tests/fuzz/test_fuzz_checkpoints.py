@@ -94,8 +94,9 @@ def test_edited_parts(saved, tmp_path, count):
 
 
 @tried("flipped or cut bytes of a journal")
+@pytest.mark.filterwarnings("ignore:.*is damaged")
 def test_damaged_journal(tmp_path, count):
-    """A run goes on with the same bits, or tells which file is damaged, and never computes on."""
+    """A run ends with the same bits, whatever increment is damaged, or is of another run."""
     folder = tmp_path / "journal"
     elastic = sc.Material.elastic(210e9, 0.3)
 
@@ -112,7 +113,8 @@ def test_damaged_journal(tmp_path, count):
     def check(hurt, name):
         for each, content in contents.items():
             (folder / each).write_bytes(hurt(content) if each == name else content)
-        assert unless_refused(run, ValueError, str(folder)) in (None, expected)
+        found = unless_refused(run, ValueError, str(folder))
+        assert found == expected or (found is None and name == "run.txt")
 
     try_all(check, count, hurt=damage(), name=st.sampled_from(sorted(contents)))
 
@@ -122,13 +124,13 @@ def worn(tmp_path_factory):
     """Bytes of a checkpoint of wear, its scene and where it stands."""
     file = tmp_path_factory.mktemp("worn") / "cycle.h5"
     kept = []
-    read = wear_checkpoint.read
+    latest = wear_checkpoint.latest
 
     def spy(path, scene):
         kept.append(scene)
-        return read(path, scene)
+        return latest(path, scene)
 
-    cycles.read = spy
+    cycles.latest = spy
     try:
         grid = sc.Grid(15, 13, 60e-6, 60e-6, 12, 40e-6)
         gap = sc.surfaces.paraboloid(grid, 7.5e-3)
@@ -138,8 +140,8 @@ def worn(tmp_path_factory):
             threshold=4e-3, cycles=3, window=3, checkpoint=file, progress=False, tol=1e-4,
         )  # fmt: skip
     finally:
-        cycles.read = read
-    standing = read(file, kept[0])
+        cycles.latest = latest
+    standing = latest(file, kept[0])
     assert len(standing.cycles) == 2
     return file.read_bytes(), kept[0], standing_digest(standing)
 

@@ -181,3 +181,19 @@ def test_friction_up_to_one(pair, friction):
         # shear towards +x lifts what is behind it (Cerruti); on body 1 it is reversed
         sign = 1 if pair == (CORK, RIGID) else -1
         assert sign * lean > (0.02 if STEEL in pair else 0.05) * friction
+
+
+@border
+@pytest.mark.parametrize(("seed", "load"), [(20, 1e70), (40, 1e-3), (53, 1.0)])
+def test_an_error_beyond_numbers_ends(seed, load):
+    """The complementarity error of such gaps is infinite, and does not become less."""
+    rng = np.random.default_rng(seed)
+    gap = np.zeros((7, 6))
+    count = rng.integers(1, 42)
+    cells = rng.choice(gap.size, count, replace=False)
+    gap.flat[cells] = rng.choice([1e299, -1e299, 1e200, 1e308, -1e308, 1.0, 1e-300], count)
+    start = rng.choice([0, 0, 1.0, 1e300, 1e-300, -1], gap.shape)
+    grid = sc.Grid(7, 6, 1e-5, 1e-5)
+    solver = sc.ContactSolver(grid, STEEL, STEEL, max_iterations=2, on_border="warn")
+    with pytest.raises((sc.ConvergenceError, ValueError)):
+        solver.solve(gap, load=load, initial_pressure=start)

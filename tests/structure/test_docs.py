@@ -97,7 +97,10 @@ def test_every_page_is_linked_from_the_readme():
     links = set(re.findall(r"\]\(([^)\s]+)\)", TEXTS["README.md"]))
     parts = {page for page in TEXTS if page.startswith(("docs/gallery/", "docs/api/"))}
     # made from others, or there for the site only
-    site = {f"docs/{name}.md" for name in ("index", "case_reference", "contributing", "changes")}
+    site = {
+        f"docs/{name}.md"
+        for name in ("index", "case_reference", "notebooks", "contributing", "changes")
+    }
     assert links >= set(TEXTS) - parts - site - {"README.md"}
 
 
@@ -159,3 +162,24 @@ def test_every_variable_of_a_results_file_is_documented():
     assert {"travel_bodyN", "offset_bodyN", "track_residual_stress_bodyN"} <= names
     text = TEXTS["docs/case_files.md"]
     assert sorted(name for name in names if not re.search(rf"\b{name}\b", text)) == []
+
+
+def test_the_tutorial_states_what_its_examples_compute(capsys):
+    """Numbers in its sentences are those that its first examples make, rounded."""
+    page = "docs/tutorial.md"
+    first, second = (block for language, block in FENCE.findall(TEXTS[page])[:2])
+    made: dict[str, object] = {}
+    exec(compile(first, "example", "exec"), made)
+    hertz, steel = made["hertz"], made["steel"]
+    text = " ".join(prose(page).split())
+    assert f"{hertz.p0 / 1e9:.1f} GPa, and a von Mises stress of" in text
+    assert f"von Mises stress of {hertz.max_von_mises(0.3)[0] / 1e9:.1f} GPa below" in text
+    assert f"begins to yield at {float(steel.yield_stress(0.0)) / 1e9:.2f} GPa" in text
+    exec(compile(second, "example", "exec"), made)
+    grid, law = made["grid"], made["simulation"].body2
+    assert f"{grid.nx * grid.dx / (2 * hertz.a):.1f} times as wide as the contact" in text
+    assert f"has {hertz.a / grid.dx:.0f} cells to a contact radius" in text
+    assert law.yield_stress(0.0) == steel.yield_stress(0.0)  # the same steel
+    # every number with a unit in these sentences is one of those above, or what is given
+    stated = set(re.findall(r"[\d.]+ (?:GPa|MPa|N|mm)\b", text))
+    assert stated == {"15 mm", "1500 N", "4.1 GPa", "2.5 GPa", "1.36 GPa"}

@@ -14,9 +14,12 @@ ROOT = Path(__file__).parents[2]
 CASE = re.search(r"```toml\n(.*?)```", (ROOT / "docs" / "tutorial.md").read_text(), re.DOTALL)[1]
 FIGURES = {
     "axis_stress.png",
+    "gap_map.png",
     "load_approach.png",
     "pressure.png",
+    "pressure_map.png",
     "print.png",
+    "print_map.png",
     "residual.png",
     "sections.png",
 }

@@ -53,7 +53,9 @@ FOLDERS = {
 # Modules that talk to the core; all others go through them.
 CORE_USERS = {
     "__init__",
+    "_expected",
     "_heating",
+    "_overlap",
     "_load_core",
     "checkpoint",
     "contact",

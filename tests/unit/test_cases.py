@@ -119,7 +119,11 @@ def test_every_law_and_shape_is_accepted(write):
             "C = 20\nK = 1",
             r"body2\.K: unknown field; allowed here: thermal, kinematic, softening, law, E, nu, ",
         ),
-        ('"swift"', '"ludwik"', r"body2\.law: must be one of 'rigid', .*'swift', got 'ludwik'"),
+        (
+            '"swift"',
+            '"ludwik"',
+            r"body2\.law: must be one of 'elastic', 'rigid', .*'swift', got 'ludwik'",
+        ),
         ('law = "swift"\n', "", r"body2\.law: required field is missing"),
         ("n = 0.121", "n = -1.0", r"body2\.n: input should be greater than or equal to 0"),
         (
@@ -130,7 +134,7 @@ def test_every_law_and_shape_is_accepted(write):
         (
             'law = "elastic"\nE = 210e9',
             'law = "linear_hardening"\nyield_stress = 1e9\ntangent_modulus = 3e9\nE = 2e9',
-            r"body1: tangent_modulus must be < E = 2000000000\.0, got 3000000000\.0",
+            r"body1: tangent_modulus must be in \[0, E\) with E = 2e\+09 Pa, got 3e\+09",
         ),
         ("[surface]", "[surfaces]", r"surface: required field is missing"),
         (
@@ -186,7 +190,7 @@ def test_unreadable_files(tmp_path):
     with pytest.raises(CaseError, match="cannot read the case file"):
         load_case(tmp_path)
     (tmp_path / "latin.toml").write_bytes(b'title = "\xe9"')
-    with pytest.raises(CaseError, match=r"cannot read the case file: .*utf-8"):
+    with pytest.raises(CaseError, match=r"cannot read the case file: its byte 9 is not UTF-8"):
         load_case(tmp_path / "latin.toml")
 
 
@@ -356,7 +360,7 @@ def test_heat(write, tmp_path):
     assert 0 < rise[0] < rise[1] > rise[2] > 0
     np.testing.assert_allclose(data["surface_temperature_body2"].max(["x", "y"]), rise)
     assert data["temperature_body2"].dims == ("volume_increment", "x", "y", "z")
-    assert data.attrs["heat_factor"] == [0.0, 0.0]
+    np.testing.assert_array_equal(data["heat_factor"], [[0.0, 0.02], [0.0, 0.02], [0.0, 0.0]])
     assert data.attrs["body2_conductivity"] == 50.2
     assert "JohnsonCook" in data.attrs["body2_softening"]
     written = samcontact.plotting.summary_figures(simulation, states, tmp_path / "figures")

@@ -3,6 +3,7 @@
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
@@ -10,6 +11,7 @@ from test_cases import MINIMAL
 
 import samcontact
 from samcontact import results
+from samcontact.commands.folder import is_own
 from samcontact.commands.main import main
 
 
@@ -21,7 +23,13 @@ def case_file(tmp_path):
 
 
 def invoke(*arguments):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments])
+    outcome = CliRunner().invoke(main, [str(argument) for argument in arguments])
+    if outcome.exit_code == 0 and arguments[0] in ("run", "resume"):
+        lines = [line for line in outcome.stdout.splitlines() if "/" in line]
+        written = [Path(line) for line in lines if Path(line).is_file()]
+        # else a later run would leave it beside results that it does not show
+        assert [file for file in written if not is_own(file)] == []
+    return outcome
 
 
 def test_run_writes_results_figures_and_tables(case_file, tmp_path):
@@ -30,16 +38,19 @@ def test_run_writes_results_figures_and_tables(case_file, tmp_path):
     text = outcome.stdout
     assert "two balls" in text
     assert "Increments" in text
-    assert "Against elastic Hertz contact at 600 N" in text
+    assert "Increment 2 against elastic Hertz contact at 600 N" in text
     assert "contact area [mm²]" in text
     files = [line for line in text.splitlines() if line.startswith(str(tmp_path))]
     assert [f.rsplit("/", 1)[1] for f in files] == [
         "results.nc",
         "pressure.png",
-        "load_approach.png",
+        "pressure_map.png",
+        "gap_map.png",
         "axis_stress.png",
         "sections.png",
+        "load_approach.png",
         "print.png",
+        "print_map.png",
         "residual.png",
     ]
     with results.open_results(tmp_path / "out" / "results.nc") as data:
@@ -82,16 +93,16 @@ def test_load_beyond_the_grid_is_exit_code_2(case_file, tmp_path):
 
 
 def test_no_convergence_is_exit_code_1(case_file, tmp_path, monkeypatch):
-    def diverge(self, path, **_):
+    def diverge(self, **_):
         raise samcontact.ConvergenceError("residual 0.1 after 200 iterations")
 
-    monkeypatch.setattr(samcontact.Simulation, "run", diverge)
+    monkeypatch.setattr(samcontact.Simulation, "step", diverge)
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--quiet")
     check_failure(outcome, 1, "no convergence: residual 0.1")
 
 
 def test_unwritable_output_fails_before_the_computation(case_file, tmp_path, monkeypatch):
-    monkeypatch.setattr(samcontact.Simulation, "run", lambda *_, **__: pytest.fail("was run"))
+    monkeypatch.setattr(samcontact.Simulation, "step", lambda *_, **__: pytest.fail("was run"))
     (tmp_path / "file").write_text("")
     check_failure(invoke("run", case_file, "--output", tmp_path / "file" / "out"), 1, "file")
 

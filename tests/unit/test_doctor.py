@@ -6,7 +6,6 @@ import platform
 import re
 import subprocess
 import sys
-import time
 from importlib import metadata
 
 import numpy as np
@@ -30,9 +29,7 @@ def verdict_lines(text):
 
 
 def test_a_sound_installation():
-    start = time.perf_counter()
     outcome = invoke()
-    assert time.perf_counter() - start < 20  # a second or two, on a machine that is not busy
     assert outcome.exit_code == 0, outcome.output
     lines = verdict_lines(outcome.stdout)
     assert len(lines) == 7

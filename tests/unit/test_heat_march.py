@@ -52,6 +52,10 @@ class TestGivenFlux:
         once = at_once(8 * STEP, velocity=velocity).step(pressure=PRESSURE)
         assert_fields(state, once, 1e-5)
 
+    def test_shortest_and_longest_may_be_equal(self):
+        state = march(longest=STEP).step(pressure=PRESSURE, duration=STEP)
+        assert_fields(state, at_once(STEP).step(pressure=PRESSURE), 1e-5)
+
     @pytest.mark.parametrize("velocity", [(0.0, 0.0), (0.2, 0.0)])
     def test_any_flux_is_a_sum_of_constant_ones(self, velocity):
         simulation = march(velocity=velocity)
@@ -239,7 +243,7 @@ class TestBadInput:
         [
             ({"heat_history": (0.0, 1.0)}, "heat_history must be"),
             ({"heat_history": (1e-3, -1.0)}, "heat_history must be"),
-            ({"heat_history": (1.0, 1e-3)}, "with shortest < longest"),
+            ({"heat_history": (1.0, 1e-3)}, "with shortest <= longest"),
             ({"heat_history": (1.0,)}, "heat_history must be a pair"),
             ({"heat_history": (1e-3, 1.0), "heating_time": 1.0}, "give heat_history or heating_ti"),
         ],

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from pydantic import TypeAdapter, ValidationError
 
 import samcontact as sc
-from samcontact.cases.sections import BodySection
+from samcontact.cases.bodies import BodySection
 
 E, NU, YIELD = 210e9, 0.3, 1e9
 G = E / (2 * (1 + NU))

@@ -21,6 +21,10 @@ from samcontact.cases import load_case
 from samcontact.commands import solve_contact
 
 
+def pressed(*_, **__):
+    raise KeyboardInterrupt
+
+
 @pytest.fixture
 def case_file(tmp_path):
     path = tmp_path / "scene.toml"
@@ -46,7 +50,7 @@ def test_figures_and_animation(case_file, tmp_path, monkeypatch):
     with Image.open(tmp_path / "out" / "rolling.gif") as image:
         assert image.n_frames == 3  # every second of 6 increments
     assert "travel" in outcome.stdout
-    assert "-180.00" in outcome.stdout
+    assert " -180 " in outcome.stdout
 
 
 def test_animation_of_what_does_not_move(case_file, tmp_path):
@@ -76,7 +80,7 @@ main(sys.argv[2:])
 
 def fields(folder):
     with results.open_results(folder / "results.nc") as data:
-        del data.attrs["created"]
+        del data.attrs["created"], data.attrs["history"]
         return data.load()
 
 
@@ -122,6 +126,7 @@ class TestForeignCheckpoints:
         assert sorted(path.name for path in found.iterdir()) == [
             "case.txt",
             "increment_00001.h5",
+            "key.txt",
             "run.txt",
         ]
         return found
@@ -134,6 +139,8 @@ class TestForeignCheckpoints:
         case_file.write_text(MOVING.replace("load = 600.0", "load = 500.0"))
         outcome = invoke(*self.command(case_file, tmp_path))
         check_failure(outcome, 2, str(folder), "of another run: remove it, or choose another")
+        # it still belongs to the run that left it
+        assert (folder / "case.txt").read_text() == f"{case_file}\n{MOVING}"
 
     def test_without_a_description(self, folder, case_file, tmp_path):
         (folder / "run.txt").unlink()
@@ -142,7 +149,25 @@ class TestForeignCheckpoints:
     def test_damaged(self, folder, case_file, tmp_path):
         file = folder / "increment_00001.h5"
         file.write_bytes(file.read_bytes()[:-500])
-        check_failure(invoke(*self.command(case_file, tmp_path)), 2, str(file), "is damaged")
+        with pytest.warns(UserWarning, match="is damaged: .* increment 1 is solved again"):
+            outcome = invoke(*self.command(case_file, tmp_path), "--no-figures")
+        assert outcome.exit_code == 0, outcome.output
+        assert not folder.exists()
+
+    def test_a_run_that_starts_anew_sets_them_aside(self, folder, case_file, tmp_path):
+        case_file.write_text(MINIMAL)
+        plain = ("run", case_file, "--output", tmp_path / "out", "--quiet", "--no-figures")
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(solve_contact.results, "to_dataset", pressed)
+            outcome = invoke(*plain)
+        aside = folder.with_name("checkpoints.old")
+        assert outcome.exit_code == 130
+        assert outcome.stderr.startswith(f"checkpoints of another run, set aside: {aside}\n")
+        assert (aside / "increment_00001.h5").exists()
+        outcome = invoke(*plain)  # of the same run: none is lost
+        assert outcome.exit_code == 0
+        assert outcome.stderr == f"going on from the checkpoints of an interrupted run: {folder}\n"
+        assert [path.name for path in folder.parent.iterdir()] == ["results.nc"]
 
 
 def test_heights_that_changed_are_another_run(case_file, tmp_path, monkeypatch):

@@ -4,10 +4,9 @@
 import subprocess
 import sys
 
-import matplotlib.image
 import numpy as np
 import pytest
-from core_fakes import ELASTIC, FakeState, make_grid, make_simulation
+from core_fakes import FakeState, make_grid, make_simulation
 from matplotlib.figure import Figure
 
 from samcontact import hertz, plotting
@@ -28,6 +27,11 @@ def state(simulation):
 @pytest.fixture
 def ax():
     return Figure().subplots()
+
+
+def shown_label(ax):
+    """Beside the colours, or above where the section is flat."""
+    return ax.get_title() or ax.figure.axes[1].get_ylabel()
 
 
 def lines(ax):
@@ -70,7 +74,7 @@ def test_section_shows_the_plane_with_depth_downward(state, simulation, ax):
     assert corners[0, 0, 1] == 0.0
     assert corners[-1, 0, 1] == pytest.approx(grid.nz * grid.dz * 1e6)
     assert ax.yaxis_inverted()
-    assert ax.figure.axes[1].get_ylabel() == "von Mises stress [MPa]"
+    assert shown_label(ax) == "von Mises stress [MPa]"
 
 
 def test_section_of_the_other_plane_and_signed_colours(state, simulation, ax):
@@ -88,7 +92,50 @@ def test_strain_in_percent(state, simulation, ax):
     field = state.equivalent_plastic_strain(body=2)
     plotting.section(field, simulation.grid, ax, quantity="equivalent_plastic_strain")
     np.testing.assert_allclose(ax.collections[0].get_array(), field[:, 4, :].T * 100)
-    assert "[%]" in ax.figure.axes[1].get_ylabel()
+    assert "[%]" in shown_label(ax)
+
+
+def test_a_field_that_is_zero_says_so(simulation, ax):
+    grid = simulation.grid
+    for quantity in ("equivalent_plastic_strain", "hydrostatic"):
+        ax = Figure().subplots()
+        plotting.section(np.zeros((grid.nx, grid.ny, grid.nz)), grid, ax, quantity=quantity)
+        assert ax.texts[0].get_text() == "zero\neverywhere"
+        assert len(ax.figure.axes) == 1  # no scale
+        assert ax.get_title() != ""
+
+
+@pytest.mark.parametrize("layers", [2, 12])
+def test_the_label_of_a_section_is_where_it_has_room(layers, ax):
+    grid = make_grid(nz=layers, dz=1e-4)
+    plotting.section(np.ones((grid.nx, grid.ny, grid.nz)), grid, ax)
+    beside = ax.figure.axes[1].get_ylabel()
+    assert (ax.get_title(), beside)[layers > 5] == "von Mises stress [MPa]"
+    assert (ax.get_title(), beside)[layers < 5] == ""
+
+
+@pytest.mark.parametrize("source", ["state", "fields"])
+def test_maps_of_the_surface(simulation, source):
+    grid = simulation.grid
+    state = FakeState(grid, 1500.0)
+    touching = state.pressure > 0
+    state.gap = np.where(touching, 1e-15, 1e-6 * (1.0 + grid.x[:, None] + grid.y))
+    printed = state.residual_displacement(body=2)
+    fields = {"pressure": state.pressure, "gap": state.gap, "print": printed}
+    expected = {
+        "pressure": np.where(touching, state.pressure * 1e-9, np.nan),
+        "gap": np.where(touching, np.nan, state.gap * 1e6),
+        "print": printed * 1e6,
+    }
+    for quantity, field in fields.items():
+        given = state if source == "state" else field
+        ax = plotting.surface_map(given, grid, quantity=quantity)
+        (mesh,) = ax.collections
+        shown = np.ma.filled(mesh.get_array().astype(float), np.nan)
+        np.testing.assert_allclose(shown, expected[quantity].T)
+    assert ax.get_title() == "residual displacement [µm]"
+    with pytest.raises(ValueError, match="quantity must be one of 'pressure', 'gap', 'print'"):
+        plotting.surface_map(state, grid, quantity="shear")
 
 
 def test_load_approach(simulation, ax):
@@ -96,8 +143,12 @@ def test_load_approach(simulation, ax):
     contact = hertz.point(7.5e-3, E_STAR, load=123.0)
     plotting.load_approach(states, ax, hertz=contact)
     drawn = lines(ax)
-    np.testing.assert_allclose(drawn["computed"][:, 1], [100.0, 800.0, 0.0])
-    np.testing.assert_allclose(drawn["computed"][:, 0], [s.approach * 1e6 for s in states])
+    np.testing.assert_allclose(drawn["increments"][:, 1], [100.0, 800.0, 0.0])
+    np.testing.assert_allclose(drawn["increments"][:, 0], [s.approach * 1e6 for s in states])
+    # what is between the increments is not known: no line that looks like it
+    styles = {line.get_label(): line.get_linestyle() for line in ax.get_lines()}
+    assert styles == {"_order": ":", "increments": "None", "Hertz": "--"}
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["increments", "Hertz"]
     assert drawn["Hertz"][-1, 1] == pytest.approx(800.0, rel=1e-12)  # states are Hertz contacts
 
 
@@ -136,7 +187,7 @@ def test_section_of_temperature(simulation, ax):
     field = np.arange(float(grid.nx * grid.ny * grid.nz)).reshape(grid.nx, grid.ny, grid.nz)
     plotting.section(field, grid, ax, quantity="temperature")
     np.testing.assert_allclose(ax.collections[0].get_array(), field[:, 4, :].T)
-    assert ax.figure.axes[1].get_ylabel() == "rise of temperature [K]"
+    assert shown_label(ax) == "rise of temperature [K]"
 
 
 def test_axis_profile(state, simulation, ax):
@@ -154,30 +205,6 @@ def test_axis_profile_names_its_components(state, simulation, ax):
     for index, (name, line) in enumerate(zip(names, ax.get_lines(), strict=True)):
         assert name in line.get_label()
         np.testing.assert_allclose(line.get_xdata(), state.stress()[index, 5, 4] * 1e-6)
-
-
-def test_summary_figures(simulation, tmp_path):
-    states = [FakeState(simulation.grid, load) for load in (1500.0, 0.0)]
-    written = plotting.summary_figures(simulation, states, tmp_path / "new" / "folder")
-    assert [path.name for path in written] == [
-        "pressure.png",
-        "load_approach.png",
-        "axis_stress.png",
-        "sections.png",
-        "flash_temperature.png",
-        "temperature.png",
-        "print.png",
-        "residual.png",
-    ]
-    for path in written:
-        image = matplotlib.image.imread(path)
-        assert min(image.shape[:2]) > 400
-        assert image[..., :3].std() > 0.01  # something is drawn
-    surface = make_simulation(nz=0, body2=ELASTIC)
-    states = [FakeState(surface.grid, 1500.0)]
-    written = plotting.summary_figures(surface, states, tmp_path)
-    names = ["pressure.png", "load_approach.png", "flash_temperature.png"]
-    assert [path.name for path in written] == names
 
 
 def test_new_figure_without_pyplot():

@@ -21,11 +21,15 @@ from samcontact.report.tables import parameters
 MARGINS = ("contact_margin", "plastic_margin_body2")
 
 
+# with layers that resolve the plastic zone
+CASE = MINIMAL.replace("nz = 12\ndz = 60e-6", "nz = 36\ndz = 20e-6")
+
+
 @pytest.fixture(scope="module")
 def data():
     """A real run of a case."""
-    case = parse_case(MINIMAL + "\n[output]\nbody = 2\n")
-    case._text = MINIMAL
+    case = parse_case(CASE + "\n[output]\nbody = 2\n")
+    case._text = CASE
     simulation, path = case.build()
     return results.to_dataset(simulation, simulation.run(path, progress=False), case)
 
@@ -68,7 +72,7 @@ def test_the_browser_shows_every_figure(page):
     script = "return [...document.images].map(i => [i.complete, i.naturalWidth, i.alt])"
     images = page.driver.execute_script(script)
     captions = [e.text for e in page.driver.find_elements(By.TAG_NAME, "figcaption")]
-    assert len(images) == len(captions) == 10
+    assert len(images) == len(captions) == 13
     for complete, width, description in images:
         assert complete
         assert width > 300
@@ -92,7 +96,7 @@ def test_title_and_parameters(page):
     assert ["body2", "C", "20 microstrain"] in rows
     assert ["surface", "Rx", "7.5 mm"] in rows
     assert ["path, part 1", "load", "600 N"] in rows
-    assert MINIMAL.strip() in page.driver.find_element(By.TAG_NAME, "pre").text
+    assert CASE.strip() in page.driver.find_element(By.TAG_NAME, "pre").text
 
 
 def test_increments_equal_the_dataset(page, data):
@@ -107,6 +111,7 @@ def test_increments_equal_the_dataset(page, data):
             "max_equivalent_plastic_strain_body2",
             1e2,
         ),
+        "print depth, body 2 [µm]": ("print_depth_body2", 1e6),
     }
     assert headings == list(columns)
     assert [row[0] for row in rows] == ["1", "2", "3"]
@@ -125,8 +130,9 @@ def test_convergence_equals_the_dataset(page, data):
     for index, name in enumerate(names):
         found = np.array([row[index] for row in behind], dtype=float)
         np.testing.assert_array_equal(found, data[name])
-    assert rows[-1][6] == "none"  # unloaded: no contact whose distance could be told
-    assert float(behind[1][6]) == float(data["plastic_margin_body2"][1]) > 0
+    assert rows[-1][6:8] == ["none", "none"]  # unloaded: there is no contact
+    names = ["contact_margin", "contact_cells", "plastic_layers_body2", "plastic_margin_body2"]
+    assert [float(value) for value in behind[1][5:]] == [float(data[name][1]) for name in names]
 
 
 def test_hertz_table(page, data):
@@ -148,7 +154,7 @@ def test_hertz_table(page, data):
 def test_checks_in_the_browser(page, data):
     verdicts = report.checks(data)
     assert all(verdict.passed for verdict in verdicts)
-    assert page.driver.find_element(By.ID, "verdict").text == "9 of 9 checks passed"
+    assert page.driver.find_element(By.ID, "verdict").text == "11 of 11 checks passed"
     rows = cells(page, "checks-table")[1:]
     expected = [[v.name, v.shown, v.condition, "✓ passed"] for v in verdicts]
     assert rows == expected
@@ -167,9 +173,39 @@ def test_the_page_is_fit_for_screen_readers_and_paper(page):
     assert len(driver.print_page()) > 50_000  # a PDF with the figures, base64
 
 
-def find(dataset, start):
-    (found,) = [v for v in report.checks(dataset) if v.name.startswith(start)]
+@pytest.mark.parametrize("width", [390, 800, 1280])
+def test_no_number_is_broken(page, width):
+    """Every cell with a number is one line, on a phone too."""
+    size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
+    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    script = """const cells = document.querySelectorAll('td.number, .numbers tbody th, td.passed');
+    return [...cells].filter(cell => {
+        const range = document.createRange();
+        range.selectNodeContents(cell);
+        const tops = [...range.getClientRects()].map(box => Math.round(box.top));
+        return Math.max(...tops) - Math.min(...tops) > 4;
+    }).map(cell => cell.textContent)"""
+    try:
+        assert page.driver.execute_script("return document.querySelectorAll('td.number').length")
+        assert page.driver.execute_script(script) == []
+        wider = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
+        assert page.driver.execute_script(wider) <= 0
+    finally:
+        page.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def named(verdicts, start):
+    (found,) = [v for v in verdicts if v.name.startswith(start)]
     return found
+
+
+def find(dataset, start):
+    return named(report.checks(dataset), start)
+
+
+@pytest.fixture(scope="module")
+def sound(data):
+    return report.checks(data)
 
 
 def spoilt(data, name, change):
@@ -195,18 +231,20 @@ SPOILERS = [
     ("last change", "plastic_residual", lambda x: x * 0 + 1e-3, 1e-3),
     ("cells between contact", "contact_margin", lambda x: x * 0, 0.0),
     ("cells between plastic", "plastic_margin_body2", lambda x: x * 0, 0.0),
+    ("cells across", "contact_cells", lambda x: x * 0 + 3, 3.0),
+    ("layers of the plastic zone", "plastic_layers_body2", lambda x: x * 0 + 3, 3.0),
     ("largest plastic strain", "max_plastic_strain_body2", lambda x: x * 0 + 0.06, 0.06),
 ]
 
 
 @pytest.mark.parametrize(("start", "name", "change", "value"), SPOILERS)
-def test_every_check_can_fail(data, tmp_path, start, name, change, value):
+def test_every_check_can_fail(data, sound, start, name, change, value):
     bad = spoilt(data, name, change)
     verdict = find(bad, start)
     assert not verdict.passed
     if value is not None:
         assert verdict.value == pytest.approx(value, rel=1e-6)
-    assert find(data, start).passed
+    assert named(sound, start).passed
 
 
 def test_a_failed_check_is_told(data, tmp_path):
@@ -215,7 +253,7 @@ def test_a_failed_check_is_told(data, tmp_path):
     assert outcome.exit_code == 0
     assert "check failed: cells between contact and border of the grid: 0" in outcome.stderr
     text = (tmp_path / "report.html").read_text(encoding="utf-8")
-    assert "8 of 9 checks passed" in text
+    assert "10 of 11 checks passed" in text
     assert text.count("✗ failed") == 1
 
 
@@ -248,7 +286,7 @@ def test_elastic_surface_run_without_case(tmp_path):
     states = simulation.run([{"load": 300.0}], progress=False)
     text = written(results.to_dataset(simulation, states), tmp_path)
     assert "<h1>Contact</h1>" in text
-    assert "5 of 5 checks passed" in text
+    assert "6 of 6 checks passed" in text
     assert "40 µm × 40 µm" in text
     assert "hertz-table" not in text
     assert "Case file" not in text
@@ -257,6 +295,8 @@ def test_elastic_surface_run_without_case(tmp_path):
     assert captions == [
         "Pressure along x, increment 1, 300 N",
         "Pressure along y, increment 1, 300 N",
+        "Map of the pressure, increment 1, 300 N",
+        "Map of the gap, increment 1, 300 N",
         "Load against approach",
         "Convergence",
     ]
@@ -269,7 +309,9 @@ def test_moving_contact_has_a_track(tmp_path):
     states = simulation.run([{"load": 600.0}, move, move, {"load": 0.0}], progress=False)
     dataset = results.to_dataset(simulation, states)
     text = written(dataset, tmp_path)
-    assert "Print of the track, body 2, unloaded" in text
+    for caption in ("Print", "Map of the print", "Residual von Mises stress"):
+        assert f"{caption} of the track, body 2, unloaded" in text
+    assert "Print, increment" not in text  # a corner of it
     assert "travel, body 2 [µm]" in text
     # what the contact leaves behind may leave the grid, too
     assert all(verdict.passed for verdict in report.checks(dataset))

@@ -2,13 +2,19 @@
 """Tables of notebooks: parsed as HTML, they show the numbers of the object with units."""
 
 import dataclasses
+import importlib
+import inspect
 import math
+import pkgutil
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact._repr import UNITS, html_table, quantity
+from samcontact import results
+from samcontact._repr import LONGEST, UNITS, html_table, in_short, quantity
+from samcontact.cases import parse_case
 
 E_STAR = 115384615384.6154
 BALL = sc.Material.elastic(210e9, 0.3)
@@ -167,3 +173,103 @@ def test_text_stays_as_it_was():
     grid = sc.Grid(4, 4, 1e-6, 1e-6)
     assert repr(grid) == "Grid(nx=4, ny=4, dx=1e-06, dy=1e-06, nz=0, dz=None)"
     assert repr(CLOSED_FORMS[0]).startswith("PointContact(R=0.0075, E_star=")
+
+
+CASE = """
+title = "{title}"
+description = "{long}"
+{tugging}
+[body1]
+law = "rigid"
+[body2]
+law = "elastic"
+E = 1e9
+nu = 0.3
+"""
+CONTACT = """
+[grid]
+nx = 4
+ny = 4
+dx = 1e-6
+dy = 1e-6
+[surface]
+shape = "sphere"
+R = 1.0
+[[path]]
+load = 1.0
+"""
+TUGGING = "[tugging]\nR1 = 1.0\nR2 = 1.0\ninterference = 1e-3"
+
+
+def public_objects():
+    """One of each class that the public modules name."""
+    grid = sc.Grid(40, 30, 60e-6, 60e-6, 3, 60e-6)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    heights = np.array(gap)
+    heights[3, 4] = np.nan
+    steel = STEEL.with_kinematic_hardening([1e9] * 4, [30.0] * 4).with_thermal(50.2, 12e-6, 1e-5)
+    steel = steel.with_softening(sc.softening.JohnsonCook(1800.0, 1.0))
+    relief = sc.Relief(1e-9 * heights[:2], -3)
+    simulation = sc.Simulation(grid, steel, steel, gap, relief1=relief, velocity=(1 / 3, 1 / 7))
+    state = simulation.step(load=10.0)
+    solver = sc.ContactSolver(grid, steel, steel, 0.1, heat_factor=1 / 3, velocity=(1 / 3, 1 / 7))
+    collision = sc.asperities.Collision(1e-3, 1e-3, 1e-6)
+    cycle = sc.wear.Cycle(1, (0.1,), (0.1,), (0.1,), (0.1,), (0.1,), 1.0, 1.0, 1.0)
+    worn = {2: np.stack([gap] * 5)}
+    load = sc.flattening.kogut_etsion(np.linspace(1e-9, 1e-7, 500), 1e-3, 1e11, 0.3, 1e9)
+    series = results.to_dataset(simulation, [state])
+    fields = {"title": "t" * 500, "long": "d" * 5000}
+    return [
+        grid, steel, relief, simulation, state, state.track(), solver, collision, cycle, load,
+        sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
+        sc.measured.MeasuredSurface(heights, 1e-6, attrs={"source": "s" * 3000}),
+        sc.asperities.Tugging(collision, simulation, series, [state]),
+        sc.wear.WearResult(grid, (2,), [cycle] * 50, True, None, relief, worn, {2: 0}, (state,) * 2,
+                           None),
+        steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
+        sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
+        parse_case(CASE.format(tugging=CONTACT, **fields)),
+        parse_case(CASE.format(tugging=TUGGING, **fields)),
+    ]  # fmt: skip
+
+
+def public_classes():
+    """All but errors and warnings, which show their message."""
+    names = [module.name for module in pkgutil.iter_modules(sc.__path__)]
+    shown = [
+        name for name in names if not name.startswith("_") and name not in ("gallery", "commands")
+    ]
+    modules = [sc, *(importlib.import_module(f"samcontact.{name}") for name in shown)]
+    named = [getattr(m, name) for m in modules for name in getattr(m, "__all__", ())]
+    return {c for c in named if inspect.isclass(c) and not issubclass(c, BaseException)}
+
+
+def test_no_repr_is_long():
+    things = public_objects()
+    assert public_classes() - {type(thing) for thing in things} == set()
+    for thing in things:
+        text = repr(thing)
+        assert text.startswith(f"{type(thing).__name__}("), text
+        assert len(text) <= 1000, text
+        assert " at 0x" not in text
+        assert "\n" not in text
+
+
+def test_arrays_are_told_by_shape_and_range():
+    heights = np.array([[1.0, np.nan, -2.0], [0.5, 0.25, 3.0]])
+    surface = sc.measured.MeasuredSurface(heights, 1e-6)
+    assert repr(surface) == (
+        "MeasuredSurface(heights=<array 2 x 3, -2 to 3, 1 NaN>, dx=1e-06, dy=1e-06, attrs={})"
+    )
+    relief = sc.Relief(np.zeros((2, 3)), 5)
+    assert repr(relief) == "Relief(heights=<array 2 x 3, 0 to 0>, first=5, periodic=False)"
+    assert in_short(np.zeros(0)) == "<array 0>"
+    assert in_short(np.full(2, np.nan)) == "<array 2, 2 NaN>"
+    assert in_short(["a" * 200]) == "<list>"
+    assert in_short(list(range(1000))) == "<list of 1000>"
+    assert len(in_short("a" * 1000)) < LONGEST
+    grid = sc.Grid(4, 4, 1e-6, 1e-6)
+    assert repr(sc.ContactSolver(grid, sc.Material.rigid(), BALL, tol=1e-6)).endswith(
+        "friction=0.0, tol=1e-06, on_border='error', max_iterations=5000, heat_reference=None, "
+        "heated bodies=[])"
+    )

@@ -10,6 +10,7 @@ import xarray as xr
 from core_fakes import ELASTIC, RIGID, SWIFT, FakeState, make_simulation
 
 import samcontact as sc
+from comparing import assert_stored
 from samcontact import results
 
 LOADS = (100.0, 300.0, 200.0, 0.0)
@@ -129,7 +130,14 @@ def test_round_trip(simulation, states, tmp_path):
     path = results.save(data, tmp_path / "out.nc")
     assert [p.name for p in tmp_path.iterdir()] == ["out.nc"]
     with results.open_results(path) as again:
-        xr.testing.assert_identical(again.load(), data)
+        assert_stored(again, data)
+
+
+def test_texts_of_any_language(simulation, states, tmp_path):
+    data = results.to_dataset(simulation, states).assign_attrs(title="Köpfe µ")
+    data["error"] = ("increment", np.array(["", "12 µm", "接触", "x"], dtype=object))
+    with results.open_results(results.save(data, tmp_path / "out.nc")) as again:
+        assert_stored(again, data)
 
 
 def test_failed_write_leaves_the_old_file(simulation, states, tmp_path, monkeypatch):
@@ -184,3 +192,47 @@ def test_real_simulation(tmp_path):
             states[0].stress(body=2),
         )
         assert data.attrs["body1_E"] == 210e9
+
+
+def test_each_increment_has_its_own_source_of_heat(tmp_path):
+    steel = sc.Material.elastic(210e9, 0.3).with_thermal(50.0, 1e-5, 1.4e-5)
+    grid = sc.Grid(9, 9, 60e-6, 60e-6)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    heat = {"heat_factor": [0.0, 2e-3], "heating_time": 1e-3, "on_border": "warn"}
+    simulation = sc.Simulation(grid, steel, steel, gap, **heat)
+    path = [{"load": 10.0}, {"load": 10.0, "heat_factor": [1e-3, 0.0]}, {"load": 5.0}]
+    path.append({"load": 5.0, "heat_factor": 0.0})
+    states = simulation.run(path, progress=False)
+    file = results.save(results.to_dataset(simulation, states), tmp_path / "results.nc")
+    with results.open_results(file) as data:
+        factors = data["heat_factor"]
+        assert factors.dims == ("increment", "body")
+        assert factors.attrs["units"] == "m/s"
+        np.testing.assert_array_equal(
+            factors.values, [[0.0, 2e-3], [1e-3, 0.0], [1e-3, 0.0], [0.0, 0.0]]
+        )
+        assert "heat_factor" not in data.attrs
+        # what the largest rise says too: a source that is off heats no more
+        assert (data["max_temperature_body2"].values > 0).tolist() == [True, False, False, False]
+
+
+def test_depth_of_the_print(simulation, states):
+    data = results.to_dataset(simulation, states)
+    expected = [float(state.residual_displacement(2).max()) for state in states]
+    assert data["print_depth_body2"].values.tolist() == expected
+    assert expected[-1] > 0
+    assert "print_depth_body2" in results.scalars(data)
+
+
+def test_a_file_tells_its_conventions_and_history(simulation, states, tmp_path):
+    data = results.to_dataset(simulation, states)
+    for count in (1, 2):
+        with results.open_results(results.save(data, tmp_path / "out.nc")) as again:
+            assert again.attrs["Conventions"] == "CF-1.11"
+            lines = again.attrs["history"].splitlines()
+            data = again.load()
+        assert len(lines) == count
+        for line in lines:
+            when, _, what = line.partition(": ")
+            assert datetime.fromisoformat(when).tzinfo is not None
+            assert what == f"written by samcontact {sc.__version__}"

@@ -355,7 +355,8 @@ class TestGridTooSmall:
         depth = re.escape(repr(6 * SIZE)[:8])
         text = (
             rf"at load .* N the plastic zone of body 2 reaches the bottom of the volume "
-            rf"\({depth}.* m\): enlarge nz dz, or ask for a warning with on_border=\"warn\""
+            rf"\({depth}.* m\), where it flows by [\d.]+ % of its largest plastic strain: "
+            r"enlarge nz dz, or ask for a warning with on_border=\"warn\".*Hertz: radius"
         )
         sim = simulation(grid=self.shallow)
         with pytest.raises(sc.GridTooSmallError, match=text):
@@ -381,7 +382,7 @@ class TestGridTooSmall:
 
     def test_contact(self):
         gap = surfaces.paraboloid(self.narrow, RADIUS)
-        text = r"at load .* N the contact touches the border .* enlarge nx dx and ny dy, or ask for"
+        text = r"at load .* N the contact touches the border .* enlarge nx dx .*, or ask for"
         for body in (STEEL, SOFT):
             with pytest.raises(sc.GridTooSmallError, match=text):
                 simulation(STEEL, body, gap, self.narrow).step(load=LOAD)
@@ -500,12 +501,12 @@ class TestRun:
 
     def test_progress_bar(self, capsys):
         simulation().run([{"load": 1.0}])
-        assert "1/1" in capsys.readouterr().err
+        assert capsys.readouterr().err == "increment 1 of 1\n"
 
     def test_failure_keeps_what_was_reached(self):
         sim = simulation()
-        path = [*self.path[:2], {"load": -1.0}, {"load": 0.0}]
-        with pytest.raises(ValueError, match="load must be a finite number >= 0") as caught:
+        path = [*self.path[:2], {"pressure": np.zeros((2, 2))}, {"load": 0.0}]
+        with pytest.raises(ValueError, match="pressure must have shape") as caught:
             sim.run(path, progress=False)
         assert len(caught.value.states) == 2
         assert_same(sim.state, caught.value.states[-1])

@@ -136,3 +136,9 @@ def test_rough_self_affine_is_reproducible_and_periodic(grid):
 def test_bad_input_is_named(grid, call, message):
     with pytest.raises(ValueError, match=message):
         call(grid)
+
+
+def test_radii_that_make_the_gap_infinite_are_refused():
+    grid = make_grid(nx=4, ny=4, dx=1e-6, dy=1e-6)
+    with pytest.raises(ValueError, match=r"Rx and Ry must give a finite gap .* got 5e-324 and inf"):
+        surfaces.paraboloid(grid, 5e-324, math.inf)

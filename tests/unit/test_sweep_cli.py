@@ -8,11 +8,11 @@ import sys
 import time
 
 import pytest
-import xarray as xr
 from test_cases import MINIMAL
 from test_cli import check_failure, invoke
 
 import samcontact as sc
+from comparing import assert_stored
 from samcontact import results
 from samcontact.cases import load_case
 from samcontact.commands.solve_sweep import parse_settings
@@ -56,7 +56,7 @@ def test_the_command_end_to_end(case_file, tmp_path):
             {"path[0].load": [300, 600], "contact.friction": [0.1]},
             progress=False,
         )
-        xr.testing.assert_identical(found.load(), expected)
+        assert_stored(found, expected)
 
 
 def test_the_command_tells_what_failed(case_file, tmp_path, monkeypatch):
@@ -87,15 +87,14 @@ def test_ctrl_c_ends_the_workers_too(case_file, tmp_path):
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
     # as in a terminal, Ctrl-C goes to the command and all its workers
     with subprocess.Popen(command, start_new_session=True, **pipes) as process:
-        deadline = time.monotonic() + 60
-        while not list(tmp_path.glob("cases/*.nc")) and time.monotonic() < deadline:
+        while process.poll() is None and not list(tmp_path.glob("cases/*.nc")):
             time.sleep(0.02)
         os.killpg(process.pid, signal.SIGINT)
-        _, errors = process.communicate(timeout=30)  # until all that share the pipes have gone
+        _, errors = process.communicate()  # until all that share the pipes have gone
     assert process.returncode == 130
     done = len(list(tmp_path.glob("cases/*.nc")))
     assert done >= 1
-    assert errors == f"{400 - done} of 400 cases cancelled\n"
+    assert errors.splitlines()[-1] == f"{400 - done} of 400 cases cancelled"
 
 
 @pytest.mark.parametrize(

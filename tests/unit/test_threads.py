@@ -93,7 +93,6 @@ def test_same_digits_for_any_number_of_openmp_threads(script):
             capture_output=True,
             text=True,
             check=True,
-            timeout=60,
         ).stdout
         for threads in (1, 2)
     ]

@@ -2,16 +2,19 @@
 """VTK files, read back by VTK's own reader, cell by cell at points of the files' frame."""
 
 import sys
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 from click.testing import CliRunner
 from core_fakes import ELASTIC, SWIFT, FakeState, make_simulation
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import mutable, vtkDataArray
 from vtkmodules.vtkIOXML import vtkXMLRectilinearGridReader
 
 import samcontact as sc
 from samcontact import results
+from samcontact.commands.folder import is_own
 from samcontact.commands.main import main
 
 LOADS = (100.0, 300.0, 0.0)
@@ -200,3 +203,46 @@ def test_the_track_of_a_body_that_moved(tmp_path, nz):
             signs = (1, 1, 1, 1, -1, -1)
             picked = [s * float(stress.sel(component=c)) for c, s in zip(order, signs, strict=True)]
             assert found == pytest.approx(picked)
+
+
+def collected(path):
+    """Times and names that a collection lists."""
+    (collection,) = ElementTree.parse(path).getroot()
+    return [(float(entry.get("timestep")), entry.get("file")) for entry in collection]
+
+
+def test_a_collection_has_every_increment(tmp_path):
+    data = dataset(volume="peak_and_last")
+    files = results.to_pvd(data, tmp_path / "out")
+    assert sorted(files) == sorted(tmp_path.iterdir())
+    assert [file.name for file in files[:2]] == ["out.pvd", "out_surface.pvd"]
+    assert collected(files[0]) == [(2.0, "out_00002.vtr"), (3.0, "out_00003.vtr")]
+    assert collected(files[1]) == [(n, f"out_0000{n}_surface.vtr") for n in (1, 2, 3)]
+    # each is what one increment alone gives
+    volume, surface = results.to_vtk(data, tmp_path / "alone", increment=2)
+    for alone, listed in ((volume, "out_00002.vtr"), (surface, "out_00002_surface.vtr")):
+        one, other = read(alone), read(tmp_path / listed)
+        assert names(one) == names(other)
+        assert one.GetBounds() == other.GetBounds()
+        for name in names(one):
+            arrays = (vtk_to_numpy(grid.GetCellData().GetArray(name)) for grid in (one, other))
+            np.testing.assert_array_equal(*arrays)
+
+
+def test_a_collection_knows_the_time(tmp_path):
+    data = dataset(volume="none").assign(time=("increment", [0.5, 1.0, 2.5]))
+    files = results.to_pvd(data, tmp_path / "out.pvd", body=1)
+    assert [file.name for file in files[:1]] == ["out_surface.pvd"]
+    assert [time for time, _ in collected(files[0])] == [0.5, 1.0, 2.5]
+
+
+def test_the_command_exports_all(tmp_path):
+    file = results.save(dataset(), tmp_path / "results.nc")
+    outcome = CliRunner().invoke(main, ["export", str(file), "--vtk", "--all"])
+    assert outcome.exit_code == 0, outcome.output
+    written = [line.rsplit("/", 1)[1] for line in outcome.stdout.splitlines()]
+    assert written[:2] == ["results.pvd", "results_surface.pvd"]
+    assert [name for name in written if not is_own(tmp_path / name)] == []
+    outcome = CliRunner().invoke(main, ["export", str(file), "--vtk", "--all", "--increment", "1"])
+    assert outcome.exit_code == 2
+    assert "give --increment or --all, not both" in outcome.stderr

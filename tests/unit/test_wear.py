@@ -182,7 +182,23 @@ def test_goes_on_bit_identically(tmp_path, worn):
     np.testing.assert_array_equal(result.last[1].plastic_strain(), worn.last[1].plastic_strain())
     again = wearing(checkpoint=file)  # a finished one gives its results again
     assert again.cycles == worn.cycles
-    assert [entry.name for entry in tmp_path.iterdir()] == ["wear.h5"]
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["wear.h5", "wear.h5.before"]
+
+
+def test_a_damaged_checkpoint_is_replaced_by_that_of_the_cycle_before(tmp_path, worn):
+    file = tmp_path / "wear.h5"
+    wearing(cycles=3, checkpoint=file)
+    content = bytearray(file.read_bytes())
+    content[len(content) // 2] ^= 1
+    file.write_bytes(content)
+    for _ in range(2):  # a damaged one does not replace the good one
+        with pytest.warns(
+            UserWarning, match=r"wear\.h5' is damaged: .*: going on from the cycle be"
+        ):
+            assert wearing(cycles=2, checkpoint=file).cycles == worn.cycles[:2]
+    with pytest.warns(UserWarning, match="going on from the cycle before"):
+        assert wearing(checkpoint=file).cycles == worn.cycles
+    assert wearing(checkpoint=file).cycles == worn.cycles
 
 
 def test_interrupted_runs_go_on(tmp_path, worn, monkeypatch):

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Comparisons that several tests need."""
+
+import xarray as xr
+
+ADDED = ("Conventions", "history")
+"""Attributes that a file has and the dataset that was saved has not."""
+
+
+def assert_stored(found, expected):
+    """What was read from a file is what was saved, and what every file has."""
+    assert found.attrs["Conventions"].startswith("CF-1.")
+    kept = found.load().copy()
+    kept.attrs = {name: value for name, value in found.attrs.items() if name not in ADDED}
+    xr.testing.assert_identical(kept, expected)

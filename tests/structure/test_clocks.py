@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests and their guards look at no clock: a busy machine makes none of them fail."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+FOLDERS = ("tests", "cpp/tests", "cpp/fuzz", "benchmarks/instructions", "notebooks", "docs/_ext")
+FILES = [
+    ROOT / "CMakeLists.txt",
+    ROOT / "CMakePresets.json",
+    ROOT / "test",
+    *(
+        path
+        for folder in FOLDERS
+        for path in sorted((ROOT / folder).rglob("*"))
+        if path.suffix in (".py", ".cpp", ".hpp", ".cmake", ".sh", ".ipynb")
+    ),
+]
+
+# Functions of clocks, and limits given in seconds.
+CLOCK = re.compile(
+    r"\b(?:time\.(?:time|perf_counter|monotonic|process_time|thread_time|sleep)(?:_ns)?"
+    r"|perf_counter|timeit|steady_clock|system_clock|high_resolution_clock|clock_gettime"
+    r"|sleep_for|sleep_until|wait_for\w*|setitimer|signal\.alarm|ITIMER_\w+|faulthandler"
+    r"|WebDriverWait|implicitly_wait|deadline|\w*timeouts?|max_total_time|TIMEOUT)\b"
+)
+# What a line may have: the condition waited for ends the wait, never the time.
+NO_LIMIT = re.compile(
+    r"timeout=(?:None|NEVER|0\b)|deadline=None|TIMEOUT 0\b|client_config\.timeout = None"
+    r"|options\.timeouts = .*NEVER.*NEVER|wait_for_workers\(\d\)"
+)
+# Lines that look at a clock though nothing depends on what it says.
+EXCEPTIONS = {
+    "tests/faults/faulting.py": "moments to kill a process at; one too late is tried again earlier",
+    "tests/faults/test_interrupted.py": "moments of Ctrl-C; one too late is tried again earlier",
+    "tests/unit/test_interrupt.py": "looks now and then whether the step has begun",
+    "tests/unit/test_heat_kernels.py": "the signal comes in the hours that the call takes",
+    "tests/unit/test_sweep_cli.py": "looks now and then whether a case is done",
+}
+
+
+def looks(path):
+    """Lines of a file that have a clock."""
+    found = []
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if CLOCK.search(NO_LIMIT.sub("", line)):
+            found.append(f"{path.relative_to(ROOT)}:{number}: {line.strip()}")
+    return found
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["-timeout=20", "assert time.perf_counter() - start < 2", "process.communicate(timeout=60)",
+     "signal.alarm(20)", "client.wait_for_workers(2, timeout=30)", "@settings(deadline=200)",
+     "std::chrono::steady_clock::now()", "set_tests_properties(fuzz PROPERTIES TIMEOUT 100)"],
+)  # fmt: skip
+def test_clocks_are_found(line, tmp_path, monkeypatch):
+    monkeypatch.setattr(f"{__name__}.ROOT", tmp_path)
+    (tmp_path / "file.py").write_text(line)
+    assert len(looks(tmp_path / "file.py")) == 1
+
+
+def test_no_test_looks_at_a_clock():
+    others = [f for f in FILES if f != Path(__file__)]
+    assert len(others) > 100
+    found = {str(path.relative_to(ROOT)): looks(path) for path in others}
+    wrong = [line for name, lines in found.items() if name not in EXCEPTIONS for line in lines]
+    assert wrong == []
+    assert [name for name in EXCEPTIONS if not found[name]] == []  # none that needs it no more

@@ -1,0 +1,300 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""No field of a case file is read and dropped: each changes what is computed, or is refused."""
+
+import copy
+import re
+from typing import Literal, get_args, get_origin
+
+import numpy as np
+import pytest
+from pydantic import BaseModel, ValidationError
+
+from samcontact import wear
+from samcontact.cases import Case, TuggingCase, tugging
+
+SWIFT = {
+    "law": "swift", "E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121,
+    "kinematic": {"modulus": [1e9], "recovery": [5.0]},
+    "thermal": {"conductivity": 46.0, "expansion": 11e-6, "diffusivity": 13e-6},
+    "softening": {"kind": "johnson_cook", "melting": 1800.0, "m": 1.0, "reference": 300.0,
+                  "ambient": 300.0, "floor": 0.1},
+}  # fmt: skip
+COLD = {name: value for name, value in SWIFT.items() if name not in ("thermal", "softening")}
+GRID = {"nx": 16, "ny": 14, "dx": 5e-6, "dy": 6e-6, "nz": 4, "dz": 5e-6}
+ROUGH = {
+    "kind": "self_affine", "rms_height": 1e-8, "hurst": 0.7, "seed": 1, "wavelength_min": 15e-6,
+    "wavelength_max": 60e-6, "roll_off": 40e-6,
+}  # fmt: skip
+SURFACE = {"shape": "paraboloid", "Rx": 1e-3, "Ry": 2e-3, "roughness": ROUGH}
+CONTACT = {
+    "friction": 0.1, "tol": 1e-6, "increment_tol": 1e-3, "on_border": "warn",
+    "residual_stress": "fast", "image_tol": 2e-3, "heat_factor": [1e-3, 2e-3],
+    "velocity": [[1.0, 0.0], [0.5, 0.0]], "heating_time": 1e-3, "heat_reference": 0.5,
+    "reach": 1e-4,
+}  # fmt: skip
+RAMP = {
+    "load": 2.0, "increments": 2, "start": 0.5, "spacing": "power", "exponent": 3.0,
+    "advance": [1e-5, 5e-6], "heat_factor": [3e-3, 1e-3],
+}  # fmt: skip
+DENT = {"kind": "dent", "depth": 1e-7, "radius": 3e-5, "x": 1e-6, "y": 2e-6}
+FURROW = {"kind": "furrow", "depth": 1e-7, "half_width": 2e-5, "along": "x", "position": 1e-6}
+BASE = {
+    "title": "t", "grid": GRID, "body1": SWIFT, "body2": SWIFT, "surface": SURFACE,
+    "contact": CONTACT, "path": [RAMP],
+}  # fmt: skip
+ROLL = {
+    "distance": 1e-5, "step": 5e-6, "passes": 2, "unload_increments": 3, "slide_to_roll": -0.1,
+}  # fmt: skip
+MEASURED = {
+    "path": "h.npy", "channel": 0, "detrend": "none", "unit": "um", "dx": 2e-6, "dy": 3e-6,
+    "y": 1e-6, "mirror": "x", "method": "linear", "average": True, "fill": 1e-7, "x": 2e-6,
+}  # fmt: skip
+MARCHED = {k: v for k, v in CONTACT.items() if k not in ("heating_time", "heat_reference")}
+MARCHED |= {"heat_history": [1e-6, 1e-3], "heat_factor": [0.0, 2e-3]}
+FLAT = {"shape": "paraboloid", "Rx": 1e-3}
+TUGGING = {
+    "title": "t",
+    "tugging": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6, "passes": 2, "back_and_forth": True,
+                "cells_per_increment": 2, "increments": 12, "width": 1.7, "depth": 1.5},
+    "body1": COLD, "body2": COLD, "relief1": DENT, "relief2": ROUGH,
+    "contact": {k: CONTACT[k] for k in ("tol", "increment_tol", "on_border", "residual_stress",
+                                        "image_tol", "reach")},
+}  # fmt: skip
+WEAR = {"threshold": 2e-3, "cycles": 3, "worn": [2], "window": [3, 5], "order": 1}
+KINDS = {
+    "contact": BASE,
+    "sphere": BASE | {"surface": {"shape": "sphere", "R": 1e-3}, "relief1": DENT,
+                      "relief2": FURROW},
+    "cylinder": BASE | {"surface": {"shape": "cylinder", "R": 1e-3, "axis": "x"}, "relief1": ROUGH},
+    "sinusoidal": BASE
+    | {"surface": FLAT | {"roughness": {"kind": "sinusoidal", "amplitude": 1e-8,
+                                        "wavelength_x": 2e-5, "wavelength_y": 3e-5}}},
+    "file": BASE
+    | {"surface": {"shape": "file", "Rx": 1e-3, "Ry": 2e-3} | MEASURED,
+       "relief2": {"kind": "file", "periodic": True} | MEASURED},
+    "rolling": BASE
+    | {"path": [{"load": 2.0, "increments": 2, "heat_factor": 0.0, "roll": ROLL}]},
+    "sliding": BASE
+    | {"path": [{"load": 2.0, "slide": {"distance": 1e-5, "step": 5e-6, "passes": 2,
+                                        "unload_increments": 3, "slider": 1}}]},
+    "approach": BASE | {"path": [{"approach": 1e-7, "start": 1e-8}]},
+    "marched": BASE
+    | {"contact": MARCHED, "path": [{"load": 1.0, "duration": 1e-4},
+                                    {"load": 1.0, "duration": 1e-4}]},
+    "marched sliding": BASE
+    | {"contact": MARCHED | {"velocity": [-2.0, 0.0]}, "surface": FLAT,
+       "path": [{"load": 1.0, "slide": {"distance": 1e-5, "step": 5e-6, "speed": 2.0,
+                                        "passes": 2}}]},
+    "wear": BASE | {"wear": WEAR | {"strain_depth": "smoothed"}},
+    "marched wear": BASE
+    | {"wear": WEAR, "contact": MARCHED, "path": [{"load": 1.0, "duration": 1e-4}]},
+    "tugging": TUGGING,
+    "tugging on a grid": TUGGING
+    | {"grid": GRID, "tugging": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6}},
+}  # fmt: skip
+# Not of what is computed: title and place of results, and what the command shows of them.
+OF_RESULTS = {"title", "description", "output"}
+# Other values where the field's own does not tell one; the first that is valid and differs counts.
+OTHER = {
+    "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
+    "channel": ["other"], "window": [[5, 5]], "start": [0.6, 2e-8], "velocity": [
+        [[2.0, 0.0], [0.5, 0.0]], [-3.0, 0.0], [0.0, 1.0]],
+    "heat_factor": [[1e-3, 4e-3], 0.5, [0.0, 4e-3]], "heat_history": [[1e-6, 2e-3]],
+    "advance": [[2e-5, 0.0]], "recovery": [[6.0]], "modulus": [[2e9]], "order": [2],
+    "wavelength_min": [20e-6], "wavelength_max": [90e-6], "slide_to_roll": [-0.2],
+    "step": [1e-5], "increments": [3, 13], "distance": [2e-5], "nz": [5], "ambient": [290.0],
+    "width": [1.4], "depth": [1.1],
+}  # fmt: skip
+UNSET = {
+    "heating_time": 1e-3, "heat_reference": 0.5, "heat_history": [1e-6, 1e-3], "speed": 2.0,
+    "duration": 1e-4, "back_and_forth": True, "unload_increments": 4, "increment_tol": 1e-2,
+    "Ry": 3e-3, "advance": [1e-5, 0.0], "exponent": 3.0, "start": 1e-9, "reach": 1e-4,
+    "heat_factor": 1e-3, "velocity": [1.0, 0.0], "wavelength_min": 15e-6, "wavelength_max": 60e-6,
+    "roll_off": 40e-6, "roll": ROLL, "slide": {"distance": 1e-5, "step": 5e-6}, "increments": 12,
+    "width": 1.7, "depth": 1.5, "approach": 1e-7, "load": 1.0, "image_tol": 1e-2, "floor": 0.2,
+    "thermal": SWIFT["thermal"], "softening": SWIFT["softening"], "kinematic": SWIFT["kinematic"],
+    "wear": WEAR, "relief1": DENT, "relief2": DENT, "roughness": ROUGH, "grid": GRID,
+}  # fmt: skip
+
+
+@pytest.fixture
+def computed(tmp_path, monkeypatch):
+    """What reaches the computation: all arguments as text, arrays by their bytes."""
+    np.save(tmp_path / "h.npy", np.random.default_rng(5).standard_normal((24, 20)))
+    seen = {}
+
+    def told(value):
+        if isinstance(value, np.ndarray):
+            return value.tobytes()
+        if hasattr(value, "heights"):
+            return value.heights.tobytes(), value.first, value.periodic
+        if isinstance(value, (list, tuple)):
+            return [told(item) for item in value]
+        if isinstance(value, dict):
+            return {name: told(item) for name, item in value.items()}
+        return repr(value)
+
+    def record(*arguments, **named):
+        seen["arguments"] = told([list(arguments), named])
+
+    monkeypatch.setattr(wear, "run", record)
+    monkeypatch.setattr(tugging, "tug", record)
+
+    def compute(content):
+        case = (TuggingCase if "tugging" in content else Case).model_validate(content)
+        case._source = tmp_path / "case.toml"
+        if isinstance(case, TuggingCase):
+            case.solve(progress=False)
+            return seen["arguments"]
+        simulation, path = case.build()
+        if case.wear is not None:
+            case.wear.solve(simulation, path, None, False)
+            return seen["arguments"]
+        surfaces = (simulation.initial_gap, simulation.relief1, simulation.relief2)
+        return told([list(surfaces), path]), repr(simulation)
+
+    return compute
+
+
+def leaves(model, place=()):
+    """Every field below a validated section that holds no section, with its model."""
+    for name, field in type(model).model_fields.items():
+        if not place and name in OF_RESULTS:
+            continue
+        value = getattr(model, name)
+        if isinstance(value, BaseModel):
+            yield from leaves(value, (*place, name))
+        elif isinstance(value, list) and value and isinstance(value[0], BaseModel):
+            for index, part in enumerate(value):
+                yield from leaves(part, (*place, name, index))
+        else:
+            yield (*place, name), field, value
+
+
+def others(name, field, value):
+    """Values of a field that differ from the one it has."""
+    if value is None:
+        return [UNSET[name]] if name in UNSET else []
+    if name in OTHER:
+        return OTHER[name]
+    if isinstance(value, bool):
+        return [not value]
+    parts = (field.annotation, *get_args(field.annotation))
+    literals = [one for part in parts if get_origin(part) is Literal for one in get_args(part)]
+    if literals or isinstance(value, str):
+        return [one for one in literals if one != value]
+    if isinstance(value, int):
+        return [value + 1, value + 2]
+    return [value * 1.01, value * 0.9]
+
+
+def outcome(computed, content):
+    try:
+        return computed(content)
+    except ValueError as error:  # a ValidationError too
+        return error
+
+
+def changed(content, place, value):
+    content = copy.deepcopy(content)
+    inner = content
+    for key in place[:-1]:
+        inner = inner.setdefault(key, {}) if isinstance(inner, dict) else inner[key]
+    inner[place[-1]] = value
+    return content
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_field_is_used_or_refused(computed, kind):
+    content = KINDS[kind]
+    before = computed(content)
+    assert computed(copy.deepcopy(content)) == before
+    model = (TuggingCase if "tugging" in content else Case).model_validate(content)
+    dropped, tried = [], 0
+    for place, field, value in leaves(model):
+        for other in others(place[-1], field, value):
+            tried += 1
+            after = outcome(computed, changed(content, place, other))
+            if isinstance(after, ValueError):
+                # by the name of the field, or by that of what does not go with it
+                assert {place[-1], place[0]} & set(re.findall(r"\w+", str(after))), after
+                continue
+            if after == before:
+                dropped.append((".".join(map(str, place)), other))
+            break
+    assert tried > 20
+    assert dropped == []
+
+
+def test_every_field_of_every_section_is_tried():
+    """A new section or field must be put into one of the cases above, or into the lists."""
+    from samcontact.cases.field_units import all_models
+
+    tried, sections = set(), set()
+    for content in KINDS.values():
+        model = (TuggingCase if "tugging" in content else Case).model_validate(content)
+        waiting = [model]
+        while waiting:
+            part = waiting.pop()
+            sections.add(type(part))
+            for value in part.__dict__.values():
+                parts = value if isinstance(value, list) else [value]
+                waiting += [item for item in parts if isinstance(item, BaseModel)]
+        tried |= {
+            place[-1] for place, field, value in leaves(model) if others(place[-1], field, value)
+        }
+    bodies = {"RigidBody", "ElasticBody", "PerfectPlasticBody", "LinearHardeningBody"}  # a law each
+    missing = {model.__name__ for model in all_models(Case, TuggingCase)} - bodies
+    assert missing - {model.__name__ for model in sections} == set()
+    fields = {name for model in sections for name in model.model_fields}
+    sections_in = {"kinematic", "surface", "path", "body1", "body2", "contact", "tugging", "output"}
+    given = {
+        "law",
+        "kind",
+        "shape",
+        "title",
+        "description",
+        "directory",
+        "figures",
+        "body",
+        "volume",
+    }
+    assert fields - tried - sections_in - given == set()
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"wear": WEAR, "output": {"volume": "all"}}, r"output\.volume is not for a case"),
+        ({"wear": WEAR, "output": {"body": 1}}, r"output\.body is not for a case with \[wear\]"),
+        (
+            {"grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}, "output": {"volume": "all"},
+             "body1": {"law": "rigid"}, "body2": {"law": "elastic", "E": 1e9, "nu": 0.3}},
+            r"output\.volume = 'all' needs a \[grid\] with nz and dz",
+        ),
+        ({"contact": {"velocity": [1.0, 0.0]}, "path": [{"load": 1.0}]}, r"contact\.velocity is"),
+        ({"contact": {}, "path": [{"load": 1.0}]}, r"body1\.thermal is of frictional"),
+        (
+            {"contact": CONTACT | {"residual_stress": "exact"}},
+            r"contact\.image_tol is of residual_stress",
+        ),
+        ({"path": [{"load": 1.0, "exponent": 3.0}]}, r"exponent is of spacing = \"power\""),
+    ],
+)  # fmt: skip
+def test_what_has_no_effect_is_refused_by_name(change, message):
+    with pytest.raises(ValidationError, match=message):
+        Case.model_validate(BASE | change)
+
+
+def test_a_source_that_is_off_may_have_all_of_heat():
+    """As in a sweep of the heat factor from 0."""
+    Case.model_validate(BASE | {"contact": CONTACT | {"heat_factor": 0.0}, "path": [{"load": 1.0}]})
+
+
+def test_tugging_knows_no_heat():
+    for part, name in ((SWIFT["thermal"], "thermal"), (SWIFT["softening"], "softening")):
+        body = COLD | {name: part}
+        with pytest.raises(ValidationError, match=rf"body2\.{name} .*\[tugging\] knows no heat"):
+            TuggingCase.model_validate(TUGGING | {"body2": body})
+    warm = COLD | {"softening": SWIFT["softening"] | {"ambient": 400.0}}
+    TuggingCase.model_validate(TUGGING | {"body2": warm})

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Simulations and states that are pickled or copied stand for themselves, with the same bits."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+from test_checkpoint import GAP, GRID, LOAD, MATERIALS, assert_same, halved, simulation
+
+import samcontact as sc
+
+WAYS = {
+    "pickle": lambda thing: pickle.loads(pickle.dumps(thing)),
+    "deepcopy": copy.deepcopy,
+    "copy": copy.copy,
+}
+
+
+def moving():
+    """Two inelastic bodies with roughness, friction, heat in time, and a law that no file holds."""
+    steel = MATERIALS["swift"].with_thermal(50.0, 1e-5, 1.4e-5).with_softening(halved)
+    heat = {"heat_factor": [0.0, 1e-4], "velocity": [[0.0, 0.0], [GRID.dx / 1e-3, 0.0]]}
+    dent = sc.dents.spherical(GRID, 1e-7, 3 * GRID.dx)
+    return sc.Simulation(
+        GRID, MATERIALS["linear"], steel, GAP, 0.1, heat_history=(1e-3, 0.1), relief2=dent,
+        on_border="warn", **heat,
+    )  # fmt: skip
+
+
+STEP = {"load": 0.5 * LOAD, "advance": (0.0, GRID.dx), "duration": 1e-3}
+
+
+@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
+@pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
+def test_of_all_that_a_simulation_can_be(way):
+    sim = moving()
+    first = sim.step(**STEP)
+    second = sim.step(**STEP | {"heat_factor": 0.0})
+    assert second.plastic_cells() > 0
+    other = way(sim)
+    assert repr(other) == repr(sim)
+    assert_same(other.state, second)
+    for state in (first, second):  # the first, although the simulation has gone on
+        again = way(state)
+        assert_same(again, state)
+        assert again.heat_factor == state.heat_factor
+        np.testing.assert_array_equal(again.temperature(2), state.temperature(2))
+    one, alone = other.step(**STEP), copy.deepcopy(sim).step(**STEP)
+    assert_same(one, alone)
+    assert_same(sim.state, second)  # no copy moves what it was made of
+
+
+def test_states_travel_between_processes_in_a_list():
+    sim = simulation()
+    states = sim.run([{"load": 0.5 * LOAD}, {"load": LOAD}, {"load": 0.0}], progress=False)
+    for one, other in zip(pickle.loads(pickle.dumps(states)), states, strict=True):
+        assert_same(one, other)
+
+
+def test_what_was_warned_of_is_not_warned_of_again():
+    sim = simulation()
+    sim._warned_of_strain = True
+    assert copy.deepcopy(sim)._warned_of_strain
+
+
+def test_a_law_that_cannot_be_pickled_is_told():
+    steel = MATERIALS["linear"].with_thermal(50.0, 1e-5, 1.4e-5).with_softening(lambda rise: 1.0)
+    sim = sc.Simulation(GRID, MATERIALS["elastic"], steel, GAP)
+    with pytest.raises((pickle.PicklingError, AttributeError), match="lambda"):
+        pickle.dumps(sim)

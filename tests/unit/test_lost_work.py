@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whatever ends the command after an increment is done leaves its work: results, or checkpoints."""
+
+import errno
+import html
+import os
+import shutil
+
+import pytest
+import xarray as xr
+from test_cases import MINIMAL
+from test_cli import check_failure, invoke
+from test_moving_cli import fields, pressed
+
+import samcontact as sc
+from samcontact import plotting, report, results
+from samcontact.commands import folder, interrupted, solve_contact
+from samcontact.commands.folder import LOCK, locked
+
+OPTIONS = ("--no-figures", "--quiet")
+
+
+@pytest.fixture(scope="module")
+def case_file(tmp_path_factory):
+    path = tmp_path_factory.mktemp("case") / "scene.toml"
+    path.write_text(MINIMAL)
+    return path
+
+
+@pytest.fixture(scope="module")
+def expected(case_file, tmp_path_factory):
+    """The results of a run that nothing disturbs."""
+    out = tmp_path_factory.mktemp("plain")
+    assert invoke("run", case_file, "--output", out, *OPTIONS).exit_code == 0
+    return fields(out)
+
+
+def after(function, action):
+    """The function, and then what ends the command."""
+
+    def called(*arguments, **named):
+        value = function(*arguments, **named)
+        action()
+        return value
+
+    return called
+
+
+def fails(error):
+    def called(*_, **__):
+        raise error
+
+    return called
+
+
+# Where the user presses Ctrl-C, once the last increment is done.
+PLACES = {
+    "after the last increment": (sc.Simulation, "_run_into", None),
+    "before the dataset": (results, "to_dataset", pressed),
+    "before saving": (results, "save", pressed),
+    "after saving": (results, "save", None),
+    "in the table": (solve_contact, "_summary", pressed),
+    "in the figures": (plotting, "summary_figures", pressed),
+    "before forgetting": (interrupted.Checkpoints, "forget", pressed),
+    "while forgetting": (shutil, "rmtree", pressed),
+}
+
+
+@pytest.mark.parametrize(
+    ("place", "journal"),
+    [*((place, "while" in place) for place in PLACES), ("before saving", True)],
+)
+def test_ctrl_c_after_the_last_increment(case_file, expected, tmp_path, place, journal):
+    owner, name, action = PLACES[place]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(owner, name, action or after(getattr(owner, name), pressed))
+        command = ["run", case_file, "--output", tmp_path, "--quiet", *["--resume"] * journal]
+        outcome = invoke(*command, *["--no-figures"] * ("figures" not in place))
+    assert outcome.exit_code == 130, outcome.output
+    left = interrupted.is_interrupted(tmp_path)
+    # when checkpoints are being removed, or where none are left to remove, all is written
+    if not left:
+        assert place.endswith("forgetting")
+        xr.testing.assert_identical(fields(tmp_path), expected)
+        return
+    assert outcome.stderr == f"interrupted: go on with\n  samcontact resume {tmp_path}\n"
+    assert len(list((tmp_path / "checkpoints").glob("*.h5"))) == 3
+    outcome = invoke("resume", tmp_path, *OPTIONS)
+    assert outcome.exit_code == 0, outcome.output
+    xr.testing.assert_identical(fields(tmp_path), expected)
+    assert not (tmp_path / "checkpoints").exists()
+
+
+def stop_at(number, error):
+    """`Simulation.step` that fails at one increment."""
+    step, count = sc.Simulation.step, [0]
+
+    def counted(self, **arguments):
+        count[0] += 1
+        if count[0] == number:
+            raise error
+        return step(self, **arguments)
+
+    return counted
+
+
+ERRORS = [
+    sc.ConvergenceError("residual 0.1 after 200 iterations"),
+    sc.GridTooSmallError("the contact reaches the border"),
+    MemoryError(),
+    OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "increment_00003.h5"),
+]
+
+
+@pytest.mark.parametrize("error", ERRORS, ids=lambda error: type(error).__name__)
+def test_an_error_leaves_what_was_computed(case_file, expected, tmp_path, monkeypatch, error):
+    monkeypatch.setattr(report.contact, "contact_figures", lambda *_: [])  # they take a second
+    monkeypatch.setattr(plotting, "summary_figures", lambda *_, **__: [tmp_path / "sections.png"])
+    with monkeypatch.context() as patch:
+        patch.setattr(sc.Simulation, "step", stop_at(3, error))
+        outcome = invoke("run", case_file, "--output", tmp_path, "--quiet")
+    told = (f"2 of 3 increments are in {tmp_path}, marked as incomplete",)
+    check_failure(outcome, 1, str(error) or "not enough memory", *told, f"resume {tmp_path}")
+    found = fields(tmp_path)
+    assert found.attrs["complete"] == 0
+    assert found.attrs["stopped_by"] == f"{type(error).__name__}: {error}"
+    xr.testing.assert_equal(found["pressure"], expected["pressure"].sel(increment=[1, 2]))
+    assert interrupted.is_interrupted(tmp_path)
+    if not isinstance(error, OSError):
+        return
+    checks = {check.name: check for check in report.checks(found)}
+    assert not checks["increments: the whole path (1) or a part (0)"].passed
+    outcome = invoke("report", tmp_path)
+    assert "check failed: increments: the whole path" in outcome.stderr
+    assert str(error) in html.unescape((tmp_path / "report.html").read_text())
+    outcome = invoke("resume", tmp_path, *OPTIONS)  # with what was missing
+    assert outcome.exit_code == 0, outcome.output
+    xr.testing.assert_identical(fields(tmp_path), expected)
+    assert expected.attrs["complete"] == 1
+    assert [path.name for path in tmp_path.iterdir()] == ["results.nc"]
+
+
+def test_an_error_at_the_first_increment_leaves_nothing(case_file, tmp_path, monkeypatch):
+    monkeypatch.setattr(sc.Simulation, "step", stop_at(1, ERRORS[1]))
+    outcome = invoke("run", case_file, "--output", tmp_path, "--quiet")
+    check_failure(outcome, 2, "error: the contact reaches the border\n")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_error_of_this_program_is_shown_with_its_place(case_file, tmp_path, monkeypatch):
+    monkeypatch.setattr(sc.Simulation, "step", stop_at(3, AttributeError("a slip")))
+    outcome = invoke("run", case_file, "--output", tmp_path, *OPTIONS)
+    assert isinstance(outcome.exception, AttributeError)
+    assert "2 of 3 increments are in" in outcome.stderr
+    assert fields(tmp_path).attrs["complete"] == 0
+
+
+@pytest.mark.parametrize("name", ["to_dataset", "save"])
+def test_results_that_cannot_be_written_leave_checkpoints(
+    case_file, expected, tmp_path, monkeypatch, name
+):
+    with monkeypatch.context() as patch:
+        patch.setattr(results, name, fails(OSError("no room")))
+        check_failure(invoke("run", case_file, "--output", tmp_path, *OPTIONS), 1, "no room")
+    assert invoke("resume", tmp_path, *OPTIONS).exit_code == 0
+    xr.testing.assert_identical(fields(tmp_path), expected)
+
+
+def test_no_room_for_anything(case_file, tmp_path, monkeypatch):
+    """Of two errors the first is told, and what could not be kept."""
+    full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    monkeypatch.setattr(sc.Simulation, "step", stop_at(3, ERRORS[0]))
+    monkeypatch.setattr(results, "save", fails(full))
+    monkeypatch.setattr(interrupted.Journal, "add", fails(full))
+    outcome = invoke("run", case_file, "--output", tmp_path, *OPTIONS)
+    assert outcome.exit_code == 1
+    assert "error: no convergence: residual 0.1" in outcome.stderr
+    assert "2 of 3 increments are done, but not all could be written" in outcome.stderr
+    assert "not all increments could be kept to go on from" in outcome.stderr
+
+
+class TestStudies:
+    """Passes of asperities and cycles of wear."""
+
+    @pytest.fixture(params=["tugging", "wear"])
+    def study(self, request, tmp_path):
+        import test_tugging_cases
+        import test_wear_cases
+
+        text = {
+            "tugging": test_tugging_cases.TEXT.replace("passes = 2", "passes = 1"),
+            "wear": test_wear_cases.TEXT.replace("cycles = 1", "cycles = 2"),
+        }[request.param]
+        file = tmp_path / f"{request.param}.toml"
+        file.write_text(text)
+        return file, {"tugging": "series.nc", "wear": "wear.nc"}[request.param]
+
+    def test_ctrl_c_after_the_last_increment(self, study, tmp_path, monkeypatch):
+        case, name = study
+        out = tmp_path / "out"
+        with monkeypatch.context() as patch:
+            patch.setattr(results, "save", pressed)
+            outcome = invoke("run", case, "--output", out, *OPTIONS)
+        assert outcome.exit_code == 130
+        assert "samcontact resume" in outcome.stderr
+        done = len(list((out / "checkpoints").glob("*.h5")))
+        with monkeypatch.context() as patch:
+            # nothing but the last cycle of wear is solved again
+            steps = 1 if name == "series.nc" else 5
+            patch.setattr(sc.Simulation, "step", stop_at(steps, AssertionError("solved again")))
+            outcome = invoke("resume", out, *OPTIONS)
+        assert outcome.exit_code == 0, outcome.output
+        assert done > 0
+        assert (out / name).exists()
+        assert not (out / "checkpoints").exists()
+
+    def test_an_error_leaves_what_was_computed(self, study, tmp_path, monkeypatch):
+        case, name = study
+        out = tmp_path / "out"
+        with monkeypatch.context() as patch:
+            patch.setattr(sc.Simulation, "step", stop_at(3 if "wear" in name else 5, ERRORS[0]))
+            outcome = invoke("run", case, "--output", out, *OPTIONS)
+        what = "1 of up to 2 cycles" if "wear" in name else "1 of 1 passes, the last in part,"
+        check_failure(outcome, 1, "no convergence: residual 0.1", f"{what} are in {out}")
+        with results.open_results(out / name) as found:
+            assert found.attrs["complete"] == 0
+            assert not all(check.passed for check in report.checks(found))
+            if "series" in name:
+                assert found.sizes["increment"] == 3
+                assert found["force_x"].notnull().all()
+                assert found["net_energy"].isnull().all()
+            else:
+                assert found.sizes["cycle"] == 1
+        assert invoke("report", out).exit_code == 0
+        assert invoke("resume", out, *OPTIONS).exit_code == 0
+        with results.open_results(out / name) as found:
+            assert found.attrs["complete"] == 1
+
+
+class TestOneRunAtATime:
+    def test_a_second_run_is_told_of_the_first(self, case_file, tmp_path):
+        with locked(tmp_path):
+            for command in (
+                ("run", case_file, "--output", tmp_path, *OPTIONS),
+                ("sweep", case_file, "--set", "path[0].load=1,2", "--output", tmp_path, "--quiet"),
+            ):
+                outcome = invoke(*command)
+                words = f"another run of samcontact writes to {tmp_path}, process {os.getpid()}:"
+                check_failure(outcome, 1, words)
+        assert list(tmp_path.iterdir()) == []
+
+    def test_a_process_that_died_leaves_no_lock(self, tmp_path):
+        (tmp_path / LOCK).write_text("1\n")
+        with locked(tmp_path):
+            assert (tmp_path / LOCK).read_text() == f"{os.getpid()}\n"
+        assert list(tmp_path.iterdir()) == []
+
+    def test_a_lock_that_was_removed_meanwhile_is_none(self, tmp_path, monkeypatch):
+        flock, calls = folder.fcntl.flock, []
+
+        def late(handle, operation):
+            """The run before ends between opening its file and locking it."""
+            if not calls:
+                (tmp_path / LOCK).unlink()
+            calls.append(handle)
+            flock(handle, operation)
+
+        monkeypatch.setattr(folder.fcntl, "flock", late)
+        with locked(tmp_path):
+            assert len(calls) == 2
+            with pytest.raises(OSError, match="another run"), locked(tmp_path):
+                pass
+
+    def test_where_there_are_no_locks(self, tmp_path, monkeypatch):
+        monkeypatch.setattr(folder.fcntl, "flock", fails(OSError(errno.ENOLCK, "no locks")))
+        with locked(tmp_path):
+            pass
+        assert list(tmp_path.iterdir()) == []
+
+
+def test_a_run_replaces_the_files_of_the_one_before(case_file, tmp_path, monkeypatch):
+    old = ["series.nc", "series.csv", "report.html", "track_print.png", "results_00002_surface.vtr"]
+    mine = ["notes.txt", "my_pressure.png", "results.txt"]
+    for name in (*old, *mine):
+        (tmp_path / name).write_text("old")
+    (tmp_path / "wear.csv").mkdir()  # no file of a run
+    with monkeypatch.context() as patch:
+        patch.setattr(sc.Simulation, "step", stop_at(1, ERRORS[0]))
+        assert invoke("run", case_file, "--output", tmp_path).exit_code == 1
+    assert all((tmp_path / name).read_text() == "old" for name in (*old, *mine))
+    outcome = invoke("run", case_file, "--output", tmp_path, "--quiet")
+    assert outcome.exit_code == 0
+    written = [line.rsplit("/", 1)[1] for line in outcome.stdout.splitlines()]
+    left = {path.name for path in tmp_path.iterdir()}
+    assert left == {*written, *mine, "wear.csv"}
+    assert (tmp_path / "notes.txt").read_text() == "old"

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grids that do not resolve a scene, and scenes beyond elasticity, are told by all ways to run."""
+
+import math
+import re
+import warnings
+
+import numpy as np
+import pytest
+from test_cases import MINIMAL
+
+import samcontact as sc
+from samcontact import _expected, report, resolution, results
+from samcontact.cases import parse_case
+
+ELASTIC = re.sub("n?[zBCn] = .*\n|dz = .*\n", "", MINIMAL).replace("swift", "elastic")
+STEEL = sc.Material.elastic(210e9, 0.3)
+YIELDING = sc.Material.linear_hardening(210e9, 0.3, 2e9, 20e9)
+R, LOAD = 7.5e-3, 1500.0
+HERTZ = sc.hertz.point(R, sc.hertz.effective_modulus(STEEL, STEEL), load=LOAD)
+
+
+def scene(cells, layers=12.0, depth=1.6, body2=YIELDING, **settings):
+    """So many cells and layers in a contact radius; everything else fits."""
+    dx, dz = HERTZ.a / cells, HERTZ.a / layers
+    n = 2 * math.ceil(1.4 * cells) + 1
+    grid = sc.Grid(n, n, dx, dx, nz=max(1, round(depth * layers)), dz=dz)
+    return sc.Simulation(grid, STEEL, body2, sc.surfaces.paraboloid(grid, R), **settings)
+
+
+def told(run, kind=sc.ResolutionWarning):
+    """Texts of the warnings of a kind."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        run()
+    return [str(one.message) for one in caught if issubclass(one.category, kind)]
+
+
+def test_cells_are_counted_across_the_spot_of_the_largest_pressure():
+    pressure = np.zeros((40, 30))
+    pressure[2:30, 3:25] = 1.0  # a large spot
+    pressure[33:36, 10:17] = 2.0
+    pressure[36, 17] = 0.5  # joined by its corner
+    assert resolution.cells_across(pressure) == 4
+    pressure[33:37, 10:18] = 0.0
+    assert resolution.cells_across(pressure) == 22
+    assert math.isnan(resolution.cells_across(np.zeros((5, 5))))
+    strip = np.zeros((40, 30))
+    strip[10:20] = 1.0  # as wide as the grid: that side says nothing
+    assert resolution.cells_across(strip) == 10
+
+
+@pytest.mark.parametrize("slip", [1e3, 1e6])
+def test_lengths_in_other_units_do_not_pass(slip):
+    """Cells in millimetres or micrometres: the whole contact is in one cell."""
+    grid = sc.Grid(31, 31, 36e-6 * slip, 36e-6 * slip)
+    gap = sc.surfaces.paraboloid(grid, R)
+    expected = rf"only 1 of 8 .* Hertz: radius {1e6 * HERTZ.a:.4g} µm, largest pressure 4.09. GPa"
+    for run in (
+        lambda: sc.ContactSolver(grid, STEEL, STEEL).solve(gap, load=LOAD),
+        lambda: sc.Simulation(grid, STEEL, STEEL, gap).step(load=LOAD),
+        lambda: sc.Simulation(grid, STEEL, STEEL, gap).run([{"load": LOAD}], progress=False),
+    ):
+        (text,) = told(run)
+        assert re.search(expected, text)
+
+
+def test_the_limits_of_a_run_are_eight_cells_and_eight_layers():
+    path = [{"load": load} for load in (0.02 * LOAD, LOAD, 0.0)]
+
+    def texts(**grid):
+        return told(lambda: scene(**grid).run(path, progress=False))
+
+    # the first increment has three cells across: only the largest load counts
+    assert texts(cells=8) == []
+    assert ["cells across" in text for text in texts(cells=3)] == [True]
+    assert ["layers high" in text for text in texts(cells=8, layers=4)] == [True]
+
+
+def test_one_increment_warns_of_what_cannot_be_mended_and_once():
+    simulation = scene(cells=1.4)
+    (text,) = told(lambda: [simulation.step(load=load) for load in (0.5 * LOAD, LOAD)])
+    assert "only 3 of 8 or more cells across" in text
+    assert told(lambda: scene(cells=5).step(load=LOAD)) == []
+
+
+@pytest.mark.parametrize(
+    ("layers", "depth", "fault"), [(0.5, 2, "too thick"), (20, 0.1, "too few")]
+)
+def test_layers_that_cannot_show_yield_are_told(layers, depth, fault):
+    soft = sc.Material.perfect_plastic(210e9, 0.3, 2.2e9)  # yields just below 0.4 radii
+    run = scene(8, layers, depth, body2=soft, on_border="warn")
+    (text,) = told(lambda: run.run([{"load": LOAD}], progress=False))
+    assert "does not yield" in text
+    assert fault in text
+    hard = sc.Material.perfect_plastic(210e9, 0.3, 9e9)
+    assert told(lambda: scene(8, layers, depth, body2=hard).step(load=LOAD)) == []
+
+
+def test_a_dataset_has_the_counts_and_a_report_fails_below_four():
+    for cells, passes in ((8, True), (1.4, False)):
+        run = scene(cells, layers=1.5 * cells)
+        dataset = results.to_dataset(run, run.run([{"load": LOAD}, {"load": 0.0}], progress=False))
+        across, after = dataset["contact_cells"].values
+        assert abs(across - 2 * cells) <= 1.5
+        assert math.isnan(after)
+        assert float(dataset["plastic_layers_body2"][1]) == pytest.approx(1.5 * cells, rel=0.5)
+        checks = {check.name: check for check in report.checks(dataset)}
+        assert checks["cells across the contact under the largest load"].passed is passes
+        assert checks["layers of the plastic zone, body 2"].passed is passes
+
+
+def test_a_sweep_warns_once_and_keeps_what_its_errors_say(tmp_path):
+    case = parse_case(ELASTIC)
+    sizes = [20e-6, 60e-6, 60e-3, 61e-3]
+    values = {"grid.dx": sizes}
+    (text,) = told(lambda: sc.sweep(case, values, output=tmp_path, progress=False))
+    assert "of 4 cases there are 2 with a contact of fewer than 8 cells across" in text
+    with results.open_results(tmp_path / "sweep.nc") as stored:
+        assert stored["status"].values.tolist() == ["failed", "done", "done", "done"]
+        assert "µm" in str(stored["error"].values[0])  # not only ASCII
+
+
+def test_a_modulus_in_gigapascals_is_named_with_hertz_and_before_the_solve():
+    grid = sc.Grid(31, 31, 36e-6, 36e-6)
+    gap = sc.surfaces.paraboloid(grid, R)
+    slip = sc.Material.elastic(210.0, 0.3)
+    text = r"touches the border .* Hertz: radius 418.2 mm, .* with E\* = 115.4 Pa .* 210e9"
+    with pytest.raises(sc.GridTooSmallError, match=text):
+        sc.ContactSolver(grid, slip, slip).solve(gap, load=LOAD)
+    simulation = sc.Simulation(grid, slip, slip, gap)
+    with pytest.raises(sc.GridTooSmallError, match=text):
+        simulation.run([{"load": 1e-9}, {"load": LOAD}], progress=False)
+    assert simulation.counters["contact_solves"] == 0
+
+
+def test_a_volume_that_is_much_too_shallow_is_refused_before_the_solve():
+    simulation = scene(8, layers=16, depth=0.25)
+    text = r"reaches the bottom .* would yield down to \d+\.?\d* µm\. Hertz: radius"
+    with pytest.raises(sc.GridTooSmallError, match=text):
+        simulation.step(load=LOAD)
+    assert simulation.counters["contact_solves"] == 0
+
+
+def test_hertz_is_expected_of_smooth_convex_gaps_only():
+    grid = sc.Grid(40, 50, 1e-5, 2e-5)
+    x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
+    turned = 0.5 * ((x + y) ** 2 / 2 / 4e-3 + (x - y) ** 2 / 2 / 9e-3) + 3e-6 + 1e-3 * x
+
+    def scene_of(gap):
+        return _expected.Scene(grid, gap, (STEEL, STEEL))
+
+    assert scene_of(turned).radii == pytest.approx((9e-3, 4e-3), rel=1e-9)
+    rough = turned + 2e-5 * np.random.default_rng(1).standard_normal(grid.surface_shape)
+    for gap in (rough, x**2, x**2 - y**2, -turned, 0 * x, np.abs(x)):
+        assert scene_of(gap).hertz(load=1.0) is None
+
+
+def test_pressures_beyond_elasticity_are_told():
+    R_slip = 1e-3 * R
+    contact = sc.hertz.point(R_slip, sc.hertz.effective_modulus(STEEL, STEEL), load=LOAD)
+    grid = sc.Grid(41, 41, contact.a / 15, contact.a / 15)
+    gap = sc.surfaces.paraboloid(grid, R_slip)
+    solver = sc.ContactSolver(grid, STEEL, STEEL)
+    (text,) = told(lambda: solver.solve(gap, load=LOAD), sc.ElasticStrainWarning)
+    assert "of the contact modulus" in text
+    simulation = sc.Simulation(grid, STEEL, STEEL, gap)
+    steps = [LOAD, 1.1 * LOAD]
+    found = told(lambda: [simulation.step(load=load) for load in steps], sc.ElasticStrainWarning)
+    assert len(found) == 1
+
+
+def test_a_smooth_contact_that_is_resolved_warns_of_nothing():
+    run = scene(8)
+    assert told(lambda: run.run([{"load": LOAD}, {"load": 0.0}], progress=False), Warning) == []

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Signals that end the command: of a batch system, a closed terminal, twice, while it is loaded."""
+
+import signal
+import subprocess
+import sys
+
+import pytest
+import test_tugging_cases
+import test_wear_cases
+from test_cases import MINIMAL
+from test_cli import invoke
+
+from samcontact import results
+from samcontact._starting import is_command
+
+# The command, which gets a signal when it is about to make an increment for the n-th time.
+COMMAND = """
+import os, signal, sys
+from samcontact import Simulation
+from samcontact.commands.main import main
+step, left = Simulation.step, int(sys.argv[1])
+def counted(self, **arguments):
+    global left
+    left -= 1
+    if left == 0:
+        os.kill(os.getpid(), int(sys.argv[2]))
+    return step(self, **arguments)
+Simulation.step = counted
+main(sys.argv[3:])
+"""
+OPTIONS = ("--no-figures", "--quiet")
+
+
+# Of each kind of run: a case, and what is sent.
+TEXTS = {
+    "run": (MINIMAL, signal.SIGHUP),
+    "sweep": (MINIMAL, signal.SIGTERM),
+    "tugging": (test_tugging_cases.TEXT.replace("passes = 2", "passes = 1"), signal.SIGTERM),
+    "wear": (test_wear_cases.TEXT.replace("cycles = 1", "cycles = 2"), signal.SIGTERM),
+}
+
+
+def start(script, *arguments):
+    command = [sys.executable, "-c", script, *map(str, arguments)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+@pytest.mark.parametrize("kind", TEXTS)
+def test_what_a_batch_system_or_a_closed_terminal_sends(tmp_path, kind):
+    case, out = tmp_path / "case.toml", tmp_path / "out"
+    text, number = TEXTS[kind]
+    case.write_text(text)
+    arguments = ["run", str(case), "--output", str(out), *OPTIONS]
+    if kind == "sweep":
+        arguments = ["sweep", str(case), "--set", "path[0].load=300,200", "--output", str(out)]
+    count = 5 if kind == "sweep" else 3
+    with start(COMMAND, count, int(number), *arguments) as process:
+        _, errors = process.communicate()
+    assert process.returncode == 128 + number, errors
+    assert "Traceback" not in errors
+    if kind == "sweep":
+        with results.open_results(out / "sweep.nc") as found:
+            assert found["status"].values.tolist() == ["done", "cancelled"]
+        return
+    assert errors == f"interrupted: go on with\n  samcontact resume {out}\n"
+    kept = [file.name for file in (out / "checkpoints").glob("*.h5")]
+    assert len(kept) == (1 if kind == "wear" else 2)
+    assert invoke("resume", out, *OPTIONS).exit_code == 0
+
+
+AGAIN = """
+import os, signal
+from samcontact import checkpoint
+write = checkpoint._write
+def pressed(*arguments):  # again while it keeps what it has
+    os.kill(os.getpid(), signal.SIGINT)
+    os.kill(os.getpid(), signal.SIGTERM)
+    write(*arguments)
+checkpoint._write = pressed
+"""
+# A batch system sends to the process and to its group: the second finds the first under way.
+TWICE = AGAIN + COMMAND.replace(
+    """        os.kill(os.getpid(), int(sys.argv[2]))
+""",
+    """        try:
+            os.kill(os.getpid(), int(sys.argv[2]))
+        finally:
+            os.kill(os.getpid(), int(sys.argv[2]))
+            sys.stderr.write("twice, ")
+""",
+)
+
+
+def test_pressed_again_and_again(tmp_path):
+    case, out = tmp_path / "case.toml", tmp_path / "out"
+    case.write_text(MINIMAL)
+    with start(TWICE, 3, int(signal.SIGTERM), "run", case, "--output", out, *OPTIONS) as process:
+        _, errors = process.communicate()
+    assert process.returncode in (130, 143)
+    assert errors == f"twice, interrupted: go on with\n  samcontact resume {out}\n"
+    assert len(list((out / "checkpoints").glob("*.h5"))) == 2
+
+
+LOADING = """
+import os, signal, sys
+sys.argv[0] = sys.argv[1]
+class Slow:  # what takes long to import
+    def find_spec(self, name, path=None, target=None):
+        if name == "scipy.optimize":
+            os.kill(os.getpid(), signal.SIGINT)
+sys.meta_path.insert(0, Slow())
+from samcontact.commands.main import main
+raise SystemExit("loaded")
+"""
+
+
+@pytest.mark.parametrize(("script", "silent"), [("/usr/bin/samcontact", True), ("mine.py", False)])
+def test_ctrl_c_while_the_command_is_loaded(script, silent):
+    with start(LOADING, script) as process:
+        output, errors = process.communicate()
+    assert process.returncode == -signal.SIGINT
+    assert output == ""
+    assert (errors == "") == silent  # a script of the user gets the KeyboardInterrupt
+
+
+@pytest.mark.parametrize(
+    ("script", "words", "expected"),
+    [
+        ("/home/me/bin/samcontact", ["python", "/home/me/bin/samcontact", "run"], True),
+        ("-m", ["python", "-m", "samcontact", "run"], True),
+        ("-m", ["python", "-X", "dev", "-m", "samcontact"], True),
+        ("-m", ["python", "-m", "pytest", "samcontact"], False),
+        ("-c", ["python", "-c", "import samcontact"], False),
+        ("", ["python"], False),
+        ("samcontact.py", ["python", "samcontact.py"], False),
+    ],
+)
+def test_what_is_the_command(script, words, expected):
+    assert is_command(script, words) == expected
+
+
+# A signal that a parent ignores, as under nohup, is none for the command either.
+IGNORED = "import signal, sys; signal.signal(signal.SIGHUP, signal.SIG_IGN)\n" + COMMAND
+
+
+def test_nohup(tmp_path):
+    case, out = tmp_path / "case.toml", tmp_path / "out"
+    case.write_text(MINIMAL)
+    command = (IGNORED, 2, int(signal.SIGHUP), "run", case, "--output", out, *OPTIONS)
+    with start(*command) as process:
+        _, errors = process.communicate()
+    assert process.returncode == 0, errors
+    assert (out / "results.nc").exists()

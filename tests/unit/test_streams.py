@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the command prints never costs results: ASCII terminals, pipes whose reader has left."""
+
+import os
+import signal
+import subprocess
+import sys
+
+import click
+import pytest
+from test_cases import MINIMAL
+from test_cli import invoke
+
+from samcontact.commands.main import main
+from samcontact.commands.streams import guarded_output
+
+COMMAND = [sys.executable, "-m", "samcontact"]
+
+
+@pytest.fixture
+def case(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text(MINIMAL.replace("two balls", "zwei Köpfe ≤ 3 µm"), encoding="utf-8")
+    return path
+
+
+def run(case, *arguments, **options):
+    out = case.with_name("out")
+    command = [*COMMAND, "run", str(case), "--output", str(out), *arguments]
+    ended = subprocess.run(command, stderr=subprocess.PIPE, check=False, **options)
+    return ended, {path.name for path in out.iterdir()}
+
+
+FILES = {
+    "results.nc", "pressure.png", "load_approach.png", "axis_stress.png", "sections.png",
+    "pressure_map.png", "gap_map.png", "print.png", "print_map.png", "residual.png",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
+def test_a_terminal_without_some_characters(case, encoding):
+    environment = os.environ | {"PYTHONIOENCODING": encoding, "PYTHONUTF8": "0"}
+    plain = () if encoding == "ascii" else ("--no-figures",)
+    ended, files = run(case, *plain, env=environment, stdout=subprocess.PIPE)
+    expected = {"results.nc"} if plain else FILES
+    assert (ended.returncode, files) == (0, expected), ended.stderr
+    text = ended.stdout.decode(encoding)
+    shown = {"ascii": "zwei Kopfe <= 3 um", "latin-1": "zwei Köpfe <= 3 µm"}[encoding]
+    assert text.splitlines()[0] == shown
+    assert {"ascii": "[um]", "latin-1": "[µm]"}[encoding] in text
+    assert "results.nc" in text
+
+
+@pytest.mark.parametrize("both", [False, True], ids=["stdout", "stdout and stderr"])
+def test_a_reader_that_leaves(case, both):
+    reading, writing = os.pipe()
+    os.close(reading)
+    out = case.with_name("out")
+    command = [*COMMAND, "run", str(case), "--output", str(out), *["--no-figures"] * both]
+    errors = writing if both else subprocess.PIPE
+    with subprocess.Popen(command, stdout=writing, stderr=errors) as process:
+        os.close(writing)
+        _, told = process.communicate()
+    assert {path.name for path in out.iterdir()} == ({"results.nc"} if both else FILES)
+    assert process.returncode == 1
+    if not both:
+        assert b"Traceback" not in told
+        assert b"rror" not in told
+
+
+def test_no_room_for_what_is_printed(case):
+    with open("/dev/full", "w") as full:
+        ended, files = run(case, "--no-figures", stdout=full)
+    assert (ended.returncode, files) == (1, {"results.nc"})
+    told = ended.stderr.decode().splitlines()[-1]
+    assert told == "error: cannot write to the standard output: No space left on device"
+
+
+def test_a_stream_that_is_closed(case):
+    out = case.with_name("out")
+    script = f"{' '.join(COMMAND)} run {case} --output {out} --no-figures >&- 2>&-"
+    assert subprocess.run(["sh", "-c", script], check=False).returncode == 0
+    assert [path.name for path in out.iterdir()] == ["results.nc"]
+
+
+def test_names_that_no_text_can_hold(capsysbinary):
+    with guarded_output():
+        print("results\udcff.nc", "σ", "½")
+    assert capsysbinary.readouterr().out == "results?.nc σ ½\n".encode()
+
+
+def test_streams_and_signals_are_given_back(case):
+    before = sys.stdout, sys.stderr, signal.getsignal(signal.SIGTERM)
+    assert invoke("hertz", "--R", "1", "--E-star", "1", "--load", "1").exit_code == 0
+    with pytest.raises(click.UsageError, match="modulus"):
+        main.main(["hertz", "--R", "1"], standalone_mode=False)
+    assert before == (sys.stdout, sys.stderr, signal.getsignal(signal.SIGTERM))

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The standard figures of a run: which there are, what they show, and that they can be read."""
+
+import itertools
+
+import matplotlib.image
+import numpy as np
+import pytest
+from core_fakes import ELASTIC, SWIFT, FakeState, make_grid, make_simulation
+
+import samcontact as sc
+from samcontact import plotting
+from samcontact.plotting import parts, summary
+
+SURFACE = ["pressure.png", "pressure_map.png", "gap_map.png"]
+
+
+@pytest.fixture
+def drawn(monkeypatch):
+    """The figures by name, as they are written."""
+    figures = {}
+
+    def keep(figure, path):
+        figures[path.stem] = figure
+        figure.set_dpi(50)
+        return parts.save(figure, path)
+
+    monkeypatch.setattr(summary, "save", keep)
+    return figures
+
+
+def longest_blank(image):
+    """The longest run of white rows or columns over all of them."""
+    white = image[..., :3].min(axis=2) > 0.99
+    longest = 0.0
+    for axis in (0, 1):
+        lines = white.all(axis=axis)
+        runs = (len(list(run)) for blank, run in itertools.groupby(lines) if blank)
+        longest = max(longest, max(runs, default=0) / lines.size)
+    return longest
+
+
+def texts(ax):
+    """All that is written in and beside axes; ticks beyond their ends are not drawn."""
+    found = [ax.title, ax.xaxis.label, ax.yaxis.label, *ax.texts]
+    if ax.get_legend() is not None:
+        found += ax.get_legend().get_texts()
+    for axis in (ax.xaxis, ax.yaxis):
+        low, high = sorted(axis.get_view_interval())
+        for place, label in zip(axis.get_ticklocs(), axis.get_ticklabels(), strict=True):
+            if low <= place <= high:
+                found.append(label)
+    return [text for text in found if text.get_visible() and text.get_text().strip()]
+
+
+def overlaps(figure):
+    """Pairs of texts one of which is drawn over the other."""
+    figure.draw_without_rendering()
+    boxes = [
+        (text.get_text(), text.get_window_extent().shrunk(0.9, 0.9))
+        for ax in figure.axes
+        for text in texts(ax)
+    ]
+    return [
+        (a, b)
+        for (a, first), (b, second) in itertools.combinations(boxes, 2)
+        if first.overlaps(second)
+    ]
+
+
+# cells along x and y, layers: flat, deep, long
+@pytest.mark.parametrize("cells", [(41, 9, 3), (11, 9, 20), (9, 41, 10)])
+def test_what_is_written_can_be_read(cells, tmp_path, drawn):
+    simulation = make_simulation()
+    grid = simulation.grid = make_grid(nx=cells[0], ny=cells[1], nz=cells[2], dz=1e-4)
+    states = [FakeState(grid, load) for load in (1500.0, 0.0)]
+    for state in states:
+        state.gap = 1e-3 * np.abs(grid.x)[:, None] + 1e-3 * np.abs(grid.y)
+    written = plotting.summary_figures(simulation, states, tmp_path / "new" / "folder")
+    assert [path.name for path in written] == [
+        *SURFACE,
+        "axis_stress.png",
+        "sections.png",
+        "load_approach.png",
+        "flash_temperature.png",
+        "temperature.png",
+        "print.png",
+        "print_map.png",
+        "residual.png",
+    ]
+    for path in written:
+        image = matplotlib.image.imread(path)
+        assert min(image.shape[:2]) > 40
+        assert image[..., :3].std() > 0.01  # something is drawn
+        assert longest_blank(image) < 0.2, path.name
+        assert overlaps(drawn[path.stem]) == [], path.name
+
+
+def test_without_a_volume(tmp_path):
+    surface = make_simulation(nz=0, body2=ELASTIC)
+    states = [FakeState(surface.grid, 1500.0)]
+    written = plotting.summary_figures(surface, states, tmp_path)
+    names = [*SURFACE, "load_approach.png", "flash_temperature.png"]
+    assert [path.name for path in written] == names
+
+
+def test_profiles_run_where_there_is_something(tmp_path, drawn):
+    """On a rough surface nothing may touch in the middle."""
+    simulation = make_simulation()
+    grid = simulation.grid
+    state = FakeState(grid, 1500.0)
+    state.pressure = np.roll(state.pressure, 3, axis=1)
+    plotting.summary_figures(simulation, [state], tmp_path)
+    row = int(np.argmax(state.pressure.max(axis=0)))
+    ax = drawn["pressure"].axes[0]
+    np.testing.assert_allclose(ax.get_lines()[0].get_ydata(), state.pressure[:, row] * 1e-9)
+    assert ax.get_title() == f"load 1500 N, y = {grid.y[row] * 1e6:.4g} µm"
+
+
+def test_of_what_moved_all_of_the_track_is_shown(tmp_path, drawn):
+    step = 60e-6
+    grid = sc.Grid(15, 13, step, step, 12, step)
+    simulation = sc.Simulation(grid, ELASTIC, SWIFT, sc.surfaces.paraboloid(grid, 7.5e-3))
+    move = {"load": 700.0, "advance": (-2 * step, -2 * step)}
+    states = simulation.run([{"load": 700.0}, *[move] * 5, {"load": 0.0}], progress=False)
+    plotting.summary_figures(simulation, states, tmp_path)
+    track = states[-1].track(2)
+    depth = track.residual_displacement()
+    ax = drawn["print"].axes[0]
+    (line,) = ax.get_lines()
+    deepest = track.x[int(np.argmax(depth[:, 6]))] * 1e6
+    assert line.get_ydata().max() == pytest.approx(depth.max() * 1e6)
+    left, right = ax.get_xlim()
+    assert left < deepest < right
+    assert left < 0.0 < 10 * step * 1e6 < right  # all of the way
+    for name, shown in (("print_map", depth), ("residual", track.residual_von_mises()[:, 6])):
+        (mesh,) = drawn[name].axes[0].collections
+        assert mesh.get_array().shape == shown.T.shape
+    for name, figure in drawn.items():
+        assert overlaps(figure) == [], name
+
+
+def test_bad_input_is_named(tmp_path):
+    simulation = make_simulation()
+    with pytest.raises(ValueError, match="at least one state"):
+        plotting.summary_figures(simulation, [], tmp_path)
+    with pytest.raises(ValueError, match="body must be one of 1, 2, got 3"):
+        plotting.summary_figures(simulation, [FakeState(simulation.grid, 1.0)], tmp_path, body=3)

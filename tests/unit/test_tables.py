@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables of the commands: whatever the width, every number is there and whole."""
+
+import io
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import xarray as xr
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from rich.console import Console
+
+from samcontact import hertz
+from samcontact.commands import solve_contact, solve_sweep, solve_tugging, solve_wear, tables
+from samcontact.commands.tables import NARROWEST, UNLIMITED, Sheet, new_console, numbers
+
+SIZES = (1e-12, 1e-6, 1.0, 1e6, 1e12)
+CASE = SimpleNamespace(output=SimpleNamespace(body=2))
+
+
+def values(count, generator):
+    """Of either sign, and as large or small as other systems of units make them."""
+    return generator.choice(SIZES, count) * generator.normal(size=count)
+
+
+def contact(generator, count=7):
+    names = [name for name, *_ in tables.contact_columns(2)]
+    names += ["travel_body2", "iterations", "contact_area"]
+    return xr.Dataset(
+        {name: ("increment", values(count, generator)) for name in names},
+        {"increment": np.arange(1, count + 1)},
+        {"body2_nu": 0.3},
+    )
+
+
+def tugging(generator, count=4):
+    by_pass = {"net_energy", "dissipation", "residual_energy"}
+    data = {name: ("pass", values(count, generator)) for name in by_pass}
+    for name in ("force_x", "force_z", "max_pressure"):
+        data[name] = (("pass", "increment"), values(2 * count, generator).reshape(count, 2))
+    data["residual_displacement"] = (
+        ("pass", "body"),
+        values(2 * count, generator).reshape(count, 2),
+    )
+    coordinates = {"pass": np.arange(1, count + 1), "body": [1, 2]}
+    return SimpleNamespace(series=xr.Dataset(data, coordinates))
+
+
+def wear(generator, count=5):
+    cycles = []
+    for number in range(1, count + 1):
+        numbers = zip(solve_wear.COLUMNS, values(len(solve_wear.COLUMNS), generator), strict=True)
+        cycles.append(SimpleNamespace(number=number, **{column[0]: n for column, n in numbers}))
+    return SimpleNamespace(cycles=cycles)
+
+
+def sweep(generator):
+    names = ["contact.friction", "surface.roughness.amplitude"]
+    shape = {name: values(2, generator) for name in names}
+    one = contact(generator).drop_vars(["iterations", "contact_area"])
+    whole = one.expand_dims({name: 2 for name in names}).copy().assign_coords(shape)
+    whole["status"] = (tuple(names), [["done", "done"], ["done", "cancelled"]])
+    return solve_sweep._table(whole, names, CASE)
+
+
+def all_tables(seed):
+    generator = np.random.default_rng(seed)
+    reference = hertz.point(7.5e-3, 1e11, load=float(abs(values(1, generator)[0])))
+    return [
+        solve_contact._summary(contact(generator), 2),
+        solve_contact._comparison(contact(generator), 3, reference, 2),
+        solve_tugging._table(tugging(generator)),
+        solve_wear._table(wear(generator)),
+        sweep(generator),
+    ]
+
+
+def printed(sheet, width):
+    """Lines as a terminal of this width, or a pipe (None), gets them."""
+    console = new_console()
+    console.file = io.StringIO()
+    if width is not None:
+        console = Console(file=io.StringIO(), width=width)
+    console.print(sheet)
+    return [line.rstrip() for line in console.file.getvalue().splitlines()]
+
+
+def cells(lines, name):
+    """The rows whose first cell has this text: all cells behind it, of all parts."""
+    found = []
+    for line in lines:
+        row = [cell.strip() for cell in line.split("│")[1:-1]]
+        if row and row[0] == name:
+            found += row[1:]
+    return found
+
+
+@settings(max_examples=25, deadline=None)
+@given(seed=st.integers(0, 2**32 - 1), width=st.integers(40, 200) | st.none())
+def test_every_number_of_every_table_is_whole(seed, width):
+    for sheet in all_tables(seed):
+        lines = printed(sheet, width)
+        assert max(map(len, lines)) <= (width or UNLIMITED)
+        assert "…" not in "".join(lines)
+        for place, name in enumerate(sheet.columns[0][1]):
+            whole = [column[place] for _, column in sheet.columns[1:]]
+            if width is None:
+                assert cells(lines, name) == whole
+            elif " " not in name:
+                # what wraps is text, such as the name of a row
+                assert cells(lines, name) == whole
+
+
+def test_a_wide_table_goes_on_below():
+    sheet = Sheet("Numbers")
+    sheet.add("", ["1"])
+    for column in range(12):
+        sheet.add(f"column {column}", ["123456.789"])
+    lines = printed(sheet, 60)
+    titles = [line.strip() for line in lines if "Numbers" in line]
+    assert titles == ["Numbers", *["Numbers, continued"] * 2]
+    assert len({len(line.rstrip()) for line in lines if "┏" in line}) == 1  # parts of like width
+    assert len(printed(sheet, None)) < len(lines)  # a file has room
+
+
+def test_the_console_takes_the_width_of_a_terminal_only(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "66")
+    assert new_console().width == UNLIMITED
+    monkeypatch.setenv("FORCE_COLOR", "1")  # rich takes it for a terminal
+    assert new_console().width == 66
+    monkeypatch.setenv("COLUMNS", "20")
+    assert new_console().width == NARROWEST
+
+
+@pytest.mark.parametrize(
+    ("column", "texts"),
+    [
+        ([118812.3, -52147.2], ["118812", "-52147"]),
+        ([1500.0, 375.0, 0.0], ["1500", "375", "0"]),
+        ([23.3157, 4.83014, -1e-12, -0.0], ["23.316", "4.830", "-1e-12", "0.000"]),
+        ([1e3, 1e-3], ["1000", "0.001"]),  # each with its own digits
+        ([1.23456789e12, 5.0], ["1.2346e+12", "5"]),
+        ([3.7e-9, 1.25e-9], ["3.7e-09", "1.25e-09"]),
+        ([np.nan, 2.5], ["-", "2.5"]),
+        ([np.nan, np.inf], ["-", "-"]),
+        ([0.0, -0.0], ["0", "0"]),
+        ([], []),
+    ],
+)
+def test_digits_of_a_column(column, texts):
+    assert numbers(column) == texts
+
+
+@given(st.lists(st.floats(-1e300, 1e300), min_size=1))
+def test_a_column_tells_its_values(column):
+    for text, value in zip(numbers(column), column, strict=True):
+        assert float(text) == pytest.approx(value, rel=0.051)
+        assert len(text) <= 24
+        assert not text.startswith("-0") or float(text) != 0
