@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The documentation site: python -m sphinx -W docs build/site."""
 
+import re
 import sys
+from importlib.util import find_spec
 from pathlib import Path
+
+from docutils import nodes
 
 import samcontact
 
@@ -13,26 +17,38 @@ author = copyright = "The samcontact developers"
 version = release = samcontact.__version__
 
 extensions = [
-    "myst_parser",
+    "myst_nb",
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
     "sphinx.ext.napoleon",
     "sphinx.ext.viewcode",
     "case_schema",
+    "executed",
 ]
-exclude_patterns = ["_ext"]
+exclude_patterns = ["_ext", "notebooks/.ipynb_checkpoints"]
 nitpicky = False  # units in numpydoc types are no references
 
 myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 3
+executed_pages = ["index", "tutorial"]
+nb_execution_mode = "off"  # they come with outputs
+nb_merge_streams = True
 
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
+autodoc_type_aliases = {name: name for name in ("ArrayLike", "FloatArray")}
 autodoc_default_options = {"members": True, "show-inheritance": True}
 napoleon_google_docstring = False
 napoleon_use_rtype = False
 
+# One file, fonts included: formulas need no network. Of this package nothing else is used.
+_mathjax = Path(find_spec("sphinx-mathjax-offline").origin).parent / "static" / "mathjax"
+mathjax_path = "tex-svg.js"
+mathjax3_config = {"svg": {"scale": 0.88}}
+
 html_theme = "furo"
+html_static_path = ["_static", str(_mathjax / mathjax_path)]
+html_css_files = ["site.css"]
 html_title = f"samcontact {release}"
 html_copy_source = False
 
@@ -42,5 +58,31 @@ def _link_to_pages(app, relative_path, parent_docname, content):
     content[0] = content[0].replace("](CHANGELOG.md)", "](changes.md)").replace("](docs/", "](")
 
 
+def _plain_names(app, what, name, obj, options, signature, returns):
+    """Names of `autodoc_type_aliases` also where they stand in unions."""
+    texts = (
+        re.sub(r"TypeAliasForwardRef\('(\w+)'\)", r"\1", s or "") for s in (signature, returns)
+    )
+    return tuple(text or None for text in texts)
+
+
+def _bases(app, name, obj, options, bases):
+    """Only those that users can name."""
+    bases[:] = [base for base in bases if not base.__module__.startswith("samcontact._")] or [
+        object
+    ]
+
+
+def _whole_formulas(app, doctree):
+    """Sphinx would put a formula of several rows into `split`, where no number may stand."""
+    for node in doctree.findall(nodes.math_block):
+        if r"\\" in node.astext() and not node.get("nowrap"):
+            node["nowrap"] = True
+            node.children = [nodes.Text(rf"\[{node.astext()}\]")]
+
+
 def setup(app):
+    app.connect("doctree-read", _whole_formulas)
+    app.connect("autodoc-process-signature", _plain_names)
+    app.connect("autodoc-process-bases", _bases)
     app.connect("include-read", _link_to_pages)

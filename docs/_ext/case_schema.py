@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
@@ -13,9 +15,13 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from samcontact import cases
-from samcontact.cases.field_units import all_models, unit_of
+from samcontact.cases.field_units import models_in, unit_of
 
 SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"))
+ROOTS = {
+    cases.Case: "Top of the file",
+    cases.TuggingCase: "Top of a file with `[tugging]`",
+}
 PLAIN = {float: "number", int: "integer", bool: "true or false", str: "text", list: "list"}
 
 
@@ -30,9 +36,9 @@ def kind(annotation: Any) -> str:
     if origin is Literal:
         return ", ".join(f'"{value}"' if isinstance(value, str) else str(value) for value in parts)
     if origin is list:
-        return f"list of {kind(parts[0])}"
+        return f"list of {kind(parts[0])}s"
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return f"section {annotation.__name__}"
+        return "section"
     return PLAIN.get(annotation, str(annotation))
 
 
@@ -54,18 +60,59 @@ def default(field: Any) -> str:
         return "optional"
     if isinstance(value, BaseModel):
         return "its own defaults"
-    return f"`{str(value).lower() if isinstance(value, bool) else value!r}`"
+    # JSON writes numbers, texts and lists as TOML does
+    return f"`{json.dumps(value)}`"
 
 
-def table(model: type[BaseModel]) -> list[str]:
-    """Markdown of one model."""
-    first = (model.__doc__ or "").strip().splitlines()[0]
-    lines = [f"## {model.__name__}", "", first, "", "| field | unit | kind | default |"]
+def places(root: type[BaseModel]) -> dict[type[BaseModel], list[str]]:
+    """The sections below a file of this kind, outermost first, with their headings in the file."""
+    found: dict[type[BaseModel], list[str]] = {}
+    waiting = [(root, "")]
+    while waiting:
+        model, above = waiting.pop(0)
+        for name, field in model.model_fields.items():
+            heading = f"[{above}{name}]"
+            if get_origin(field.annotation) is list:
+                heading = f"[{heading}]"
+            for inner in models_in(field.annotation):
+                headings = found.setdefault(inner, [])
+                if heading not in headings:
+                    headings.append(heading)
+                    waiting.append((inner, f"{above}{name}."))
+    return found
+
+
+def word(model: type[BaseModel]) -> str:
+    """What tells this section from others of its name, e.g. ``law = "swift"``; "" for nothing."""
+    for name, field in model.model_fields.items():
+        if field.is_required() and get_origin(field.annotation) is Literal:
+            return f'{name} = "{get_args(field.annotation)[0]}"'
+    return ""
+
+
+def titled() -> dict[type[BaseModel], str]:
+    """All sections and their titles, as they stand in case files."""
+    titles: dict[type[BaseModel], str] = dict(ROOTS)
+    for root in ROOTS:
+        for model, headings in places(root).items():
+            title = ", ".join(f"`{heading}`" for heading in headings)
+            title += f" with `{word(model)}`" if word(model) else ""
+            if model not in titles and title in titles.values():
+                title += ", in a file with `[tugging]`"
+            titles.setdefault(model, title)
+    return titles
+
+
+def table(model: type[BaseModel], title: str) -> list[str]:
+    """Markdown of one section."""
+    first = "" if model in ROOTS else (model.__doc__ or "").strip().splitlines()[0]
+    first = re.sub(r"^\[+\w+\]+: (.)", lambda found: found[1].upper(), first)
+    lines = [f"## {title}", "", first, "", "| field | unit | kind | default |"]
     lines.append("|---|---|---|---|")
     for name, field in model.model_fields.items():
         said = kind(field.annotation) + limits(field.metadata)
         unit = unit_of(field.annotation, field.metadata)
-        lines.append(f"| {name} | {unit} | {said} | {default(field)} |")
+        lines.append(f"| `{name}` | {unit} | {said} | {default(field)} |")
     return [*lines, ""]
 
 
@@ -73,8 +120,7 @@ class CaseSchema(SphinxDirective):
     """Tables of all sections of a case file."""
 
     def run(self) -> list[nodes.Node]:
-        models = all_models(cases.Case, cases.TuggingCase)
-        lines = [line for model in models for line in table(model)]
+        lines = [line for model, title in titled().items() for line in table(model, title)]
         return self.parse_text_to_nodes("\n".join(lines), allow_section_headings=True)
 
 
