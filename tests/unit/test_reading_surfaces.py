@@ -226,3 +226,27 @@ def test_files_of_spreadsheets_in_cases_name_the_section(tmp_path):
     )
     with pytest.raises(CaseError, match=r"\[surface\] path: cannot read .*decimal points"):
         case.build()
+
+
+@pytest.mark.parametrize("name", ["s.npy", "s.txt", "s.dat"])
+def test_an_array_is_known_by_its_content(name, tmp_path):
+    with (tmp_path / name).open("wb") as file:
+        np.save(file, UM)
+    surface = measured.read(tmp_path / name, dx=DX, dy=DY, unit="um", detrend=None)
+    np.testing.assert_array_equal(surface.heights, UM * 1e-6)
+    with pytest.raises(ValueError, match="dx must be given"):
+        measured.read(tmp_path / name)
+    with pytest.raises(ValueError, match="channel must be 0"):
+        measured.read(tmp_path / name, dx=DX, channel=1)
+
+
+@pytest.mark.parametrize("name", ["s.npy", "s.txt"])
+def test_an_array_that_claims_more_than_it_holds(name, tmp_path):
+    """Readers that go through all it claims do not end."""
+    with (tmp_path / name).open("wb") as file:
+        shape = (2**40, 2**20)
+        header = {"descr": "<f8", "fortran_order": False, "shape": shape}
+        np.lib.format.write_array_header_1_0(file, header)
+        file.write(bytes(800))
+    with pytest.raises(ValueError, match="cannot read heights"):
+        measured.read(tmp_path / name, dx=DX, unit="um")

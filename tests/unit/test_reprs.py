@@ -214,7 +214,7 @@ def public_objects():
     state = simulation.step(load=10.0)
     solver = sc.ContactSolver(grid, steel, steel, 0.1, heat_factor=1 / 3, velocity=(1 / 3, 1 / 7))
     collision = sc.asperities.Collision(1e-3, 1e-3, 1e-6)
-    cycle = sc.wear.Cycle(1, (0.1,), (0.1,), (0.1,), (0.1,), (0.1,), 1.0, 1.0, 1.0)
+    cycle = sc.wear.Cycle(1, (0.1,), (0.1,), (0.1,), (0.1,), (0.1,), 1.0, 1.0, 1.0, 9.0, (9.0,))
     worn = {2: np.stack([gap] * 5)}
     load = sc.flattening.kogut_etsion(np.linspace(1e-9, 1e-7, 500), 1e-3, 1e11, 0.3, 1e9)
     series = results.to_dataset(simulation, [state])

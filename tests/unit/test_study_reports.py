@@ -63,7 +63,10 @@ def test_passes(tugging):
             expected = [float(one[name]) for name in names]
             force_x, force_z = one["force_x"], one["force_z"]
             expected += [*prints, force_x.max(), force_x.min(), force_z.max()]
-            np.testing.assert_array_equal(row, [*expected, one["max_pressure"].max()])
+            cells = one["contact_cells"][int(one["normal_force"].argmax("increment"))]
+            layers = float(one["plastic_layers"].sel(body=2).max())
+            pressure = one["max_pressure"].max()
+            np.testing.assert_array_equal(row, [*expected, pressure, cells, layers])
         assert index == 1
     assert captions(text) == [
         *(f"{name}, pass {n}" for n in (1, 2)
@@ -81,15 +84,28 @@ def test_too_few_increments_are_told(tugging):
     folder, outcome = tugging
     assert "check failed: energy not found as plastic work or residual stress" in outcome.stderr
     with results.open_results(folder / "series.nc") as data:
-        energy, exchanged, release = report.checks(data)
+        energy, exchanged, release, cells, layers = report.checks(data)
         ratio = np.abs(data["energy_imbalance"] / data["net_energy"]).max()
         assert energy.value == pytest.approx(float(ratio))
         assert energy.value > energy.limit
         assert exchanged.passed
         assert release.passed
+        assert cells.passed
+        assert (layers.value, layers.passed) == (3.0, False)
         held = data.load().copy(deep=True)
     held["normal_force"][0, -1] = 1e3
     assert not report.checks(held)[2].passed
+
+
+@pytest.mark.parametrize("study", ["tugging", "wear"])
+@pytest.mark.parametrize("name", ["contact_cells", "plastic_layers"])
+def test_cells_and_layers_that_resolve_nothing_are_told(study, name, request):
+    folder, _ = request.getfixturevalue(study)
+    with results.open_results(folder / ("series.nc" if study == "tugging" else "wear.nc")) as data:
+        fine, coarse = (data.load().assign({name: data[name] * 0 + n}) for n in (4, 3))
+    failed = [[v.name for v in report.checks(one) if not v.passed] for one in (fine, coarse)]
+    (told,) = set(failed[1]) - set(failed[0])
+    assert told.split()[0] == name.split("_")[1]
 
 
 def test_energy_of_passes_that_take_next_to_none():
@@ -103,11 +119,14 @@ def test_energy_of_passes_that_take_next_to_none():
             "dissipation": ("pass", [4426.5, 71.2, 3.8]),
             "residual_energy": ("pass", [705.6, 697.1, 696.6]),
             "energy_imbalance": ("pass", [-100.1, -18.8, -15.9]),
-        }
+            "contact_cells": (("pass", "increment"), [[12.0, np.nan]] * 3),
+            "plastic_layers": (("pass", "increment", "body"), [[[np.nan, 9.0]] * 2] * 3),
+        },
+        coords={"body": [1, 2]},
     )
 
     def passed(name, values):
-        return [v.passed for v in _checks(series.assign({name: ("pass", values)}))]
+        return [v.passed for v in _checks(series.assign({name: ("pass", values)}))][:3]
 
     assert passed("energy_imbalance", [-100.1, -18.8, -15.9]) == [True, True, True]
     assert passed("energy_imbalance", [-300.0, -18.8, -15.9]) == [False, False, True]
@@ -117,9 +136,9 @@ def test_energy_of_passes_that_take_next_to_none():
         {name: ("pass", np.zeros(3)) for name in ("dissipation", "residual_energy")}
     )
     verdicts = _checks(elastic.assign(net_energy=("pass", [1.0, 2.0, 3.0])))
-    assert [v.passed for v in verdicts] == [True, True]
+    assert [v.passed for v in verdicts][:2] == [True, True]
     verdicts = _checks(elastic.assign(energy_imbalance=("pass", [1.0, 2.0, 300.0])))
-    assert [v.passed for v in verdicts] == [False, True]
+    assert [v.passed for v in verdicts][:2] == [False, True]
 
 
 def test_cycles(wear):
@@ -128,10 +147,10 @@ def test_cycles(wear):
     text = page(folder)
     with results.open_results(folder / "wear.nc") as data:
         names = ("volume", "depth", "surface_strain", "max_plastic_strain", "max_pressure",
-                 "max_von_mises", "contact_area")  # fmt: skip
+                 "max_von_mises", "contact_area", "contact_cells", "plastic_layers")  # fmt: skip
         expected = [[float(data[name].values.flat[0]) for name in names]]
         np.testing.assert_array_equal(rows(text, "cycles-table"), expected)
-        (volume,) = report.checks(data)
+        volume, *_ = report.checks(data)
         assert volume.passed
         spoilt = data.assign(lost=data["lost"] * 1.01)
     assert not report.checks(spoilt)[0].passed

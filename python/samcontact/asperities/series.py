@@ -32,6 +32,8 @@ BY_INCREMENT = {
     "max_pressure": ("Pa", "largest pressure"),
     "contact_area": ("m2", "area under pressure"),
     "max_equivalent_plastic_strain": ("1", "largest equivalent plastic strain of a body"),
+    "contact_cells": ("1", "cells across the spot under the largest pressure"),
+    "plastic_layers": ("1", "layers from top to bottom of the plastic zone of a body"),
 }
 BY_PASS = {
     "net_energy": ("J", "work of force_x over the pass"),
@@ -60,6 +62,8 @@ class Row:
     max_pressure: float
     contact_area: float
     max_equivalent_plastic_strain: tuple[float, float]
+    contact_cells: float
+    plastic_layers: tuple[float, float]
     work: float = 0.0
     residual_energy: float = math.nan
     residual_displacement: tuple[float, float] = (math.nan, math.nan)

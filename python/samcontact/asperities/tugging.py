@@ -200,7 +200,8 @@ def tug(
         line of centres), force_x, force_y, force_z (by sphere 1 on sphere 2: force_x > 0 resists a
         motion towards +X, force_z > 0 presses), load_ratio force_x/force_z (NaN without contact),
         work of force_x since the start of the pass, plastic_work of both bodies since the start of
-        all, max_pressure, contact_area, and of each body max_equivalent_plastic_strain. By pass:
+        all, max_pressure, contact_area, contact_cells (across it; NaN without contact), and of each
+        body max_equivalent_plastic_strain and plastic_layers (NaN without plastic strain). By pass:
         net_energy (the work of the pass), dissipation, residual_energy (after it),
         energy_imbalance (net energy less dissipation and increase of residual energy, the error of
         mesh and increments), and of each body residual_displacement (its maximum).
@@ -339,6 +340,7 @@ class _Run:
 
     def _row(self) -> Row:
         state, collision = self.state, self.collision
+        layers = [resolution.layers_across(state.equivalent_plastic_strain(b)) for b in (1, 2)]
         angle = self.position * self.step
         tangential = self._tangential(collision.separation(angle))
         sine, cosine = math.sin(angle), math.cos(angle)
@@ -357,6 +359,8 @@ class _Run:
                 state.max_equivalent_plastic_strain(1),
                 state.max_equivalent_plastic_strain(2),
             ),
+            contact_cells=resolution.cells_across(state.pressure),
+            plastic_layers=(layers[0], layers[1]),
         )
 
     def _tangential(self, separation: float) -> tuple[float, float]:

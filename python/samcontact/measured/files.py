@@ -12,11 +12,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.lib.format import MAGIC_PREFIX
 
 from .._checks import FloatArray, choice, positive
 from .surface import TRENDS, MeasuredSurface, library
 
 PLAIN_FORMATS = (".npy", ".txt", ".dat", ".asc", ".csv")
+_FIRST = (None, 0, "Default")  # channel of a file with one map
 _DAMAGED = (OSError, ValueError, EOFError, TypeError, ArithmeticError, MemoryError)
 
 
@@ -78,7 +80,12 @@ def read(
     step_y = step_x if dy is None else positive("dy", dy)
     if step_y is not None and step_x is None:
         raise ValueError(f"dx must be given with dy = {dy!r}, got None")
-    if step_x is not None and channel in (None, 0, "Default") and is_plain(source):
+    if _is_array(source):
+        if step_x is None:
+            raise ValueError(f"dx must be given: {path} does not tell it")
+        if channel not in _FIRST:
+            raise ValueError(f"channel must be 0: {path} has one map, got {channel!r}")
+    if step_x is not None and channel in _FIRST and is_plain(source):
         attrs = {"source": str(source), "format": source.suffix.lower()[1:]}
         heights = plain_heights(source)
         if unit is not None:
@@ -98,7 +105,7 @@ def read(
 def is_plain(path: Path) -> bool:
     """Whether a file is an array of heights only, without sizes or units of its own."""
     if path.suffix.lower() not in PLAIN_FORMATS:
-        return False
+        return _is_array(path)
     try:
         lines = [] if path.suffix.lower() == ".npy" else _lines(path)
     except OSError:  # told by reading its heights
@@ -107,6 +114,15 @@ def is_plain(path: Path) -> bool:
     # values of a header stand after a colon (in Japanese a wide one) or an equals sign
     comment = re.compile("\\s*(#[^:=\N{FULLWIDTH COLON}]*)?")
     return all(comment.fullmatch(line) for line in before)
+
+
+def _is_array(path: Path) -> bool:
+    """Whether a file begins as one of numpy.save."""
+    try:
+        with path.open("rb") as file:
+            return file.read(len(MAGIC_PREFIX)) == MAGIC_PREFIX
+    except OSError:  # told by reading its heights
+        return False
 
 
 def _is_data(line: str) -> bool:
@@ -130,7 +146,7 @@ def _lines(path: Path) -> list[str]:
 def plain_heights(path: Path) -> FloatArray:
     """Rows of heights from a plain file; a ValueError that names it where it cannot be read."""
     try:
-        if path.suffix.lower() == ".npy":
+        if path.suffix.lower() == ".npy" or _is_array(path):
             heights: Any = _array(path)
         else:
             heights = _rows(_lines(path), path.suffix.lower() == ".csv")

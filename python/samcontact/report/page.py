@@ -64,6 +64,9 @@ def write(dataset: xr.Dataset, path: str | Path) -> Path:
     return target
 
 
+_WORDS = ("stopped_by", "title", "description", "samcontact_version", "created", "case")
+
+
 def checks(dataset: xr.Dataset) -> list[Verdict]:
     """Check the results of a run, from its stored fields alone.
 
@@ -112,16 +115,13 @@ def _end(dataset: xr.Dataset) -> list[Verdict]:
 
 def _content(dataset: xr.Dataset) -> dict[str, Any]:
     """Everything that the template names."""
-    attributes = dataset.attrs
+    # other programs may have put anything there
+    words = {name: str(dataset.attrs.get(name, "")) for name in _WORDS}
     content = _kind(dataset).content(dataset)
     content["checks"] = [*_end(dataset), *content["checks"]]
     return {
-        "stopped_by": attributes.get("stopped_by", ""),
-        "title": attributes.get("title") or "Contact",
-        "description": attributes.get("description", ""),
-        "version": attributes.get("samcontact_version", ""),
-        "created": attributes.get("created", ""),
-        "case_text": attributes.get("case", ""),
+        **words,
+        "title": words["title"] or "Contact",
         "parameters": tables.parameters(dataset),
         "hertz": [],
         "convergence": [],

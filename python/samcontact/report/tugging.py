@@ -15,6 +15,7 @@ from ..asperities import Collision
 from ..plotting.parts import counted, finish, new_figure
 from .figures import ReportFigure, embedded
 from .tables import study_table
+from .verdicts import contact_cells, plastic_layers
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -38,16 +39,20 @@ _PASSES = {
     "min_force_x": ("least tangential force", "N", 1.0),
     "max_force_z": ("largest normal force", "N", 1.0),
     "max_pressure": ("maximum pressure", "MPa", 1e-6),
+    "contact_cells": ("across the contact", "cells", 1.0),
+    "plastic_layers": ("plastic zone", "layers", 1.0),
 }
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
     """Its part of what the template names."""
-    extremes = dataset.drop_vars("max_pressure").assign(
+    extremes = dataset.drop_vars(["max_pressure", "contact_cells", "plastic_layers"]).assign(
         max_force_x=dataset["force_x"].max("increment"),
         min_force_x=dataset["force_x"].min("increment"),
         max_force_z=dataset["force_z"].max("increment"),
         max_pressure=dataset["max_pressure"].max("increment"),
+        contact_cells=_under_load(dataset),
+        plastic_layers=dataset["plastic_layers"].max("increment"),
     )
     return {
         "file": "series.nc",
@@ -55,6 +60,13 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
         "values": [("passes", "Passes", study_table(extremes, "pass", _PASSES))],
         "figures": list(_figures(dataset)),
     }
+
+
+def _under_load(dataset: xr.Dataset) -> xr.DataArray:
+    """Cells across the contact of each pass under its largest load; NaN without contact."""
+    where = dataset["normal_force"].fillna(0.0).argmax("increment")
+    cells: xr.DataArray = dataset["contact_cells"].isel(increment=where)
+    return cells
 
 
 def _checks(dataset: xr.Dataset) -> Iterator[Verdict]:
@@ -77,6 +89,9 @@ def _checks(dataset: xr.Dataset) -> Iterator[Verdict]:
     if largest > 0:
         name = "normal force at the end of a pass over the largest"
         yield Verdict(name, float(np.max(end)) / largest, RELEASED)
+        yield contact_cells(float(_under_load(dataset).min()))
+    for body in (1, 2):
+        yield from plastic_layers(dataset["plastic_layers"].sel(body=body), body)
 
 
 def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:

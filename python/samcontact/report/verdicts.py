@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .._checks import FloatArray
 from .._expected import Expected
@@ -103,15 +104,28 @@ def _resolution(dataset: xr.Dataset, case: Case | None) -> Iterator[Verdict]:
         peak = int(np.argmax(np.where(np.isnan(cells), -1.0, dataset["load"].values)))
         load = float(dataset["load"].values[peak])
         hertz = case.hertz(load) if case is not None and load > 0 else None
-        beside = "" if hertz is None else f" ({Expected(hertz)})"
         if np.isfinite(cells[peak]):
-            name = f"cells across the contact under the largest load{beside}"
-            yield Verdict(name, float(cells[peak]), TOO_FEW, at_least=True)
+            yield contact_cells(
+                float(cells[peak]), "" if hertz is None else f" ({Expected(hertz)})"
+            )
     for body in (1, 2):
         layers = dataset.get(f"plastic_layers_body{body}")
-        if layers is not None and np.any(np.isfinite(layers.values)):
-            name = f"layers of the plastic zone, body {body}"
-            yield Verdict(name, float(np.nanmax(layers.values)), TOO_FEW, at_least=True)
+        if layers is not None:
+            yield from plastic_layers(layers.values, body)
+
+
+def contact_cells(cells: float, beside: str = "") -> Verdict:
+    """Whether the grid resolves the contact; what is expected of that goes beside."""
+    name = f"cells across the contact under the largest load{beside}"
+    return Verdict(name, cells, TOO_FEW, at_least=True)
+
+
+def plastic_layers(layers: ArrayLike, body: int) -> Iterator[Verdict]:
+    """Whether the layers resolve the plastic zone where it is highest; none without one."""
+    highest = np.max(np.nan_to_num(layers))
+    if highest > 0:
+        name = f"layers of the plastic zone, body {body}"
+        yield Verdict(name, float(highest), TOO_FEW, at_least=True)
 
 
 def _strains(dataset: xr.Dataset) -> Iterator[Verdict]:

@@ -15,6 +15,7 @@ from ..plotting.parts import new_figure
 from ..results.vtk import cell_size
 from .figures import ReportFigure, embedded
 from .tables import study_table
+from .verdicts import contact_cells, plastic_layers
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -32,6 +33,8 @@ _CYCLES = {
     "max_pressure": ("maximum pressure", "MPa", 1e-6),
     "max_von_mises": ("maximum von Mises stress", "MPa", 1e-6),
     "contact_area": ("contact area", "µm²", 1e12),
+    "contact_cells": ("across the contact", "cells", 1.0),
+    "plastic_layers": ("plastic zone", "layers", 1.0),
 }
 
 
@@ -50,6 +53,9 @@ def _checks(dataset: xr.Dataset) -> Iterator[Verdict]:
     difference = float(np.abs(dataset["volume"] - dataset["lost"]).max())
     name = "volume lost by the surface against that removed, relative"
     yield Verdict(name, difference / removed if removed > 0 else difference, VOLUME)
+    yield contact_cells(float(dataset["contact_cells"].min()))
+    for body in dataset["body"].values.tolist():
+        yield from plastic_layers(dataset["plastic_layers"].sel(body=body), body)
 
 
 def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:

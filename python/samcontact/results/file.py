@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import h5netcdf
+import h5py
+import numpy as np
 import xarray as xr
 
 from .._atomic import replacing_hdf5
@@ -92,6 +94,7 @@ def open_results(path: str | Path) -> xr.Dataset:
         raise FileNotFoundError(f"no results file at {source}")
     try:
         check_seal(source)  # files that other programs have written on purpose have none
+        _check_scales(source)
         _try(source)
         dataset = xr.open_dataset(source, engine="h5netcdf")
     except PermissionError:
@@ -102,6 +105,33 @@ def open_results(path: str | Path) -> xr.Dataset:
         dataset.close()
         raise ValueError(f"path must be a results file written by samcontact, got {source}")
     return dataset
+
+
+def _check_scales(path: Path) -> None:
+    """HDF5 follows what links dimensions without a look at its type: other numbers crash it."""
+
+    def check(name: str, part: h5py.Group | h5py.Dataset) -> None:
+        for link, is_one in (("DIMENSION_LIST", _is_list), ("REFERENCE_LIST", _is_table)):
+            if link in part.attrs:
+                found = part.attrs.get_id(link)
+                fits = found.shape == (part.ndim,) if is_one is _is_list else len(found.shape) == 1
+                if not (is_one(found.dtype) and fits):
+                    raise ValueError(f"the attribute {link} of {name} does not link dimensions")
+
+    with h5py.File(path, "r") as file:
+        file.visititems(check)
+
+
+def _is_list(dtype: np.dtype[np.generic]) -> bool:
+    linked = h5py.check_vlen_dtype(dtype)
+    return linked is not None and h5py.check_ref_dtype(linked) is h5py.Reference
+
+
+def _is_table(dtype: np.dtype[np.generic]) -> bool:
+    if dtype.fields is None or len(dtype.fields) != 2:
+        return False
+    first, *_ = dtype.fields.values()
+    return h5py.check_ref_dtype(first[0]) is h5py.Reference
 
 
 def _try(path: Path) -> None:

@@ -29,8 +29,7 @@ from ..checkpoint import finite_dataset as _array
 from .checks import Scene, met_rows
 from .results import PER_BODY, Cycle
 
-_FORMAT = "samcontact wear 2"
-_UNSEALED = "samcontact wear 1"  # without a digest of the file
+_FORMAT = "samcontact wear 3"
 
 
 @dataclass
@@ -145,9 +144,9 @@ def read(path: str | os.PathLike[str], scene: Scene) -> Standing | None:
         sealed = check_seal(path)
         with h5py.File(path, "r") as file:
             form = file.attrs.get("format")
-            if not isinstance(form, str) or form not in (_FORMAT, _UNSEALED):
+            if not isinstance(form, str) or form != _FORMAT:
                 raise CheckpointError(f"checkpoint {name!r} is no checkpoint of wear")
-            if not sealed and form != _UNSEALED:
+            if not sealed:
                 raise ValueError("the digest at its end is missing: it was cut off or changed")
             if file.attrs["arguments"] != fingerprint(scene):
                 raise ForeignCheckpointError(

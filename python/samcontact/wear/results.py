@@ -45,9 +45,13 @@ class Cycle:
     """Largest von Mises stress in the worn bodies under the largest load [Pa]."""
     contact_area: float
     """Under the largest load [m^2]."""
+    contact_cells: float
+    """Across the contact under the largest load, see `resolution.cells_across`."""
+    plastic_layers: tuple[float, ...]
+    """From top to bottom of the plastic zone, before anything is removed; 0 without one."""
 
 
-PER_BODY = ("volume", "lost", "depth", "surface_strain", "max_plastic_strain")
+PER_BODY = ("volume", "lost", "depth", "surface_strain", "max_plastic_strain", "plastic_layers")
 """Those of a cycle that have one value for each worn body."""
 
 
@@ -150,9 +154,11 @@ _PER_BODY = (
     ("depth", "m", "largest wear depth of the cycle"),
     ("surface_strain", "1", "largest plastic strain of the first layer before removal"),
     ("max_plastic_strain", "1", "largest equivalent plastic strain before removal"),
+    ("plastic_layers", "1", "layers from top to bottom of the plastic zone before removal"),
 )
 _PER_CYCLE = (
     ("max_pressure", "Pa", "largest pressure"),
     ("max_von_mises", "Pa", "largest von Mises stress under load"),
     ("contact_area", "m2", "area under pressure at the largest load"),
+    ("contact_cells", "1", "cells across the spot under the largest pressure"),
 )
