@@ -418,10 +418,9 @@ void bind_simulation(py::module_& m) {
              settings.max_iterations = max_iterations;
              settings.on_border =
                  error_on_border ? contact::OnBorder::error : contact::OnBorder::warn;
-             using simulation::ResidualChoice;
-             settings.residual_stress = residual_stress == "exact"  ? ResidualChoice::exact
-                                        : residual_stress == "fast" ? ResidualChoice::fast
-                                                                    : ResidualChoice::automatic;
+             using operators::ResidualMethod;
+             settings.residual_stress =
+                 residual_stress == "exact" ? ResidualMethod::exact : ResidualMethod::fast;
              settings.image_tol = image_tol;
              settings.reach = reach;
              for (int b = 0; b < 2; ++b) {

@@ -111,7 +111,7 @@ TEST_CASE("simulations run in threads of their own") {
     return [newton] {
       const Grid grid(30, 28, fine, fine, 26, fine);
       Settings settings;
-      settings.residual_stress = ResidualChoice::fast;
+      settings.residual_stress = operators::ResidualMethod::fast;
       settings.tol = 1e-3;
       Simulation simulation(grid, elastic, steel, ball(grid, 7.5e-3), 0.0, settings);
       const State& state = simulation.step(load(newton));

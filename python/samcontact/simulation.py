@@ -122,11 +122,11 @@ class Simulation(Fixed, Shown):
         What to do when the contact or the plastic zone reaches the border of the grid.
     max_iterations : int, optional
         Of the plastic fixed point, before the increment is halved.
-    residual_stress : {"auto", "exact", "fast"}, optional
-        "exact": influence coefficients of cuboids; time grows with the square of the layers, 1 kB
-        of memory a cell. "fast": sweeps over the layers; time and memory grow with the cells.
-        "auto": exact on grids of up to 8192 cells, and on up to a million for a plastic strain set
-        in up to 64 cells, otherwise fast. See docs/theory.md for their errors.
+    residual_stress : {"fast", "exact"}, optional
+        "fast": sweeps over the layers; time and memory grow with the cells. "exact": influence
+        coefficients of cuboids, a reference, right for strain that varies from cell to cell; time
+        grows with the square of the layers, memory is 1 kB a cell, and with little hardening
+        plastic flow need not converge. See docs/theory.md for their errors.
     image_tol : float, optional
         With "fast": error due to the periodicity of the transforms, relative to the largest
         residual stress; in [1e-6, 0.1].
@@ -164,7 +164,7 @@ class Simulation(Fixed, Shown):
         increment_tol: float | None = None,
         on_border: str = "error",
         max_iterations: int = 60,
-        residual_stress: str = "auto",
+        residual_stress: str = "fast",
         image_tol: float = 1e-3,
         heat_factor: float | Sequence[float] = 0.0,
         velocity: ArrayLike | None = None,
@@ -198,7 +198,7 @@ class Simulation(Fixed, Shown):
                 )
         self.on_border = choice("on_border", on_border, ("error", "warn"))
         self.max_iterations = integer("max_iterations", max_iterations, 1)
-        self.residual_stress = choice("residual_stress", residual_stress, ("auto", "exact", "fast"))
+        self.residual_stress = choice("residual_stress", residual_stress, ("fast", "exact"))
         self.image_tol = number("image_tol", image_tol)
         if not 1e-6 <= self.image_tol <= 0.1:
             raise ValueError(f"image_tol must be in [1e-6, 0.1], got {self.image_tol!r}")

@@ -24,14 +24,19 @@ LAWS = {
 }
 SETTLED = 60
 """Cycles within which what tol leaves open is taken up; each takes up a part of the rest."""
+REPEATED = {"exact": 1e-14, "fast": 1e-9}
+"""By how much a settled cycle changes, over the largest value. Fast transforms round: once in many
+cycles a cell at its yield stress flows by a rounding error, tol times less than an increment."""
 SCENES = [
-    ("linear", 0.0, 1000),
-    ("kinematic", 0.2, 1000),
-    *((law, friction, 100) for law in LAWS for friction in (0.0, 0.2)),
+    ("linear", 0.0, 1000, "fast"),
+    ("kinematic", 0.2, 1000, "exact"),
+    *((law, friction, 100, "exact") for law in LAWS for friction in (0.0, 0.2)),
+    *((law, 0.2, 100, "fast") for law in ("linear", "kinematic")),
     *(
-        pytest.param(law, friction, 1000, marks=pytest.mark.slow)
+        pytest.param(law, friction, 1000, method, marks=pytest.mark.slow)
         for law in LAWS
         for friction in (0.0, 0.2)
+        for method in REPEATED
     ),
 ]
 
@@ -40,11 +45,14 @@ def largest(field):
     return np.abs(field).max()
 
 
-@pytest.mark.parametrize(("law", "friction", "cycles"), SCENES)
+@pytest.mark.parametrize(("law", "friction", "cycles", "method"), SCENES)
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-def test_shakedown_to_the_last_bits(law, friction, cycles):
+def test_shakedown_to_the_last_bits(law, friction, cycles, method):
     """Elastic shakedown: the first reloading differs by tol, later ones by nothing at all."""
-    simulation = sc.Simulation(GRID, STEEL, LAWS[law], GAP, friction, on_border="warn")
+    simulation = sc.Simulation(
+        GRID, STEEL, LAWS[law], GAP, friction, on_border="warn", residual_stress=method
+    )
+    same = REPEATED[method]
     first = simulation.step(load=EXACT.load)
     assert first.max_equivalent_plastic_strain() > 5e-4
     for cycle in range(cycles):
@@ -54,10 +62,10 @@ def test_shakedown_to_the_last_bits(law, friction, cycles):
             settled, bare = state, unloaded
     for name in ("plastic_strain", "equivalent_plastic_strain", "stress", "backstress"):
         late, early = (getattr(moment, name)() for moment in (state, settled))
-        assert largest(late - early) <= 1e-14 * largest(early) if early.size else not late.size
-    assert largest(state.pressure - settled.pressure) <= 1e-12 * settled.pressure.max()
+        assert largest(late - early) <= same * largest(early) if early.size else not late.size
+    assert largest(state.pressure - settled.pressure) <= 100 * same * settled.pressure.max()
     residual = bare.residual_stress()
-    assert largest(unloaded.residual_stress() - residual) <= 1e-14 * largest(residual)
+    assert largest(unloaded.residual_stress() - residual) <= same * largest(residual)
     # what the cycles changed in all is of the order of tol = 1e-6
     strain = first.plastic_strain()
     assert largest(state.plastic_strain() - strain) < 1e-5 * largest(strain)

@@ -71,7 +71,7 @@ def test_defaults_and_steps(write):
         "tol": 1e-6,
         "increment_tol": None,
         "on_border": "error",
-        "residual_stress": "auto",
+        "residual_stress": "fast",
         "image_tol": 1e-3,
         "heat_factor": 0.0,
         "velocity": None,

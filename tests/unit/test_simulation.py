@@ -72,7 +72,7 @@ class TestWorkDone:
         assert_close(least.pressure, by_default.pressure, 1e-6)
 
     def test_no_plastic_solve_below_yield(self):
-        """Kernels of plastic strain (36 and 6 spectra per layer) are only built at first yield."""
+        """What acts on plastic strain is only built at first yield."""
         sim = simulation()
         for part in (0.2, 0.5):
             state = sim.step(load=part * FIRST_YIELD**3 * LOAD)
@@ -85,7 +85,7 @@ class TestWorkDone:
         assert above["plastic_solves"] == 1
         assert above["plastic_iterations"] >= state.iterations > 0
         assert state.equivalent_plastic_strain().max() > 1e-3
-        assert below["volume_bytes"] < 0.1 * above["volume_bytes"]
+        assert below["volume_bytes"] < 0.2 * above["volume_bytes"]
 
     def test_yields_where_the_elastic_stress_does(self):
         """The check is exact: 1e-6 below the load of first yield nothing flows, above it does."""
@@ -215,8 +215,8 @@ class TestPrescribedTractions:
 
     def test_reversed_shear_mirrors_in_x(self):
         p, s = self.pressure, 0.2 * self.pressure
-        one = simulation().step(pressure=p, shear=s)
-        other = simulation().step(pressure=p[::-1], shear=-s[::-1])
+        one = simulation(image_tol=1e-5).step(pressure=p, shear=s)
+        other = simulation(image_tol=1e-5).step(pressure=p[::-1], shear=-s[::-1])
         assert one.iterations > 0
         assert_close(other.plastic_strain(), MIRROR_X * one.plastic_strain()[:, ::-1], 1e-5)
         assert_close(other.stress(), MIRROR_X * one.stress()[:, ::-1], 1e-6)
@@ -260,8 +260,8 @@ class TestPrescribedTractions:
 
     def test_contact_goes_on_from_them(self):
         """Tractions that a contact gave, given back: the same state, and the same way on."""
-        contact = simulation()
-        prescribed = simulation()
+        contact = simulation(image_tol=1e-6)
+        prescribed = simulation(image_tol=1e-6)
         for part in (0.5, 1.0):
             there = contact.step(load=part * LOAD)
             here = prescribed.step(pressure=there.pressure)
@@ -276,7 +276,7 @@ class TestInitialStrain:
 
     def test_fields_are_those_of_the_operators(self):
         """Any symmetric strain, here random with a dilatation, in either body."""
-        sim = simulation(OTHER, SOFT)
+        sim = simulation(OTHER, SOFT, residual_stress="exact")
         for body, material in ((1, OTHER), (2, SOFT)):
             sim.set_plastic_strain(body, self.strain)
             state = sim.state
@@ -349,7 +349,7 @@ class TestInitialStrain:
 
 class TestGridTooSmall:
     shallow = sc.Grid(19, 21, SIZE, 0.9 * SIZE, 6, SIZE)
-    narrow = sc.Grid(7, 9, SIZE, SIZE, 6, SIZE)
+    narrow = sc.Grid(7, 9, SIZE, SIZE, 12, SIZE)
 
     def test_bottom(self):
         depth = re.escape(repr(6 * SIZE)[:8])
@@ -443,14 +443,14 @@ class TestFailedStep:
 
 class TestHalving:
     def test_is_smaller_increments(self):
-        whole = simulation().step(load=LOAD)
+        whole = simulation(residual_stress="exact").step(load=LOAD)
         limit = whole.iterations - 1
-        sim = simulation(max_iterations=limit)
+        sim = simulation(max_iterations=limit, residual_stress="exact")
         state = sim.step(load=LOAD)
         assert whole.substeps == 1
         assert sim.counters["halvings"] >= 1
         assert limit < state.iterations <= state.substeps * limit
-        by_hand = simulation()
+        by_hand = simulation(residual_stress="exact")
         for part in {2: (0.5, 1.0), 3: (0.5, 0.75, 1.0)}[state.substeps]:
             expected = by_hand.step(load=part * LOAD)
         np.testing.assert_array_equal(state.plastic_strain(), expected.plastic_strain())

@@ -29,8 +29,19 @@ enum Coefficient {
   other_shift,     // what q r exp(-q r) lacks of distance in layers times x, in units of other
   surface,         // exp(-q z) in the first layer
   surface_linear,  // q z exp(-q z) in the first layer
+  weight,          // share of an alias in the operator
   coefficient_count
 };
+
+/// Wavenumbers from here on, of the highest one, share their place with their aliases.
+constexpr double blended_from = 0.85;
+
+/// Share of a wavenumber, relative to the highest; with that of its alias 1. Three derivatives are
+/// continuous.
+double share(double k) {
+  const double s = std::clamp((2 - blended_from - k) / (2 * (1 - blended_from)), 0.0, 1.0);
+  return s * s * s * s * (35 + s * (-84 + s * (70 - 20 * s)));
+}
 
 void fill_mode(double kx, double ky, double h, double* mode, int step) {
   const double q = std::hypot(kx, ky), x = q * h;
@@ -85,15 +96,16 @@ struct Turned {
 SAMCONTACT_INLINE void eigenstress(const Mode& mode, const Constants& k, const Lanes* v,
                                    Turned& t) {
   const Lanes c = mode[direction_x], s = mode[direction_y];
-  const Lanes trace = k.lame * (v[0] + v[1] + v[2]);
+  const Lanes twice_mu = k.twice_mu * mode[weight];
+  const Lanes trace = k.lame * mode[weight] * (v[0] + v[1] + v[2]);
   const Lanes xx = c * v[0] + s * v[5], xy = c * v[5] + s * v[1];
   const Lanes yx = c * v[5] - s * v[0], yy = c * v[1] - s * v[5];
-  t.t11 = trace + k.twice_mu * (c * xx + s * xy);
-  t.t22 = trace + k.twice_mu * (c * yy - s * yx);
-  t.t33 = trace + k.twice_mu * v[2];
-  t.t12 = k.twice_mu * (c * xy - s * xx);
-  t.t13 = k.twice_mu * (c * v[4] + s * v[3]);
-  t.t23 = k.twice_mu * (c * v[3] - s * v[4]);
+  t.t11 = trace + twice_mu * (c * xx + s * xy);
+  t.t22 = trace + twice_mu * (c * yy - s * yx);
+  t.t33 = trace + twice_mu * v[2];
+  t.t12 = twice_mu * (c * xy - s * xx);
+  t.t13 = twice_mu * (c * v[4] + s * v[3]);
+  t.t23 = twice_mu * (c * v[3] - s * v[4]);
 }
 
 /// Back to xx, yy, zz, yz, xz, xy.
@@ -204,7 +216,8 @@ struct Layout {
   std::size_t component_step, layer_step;  // of the spectrum, in doubles
 
   /// Place of component m in the spectrum; a deviator has no zz.
-  SAMCONTACT_INLINE double* at(double* values, int m, int layer) const {
+  template <typename Value>
+  SAMCONTACT_INLINE Value* at(Value* values, int m, int layer) const {
     const int place = deviator && m > 2 ? m - 1 : m;
     return values + place * component_step + layer * layer_step;
   }
@@ -227,7 +240,7 @@ SAMCONTACT_INLINE void rotate(Lanes* v, int turns) {
 
 /// Components of one layer, v[part][component], from the spectrum (complex numbers interleaved).
 template <int parts>
-SAMCONTACT_INLINE void load(const Layout& layout, double* values, int layer, Lanes v[][6]) {
+SAMCONTACT_INLINE void load(const Layout& layout, const double* values, int layer, Lanes v[][6]) {
   for (int m = 0; m < 6; ++m) {
     if (layout.deviator && m == 2) continue;
     const double* from = layout.at(values, m, layer);
@@ -248,32 +261,47 @@ SAMCONTACT_INLINE void load(const Layout& layout, double* values, int layer, Lan
   }
 }
 
+SAMCONTACT_INLINE void put(double* to, const double* more, const Lanes& value) {
+  *reinterpret_cast<Loose*>(to) =
+      more == nullptr ? value : value + *reinterpret_cast<const Loose*>(more);
+}
+
+/// Where the stress of a block goes, and what is added to it.
+struct Target {
+  Layout layout;
+  double* values;
+  Layout more_layout;
+  const double* more;  // may be null
+};
+
 /// The reverse.
 template <int parts>
-SAMCONTACT_INLINE void store(const Layout& layout, const Lanes v[][6], int layer, double* values) {
+SAMCONTACT_INLINE void store(const Target& target, const Lanes v[][6], int layer) {
+  const Layout& layout = target.layout;
   for (int m = 0; m < 6; ++m) {
     if (layout.deviator && m == 2) continue;
-    double* to = layout.at(values, m, layer);
+    double* to = layout.at(target.values, m, layer);
+    const double* more =
+        target.more == nullptr ? nullptr : target.more_layout.at(target.more, m, layer);
     Lanes number[parts];
     for (int p = 0; p < parts; ++p) number[p] = v[p][m];
     rotate<parts>(number, 4 - layout.turns[m]);
     if constexpr (parts == 1) {
-      *reinterpret_cast<Loose*>(to) = number[0];
+      put(to, more, number[0]);
     } else {
-      *reinterpret_cast<Loose*>(to) =
-          __builtin_shufflevector(number[0], number[1], 0, 8, 1, 9, 2, 10, 3, 11);
-      *reinterpret_cast<Loose*>(to + width) =
-          __builtin_shufflevector(number[0], number[1], 4, 12, 5, 13, 6, 14, 7, 15);
+      put(to, more, __builtin_shufflevector(number[0], number[1], 0, 8, 1, 9, 2, 10, 3, 11));
+      put(to + width, more == nullptr ? nullptr : more + width,
+          __builtin_shufflevector(number[0], number[1], 4, 12, 5, 13, 6, 14, 7, 15));
     }
   }
 }
 
-/// Replaces the strain of one block of wavenumbers by its stress. values: the block's row of
-/// component 0 and layer 0; turned, below: [layer][part], scratch.
+/// Stress of the strain of one block of wavenumbers; target may be where the strain is. values: the
+/// block's row of component 0 and layer 0; turned, below: [layer][part], scratch.
 template <int parts>
 SAMCONTACT_INLINE void sweep(const Layout& layout, const char* used, const double* row, int step,
-                             const Constants& constants, double* values, Turned* turned,
-                             Sums* below) {
+                             const Constants& constants, const double* values,
+                             const Target& target, Turned* turned, Sums* below) {
   const Mode mode(row, step);
   Lanes v[parts][6];
 
@@ -317,20 +345,22 @@ SAMCONTACT_INLINE void sweep(const Layout& layout, const char* used, const doubl
     depth += mode[thickness];
     e0 *= mode[decay];
     e1 *= mode[decay];
-    store<parts>(layout, v, k, values);
+    store<parts>(target, v, k);
   }
 }
 
 SAMCONTACT_MULTIVERSION
 void sweep_complex(const Layout& layout, const char* used, const double* row, int step,
-                   const Constants& constants, double* values, Turned* turned, Sums* below) {
-  sweep<2>(layout, used, row, step, constants, values, turned, below);
+                  const Constants& constants, const double* values, const Target& target,
+                  Turned* turned, Sums* below) {
+  sweep<2>(layout, used, row, step, constants, values, target, turned, below);
 }
 
 SAMCONTACT_MULTIVERSION
 void sweep_real(const Layout& layout, const char* used, const double* row, int step,
-                const Constants& constants, double* values, Turned* turned, Sums* below) {
-  sweep<1>(layout, used, row, step, constants, values, turned, below);
+                  const Constants& constants, const double* values, const Target& target,
+                  Turned* turned, Sums* below) {
+  sweep<1>(layout, used, row, step, constants, values, target, turned, below);
 }
 
 /// With yz and xz multiplied by i all is real; what is stored lacks (-i) for each mirrored
@@ -350,21 +380,12 @@ Layout make_layout(const VolumeSpectrum& spectrum) {
   return at;
 }
 
-/// At the highest wavenumber of a direction its sign is unknown: the components that are odd in
-/// that direction have no defined sign either and are left out.
-void drop_unsigned(VolumeSpectrum& spectrum, int ky) {
-  const int parts = spectrum.parts, last = spectrum.components - 1;
-  const int yz = last - 2, xz = last - 1, xy = last;
-  for (int k = 0; k < spectrum.nz; ++k) {
-    for (const int c : {xz, xy}) {
-      std::fill_n(spectrum.row(ky, c, k) + static_cast<std::ptrdiff_t>(spectrum.mx / 2) * parts,
-                  parts, 0.0);
-    }
-    if (2 * ky != spectrum.my) continue;
-    for (const int c : {yz, xy}) {
-      std::fill_n(spectrum.row(ky, c, k), spectrum.modes * parts, 0.0);
-    }
-  }
+/// That of one block alone, one layer after the other.
+Layout block_layout(const Layout& of, int parts) {
+  Layout at = of;
+  at.component_step = static_cast<std::size_t>(width) * parts;
+  at.layer_step = 6 * at.component_step;
+  return at;
 }
 
 }  // namespace
@@ -372,26 +393,51 @@ void drop_unsigned(VolumeSpectrum& spectrum, int ky) {
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
                                          const Elastic& elastic, double image_tol)
     : nz_(grid.nz),
-      pitch_(transform.pitch()),
       nu_(elastic.nu),
       lame_(2 * elastic.shear_modulus() * elastic.nu / (1 - 2 * elastic.nu)),
       shear_modulus_(elastic.shear_modulus()),
       images_(grid, transform, elastic, image_tol) {
-  const int mh = transform.mh();
-  modes_.assign(static_cast<std::size_t>(mh) * coefficient_count * pitch_, 0.0);
-  const double two_pi = 2 * std::numbers::pi;
-  for (int ky = 0; ky < mh; ++ky) {
-    double* row = modes_.data() + static_cast<std::size_t>(ky) * coefficient_count * pitch_;
-    for (int i = 0; i < transform.modes(); ++i) {
-      const int kx = i <= transform.mx() / 2 ? i : i - transform.mx();
-      fill_mode(two_pi * kx / (transform.mx() * grid.dx), two_pi * ky / (transform.my() * grid.dy),
-                grid.dz, row + i, pitch_);
+  for (int ky = 0; ky < transform.mh(); ++ky) {
+    std::vector<Pass>& passes = passes_.emplace_back();
+    for (const bool alias_y : {false, true}) {
+      if (alias_y && ky <= blended_from * (transform.my() / 2)) continue;
+      for (const bool alias_x : {false, true}) {
+        passes.push_back(pass(grid, transform, ky, alias_x, alias_y));
+      }
     }
   }
 }
 
+LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
+                                                    const VolumeTransform& transform, int ky,
+                                                    bool alias_x, bool alias_y) const {
+  // mx and my are even
+  const int mx = transform.mx(), my = transform.my();
+  const auto wavenumber = [&](int i) { return i <= mx / 2 ? i : i - mx; };
+  int first = transform.modes(), last = 0;
+  for (int i = 0; i < transform.modes(); ++i) {
+    if (alias_x && std::abs(wavenumber(i)) <= blended_from * (mx / 2)) continue;
+    first = std::min(first, i);
+    last = i + 1;
+  }
+  Pass found{first / width * width, (last + width - 1) / width * width, {}};
+  if (found.last <= found.first) return {};
+  const int step = found.last - found.first;
+  found.modes.assign(static_cast<std::size_t>(step) * coefficient_count, 0.0);
+  const double two_pi = 2 * std::numbers::pi;
+  for (int i = found.first; i < std::min(found.last, transform.modes()); ++i) {
+    const int own = wavenumber(i);
+    const int x = alias_x ? own - (own > 0 ? mx : -mx) : own, y = alias_y ? ky - my : ky;
+    double* mode = found.modes.data() + (i - found.first);
+    fill_mode(two_pi * x / (mx * grid.dx), two_pi * y / (my * grid.dy), grid.dz, mode, step);
+    mode[static_cast<std::ptrdiff_t>(weight) * step] =
+        share(std::abs(2.0 * x / mx)) * share(std::abs(2.0 * y / my));
+  }
+  return found;
+}
+
 void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
-  const Layout layout = make_layout(spectrum);
+  const Layout layout = make_layout(spectrum), block = block_layout(layout, spectrum.parts);
   const auto run = spectrum.parts == 2 ? sweep_complex : sweep_real;
   // The transform is not normalised.
   const double unit_cell = 1.0 / (static_cast<double>(spectrum.mx) * spectrum.my);
@@ -403,16 +449,25 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
     const FlushDenormals flush;
     Field turned(blocks * sizeof(Turned) / sizeof(double));
     Field below(blocks * sizeof(Sums) / sizeof(double));
+    Field aliases(nz_ * block.layer_step);
 #pragma omp for schedule(dynamic)
     for (int ky = 0; ky < spectrum.mh; ++ky) {
-      drop_unsigned(spectrum, ky);
-      const double* row = modes_.data() + static_cast<std::size_t>(ky) * coefficient_count * pitch_;
       for (int kx = 0; kx < spectrum.modes; kx += width) {
-        run(layout, spectrum.used.data(), row + kx, pitch_, constants,
-            spectrum.row(ky, 0, 0) + static_cast<std::ptrdiff_t>(kx) * spectrum.parts,
-            reinterpret_cast<Turned*>(turned.data()), reinterpret_cast<Sums*>(below.data()));
+        double* values =
+            spectrum.row(ky, 0, 0) + static_cast<std::ptrdiff_t>(kx) * spectrum.parts;
+        const double* added = nullptr;
+        // The first pass, that of the wavenumbers themselves, comes last: it replaces the strain.
+        for (auto pass = passes_[ky].rbegin(); pass != passes_[ky].rend(); ++pass) {
+          if (kx < pass->first || kx >= pass->last) continue;
+          const bool is_own = std::next(pass) == passes_[ky].rend();
+          const Target target{is_own ? layout : block, is_own ? values : aliases.data(), block,
+                              added};
+          run(layout, spectrum.used.data(), pass->modes.data() + (kx - pass->first),
+              pass->last - pass->first, constants, values, target,
+              reinterpret_cast<Turned*>(turned.data()), reinterpret_cast<Sums*>(below.data()));
+          added = aliases.data();
+        }
       }
-      drop_unsigned(spectrum, ky);
     }
   }
   spectrum.used.assign(nz_, 1);
@@ -428,7 +483,11 @@ void LayerResidualStress::correct(Tensor tensor, const Field& far_field, int lay
 }
 
 std::size_t LayerResidualStress::bytes() const {
-  return modes_.size() * sizeof(double) + images_.bytes();
+  std::size_t numbers = 0;
+  for (const auto& passes : passes_) {
+    for (const Pass& pass : passes) numbers += pass.modes.size();
+  }
+  return numbers * sizeof(double) + images_.bytes();
 }
 
 }  // namespace samcontact::operators

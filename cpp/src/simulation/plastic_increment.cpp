@@ -54,21 +54,21 @@ void put(const plasticity::Tensor& t, Field& unknown, std::size_t n, int compone
 }
 
 /// One extent of a box that holds [begin, end) of a grid of n cells, and had `before` cells: with
-/// room to grow, and a count that transforms fast.
+/// room to grow, and a count that transforms fast. As much is added at both ends: contacts that are
+/// mirror images have boxes that are.
 void fit_extent(int n, int before, bool mirrored, int& begin, int& end) {
   if (mirrored) {
     begin = std::min(begin, n - end);
     end = n - begin;
   }
-  int cells = end - begin;
+  const int needed = end - begin;
+  int cells = needed;
   if (before > 0 && cells > before) cells = std::max(cells, before + before / 4);
-  cells = std::min((fft::good_even_size(2 * cells - 1) + 1) / 2, n);
+  const auto good = [](int count) { return (fft::good_even_size(2 * count - 1) + 1) / 2; };
+  for (cells = good(cells); (cells - needed) % 2 != 0;) cells = good(cells + 1);
   if (cells > n - n / 8) cells = n;
-  int extra = cells - (end - begin);
-  if (mirrored) extra -= extra % 2;
-  begin = std::clamp(begin - extra / 2, 0, n - (end - begin + extra));
+  begin = cells == n ? 0 : std::clamp(begin - (cells - needed) / 2, 0, n - cells);
   end = begin + cells;
-  if (mirrored) end = n - begin;
 }
 
 /// Of the cells where a traction acts, for its window only.

@@ -170,7 +170,7 @@ class ContactSection(Section):
     tol: Annotated[float, Field(ge=1e-11, lt=1.0)] = 1e-6
     increment_tol: Annotated[float, Field(gt=0.0, lt=1.0)] | None = None
     on_border: Literal["error", "warn"] = "error"
-    residual_stress: Literal["auto", "exact", "fast"] = "auto"
+    residual_stress: Literal["fast", "exact"] = "fast"
     image_tol: Annotated[float, Field(ge=1e-6, le=0.1)] = 1e-3
     heat_factor: HeatFactor = 0.0
     velocity: Velocity | None = None

@@ -65,4 +65,4 @@ def _require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> Non
 
 def _require_image_tol(contact: Any) -> None:
     if contact.residual_stress == "exact" and changed(contact, ["image_tol"]):
-        raise ValueError('contact.image_tol is of residual_stress = "fast" or "auto": leave it out')
+        raise ValueError('contact.image_tol is of residual_stress = "fast": leave it out')

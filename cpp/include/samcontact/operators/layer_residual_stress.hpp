@@ -5,9 +5,13 @@
 // all layers. Time and memory are proportional to the number of cells; no coefficients are stored.
 //
 // The eigenstrain is band-limited in the plane and constant in each layer; the stress is its mean
-// over each layer. The operator is then symmetric and never feeds energy into a strain pattern.
+// over each layer. Near the highest wavenumber a mode and its alias go over into each other, so that
+// the symbol has no jump and the stress decays as it should. The operator is symmetric and never
+// feeds energy into a strain pattern.
 // It is periodic: ImageCorrection removes the images.
 #pragma once
+
+#include <vector>
 
 #include "samcontact/base/elastic.hpp"
 #include "samcontact/base/grid.hpp"
@@ -30,9 +34,18 @@ class LayerResidualStress : public ResidualStress {
   std::size_t bytes() const override;
 
  private:
-  int nz_, pitch_;
+  /// One sweep over the wavenumbers first <= kx < last of a row, whole blocks, or over aliases of
+  /// them.
+  struct Pass {
+    int first = 0, last = 0;
+    Field modes;  // [coefficient][kx]
+  };
+  Pass pass(const Grid& grid, const VolumeTransform& transform, int ky, bool alias_x,
+            bool alias_y) const;
+
+  int nz_;
   double nu_, lame_, shear_modulus_;
-  Field modes_;  // [ky][coefficient][kx]
+  std::vector<std::vector<Pass>> passes_;  // of each ky, first its own wavenumbers
   ImageCorrection images_;
 };
 

@@ -22,10 +22,6 @@ struct Target {
   fft::Symmetry past_symmetry = fft::Symmetry::xy;
 };
 
-/// How the residual stress is computed; automatic: exact on small grids and for a given eigenstrain
-/// of few cells, fast otherwise.
-enum class ResidualChoice { automatic, exact, fast };
-
 /// Factor of a body's yield stress, both [k][i][j] of the grid, from the rise of temperature [K].
 using Softening = std::function<Field(const Field& temperature)>;
 
@@ -36,7 +32,7 @@ struct Settings {
   /// Error of the division into increments, by step doubling; 0: increments as given.
   double increment_tol = 0.0;
   contact::OnBorder on_border = contact::OnBorder::error;
-  ResidualChoice residual_stress = ResidualChoice::automatic;
+  operators::ResidualMethod residual_stress = operators::ResidualMethod::fast;
   /// Fast residual stress: error due to periodic images, relative to the largest stress.
   double image_tol = 1e-3;
   /// How far beyond the grid plastic strain acts along x [cells].
