@@ -281,3 +281,37 @@ def test_bad_arguments():
         tug(3.0, STEEL, STEEL, grid)
     with pytest.raises(ValueError, match="increments must be an integer >= 4"):
         which.grid(2)
+
+
+@pytest.mark.parametrize("increments", [20, 23])
+@pytest.mark.parametrize("scale", [100.0, 7.3, 1e-6])
+def test_the_same_rows_in_every_unit(increments, scale):
+    """Steps are counted, not measured: what is scaled has the same ones, to rounding."""
+    one, other = (
+        quick(Collision(s, s, s * 5 * CRITICAL.interference), ELASTIC, STEEL, increments).series
+        for s in (1.0, scale)
+    )
+    powers = {"force_x": 2, "normal_force": 2, "work": 3, "max_pressure": 0, "approach": 1}
+    for name, power in powers.items():
+        expected, found = one[name].values, other[name].values / scale**power
+        assert np.abs(found - expected).max() < 1e-11 * np.abs(expected).max(), name
+
+
+def test_increments_are_those_asked_for():
+    """Elastic spheres leave each other where they touched, without any force."""
+    for increments in (8, 20, 31):
+        series = quick(collision(5.0), ELASTIC, ELASTIC, increments).series.isel({"pass": 0})
+        whole = 2 * math.ceil(increments / 2)
+        assert series.sizes["increment"] == whole + 1
+        assert series["normal_force"].values[[0, -1]].tolist() == [0.0, 0.0]
+        assert (series["normal_force"].values[1:-1] > 0).all()
+
+
+def test_equal_spheres_are_mirror_images():
+    found = quick(collision(5.0), STEEL, STEEL)
+    end = found.unloaded[-1]
+    upper, lower = end.track(1, margin=0), end.track(2, margin=0)
+    for name in ("equivalent_plastic_strain", "residual_displacement"):
+        one, other = getattr(upper, name)(), getattr(lower, name)()[::-1]
+        assert one.shape == other.shape
+        assert np.abs(one - other).max() < 1e-5 * np.abs(one).max(), name  # 10 tol

@@ -239,7 +239,7 @@ def tug(
         journal = Journal(checkpoint, simulation, what)
     rows: list[list[Row]] = []
     unloaded: list[State] = []
-    expected = 2 * (math.floor(collision.half_angle / step) + 1) + 1
+    expected = 2 * _steps(collision.half_angle / step) + 1
     with progress_bar(count * expected, "increment", shown=progress) as bar:
         run = _Run(collision, simulation, step, journal, bar)
         try:
@@ -256,6 +256,15 @@ def tug(
             raise
     resolution.warn_of_run([run.peak, run.state], simulation._scene, stacklevel=2)
     return Tugging(collision, simulation, to_dataset(collision, rows), unloaded)
+
+
+_ROUNDING = 1e-9
+"""Relative: what is less does not count as a step, or as an approach."""
+
+
+def _steps(ways: float) -> int:
+    """Whole steps that go at least as far as so many of them; the same in every unit."""
+    return math.ceil(ways * (1.0 - _ROUNDING))
 
 
 class _Run:
@@ -311,8 +320,14 @@ class _Run:
             if body in self._inelastic:
                 piled = -self.state.track(body, margin=0).residual_displacement()
                 highest += max(float(piled.max()), 0.0)
-        cosine = self.collision.height / (self.collision.R1 + self.collision.R2 + highest)
-        return math.floor(math.acos(cosine) / self.step) + 1
+        collision = self.collision
+        part = (collision.interference + highest) / (collision.R1 + collision.R2 + highest)
+        return _steps(2.0 * math.asin(math.sqrt(0.5 * part)) / self.step)
+
+    def _approach(self) -> float:
+        """At the present position; 0 where the spheres only just touch, but for rounding."""
+        approach = self.collision.approach(self.position * self.step)
+        return 0.0 if abs(approach) < _ROUNDING * self.collision.interference else approach
 
     @property
     def _inelastic(self) -> list[int]:
@@ -326,8 +341,7 @@ class _Run:
         before = self.state
         if self.journal is None or (kept := self.journal.next()) is None:
             advance = self.collision.advance(turn)
-            approach = self.collision.approach(position * self.step)
-            target = {"load": 0.0} if unloaded else {"approach": approach}
+            target = {"load": 0.0} if unloaded else {"approach": self._approach()}
             kept = self.simulation.step(**target, advance=advance)
             if self.journal is not None:
                 self.journal.add()
@@ -340,14 +354,17 @@ class _Run:
 
     def _row(self) -> Row:
         state, collision = self.state, self.collision
-        layers = [resolution.layers_across(state.equivalent_plastic_strain(b)) for b in (1, 2)]
+        layers = [math.nan, math.nan]
+        for body in self._inelastic:
+            strain = state.equivalent_plastic_strain(body)
+            layers[body - 1] = resolution.layers_across(strain)
         angle = self.position * self.step
         tangential = self._tangential(collision.separation(angle))
         sine, cosine = math.sin(angle), math.cos(angle)
         return Row(
             offset=collision.offset(angle),
             angle=angle,
-            approach=collision.approach(angle),
+            approach=self._approach(),
             normal_force=state.load,
             force_x=-state.load * sine + tangential[0] * cosine,
             force_y=tangential[1],
