@@ -86,6 +86,7 @@ KINDS = {
        "path": [{"load": 1.0, "slide": {"distance": 1e-5, "step": 5e-6, "speed": 2.0,
                                         "passes": 2}}]},
     "wear": BASE | {"wear": WEAR | {"strain_depth": "smoothed"}},
+    "running in": BASE | {"wear": {"threshold": 2e-3, "smoothing_length": 8e-6}},
     "marched wear": BASE
     | {"wear": WEAR, "contact": MARCHED, "path": [{"load": 1.0, "duration": 1e-4}]},
     "tugging": TUGGING,
@@ -106,6 +107,7 @@ OTHER = {
     "width": [1.4], "depth": [1.1],
 }  # fmt: skip
 UNSET = {
+    "window": 3, "order": 1, "smoothing_length": 8e-6,
     "heating_time": 1e-3, "heat_reference": 0.5, "heat_history": [1e-6, 1e-3], "speed": 2.0,
     "duration": 1e-4, "back_and_forth": True, "unload_increments": 4, "increment_tol": 1e-2,
     "Ry": 3e-3, "advance": [1e-5, 0.0], "exponent": 3.0, "start": 1e-9, "reach": 1e-4,

@@ -21,6 +21,7 @@ def result():
         cycle=[{"load": 5.0}, {"load": 0.0}],
         threshold=2e-3,
         cycles=2,
+        window=5,
         friction=0.4,
         progress=False,
     )

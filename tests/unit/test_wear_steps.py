@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Wear: depth of what is removed, smoothing of its border, and the strain that is left."""
 
+import math
+
 import numpy as np
 import pytest
 
+import samcontact as sc
 from samcontact import wear
+from samcontact.wear.checks import make_filter
 from samcontact.wear.steps import shift_deviator
 
 RNG = np.random.default_rng(7)
@@ -138,3 +142,27 @@ def test_bad_fields():
         wear.shift(np.ones((7, 7, 2)), -np.ones((7, 7)), 1.0)
     with pytest.raises(ValueError, match=r"equivalent must have shape \(nx, ny, nz\)"):
         wear.depth(np.ones((7, 7)), 1.0, 0.1)
+
+
+def test_a_gaussian_is_as_wide_in_any_cells():
+    """Of what one cell has lost: the volume, and the standard deviation in metres."""
+    length = 7e-6
+    for dx, dy in ((2e-6, 3e-6), (1e-6, 0.7e-6)):
+        made = np.zeros((91, 131))
+        made[40, 60] = 3e-7
+        filter_ = make_filter(sc.Grid(91, 131, dx, dy), length, None, None)
+        spread = filter_(made)
+        assert spread.min() >= 0
+        assert math.fsum(spread.flat) == math.fsum(made.flat)
+        for axis, cell in enumerate((dx, dy)):
+            along = spread.sum(axis=1 - axis) / spread.sum()
+            x = cell * (np.arange(len(along)) - (40, 60)[axis])
+            assert np.sqrt(np.sum(along * x**2)) == pytest.approx(length, rel=2e-3)
+            reach = np.flatnonzero(along)
+            assert 6 * length < (reach[-1] - reach[0] + 1) * cell
+            assert reach[-1] - reach[0] + 1 <= filter_.sides[axis]
+
+
+def test_a_gaussian_of_nothing_is_nothing():
+    filter_ = make_filter(sc.Grid(9, 9, 1e-6, 1e-6), 2e-6, None, None)
+    np.testing.assert_array_equal(filter_(np.zeros((9, 9))), np.zeros((9, 9)))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field
 
-from .base import Count, Positive, Section
+from .base import Count, Length, Positive, Section
 
 if TYPE_CHECKING:
     from ..simulation import Simulation
@@ -25,8 +25,9 @@ class WearSection(Section):
     threshold: Positive
     cycles: Count = 20
     worn: Annotated[list[Body], Field(min_length=1, max_length=2, default_factory=lambda: [2])]
-    window: Cells | Annotated[list[Cells], Field(min_length=2, max_length=2)] = 5
-    order: Annotated[int, Field(ge=0)] = 2
+    smoothing_length: Length | None = None
+    window: Cells | Annotated[list[Cells], Field(min_length=2, max_length=2)] | None = None
+    order: Annotated[int, Field(ge=0)] | None = None
     strain_depth: Literal["exact", "smoothed"] = "exact"
 
     def solve(
@@ -39,7 +40,7 @@ class WearSection(Section):
         """Repeat a cycle of the scene; nothing is computed with the simulation itself."""
         from .. import wear
 
-        window = self.window if isinstance(self.window, int) else tuple(self.window)
+        window = tuple(self.window) if isinstance(self.window, list) else self.window
         # all of them: a setting that is left out would be read and not used
         arguments = signature(type(scene)).parameters.values()
         names = [argument.name for argument in arguments if argument.kind is argument.KEYWORD_ONLY]
@@ -52,6 +53,7 @@ class WearSection(Section):
             threshold=self.threshold,
             cycles=self.cycles,
             worn=tuple(self.worn),
+            smoothing_length=self.smoothing_length,
             window=window,
             order=self.order,
             strain_depth=self.strain_depth,

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -10,13 +11,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, exactly_one, finite_array, integer, number
+from .._checks import FloatArray, choice, exactly_one, finite_array, integer, number, positive
 from ..contact import ContactSolver, require_type
 from ..grid import Grid
 from ..material import Material
 from ..relief import Relief, relief_rows
 from ..simulation import SMALL_STRAIN
-from .steps import Window, window_and_order
+from .steps import Gaussian, Polynomials, Window, window_and_order
 
 YIELD_STRAIN = 20e-6
 """Plastic strain at which yield is defined [-]: below it nothing has flowed.
@@ -24,6 +25,8 @@ YIELD_STRAIN = 20e-6
 The elastic strain of a hard steel at yield is about 1 %: a threshold of 0.2 % is one of the plastic
 strain alone, and far beyond yield.
 """
+_AS_WIDE = math.sqrt(12.0)
+"""Width of a moving mean over the standard deviation of a Gaussian that spreads as far."""
 _BESIDE = 4
 """Rows of cells kept beside those the contact meets: gaps between cells are interpolated."""
 
@@ -38,8 +41,7 @@ class Scene:
     cycle: list[dict[str, Any]]
     threshold: float
     worn: tuple[int, ...]
-    window: tuple[int, int]
-    order: int
+    filter: Gaussian | Polynomials
     strain_depth: str
     friction: float
     reliefs: tuple[Relief | None, Relief | None]
@@ -53,8 +55,7 @@ def make_scene(
     cycle: Iterable[Mapping[str, Any]],
     threshold: float,
     worn: Sequence[int],
-    window: Window,
-    order: int,
+    smoothing: Gaussian | Polynomials,
     strain_depth: str,
     friction: float,
     reliefs: tuple[Relief | None, Relief | None],
@@ -80,7 +81,6 @@ def make_scene(
         material = bodies[choice("worn", index, (1, 2)) - 1]
         if not material.is_plastic:
             raise ValueError(f"worn must name inelastic bodies; body {index} is {material.law}")
-    *sides, degree = window_and_order(window, order)
     for n, relief in enumerate(reliefs, 1):
         relief_rows(f"relief{n}", relief, grid)
     path = [dict(step) for step in cycle]
@@ -92,15 +92,40 @@ def make_scene(
         path,
         limit,
         tuple(sorted(numbers)),
-        (sides[0], sides[1]),
-        degree,
+        smoothing,
         choice("strain_depth", strain_depth, ("exact", "smoothed")),
         number("friction", friction),
         reliefs,
         settings,
     )
-    _check_window(scene)
+    _check_filter(scene)
     return scene
+
+
+def make_filter(
+    grid: Grid, smoothing_length: float | None, window: Window, order: int | None
+) -> Gaussian | Polynomials:
+    """What smooths the border of the wear, of which exactly one is given."""
+    require_type("grid", grid, Grid)
+    if (smoothing_length is None) == (window is None):
+        given = "none" if window is None else f"{smoothing_length!r} and {window!r}"
+        raise ValueError(
+            "exactly one of smoothing_length (metres) and window (cells, the thesis's filter; 1: "
+            f"no smoothing) must be given, got {given}"
+        )
+    if smoothing_length is None:
+        x, y, degree = window_and_order(window, 2 if order is None else order)
+        return Polynomials((x, y), degree)
+    if order is not None:
+        raise ValueError(f"order goes with window, not with smoothing_length, got {order!r}")
+    length = positive("smoothing_length", smoothing_length)
+    cell = max(grid.dx, grid.dy)
+    if length < cell:
+        raise ValueError(
+            f"smoothing_length must be at least one cell, {cell!r} m, got {length!r}: take smaller "
+            "cells, or window = 1 for no smoothing"
+        )
+    return Gaussian((length / grid.dx, length / grid.dy))
 
 
 def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
@@ -125,18 +150,26 @@ def travels(path: list[dict[str, Any]]) -> FloatArray:
     return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
 
 
-def _check_window(scene: Scene) -> None:
-    """A window larger than the contact would smear its wear over what it does not touch."""
+def _check_filter(scene: Scene) -> None:
+    """One that is larger than the contact would smear its wear over what it does not touch."""
     pressure = _elastic_pressure(scene)
     if not (pressure > 0).any():
         raise ValueError("cycle must bring the bodies into contact, which none of its steps does")
     for axis, name in enumerate("xy"):
         touched = np.flatnonzero((pressure > 0).any(axis=1 - axis))
         extent = int(touched[-1] - touched[0]) + 1
-        if scene.window[axis] > max(extent, 1):
+        size = f"the contact, which is {extent} cells long along {name} at the largest load"
+        if isinstance(scene.filter, Gaussian):
+            cells = scene.filter.deviation[axis]
+            if cells * _AS_WIDE > max(extent, 1):
+                dx = (scene.grid.dx, scene.grid.dy)[axis]
+                raise ValueError(
+                    f"smoothing_length must be at most {max(extent, 1) * dx / _AS_WIDE:.3g} m: it "
+                    f"spreads wear beyond {size}; got {cells * dx:.6g}"
+                )
+        elif scene.filter.sides[axis] > max(extent, 1):
             raise ValueError(
-                f"window must not be larger than the contact, which is {extent} cells long along "
-                f"{name} at the largest load, got {scene.window[axis]}"
+                f"window must not be larger than {size}, got {scene.filter.sides[axis]}"
             )
 
 
@@ -179,7 +212,7 @@ def rows_of(relief: Relief | None, first: int, rows: int, ny: int) -> FloatArray
 def met_rows(scene: Scene, body: int) -> tuple[int, int]:
     """First row and number of rows of a body that its cycle meets, with the window beside them."""
     cells = travels(scene.cycle)[:, body - 1] / scene.grid.dx
-    beside = max(scene.window) + _BESIDE
+    beside = max(scene.filter.sides) + _BESIDE
     first = -int(np.ceil(cells.max())) - beside
     end = scene.grid.nx - int(np.floor(cells.min())) + beside
     return first, end - first

@@ -20,9 +20,9 @@ from ..relief import Relief
 from ..simulation import Simulation
 from ..state import State
 from .checkpoint import Standing, Strain, latest, write
-from .checks import Scene, make_scene, met_rows, rows_of
+from .checks import Scene, make_filter, make_scene, met_rows, rows_of
 from .results import Cycle, Moments, WearResult
-from .steps import Window, depth, shift, shift_deviator, smooth
+from .steps import Window, depth, shift, shift_deviator
 
 SAME_LOAD = 1e-9
 """Relative: by how much loads differ that are the same but for rounding."""
@@ -38,8 +38,9 @@ def run(
     threshold: float,
     cycles: int = 20,
     worn: Sequence[int] = (2,),
-    window: Window = 5,
-    order: int = 2,
+    smoothing_length: float | None = None,
+    window: Window = None,
+    order: int | None = None,
     strain_depth: str = "exact",
     friction: float = 0.0,
     relief1: Relief | None = None,
@@ -64,9 +65,15 @@ def run(
         Largest number of cycles, >= 1.
     worn : sequence of {1, 2}, optional
         Bodies that wear; inelastic ones.
+    smoothing_length : float, optional
+        Standard deviation of the Gaussian that smooths the border of the wear [m], from one cell to
+        0.29 times the size of the contact; a length of the material, with which results converge
+        when cells, layers and increments become smaller. Or
     window, order : int or pair of int, and int, optional
-        Of the filter that smooths the border of the wear, see `smooth`; the window is not larger
-        than the contact.
+        of the thesis's filter in cells, see `smooth`; the window is not larger than the contact,
+        the order 2 by default.
+        Its results depend on the cells. window = 1: no smoothing. Exactly one of
+        `smoothing_length` and `window` is given.
     strain_depth : {"exact", "smoothed"}, optional
         By how much the plastic strain moves up. "exact": by the depth to which it exceeded the
         threshold, so that it nowhere exceeds it at the new surface. "smoothed": by what the surface
@@ -101,8 +108,7 @@ def run(
         cycle,
         threshold,
         worn,
-        window,
-        order,
+        make_filter(grid, smoothing_length, window, order),
         strain_depth,
         friction,
         (relief1, relief2),
@@ -223,7 +229,7 @@ def _wear(scene: Scene, standing: Standing, moments: Moments) -> Standing:
     for body in scene.worn:
         exact = _worn_depth(scene, body, strains.get(body))
         volume = math.fsum(exact.flat) * scene.grid.cell_area
-        worn = smooth(exact, scene.window, scene.order)
+        worn = scene.filter(exact)
         heights[body].append(heights[body][-1] - worn)
         lost = math.fsum((heights[body][-2] - heights[body][-1]).flat) * scene.grid.cell_area
         sums.append((volume, lost, float(worn.max())))
@@ -264,11 +270,12 @@ def _worn_depth(scene: Scene, body: int, kept: Strain | None) -> FloatArray:
         return found
     place = slice(kept.first - first, kept.first - first + len(kept.equivalent))
     found[place] = depth(kept.equivalent, grid.dz, scene.threshold)
-    side = scene.window[1] // 2
+    side = scene.filter.sides[1] // 2
     if side and (found[:, :side].any() or found[:, -side:].any()):
         raise ValueError(
-            f"body {body} wears within half a window of the sides of the grid, y = "
-            f"+-{0.5 * grid.ny * grid.dy!r} m: enlarge ny dy, or take a smaller window"
+            f"body {body} wears within {side} cells of the sides of the grid, y = "
+            f"+-{0.5 * grid.ny * grid.dy!r} m, half of what the filter spreads it over: enlarge "
+            "ny dy, or smooth less"
         )
     return found
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.interpolate import PchipInterpolator
+from scipy.ndimage import gaussian_filter
 from scipy.signal import savgol_filter
 
 from .._checks import FloatArray, finite_array, integer, positive
@@ -17,6 +19,8 @@ Window = int | Sequence[int] | None
 
 _BISECTIONS = 60
 """Halvings of one layer: beyond rounding."""
+_TAIL = 4.0
+"""Standard deviations after which a Gaussian is cut off."""
 _DEVIATOR = 1e-9
 """Largest trace of a deviator, relative to its largest component."""
 
@@ -149,13 +153,48 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
             padded = np.pad(result, padding)
             padded = savgol_filter(padded, cells, degree, axis=axis, mode="constant", cval=0.0)
             result = padded[cells:-cells] if axis == 0 else padded[:, cells:-cells]
-    result = np.maximum(result, 0.0)  # the filter undershoots beside a step: nothing is added
+    return _with_volume_of(given, np.maximum(result, 0.0))  # beside a step it undershoots
+
+
+def _with_volume_of(given: FloatArray, result: FloatArray) -> FloatArray:
     total = math.fsum(given.flat)
-    result *= total / math.fsum(result.flat)
+    scaled = np.asarray(result * (total / math.fsum(result.flat)), dtype=np.float64)
     # Rounding of the scaling goes where it is least: into the deepest cell.
-    deepest = np.unravel_index(int(np.argmax(result)), shape)
-    result[deepest] += total - math.fsum(result.flat)
-    return np.asarray(result, dtype=np.float64)
+    deepest = np.unravel_index(int(np.argmax(scaled)), scaled.shape)
+    scaled[deepest] += total - math.fsum(scaled.flat)
+    return scaled
+
+
+@dataclass(frozen=True)
+class Polynomials:
+    """`smooth` over a window of cells, as in the thesis."""
+
+    sides: tuple[int, int]
+    """Cells of the window along x and y."""
+    order: int
+
+    def __call__(self, depth: FloatArray) -> FloatArray:
+        return smooth(depth, self.sides, self.order)
+
+
+@dataclass(frozen=True)
+class Gaussian:
+    """A Gaussian whose standard deviation is a length, whatever the cells; the volume is kept."""
+
+    deviation: tuple[float, float]
+    """In cells along x and y."""
+
+    @property
+    def sides(self) -> tuple[int, int]:
+        """Cells along x and y that a cell is spread over."""
+        x, y = (2 * math.ceil(_TAIL * cells) + 1 for cells in self.deviation)
+        return x, y
+
+    def __call__(self, depth: FloatArray) -> FloatArray:
+        if not depth.any():
+            return np.array(depth)
+        options = {"mode": "constant", "truncate": _TAIL}
+        return _with_volume_of(depth, gaussian_filter(depth, self.deviation, **options))
 
 
 def shift(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
