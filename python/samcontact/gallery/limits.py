@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Limits of infinitely fine meshes and increments, from a few that are not."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+
+@dataclass(frozen=True)
+class Limit:
+    """An extrapolated value and its error."""
+
+    value: float
+    error: float
+    """By how much the extrapolations from the finer and from the coarser pair differ."""
+    text: str
+    """What it was made of."""
+
+
+def first_order(counts: Sequence[float], values: Sequence[float], what: str) -> Limit:
+    """Of values at three or more increasing counts of cells or increments: v + c/count."""
+    pairs = list(zip(counts, values, strict=True))
+    *_, coarse, fine = ((m * v - n * u) / (m - n) for (n, u), (m, v) in pairwise(pairs))
+    listed = (", ".join(f"{x:.4g}" for x in row) for row in (values, counts))
+    return Limit(fine, abs(fine - coarse), f"{next(listed)} with {next(listed)} {what}")
