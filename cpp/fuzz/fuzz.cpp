@@ -122,7 +122,8 @@ void steps_of(Draw& draw) {
   settings.on_border = contact::OnBorder::warn;
   // The images of a long or deep box are summed cell by cell: on few and coarse ones here.
   settings.image_tol = 0.1;
-  settings.residual_stress = draw.coin() ? operators::ResidualMethod::exact : operators::ResidualMethod::fast;
+  settings.residual_stress =
+      draw.coin() ? operators::ResidualMethod::exact : operators::ResidualMethod::fast;
   simulation::Simulation simulation(grid, body1, body2, heights(draw, grid.surface_size()),
                                     friction, settings);
   for (int increments = draw.count(1, 2); increments > 0; --increments) {

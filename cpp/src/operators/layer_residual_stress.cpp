@@ -300,8 +300,8 @@ SAMCONTACT_INLINE void store(const Target& target, const Lanes v[][6], int layer
 /// block's row of component 0 and layer 0; turned, below: [layer][part], scratch.
 template <int parts>
 SAMCONTACT_INLINE void sweep(const Layout& layout, const char* used, const double* row, int step,
-                             const Constants& constants, const double* values,
-                             const Target& target, Turned* turned, Sums* below) {
+                             const Constants& constants, const double* values, const Target& target,
+                             Turned* turned, Sums* below) {
   const Mode mode(row, step);
   Lanes v[parts][6];
 
@@ -351,15 +351,15 @@ SAMCONTACT_INLINE void sweep(const Layout& layout, const char* used, const doubl
 
 SAMCONTACT_MULTIVERSION
 void sweep_complex(const Layout& layout, const char* used, const double* row, int step,
-                  const Constants& constants, const double* values, const Target& target,
-                  Turned* turned, Sums* below) {
+                   const Constants& constants, const double* values, const Target& target,
+                   Turned* turned, Sums* below) {
   sweep<2>(layout, used, row, step, constants, values, target, turned, below);
 }
 
 SAMCONTACT_MULTIVERSION
 void sweep_real(const Layout& layout, const char* used, const double* row, int step,
-                  const Constants& constants, const double* values, const Target& target,
-                  Turned* turned, Sums* below) {
+                const Constants& constants, const double* values, const Target& target,
+                Turned* turned, Sums* below) {
   sweep<1>(layout, used, row, step, constants, values, target, turned, below);
 }
 
@@ -400,7 +400,7 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
   for (int ky = 0; ky < transform.mh(); ++ky) {
     std::vector<Pass>& passes = passes_.emplace_back();
     for (const bool alias_y : {false, true}) {
-      if (alias_y && ky <= blended_from * (transform.my() / 2)) continue;
+      if (alias_y && 2 * ky <= blended_from * transform.my()) continue;
       for (const bool alias_x : {false, true}) {
         passes.push_back(pass(grid, transform, ky, alias_x, alias_y));
       }
@@ -410,13 +410,13 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
 
 LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
                                                     const VolumeTransform& transform, int ky,
-                                                    bool alias_x, bool alias_y) const {
+                                                    bool alias_x, bool alias_y) {
   // mx and my are even
   const int mx = transform.mx(), my = transform.my();
   const auto wavenumber = [&](int i) { return i <= mx / 2 ? i : i - mx; };
   int first = transform.modes(), last = 0;
   for (int i = 0; i < transform.modes(); ++i) {
-    if (alias_x && std::abs(wavenumber(i)) <= blended_from * (mx / 2)) continue;
+    if (alias_x && 2 * std::abs(wavenumber(i)) <= blended_from * mx) continue;
     first = std::min(first, i);
     last = i + 1;
   }
@@ -453,8 +453,7 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
 #pragma omp for schedule(dynamic)
     for (int ky = 0; ky < spectrum.mh; ++ky) {
       for (int kx = 0; kx < spectrum.modes; kx += width) {
-        double* values =
-            spectrum.row(ky, 0, 0) + static_cast<std::ptrdiff_t>(kx) * spectrum.parts;
+        double* values = spectrum.row(ky, 0, 0) + static_cast<std::ptrdiff_t>(kx) * spectrum.parts;
         const double* added = nullptr;
         // The first pass, that of the wavenumbers themselves, comes last: it replaces the strain.
         for (auto pass = passes_[ky].rbegin(); pass != passes_[ky].rend(); ++pass) {

@@ -5,10 +5,9 @@
 // all layers. Time and memory are proportional to the number of cells; no coefficients are stored.
 //
 // The eigenstrain is band-limited in the plane and constant in each layer; the stress is its mean
-// over each layer. Near the highest wavenumber a mode and its alias go over into each other, so that
-// the symbol has no jump and the stress decays as it should. The operator is symmetric and never
-// feeds energy into a strain pattern.
-// It is periodic: ImageCorrection removes the images.
+// over each layer. Near the highest wavenumber a mode and its alias go over into each other, so
+// that the symbol has no jump and the stress decays as it should. The operator is symmetric and
+// never feeds energy into a strain pattern. It is periodic: ImageCorrection removes the images.
 #pragma once
 
 #include <vector>
@@ -40,8 +39,8 @@ class LayerResidualStress : public ResidualStress {
     int first = 0, last = 0;
     Field modes;  // [coefficient][kx]
   };
-  Pass pass(const Grid& grid, const VolumeTransform& transform, int ky, bool alias_x,
-            bool alias_y) const;
+  static Pass pass(const Grid& grid, const VolumeTransform& transform, int ky, bool alias_x,
+                   bool alias_y);
 
   int nz_;
   double nu_, lame_, shear_modulus_;
