@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""python -m benchmarks.sensitivity: how much the gallery's stated numbers move with their meshes.
+
+Each part of the gallery is computed again with cells, layers and increments halved and with a
+window and depth a quarter larger, one at a time. A number that moves by more than is said of it
+wants a finer mesh, a limit, or a sentence.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import os
+import re
+import sys
+import warnings
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+from unittest import mock
+
+import pandas as pd
+
+from .harness import ROOT
+
+# Tugging and running-in state limits, or their own studies of convergence.
+PARTS = ("nano_indentation", "flattening", "two_plastic_bodies", "friction", "heat",
+         "transient_heat", "rolling", "rolling_ellipticity", "rolling_load", "rolling_two_bodies",
+         "wear")  # fmt: skip
+CHANGES = ("cells", "layers", "increments", "window")
+NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
+
+
+@contextmanager
+def changed(what: str | None) -> Iterator[None]:
+    """Grids and steps that parts of the gallery make are finer, or larger, in one respect."""
+    import samcontact as sc
+
+    def grid(nx: int, ny: int, dx: float, dy: float, nz: int = 0, dz: float | None = None) -> Any:
+        if what == "cells":  # an odd number stays odd: the middle stays a cell
+            nx, ny, dx, dy = 2 * nx - nx % 2, 2 * ny - ny % 2, dx / 2, dy / 2
+        elif what == "layers" and dz is not None:
+            nz, dz = 2 * nz, dz / 2
+        elif what == "window":
+            nx, ny, nz = nx + 2 * round(nx / 8), ny + 2 * round(ny / 8), nz + round(nz / 4)
+        return real_grid(nx, ny, dx, dy, nz, dz)
+
+    def step(simulation: Any, **target: Any) -> Any:
+        kind = next((k for k in ("load", "approach") if target.get(k) is not None), None)
+        before = getattr(simulation.state, kind) if kind else float("nan")
+        if before == before and target[kind] != 0:  # elastic unloading has no path
+            half = {kind: 0.5 * (before + target[kind])}
+            if "advance" in target:
+                half["advance"] = target["advance"] = [0.5 * way for way in target["advance"]]
+            if target.get("duration") is not None:
+                half["duration"] = target["duration"] = 0.5 * target["duration"]
+            real_step(simulation, **(target | half))
+        return real_step(simulation, **target)
+
+    real_grid, real_step = sc.Grid, sc.Simulation.step
+    with mock.patch.object(sc, "Grid", grid):
+        if what != "increments":
+            yield
+        else:
+            with mock.patch.object(sc.Simulation, "step", step):
+                yield
+
+
+def stated(task: tuple[str, str | None, bool]) -> dict[str, list[float]]:
+    """All numbers of each stated value; nothing where the scene cannot be computed so."""
+    name, what, quick = task
+    part = importlib.import_module(f"samcontact.gallery.{name}")
+    with warnings.catch_warnings(), changed(what):
+        warnings.simplefilter("ignore")
+        try:
+            entries = part.stated(part.compute(quick))
+        except Exception as error:  # told in the table: the others go on
+            return {"(not computed)": [float("nan")], str(error)[:60]: []}
+    return {
+        entry.quantity: [entry.ours]
+        if hasattr(entry, "unit")
+        else [float(number) for number in NUMBER.findall(entry.ours)]
+        for entry in entries
+    }
+
+
+def moved(before: list[float], after: list[float] | None) -> float:
+    """Largest relative change [%] of a list of numbers, over the largest of them."""
+    if not before or after is None or len(after) != len(before):
+        return float("nan")
+    scale = max(map(abs, before)) or 1.0
+    return 100 * max(abs(b - a) for a, b in zip(before, after, strict=True)) / scale
+
+
+def main(given: list[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.sensitivity")
+    parser.add_argument("parts", nargs="*", default=PARTS)
+    parser.add_argument("--quick", action="store_true", help="the coarse meshes of the tests")
+    parser.add_argument("--processes", type=int, default=1)
+    output = ROOT / "results" / "benchmarks" / "sensitivity.csv"
+    parser.add_argument("--output", type=Path, default=output)
+    chosen = parser.parse_args(given)
+    os.environ["OMP_NUM_THREADS"] = "1"
+    tasks = [(part, what, chosen.quick) for part in chosen.parts for what in (None, *CHANGES)]
+    with ProcessPoolExecutor(chosen.processes) as pool:
+        found = dict(zip(tasks, pool.map(stated, tasks), strict=True))
+    rows = []
+    for part in chosen.parts:
+        base = found[part, None, chosen.quick]
+        for quantity, values in base.items():
+            row: dict[str, Any] = {"part": part, "quantity": quantity, "values": values}
+            for what in CHANGES:
+                other = found[part, what, chosen.quick]
+                row[f"{what} [%]"] = moved(values, other.get(quantity))
+            rows.append(row)
+    table = pd.DataFrame(rows)
+    chosen.output.parent.mkdir(parents=True, exist_ok=True)
+    table.to_csv(chosen.output, index=False)
+    print(table.drop(columns="values").round(2).to_string(index=False))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
