@@ -258,6 +258,14 @@ CALLS = [
             "progress": False, "tol": 1e-4,
         },
     ),
+    (
+        "wear.run",
+        sc.wear.run,
+        {
+            **BODIES, "gap": GAP, "cycle": [{"load": LOAD}, {"load": 0.0}], "threshold": 0.04,
+            "cycles": 1, "smoothing_length": 5e-5, "progress": False, "tol": 1e-4,
+        },
+    ),
     ("wear.shift", sc.wear.shift, {"field": STRAIN, "depth": NOTHING, "dz": 5e-5}),
     ("wear.smooth", sc.wear.smooth, {"depth": NOTHING, "window": (3, 3), "order": 2}),
     ("wear.WearResult.x", WORN.x, {"body": 2}),
