@@ -11,7 +11,7 @@ import xarray as xr
 
 import samcontact as sc
 from samcontact.asperities import Collision, tug
-from samcontact.asperities.tugging import _Run
+from samcontact.asperities.passes import Passes
 
 STEEL = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)
 ELASTIC = sc.Material.elastic(200e9, 0.32)
@@ -153,7 +153,7 @@ def test_unequal_spheres(body1, body2, R1, R2):
         slope = np.gradient(state.residual_displacement(body), grid.dx, axis=0) if plastic else 0.0
         forces.append(sign * (float((state.pressure * slope).sum()) + moment / R) * grid.cell_area)
     assert forces[0] == pytest.approx(forces[1], abs=0.06 * max(map(abs, forces)))
-    run = _Run(which, result.simulation, step, None, None)
+    run = Passes(which, result.simulation, step, None, None)
     run.state = state
     lever = (R1 * forces[0] + R2 * forces[1]) / (R1 + R2)
     assert run._tangential(which.separation(0.0))[0] == pytest.approx(lever, rel=0.01)

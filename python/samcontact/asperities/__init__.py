@@ -6,6 +6,7 @@ is solved in the local frame, whose z is the line of the centres, by the approac
 imposes. Boucly (2008), part 4, with its kinematics derived anew, see docs/theory.md.
 """
 
-from .tugging import Collision, Tugging, tug
+from .collision import Collision
+from .tugging import Tugging, tug
 
 __all__ = ["Collision", "Tugging", "tug"]

@@ -15,7 +15,7 @@ from .._checks import FloatArray
 if TYPE_CHECKING:
     import xarray as xr
 
-    from .tugging import Collision
+    from .collision import Collision
 
 # name: (unit, what it is)
 BY_INCREMENT = {

@@ -5,15 +5,10 @@ Symbols follow K. L. Johnson, *Contact Mechanics* (1985), doi:10.1017/CBO9781139
 Pressure is positive in compression, stress in tension; z points into the body.
 """
 
-from .contacts import (
-    EllipticContact,
-    LineContact,
-    PointContact,
-    effective_modulus,
-    elliptic,
-    line,
-    point,
-)
+from .elliptic_contact import EllipticContact, elliptic
+from .line_contact import LineContact, line
+from .modulus import effective_modulus
+from .point_contact import PointContact, point
 
 __all__ = [
     "EllipticContact",

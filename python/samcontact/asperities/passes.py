@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Passes of a sphere over another: where they stand, increment by increment."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from .. import energy, resolution
+from .._checks import FloatArray
+from .._journal import Journal
+from ..simulation import Simulation
+from .collision import Collision
+from .series import Row
+
+_ROUNDING = 1e-9
+"""Relative: what is less does not count as a step, or as an approach."""
+
+
+def whole_steps(ways: float) -> int:
+    """Whole steps that go at least as far as so many of them; the same in every unit."""
+    return math.ceil(ways * (1.0 - _ROUNDING))
+
+
+class Passes:
+    """The bodies, where they stand, and the energy spent so far."""
+
+    def __init__(
+        self,
+        collision: Collision,
+        simulation: Simulation,
+        step: float,
+        journal: Journal | None,
+        bar: Any,
+    ) -> None:
+        self.collision, self.simulation, self.step = collision, simulation, step
+        self.journal, self.bar = journal, bar
+        self.state = self.peak = simulation.state
+        self.position = 0  # in steps from where the spheres are aligned
+        self.plastic_work = 0.0
+
+    def one_pass(self, direction: int) -> Iterator[Row]:
+        """From before the spheres touch, until they have parted for good."""
+        outside = self._outside()
+        self._move(-direction * outside, unloaded=True)
+        work, before = 0.0, None
+        while before is None or before.normal_force > 0 or direction * self.position < outside:
+            self._move(self.position + (direction if before is not None else 0))
+            row = self._row()
+            if before is not None:
+                mean = 0.5 * (before.force_x + row.force_x)
+                work += mean * (row.offset - before.offset)
+            row.work = work
+            before = row
+            self.bar.update()
+            yield row
+        self._move(self.position, unloaded=True)
+        before.residual_energy = sum(
+            energy.residual_energy(self.state.track(body, margin=0)) for body in self._inelastic
+        )
+        before.residual_displacement = self._deepest(1), self._deepest(2)
+
+    def _deepest(self, body: int) -> float:
+        """Largest depth of the print of a body [m]."""
+        if body not in self._inelastic:
+            return 0.0
+        return float(self.state.track(body, margin=0).residual_displacement().max())
+
+    def _outside(self) -> int:
+        """Position from which the spheres cannot touch, with what rises above their surface."""
+        highest = 0.0
+        for body, relief in ((1, self.simulation.relief1), (2, self.simulation.relief2)):
+            surface = np.zeros(1) if relief is None else relief.heights
+            highest += max(float(surface.max()), 0.0)
+            if body in self._inelastic:
+                piled = -self.state.track(body, margin=0).residual_displacement()
+                highest += max(float(piled.max()), 0.0)
+        collision = self.collision
+        part = (collision.interference + highest) / (collision.R1 + collision.R2 + highest)
+        return whole_steps(2.0 * math.asin(math.sqrt(0.5 * part)) / self.step)
+
+    def _approach(self) -> float:
+        """At the present position; 0 where the spheres only just touch, but for rounding."""
+        approach = self.collision.approach(self.position * self.step)
+        return 0.0 if abs(approach) < _ROUNDING * self.collision.interference else approach
+
+    @property
+    def _inelastic(self) -> list[int]:
+        bodies = (self.simulation.body1, self.simulation.body2)
+        return [number for number, body in enumerate(bodies, 1) if body.is_plastic]
+
+    def _move(self, position: int, unloaded: bool = False) -> None:
+        """One increment, or what a journal kept of it."""
+        turn = (position - self.position) * self.step
+        self.position = position
+        before = self.state
+        if self.journal is None or (kept := self.journal.next()) is None:
+            advance = self.collision.advance(turn)
+            target = {"load": 0.0} if unloaded else {"approach": self._approach()}
+            kept = self.simulation.step(**target, advance=advance)
+            if self.journal is not None:
+                self.journal.add()
+        self.state = kept
+        self.peak = max(self.peak, kept, key=lambda state: state.load)
+        for body in self._inelastic:
+            material = (self.simulation.body1, self.simulation.body2)[body - 1]
+            tracks = (s.track(body, margin=0) for s in (self.state, before))
+            self.plastic_work += energy.plastic_work(material, *tracks)
+
+    def _row(self) -> Row:
+        state, collision = self.state, self.collision
+        layers = [math.nan, math.nan]
+        for body in self._inelastic:
+            strain = state.equivalent_plastic_strain(body)
+            layers[body - 1] = resolution.layers_across(strain)
+        angle = self.position * self.step
+        tangential = self._tangential(collision.separation(angle))
+        sine, cosine = math.sin(angle), math.cos(angle)
+        return Row(
+            offset=collision.offset(angle),
+            angle=angle,
+            approach=self._approach(),
+            normal_force=state.load,
+            force_x=-state.load * sine + tangential[0] * cosine,
+            force_y=tangential[1],
+            force_z=state.load * cosine + tangential[0] * sine,
+            plastic_work=self.plastic_work,
+            max_pressure=float(state.pressure.max()),
+            contact_area=state.contact_area,
+            max_equivalent_plastic_strain=(
+                state.max_equivalent_plastic_strain(1),
+                state.max_equivalent_plastic_strain(2),
+            ),
+            contact_cells=resolution.cells_across(state.pressure),
+            plastic_layers=(layers[0], layers[1]),
+        )
+
+    def _tangential(self, separation: float) -> tuple[float, float]:
+        """Force by sphere 1 on sphere 2 along the local x and y [N].
+
+        The pressure acts along the normals of both surfaces. Their slopes by elastic displacement
+        exert no resultant, and those by curvature cancel in the sum that the principle of virtual
+        work gives, (R1 Q1 - R2 Q2)/(distance of the centres).
+        """
+        collision, grid, state = self.collision, self.simulation.grid, self.state
+        if state.load == 0:
+            return 0.0, 0.0
+        total: FloatArray = np.zeros(2)
+        for body, lever in ((1, collision.R1), (2, -collision.R2)):
+            surface = -state.relief(body)
+            if body in self._inelastic:
+                surface = surface + state.residual_displacement(body)
+            for axis, cell in enumerate((grid.dx, grid.dy)):
+                slope = np.gradient(surface, cell, axis=axis)
+                total[axis] += lever * float(np.sum(state.pressure * slope)) * grid.cell_area
+        return float(total[0] / separation), float(total[1] / separation)

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Elliptic contact: size, pressure and approach."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from numpy.typing import ArrayLike
+from scipy.optimize import brentq
+from scipy.special import ellipkm1, elliprd
+
+from .._checks import FloatArray, exactly_one, positive
+from .._repr import Shown
+from .points import coordinates, semi_ellipsoid
+
+
+@dataclass(frozen=True)
+class EllipticContact(Shown):
+    """Hertz contact with an elliptic contact area (Johnson 1985, sections 3.5 and 4.2).
+
+    Attributes
+    ----------
+    Rx, Ry : float
+        Equivalent principal radii in the planes y = 0 and x = 0 [m].
+    E_star : float
+        Contact modulus [Pa].
+    load : float
+        Normal load [N].
+    a_x, a_y : float
+        Semi-axes of the contact along x and y [m].
+    k : float
+        Ellipticity a_y / a_x [-].
+    p0 : float
+        Maximum pressure [Pa].
+    approach : float
+        Rigid-body approach [m].
+    """
+
+    Rx: float
+    Ry: float
+    E_star: float
+    load: float
+    a_x: float
+    a_y: float
+    k: float
+    p0: float
+    approach: float
+
+    def pressure(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
+        """Pressure [Pa] at x, y [m] (broadcast), zero outside the contact."""
+        across, along = coordinates(x=x, y=y)
+        return semi_ellipsoid(self.p0, across / self.a_x, along / self.a_y)
+
+
+_LARGEST_RATIO = 1e100  # of radii; the squares of what follows from it are numbers
+
+
+def _axis_ratio(radius_ratio: float) -> float:
+    """Ratio (>= 1) of the semi-axes of a contact whose radii have the ratio >= 1.
+
+    lambda = (E k^2 - K) / (K - E) is 0/0 for a circle. Carlson's R_D (DLMF 19.25.1) gives
+    the same as R_D(0, 1, k^-2) / R_D(0, k^-2, 1), without any cancellation.
+    """
+    target = math.log(radius_ratio)
+    if target == 0.0:
+        return 1.0
+
+    def residual(log_k: float) -> float:
+        m1 = math.exp(-2.0 * log_k)
+        return float(math.log(elliprd(0.0, 1.0, m1) / elliprd(0.0, m1, 1.0)) - target)
+
+    # 1 <= k <= lambda; the margin absorbs rounding where both ends meet
+    root = brentq(residual, -1e-12, target + 1e-12, xtol=1e-15, rtol=8.9e-16)
+    return math.exp(max(root, 0.0))
+
+
+def elliptic(
+    Rx: float,
+    Ry: float,
+    E_star: float,
+    load: float | None = None,
+    approach: float | None = None,
+    p0: float | None = None,
+) -> EllipticContact:
+    """Hertz elliptic contact, exact, from exactly one of load, approach or maximum pressure.
+
+    Parameters
+    ----------
+    Rx, Ry : float
+        Equivalent principal radii in the planes y = 0 and x = 0 [m]; either may be larger.
+    E_star : float
+        Contact modulus [Pa].
+    load, approach, p0 : float, optional
+        Normal load [N], rigid-body approach [m], maximum pressure [Pa]; give one.
+
+    Returns
+    -------
+    EllipticContact
+        Johnson (1985), (3.60)-(3.62) with complete elliptic integrals.
+
+    Raises
+    ------
+    ValueError
+        An argument is not finite and positive (an infinite radius is a line contact, see
+        `line`), or not exactly one of the three is given.
+    """
+    Rx, Ry, E_star = positive("Rx", Rx), positive("Ry", Ry), positive("E_star", E_star)
+    given = exactly_one(load=load, approach=approach, p0=p0)
+    long_radius = max(Rx, Ry)
+    radius_ratio = long_radius / min(Rx, Ry)
+    if not radius_ratio <= _LARGEST_RATIO:
+        raise ValueError(
+            f"Rx and Ry must differ by a factor of at most {_LARGEST_RATIO:g}, got {Rx!r} and "
+            f"{Ry!r}: a straight line of contact is that of `line`"
+        )
+    ratio = _axis_ratio(radius_ratio)
+    m1 = ratio**-2
+    shape, K = float(elliprd(0.0, m1, 1.0)), float(ellipkm1(m1))
+
+    # long semi-axis from 1/(2 R_long) = p0 b R_D / (3 a^2 E*), approach = p0 b K / E*
+    if given == "load":
+        a = (positive("load", load) * long_radius * shape / (math.pi * E_star)) ** (1.0 / 3.0)
+    elif given == "approach":
+        a = math.sqrt(2.0 * long_radius * positive("approach", approach) * shape / (3.0 * K))
+    else:
+        a = 2.0 * long_radius * positive("p0", p0) * shape / (3.0 * ratio * E_star)
+    b = a / ratio
+    peak = 3.0 * ratio * E_star * a / (2.0 * long_radius * shape)
+    if not (b > 0.0 and 0.0 < peak < math.inf):
+        raise ValueError(f"{given} gives a contact beyond the range of numbers: a = {a!r} m")
+    a_x, a_y = (b, a) if Ry >= Rx else (a, b)
+    return EllipticContact(
+        Rx=Rx,
+        Ry=Ry,
+        E_star=E_star,
+        load=float(load) if load is not None else 2.0 / 3.0 * math.pi * a * b * peak,
+        a_x=a_x,
+        a_y=a_y,
+        k=a_y / a_x,
+        p0=float(p0) if p0 is not None else peak,
+        approach=float(approach) if approach is not None else peak * b * K / E_star,
+    )

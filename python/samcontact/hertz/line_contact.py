@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Line contact: size, pressure and stress under the middle."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from numpy.typing import ArrayLike
+
+from .._checks import FloatArray, exactly_one, poisson_ratio, positive
+from .._repr import Shown
+from .axis import line_axis, line_max_von_mises
+from .points import coordinates, depth_ratio, semi_ellipsoid
+
+
+@dataclass(frozen=True)
+class LineContact(Shown):
+    """Hertz contact of a cylinder (axis y) and a half-space in plane strain (section 4.2(c)).
+
+    Attributes
+    ----------
+    R : float
+        Equivalent radius [m].
+    E_star : float
+        Contact modulus [Pa].
+    load_per_length : float
+        Normal load per unit length [N/m].
+    b : float
+        Half-width of the contact [m].
+    p0 : float
+        Maximum pressure [Pa].
+    """
+
+    R: float
+    E_star: float
+    load_per_length: float
+    b: float
+    p0: float
+
+    def pressure(self, x: ArrayLike) -> FloatArray:
+        """Pressure [Pa] at x [m], zero outside the contact; (4.44)."""
+        return semi_ellipsoid(self.p0, coordinates(x=x)[0] / self.b)
+
+    def axis_stress(self, z: ArrayLike, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Elastic stresses sigma_xx, sigma_yy, sigma_zz [Pa] at depths z [m]; (4.46)."""
+        s = depth_ratio(z, self.b)
+        sxx, syy, szz = line_axis(s, poisson_ratio("nu", nu))
+        return self.p0 * sxx, self.p0 * syy, self.p0 * szz
+
+    def max_von_mises(self, nu: float) -> tuple[float, float]:
+        """Largest von Mises stress on the axis [Pa] and its depth [m]."""
+        ratio, depth = line_max_von_mises(nu)
+        return ratio * self.p0, depth * self.b
+
+
+def line(
+    R: float,
+    E_star: float,
+    load_per_length: float | None = None,
+    p0: float | None = None,
+) -> LineContact:
+    """Hertz line contact from load per length or maximum pressure.
+
+    The approach of a line contact depends on the datum and is not offered.
+
+    Parameters
+    ----------
+    R : float
+        Equivalent radius [m].
+    E_star : float
+        Contact modulus [Pa].
+    load_per_length, p0 : float, optional
+        Load per unit length [N/m], maximum pressure [Pa]; give one.
+
+    Returns
+    -------
+    LineContact
+        Johnson (1985), (4.43)-(4.45).
+
+    Raises
+    ------
+    ValueError
+        An argument is not finite and positive, or not exactly one of the two is given.
+    """
+    R, E_star = positive("R", R), positive("E_star", E_star)
+    if exactly_one(load_per_length=load_per_length, p0=p0) == "load_per_length":
+        b = math.sqrt(4.0 * positive("load_per_length", load_per_length) * R / (math.pi * E_star))
+    else:
+        b = 2.0 * R * positive("p0", p0) / E_star
+    return LineContact(
+        R=R,
+        E_star=E_star,
+        load_per_length=(
+            float(load_per_length)
+            if load_per_length is not None
+            else math.pi * E_star * b * b / (4.0 * R)
+        ),
+        b=b,
+        p0=float(p0) if p0 is not None else E_star * b / (2.0 * R),
+    )

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact modulus of a pair of bodies."""
+
+from __future__ import annotations
+
+import math
+from typing import Protocol
+
+from .._checks import poisson_ratio, positive
+
+
+class Body(Protocol):
+    """What `effective_modulus` reads of a material: Young's modulus [Pa] and Poisson's ratio."""
+
+    @property
+    def E(self) -> float: ...
+    @property
+    def nu(self) -> float: ...
+
+
+def effective_modulus(body1: Body, body2: Body) -> float:
+    """Contact modulus of a pair, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+
+    Parameters
+    ----------
+    body1, body2 : Material
+        Anything with ``E`` [Pa] (inf for a rigid body) and ``nu`` [-].
+
+    Returns
+    -------
+    float
+        E* [Pa] (Johnson 1985, section 4.2).
+
+    Raises
+    ------
+    ValueError
+        A modulus is not positive, or both bodies are rigid.
+    """
+    compliance = 0.0
+    for name, body in (("body1", body1), ("body2", body2)):
+        modulus = positive(f"{name}.E", body.E, allow_inf=True)
+        if not math.isinf(modulus):
+            compliance += (1.0 - poisson_ratio(f"{name}.nu", body.nu) ** 2) / modulus
+    if compliance == 0.0:
+        raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
+    return 1.0 / compliance

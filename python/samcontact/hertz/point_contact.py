@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Point contact: size, pressure, gap, approach and stress."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive
+from .._repr import Shown
+from .axis import point_axis, point_max_von_mises
+from .field import field
+from .points import coordinates, depth_ratio, semi_ellipsoid
+
+
+@dataclass(frozen=True)
+class PointContact(Shown):
+    """Hertz contact of a sphere and a half-space (Johnson 1985, section 4.2).
+
+    Attributes
+    ----------
+    R : float
+        Equivalent radius, 1/R = 1/R1 + 1/R2 [m].
+    E_star : float
+        Contact modulus [Pa].
+    load : float
+        Normal load [N].
+    a : float
+        Contact radius [m].
+    p0 : float
+        Maximum pressure [Pa].
+    approach : float
+        Rigid-body approach [m].
+    """
+
+    R: float
+    E_star: float
+    load: float
+    a: float
+    p0: float
+    approach: float
+
+    def pressure(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
+        """Pressure [Pa] at x, y [m] (broadcast), zero outside the contact; (4.24)."""
+        across, along = coordinates(x=x, y=y)
+        return semi_ellipsoid(self.p0, across / self.a, along / self.a)
+
+    def gap(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
+        """Gap under load [m] at x, y [m] (broadcast), zero inside the contact; (3.42)."""
+        r = np.maximum(np.hypot(*coordinates(x=x, y=y)) / self.a, 1.0)
+        # approach - displacement - r^2/2R with every length in contact radii
+        outside = (2.0 - r**2) * np.arcsin(1.0 / r) + np.sqrt(r**2 - 1.0)
+        scale = self.a**2 / self.R
+        return np.asarray(scale * (0.5 * r**2 - 1.0 + outside / math.pi), dtype=np.float64)
+
+    def axis_stress(self, z: ArrayLike, nu: float) -> tuple[FloatArray, FloatArray]:
+        """Elastic stresses under the centre, Johnson (3.45).
+
+        Parameters
+        ----------
+        z : array_like
+            Depths [m], >= 0.
+        nu : float
+            Poisson's ratio of the loaded body, in [0, 0.5].
+
+        Returns
+        -------
+        sigma_rr, sigma_zz : ndarray
+            Radial (= circumferential) and axial stress [Pa], of the shape of `z`.
+        """
+        s = depth_ratio(z, self.a)
+        radial, axial = point_axis(s, poisson_ratio("nu", nu))
+        return self.p0 * radial, self.p0 * axial
+
+    def stress(
+        self, x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: float, friction: float = 0.0
+    ) -> FloatArray:
+        """Elastic stress anywhere in a half-space under this pressure, at rest or sliding.
+
+        Parameters
+        ----------
+        x, y, z : array_like
+            Points [m], broadcast; z is the depth, >= 0.
+        nu : float
+            Poisson's ratio of the loaded body, in [0, 0.5].
+        friction : float, optional
+            Coefficient mu >= 0: the shear mu p acts on the body along +x [-].
+
+        Returns
+        -------
+        ndarray, shape (6, ...)
+            xx, yy, zz, yz, xz, xy [Pa], tension positive; at z = 0 the limit from below.
+
+        Raises
+        ------
+        ValueError
+            An argument is outside its range.
+
+        Notes
+        -----
+        Closed form, as that of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02; derived
+        from the potentials of Boussinesq and Cerruti (Johnson 1985, section 3.2). The error is
+        rounding, about 1e-15 p0 near the contact and r/a times that at the distance r. The
+        pressure is that of Hertz: the shear's share in the normal displacement, zero for bodies
+        of equal elastic constants, is left out.
+        """
+        s = depth_ratio(z, self.a)
+        across, along = coordinates(x=x, y=y)
+        points = np.broadcast_arrays(across / self.a, along / self.a, s)
+        nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+        return self.p0 * field(points[0], points[1], points[2], nu, friction)
+
+    def max_von_mises(self, nu: float) -> tuple[float, float]:
+        """Largest von Mises stress on the axis [Pa] and its depth [m]."""
+        ratio, depth = point_max_von_mises(nu)
+        return ratio * self.p0, depth * self.a
+
+
+def point(
+    R: float,
+    E_star: float,
+    load: float | None = None,
+    approach: float | None = None,
+    p0: float | None = None,
+) -> PointContact:
+    """Hertz point contact from exactly one of load, approach or maximum pressure.
+
+    Parameters
+    ----------
+    R : float
+        Equivalent radius [m].
+    E_star : float
+        Contact modulus [Pa], see `effective_modulus`.
+    load, approach, p0 : float, optional
+        Normal load [N], rigid-body approach [m], maximum pressure [Pa]; give one.
+
+    Returns
+    -------
+    PointContact
+        Johnson (1985), (4.22)-(4.24).
+
+    Raises
+    ------
+    ValueError
+        An argument is not finite and positive, or not exactly one of the three is given.
+    """
+    R, E_star = positive("R", R), positive("E_star", E_star)
+    given = exactly_one(load=load, approach=approach, p0=p0)
+    if given == "load":
+        a = (0.75 * positive("load", load) * R / E_star) ** (1.0 / 3.0)
+    elif given == "approach":
+        a = math.sqrt(R * positive("approach", approach))
+    else:
+        a = 0.5 * math.pi * R * positive("p0", p0) / E_star
+    force = 4.0 * E_star * a**3 / (3.0 * R)
+    return PointContact(
+        R=R,
+        E_star=E_star,
+        load=float(load) if load is not None else force,
+        a=a,
+        p0=float(p0) if p0 is not None else 2.0 * E_star * a / (math.pi * R),
+        approach=float(approach) if approach is not None else a * a / R,
+    )

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checked points of a contact, and the pressure over them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._checks import FloatArray, finite_array, real_array
+
+
+def semi_ellipsoid(p0: float, *ratios: FloatArray) -> FloatArray:
+    """p0 sqrt(1 - sum ratio^2), zero outside."""
+    inside = 1.0 - sum(np.square(ratio) for ratio in ratios)
+    return np.asarray(p0 * np.sqrt(np.maximum(inside, 0.0)), dtype=np.float64)
+
+
+def coordinates(**given: ArrayLike) -> list[FloatArray]:
+    """Checked coordinates, each of its own shape."""
+    return [finite_array(name, values, np.shape(values)) for name, values in given.items()]
+
+
+def depth_ratio(z: ArrayLike, length: float) -> FloatArray:
+    depth = real_array("z", z)
+    if not np.all(np.isfinite(depth)) or np.any(depth < 0.0):
+        raise ValueError("z must be finite and >= 0 (depth into the body)")
+    return depth / length
