@@ -3,21 +3,19 @@
 
 from __future__ import annotations
 
-import csv
-import json
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import samcontact as sc
+from reference import fem
 
-from .harness import ROOT, Meter, Task, relative_error, work_of
+from .harness import Meter, Task, relative_error, work_of
 from .steel import LOAD, balls
 
 NAME = "plastic_smooth"
 TITLE = "Elastic-plastic contact of two balls"
-FEM = ROOT / "tests" / "data" / "fem" / "2b1500"
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
@@ -48,10 +46,9 @@ def solve(meter: Meter, across: int, increments: int, method: str) -> dict[str, 
     simulation, loaded, unloaded = meter(run)
     grid = simulation.grid
     axis = (grid.nx // 2, grid.ny // 2)
-    summary = json.loads((FEM / "case.json").read_text())["summary"]
-    with (FEM / "surface_uz.csv").open() as file:
-        rows = list(csv.DictReader(file))
-    r, uz = (np.array([float(row[key]) for row in rows]) for key in ("r_m", "uz_residual_m"))
+    case = fem.load("2b1500")
+    summary = case.summary
+    r, uz = (case.surface_uz[key] for key in ("r_m", "uz_residual_m"))
     profile = unloaded.residual_displacement()[axis[0] :, axis[1]]
     print_error = np.abs(profile - np.interp(grid.x[axis[0] :], r, uz)).max() / np.abs(uz).max()
     computed = {

@@ -71,7 +71,7 @@ def changed(what: str | None) -> Iterator[None]:
 def stated(task: tuple[str, str | None, bool]) -> dict[str, list[float]]:
     """All numbers of each stated value; nothing where the scene cannot be computed so."""
     name, what, quick = task
-    part = importlib.import_module(f"samcontact.gallery.{name}")
+    part = importlib.import_module(f"gallery.{name}")
     with warnings.catch_warnings(), changed(what):
         warnings.simplefilter("ignore")
         try:

@@ -84,7 +84,7 @@ class Scene:
 def solve(scene: Scene, side: float, depth: float, load: float, rough: bool, cycles: int) -> Any:
     """The wear, with the thesis's ball and steel."""
     import samcontact as sc
-    from samcontact.gallery.wear import ELASTIC, FRICTION, RADIUS, STEEL, THRESHOLD
+    from gallery.wear import ELASTIC, FRICTION, RADIUS, STEEL, THRESHOLD
 
     grid = scene.grid(side, depth)
     relief = sc.Relief(sc.surfaces.sinusoidal(grid, 0.5e-6, 50e-6, 50e-6)) if rough else None

@@ -40,7 +40,8 @@ def test_example_runs(block, tmp_path, monkeypatch):
 
 @pages
 def test_paths_exist(page):
-    named = re.compile(r"(?<![\w./])(?:(?:cpp|python|tests|cases|docs|cmake)/[\w./-]+|\./\w+)")
+    folders = "cpp|python|tests|cases|docs|cmake|benchmarks|gallery|reference"
+    named = re.compile(rf"(?<![\w./])(?:(?:{folders})/[\w./-]+|\./\w+)")
     # the targets of links are relative to the page, and checked below
     text = re.sub(r"\]\([^)]*\)", "]", TEXTS[page])
     paths = {path.rstrip("./-") for path in named.findall(text)}

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-import fem
+from reference import fem
 
 
 @pytest.mark.parametrize("name", fem.CASES)

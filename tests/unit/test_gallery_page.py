@@ -2,14 +2,15 @@
 """The frame of the gallery: what holds, what the table says, what is written."""
 
 import re
+import sys
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 from matplotlib.figure import Figure
-from test_cli import check_failure, invoke
 
-from samcontact.gallery import page, parts
+from gallery import page, parts
+from gallery.__main__ import main
 
 NEAR = page.Number("depth", 100.0, 104.0, "nm", "coarse")
 FAR = page.Number("depth", 100.0, 106.0, "nm", "coarse", remark="why")
@@ -66,28 +67,35 @@ def test_parts_by_name_and_by_figure():
             parts.part_of(name)
 
 
-def test_the_command_makes_a_part(tmp_path):
-    outcome = invoke("gallery", "2.12", "--quick", "--output", tmp_path)
-    assert outcome.exit_code == 0, outcome.output
-    assert "flattening: " in outcome.stdout
+def test_the_command_makes_a_part(tmp_path, capsys):
+    assert main(["2.12", "--quick", "--output", str(tmp_path)]) == 0
+    assert "flattening: " in capsys.readouterr().out
     assert "# Flattening" in (tmp_path / "flattening.md").read_text()
     assert list(tmp_path.glob("*.png"))
-    listed = invoke("gallery", "--list").stdout
-    assert "tugging" in listed
-    assert "4.7 to 4.11" in listed
-    check_failure(invoke("gallery", "frction"), 2, "did you mean friction")
+
+
+def test_the_command_lists_parts_and_refuses_others(capsys):
+    assert main(["--list"]) == 0
+    assert re.search(r"^tugging +4\.7 to 4\.11$", capsys.readouterr().out, re.MULTILINE)
+    with pytest.raises(SystemExit, match="2"):
+        main(["frction"])
+    assert "did you mean friction" in capsys.readouterr().err
+
+
+def test_the_command_fails_when_a_value_differs(tmp_path, monkeypatch):
+    part = SimpleNamespace(
+        TITLE="Title",
+        INTRODUCTION="",
+        compute=lambda quick: NEAR if quick else FAR,
+        stated=lambda results: [results],
+        figures=lambda results: [],
+    )
+    monkeypatch.setitem(sys.modules, "gallery.tugging", part)
+    given = ["tugging", "--output", str(tmp_path)]
+    assert [main(given), main([*given, "--quick"])] == [1, 0]
 
 
 def test_every_part_says_its_figures_on_the_first_page():
     text = (Path(__file__).parents[2] / "docs" / "gallery.md").read_text()
     for name in parts.PARTS:
         assert re.search(rf"\(gallery/{name}\.md\) \| {parts.figures_of(name)} ", text), name
-
-
-def test_finite_element_curves_are_those_of_the_tests():
-    shipped = Path(parts.__file__).parent / "fem"
-    files = [path.relative_to(shipped) for path in shipped.rglob("*.csv")]
-    assert len(files) == 3
-    for file in files:
-        original = Path(__file__).parents[1] / "data" / "fem" / file
-        assert (shipped / file).read_bytes() == original.read_bytes()

@@ -236,9 +236,7 @@ def public_objects():
 def public_classes():
     """All but errors and warnings, which show their message."""
     names = [module.name for module in pkgutil.iter_modules(sc.__path__)]
-    shown = [
-        name for name in names if not name.startswith("_") and name not in ("gallery", "commands")
-    ]
+    shown = [name for name in names if not name.startswith("_") and name != "commands"]
     modules = [sc, *(importlib.import_module(f"samcontact.{name}") for name in shown)]
     named = [getattr(m, name) for m in modules for name in getattr(m, "__all__", ())]
     return {c for c in named if inspect.isclass(c) and not issubclass(c, BaseException)}

@@ -49,7 +49,6 @@ COMMANDS = [
     ["resume", "a\0b"],
     ["report", "a\0b"],
     ["export", "a\0b"],
-    ["gallery", "--output", "a\0b"],
 ]
 
 

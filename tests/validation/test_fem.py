@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic-plastic half-space against axisymmetric finite elements (tests/data/fem).
+"""Elastic-plastic half-space against axisymmetric finite elements (reference/fem).
 
-Tolerances are those that the finite element data themselves support (tests/data/fem/README.md):
+Tolerances are those that the finite element data themselves support (reference/fem/README.md):
 p_max 0.5 %, approach 0.2 %, largest plastic strain 1 %, loaded von Mises 1 %, residual von Mises
 2 %, print 2 %, profiles 2 % rms of their maximum. They are met with 16 cells per Hertz radius and
 16 load increments; finer runs, marked slow, show that the differences go on falling.
@@ -10,8 +10,8 @@ p_max 0.5 %, approach 0.2 %, largest plastic strain 1 %, loaded von Mises 1 %, r
 import numpy as np
 import pytest
 
-import fem
 import samcontact as sc
+from reference import fem
 
 ELASTIC = sc.Material.elastic(210e9, 0.3)
 STEEL_52100 = sc.Material.swift(210e9, 0.3, B=945e6, C=20, n=0.121)

@@ -5,13 +5,13 @@ import importlib
 
 import pytest
 
-from samcontact.gallery.parts import PARTS
+from gallery.parts import PARTS
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
 @pytest.mark.parametrize("name", PARTS)
 def test_stated_values(name):
-    part = importlib.import_module(f"samcontact.gallery.{name}")
+    part = importlib.import_module(f"gallery.{name}")
     entries = part.stated(part.compute(quick=True))
     assert entries
     wrong = [f"{e.quantity}: thesis {e.thesis}, computed {e.ours}" for e in entries if not e.holds]

@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import fem
 import samcontact as sc
+from reference import fem
 from samcontact.cases import load_case
 
 CASES = Path(__file__).parents[2] / "cases"

@@ -10,7 +10,6 @@ from __future__ import annotations
 import click
 
 from .doctor import doctor
-from .gallery import gallery
 from .hertz import hertz
 from .results import export, report
 from .run import resume, run
@@ -44,5 +43,5 @@ def main(context: click.Context) -> None:
     context.with_resource(guarded_output())
 
 
-for _command in (run, resume, sweep, report, export, gallery, hertz, doctor):
+for _command in (run, resume, sweep, report, export, hertz, doctor):
     main.add_command(_command)

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 from matplotlib import colormaps
@@ -13,6 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import samcontact as sc
+from reference import fem
 
 from .page import Number, Picture, Statement
 
@@ -49,7 +49,6 @@ RANGES = (1.0, 4.0, 14.0, 40.0, 110.0)
 SMALL, LARGE = (2.0, 4.0, 6.0, 8.0, 11.0), (12.0, 20.0, 40.0, 70.0, 110.0)
 COMPARED = (2.0, 4.0, 6.0, 10.0, 20.0, 30.0)
 FRICTION = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5)
-FEM = Path(__file__).parent / "fem" / "2d" / "load_displacement.csv"
 REACHED = 5.0
 """Mesh study of the interference at which the zone reaches the surface, see `stated`."""
 
@@ -472,8 +471,8 @@ def model_figure(results: Results) -> Figure:
     load, area = (np.array([getattr(p, k) for p in results.points]) for k in ("load", "area"))
     w = np.geomspace(1.0, 110.0, 300)
     unit = CRITICAL.load / (np.pi * CRITICAL.a**2) / YIELD
-    fem = np.genfromtxt(FEM, delimiter=",", names=True)
-    rising = fem[1 : int(np.argmax(fem["approach_m"])) + 1]
+    curve = fem.load("2d").load_displacement
+    rising = curve[1 : int(np.argmax(curve["approach_m"])) + 1]
     rising = rising[rising["approach_over_wc"] >= 1][::4]
     for ax in panels:
         ax.grid(True, linewidth=0.4, alpha=0.5)

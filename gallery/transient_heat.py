@@ -14,10 +14,9 @@ from matplotlib.ticker import MaxNLocator
 
 import samcontact as sc
 
-from .._tensors import von_mises
 from .heat import E_STAR, ELASTIC, STEEL, at_surface
 from .page import Number, Picture, Statement
-from .profiles import finish
+from .profiles import finish, von_mises
 
 TITLE = "Transient frictional heat"
 INTRODUCTION = """

@@ -115,7 +115,7 @@ def write(name: str, part: Part, results: Any, folder: Path) -> list[Number | St
     entries = part.stated(results)
     text = [
         "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->",
-        f"<!-- Written by: samcontact gallery {name} -->",
+        f"<!-- Written by: python -m gallery {name} -->",
         f"# {part.TITLE}\n",
         part.INTRODUCTION.strip() + "\n",
         table(entries),

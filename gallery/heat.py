@@ -10,9 +10,8 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
-from .._tensors import von_mises
 from .page import Number, Picture, Statement
-from .profiles import finish
+from .profiles import finish, von_mises
 
 TITLE = "Frictional heat"
 INTRODUCTION = """

@@ -6,7 +6,7 @@ from __future__ import annotations
 import difflib
 import importlib
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from . import page
@@ -53,15 +53,13 @@ def part_of(name: str) -> str:
                 first, last = (figure, figure) if isinstance(figure, str) else figure
                 if _number(first) <= wanted <= _number(last):
                     return part
-        raise ValueError(f"figure {name} is not in the gallery: see `samcontact gallery --list`")
+        raise ValueError(f"figure {name} is not in the gallery: see `python -m gallery --list`")
     near = difflib.get_close_matches(name, PARTS, 1)
     hint = f"did you mean {near[0]}?" if near else f"choose from {', '.join(PARTS)}"
     raise ValueError(f"unknown part {name!r} of the gallery: {hint}")
 
 
-def make(
-    parts: Sequence[str], folder: Path, quick: bool = False, say: Callable[[str], object] = print
-) -> int:
+def make(parts: Sequence[str], folder: Path, quick: bool = False) -> int:
     """Write pages and figures of parts; how many stated values differ."""
     failed = 0
     for name in parts:
@@ -71,8 +69,8 @@ def make(
         wrong = [entry for entry in entries if not entry.holds]
         failed += len(wrong)
         seconds = time.perf_counter() - start
-        say(f"{name}: {len(entries)} stated values, {len(wrong)} differ, {seconds:.0f} s")
-        say(f"  {folder / name}.md")
+        print(f"{name}: {len(entries)} stated values, {len(wrong)} differ, {seconds:.0f} s")
+        print(f"  {folder / name}.md", flush=True)
         for entry in wrong:
-            say(f"  {entry.quantity}: thesis {entry.thesis}, computed {entry.ours}")
+            print(f"  {entry.quantity}: thesis {entry.thesis}, computed {entry.ours}")
     return failed

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reader of the finite element reference curves in tests/data/fem (see the README there)."""
+"""Reader of the finite element reference curves in this folder (see its README)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-DATA = Path(__file__).parent / "data" / "fem"
+DATA = Path(__file__).parent
 CASES = ("1b", "1c", "2a", "2b1500", "2d")
 
 

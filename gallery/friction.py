@@ -6,16 +6,15 @@ from __future__ import annotations
 import math
 import warnings
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 
 import samcontact as sc
+from reference import fem
 
-from .._tensors import von_mises
 from .page import Number, Picture, Statement
-from .profiles import finish, succession
+from .profiles import finish, succession, von_mises
 
 TITLE = "Normal load and friction"
 INTRODUCTION = """
@@ -26,7 +25,6 @@ pressure of 5.05 GPa needs 10 mm, which is what the start of the section says. a
 contact radius at the largest load.
 """
 
-FEM = Path(__file__).parent / "fem" / "2a"
 RADIUS = 10e-3
 RIGID = sc.Material.rigid()
 ELASTIC = sc.Material.elastic(210e9, 0.3)
@@ -220,10 +218,6 @@ def crossing(mu: list[float], difference: list[float]) -> float:
     return math.nan
 
 
-def read_fem(name: str) -> np.ndarray:
-    return np.genfromtxt(FEM / f"{name}.csv", delimiter=",", names=True)
-
-
 def surface_jump() -> float:
     """Friction above which a sliding Hertz contact yields first at its surface, ν = 0.3."""
     low, high = 0.2, 0.4
@@ -283,7 +277,8 @@ def stated_rigid(results: Results) -> list[Number | Statement]:
     both: tuple[Elastic, Plastic] = (results.elastic[0.0], results.plastic[0.0])
     top = [float(case.pressure.max()) * 1e-9 for case in both]
     edge = [contact_radius(case.x / a, case.pressure) for case in both]
-    fem_pressure, fem_axis = read_fem("pressure_r"), read_fem("axis_loaded")
+    curves = fem.load("2a")
+    fem_pressure, fem_axis = curves.pressure_r, curves.axis_loaded
     ours = results.plastic[0.0]
     inside = (ours.x > 0) & (ours.x < 0.9 * a)
     expected = np.interp(ours.x[inside], fem_pressure["r_m"], fem_pressure["p_Pa"])
@@ -317,7 +312,7 @@ def stated_rigid(results: Results) -> list[Number | Statement]:
             + ", ".join(f"{name} {100 * value:.2f} %" for name, value in rms.items()),
             all(value < 0.02 for value in rms.values()),
             mesh,
-            remark="Finite elements of `tests/data/fem/README.md`, case 2a.",
+            remark="Finite elements of `reference/fem/README.md`, case 2a.",
         ),
     ]
     return entries
@@ -571,7 +566,8 @@ def rigid_elastic(results: Results) -> Picture:
 def rigid_plastic(results: Results) -> Picture:
     contact = results.rigid
     a = contact.a
-    pressure, axis = read_fem("pressure_r"), read_fem("axis_loaded")
+    curves = fem.load("2a")
+    pressure, axis = curves.pressure_r, curves.axis_loaded
     figure = Figure(figsize=(8.6, 6.4), layout="constrained")
     rows = figure.subplots(3, 3, sharey="row")
     fine = np.linspace(-1.4, 1.4, 281)
