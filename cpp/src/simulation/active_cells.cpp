@@ -3,6 +3,14 @@
 
 namespace samcontact::simulation {
 
+void ActiveCells::append(const Cell& cell, const plasticity::Tensor& strain_before,
+                         const plasticity::Tensor& deviator) {
+  cells.push_back(cell);
+  stress.push_back(deviator);
+  before_.resize(cells.size() * components_);
+  put(strain_before, before_, cells.size() - 1);
+}
+
 void ActiveCells::move(std::uint8_t body, const Box& from, const Box& to) {
   for (Cell& c : cells) {
     if (c.body != body) continue;
@@ -10,6 +18,25 @@ void ActiveCells::move(std::uint8_t body, const Box& from, const Box& to) {
     const std::uint32_t i = ki % from.nx, k = ki / from.nx;
     c.cell = (k * to.nx + i + (from.i0 - to.i0)) * to.ny + j + (from.j0 - to.j0);
   }
+}
+
+plasticity::Tensor ActiveCells::get(const Field& unknown, std::size_t n) const {
+  const double* u = unknown.data() + n * components_;
+  if (components_ == 6) return {u[0], u[1], u[2], u[3], u[4], u[5]};
+  return {u[0], u[1], -(u[0] + u[1]), u[2], u[3], u[4]};
+}
+
+void ActiveCells::put(const plasticity::Tensor& t, Field& unknown, std::size_t n) const {
+  using operators::Tensor;
+  const auto places = operators::components(components_ == 6 ? Tensor::full : Tensor::deviator);
+  for (int c = 0; c < components_; ++c) unknown[n * components_ + c] = t[places[c]];
+}
+
+plasticity::Tensor ActiveCells::strain(const Field& increment, std::size_t n) const {
+  plasticity::Tensor sum = get(before_, n);
+  const plasticity::Tensor more = get(increment, n);
+  for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += more[c];
+  return sum;
 }
 
 }  // namespace samcontact::simulation

@@ -36,8 +36,8 @@ const Field& HeatOfIncrement::past_stress(int body) {
   return stress;
 }
 
-Field HeatOfIncrement::past_stress(int body, const Box& box, Tensor tensor) {
-  if (!has_past(body)) return {};
+void HeatOfIncrement::stress(int body, const Box& box, Tensor tensor, Field& sum) {
+  if (!has_past(body)) return;
   const Field& stress = past_stress(body);
   const Box whole = Box::whole(scene_.grid);
   const std::size_t cells = whole.volume_size(), boxed = box.volume_size();
@@ -52,7 +52,7 @@ Field HeatOfIncrement::past_stress(int body, const Box& box, Tensor tensor) {
     extract(component.data(), whole, to, box);
     to += boxed;
   }
-  return out;
+  add_to(sum, std::move(out));
 }
 
 Box HeatOfIncrement::above(int body, const operators::Tractions& tractions,

@@ -27,6 +27,9 @@ struct HeatHistorySettings {
   bool in_depth = true;     // false: only the surface's displacement and fields at z = 0
 };
 
+enum class HeatQuantity { temperature, displacement, stress };
+struct HeatPlan;
+
 /// Copies share what does not change.
 class HeatHistory {
  public:
@@ -53,16 +56,26 @@ class HeatHistory {
   std::size_t size() const;
 
  private:
-  struct Plan;
-  enum class Quantity { temperature, displacement, stress };
-  Field fields(Quantity quantity, double ahead, std::span<const double> depths) const;
-  void add_newest(Quantity quantity, double ahead, std::span<const double> depths,
+  struct Moment;
+  struct Profiles;
+  class LevelSum;
+  Field fields(HeatQuantity quantity, double ahead, std::span<const double> depths) const;
+  void add_newest(HeatQuantity quantity, double ahead, std::span<const double> depths,
                   Field& out) const;
   bool newest_by_modes(double ahead) const;
-
-  std::shared_ptr<const Plan> plan_;
+  std::vector<const Complex*> generations_of(std::size_t number, double ahead) const;
+  double newest_part(const HeatLevel& level, double ahead) const;
+  Profiles profiles(const Moment& moment, std::vector<double> z) const;
+  ComplexField component(const Moment& moment, const Profiles& profiles, std::size_t d,
+                         int component) const;
+  ComplexField near_spectra(const Moment& moment) const;
+  template <class Into>
+  void evaluate(const Moment& moment, const Profiles& profiles, const ComplexField& near_spectra,
+                const Into& into) const;
   void age_near(double x, Field& fields) const;
   void absorb(const HeatLevel& level, std::size_t number, std::size_t first_mode);
+
+  std::shared_ptr<const HeatPlan> plan_;
 
   /// Of all heat before the newest flux, by generation.
   std::vector<ComplexField> modes_;

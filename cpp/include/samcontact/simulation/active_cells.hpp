@@ -5,21 +5,44 @@
 #include <cstdint>
 #include <vector>
 
+#include "samcontact/base/aligned.hpp"
 #include "samcontact/base/box.hpp"
+#include "samcontact/operators/volume_spectrum.hpp"
+#include "samcontact/plasticity/return_mapping.hpp"
 
 namespace samcontact::simulation {
 
 /// Appended to while an increment is solved, never reordered.
-struct ActiveCells {
+class ActiveCells {
+ public:
   struct Cell {
     std::uint8_t body;   // index among the inelastic bodies
     std::uint32_t cell;  // [k][i][j] of that body's box
   };
   std::vector<Cell> cells;
+  std::vector<plasticity::Tensor> stress;  // deviator, of the last evaluation
+  Field equivalent;                        // increment of the last evaluation
 
   std::size_t size() const { return cells.size(); }
+  /// Of the strain of a cell in fields of unknowns [cell][component].
+  int components() const { return components_; }
+  /// Strain with a trace is to be told from all six.
+  void keep_trace() { components_ = 6; }
+
+  void append(const Cell& cell, const plasticity::Tensor& strain_before,
+              const plasticity::Tensor& deviator);
   /// After a body's box has grown.
   void move(std::uint8_t body, const Box& from, const Box& to);
+
+  /// All six components of unknown number n.
+  plasticity::Tensor get(const Field& unknown, std::size_t n) const;
+  void put(const plasticity::Tensor& t, Field& unknown, std::size_t n) const;
+  /// Plastic strain of cell number n before the increment, plus that of a field of unknowns.
+  plasticity::Tensor strain(const Field& increment, std::size_t n) const;
+
+ private:
+  int components_ = 5;
+  Field before_;  // plastic strain before the increment
 };
 
 }  // namespace samcontact::simulation

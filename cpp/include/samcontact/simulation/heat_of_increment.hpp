@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "samcontact/simulation/simulation.hpp"
+#include "samcontact/simulation/source.hpp"
 
 namespace samcontact::simulation {
 
-class HeatOfIncrement {
+class HeatOfIncrement : public Source {
  public:
   HeatOfIncrement(const Scene& scene, const Target& target);
 
   bool has_past(int body) const { return target_.past[body] != nullptr; }
-  /// Adds the displacement of past heat to a gap [i][j].
-  void open(Field& gap) const;
-  /// Stress of past heat in a box, components as asked for; empty without.
-  Field past_stress(int body, const Box& box, operators::Tensor tensor);
+  /// Of past heat.
+  void open(Field& gap) const override;
+  void stress(int body, const Box& box, operators::Tensor tensor, Field& sum) override;
   /// All cells of the grid whose von Mises stress, under tractions and past heat, exceeds `limit`.
   Box above(int body, const operators::Tractions& tractions, operators::ResidualMethod method,
             double limit);

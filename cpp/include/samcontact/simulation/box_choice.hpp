@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How large the box of a body is that holds its plastic strain: what must be in it, with room to
+// grow.
+#pragma once
+
+#include "samcontact/base/box.hpp"
+#include "samcontact/simulation/mirror.hpp"
+
+namespace samcontact::simulation {
+
+/// Whole boxes, but for those that are called stored: the part from the mirror planes on.
+class BoxChoice {
+ public:
+  BoxChoice(const Grid& grid, fft::Symmetry symmetry) : grid_(grid), symmetry_(symmetry) {}
+
+  /// Cells around what must be in a box.
+  Box with_margin(const Box& box) const { return box.widened(2, grid_); }
+  /// A stored box for what is needed, instead of the stored box `before`, which may be empty.
+  Box fitted(const Box& needed, const Box& before) const;
+  /// What a stored box must hold besides itself where some cells of its rim flow, [k][i][j] of it;
+  /// stored.
+  Box rim_of(const Box& box, std::uint32_t cell) const;
+  /// Part from the mirror planes on of a box that was widened.
+  Box stored(Box box) const;
+
+  Box whole(const Box& stored) const { return whole_box(stored, grid_, symmetry_); }
+  bool mirrors_x() const { return symmetry_ == fft::Symmetry::xy; }
+  bool mirrors_y() const { return symmetry_ != fft::Symmetry::none; }
+
+ private:
+  const Grid& grid_;
+  fft::Symmetry symmetry_;
+};
+
+/// The cells of the grid where tractions act; no layers.
+Box window_of(const operators::Tractions& tractions, const Grid& grid);
+
+}  // namespace samcontact::simulation

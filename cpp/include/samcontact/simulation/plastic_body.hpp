@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An inelastic body in an increment: the box that holds its plastic strain and every cell that may
+// flow, what the strain does there, and the return to the yield surface.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "samcontact/plasticity/return_mapping.hpp"
+#include "samcontact/simulation/active_cells.hpp"
+#include "samcontact/simulation/box_choice.hpp"
+#include "samcontact/simulation/heat_of_increment.hpp"
+#include "samcontact/simulation/outside_strain.hpp"
+#include "samcontact/simulation/source.hpp"
+#include "samcontact/simulation/state.hpp"
+#include "samcontact/simulation/yield_scan.hpp"
+
+namespace samcontact::simulation {
+
+class PlasticBody {
+ public:
+  /// from: with the bodies where the increment takes them. number: its own among the inelastic
+  /// bodies. copies: 2 where the other body is its mirror image in the contact plane.
+  PlasticBody(const State& from, int index, std::uint8_t number, int copies,
+              fft::Symmetry symmetry);
+
+  int index() const { return index_; }  // of the body: 0 or 1
+  int copies() const { return copies_; }
+  operators::Tensor tensor() const { return tensor_; }
+  bool has_history() const { return history_ != nullptr; }
+  /// Stored: from the mirror planes on.
+  const Box& box() const { return box_; }
+  bool strained() const { return strained_; }
+  /// What acts on it, in its own cells.
+  const operators::Tractions& tractions() const { return offset_ != 0 ? seen_ : *tractions_; }
+  double sign() const { return index_ == 1 ? 1.0 : -1.0; }  // of the shear
+  /// The box of all cells where the tractions alone come near yielding; before there is a strain.
+  Box near_yield(const YieldScan& scan, HeatOfIncrement& heat) const;
+
+  /// Another box: what is in both stays. Throws MemoryError.
+  void set_box(const Box& box, const operators::Heating& heating, std::span<Source* const> sources,
+               ActiveCells& active);
+
+  /// The unknowns of its cells are in the box from now on.
+  void set_strain(std::uint32_t cell, const plasticity::Tensor& strain);
+  /// Transforms the strain. active: whether the increment has unknowns.
+  void transform(bool active);
+  /// Adds what its plastic strain opens to the gap.
+  void open(Field& gap);
+  /// Whether its residual displacement, which is known over the box only, could close the gap
+  /// somewhere else, where all bodies displace by no more than `reach` [m].
+  bool may_touch_outside(const Field& gap, double reach) const;
+  /// Largest residual displacement at the rim of its window [m], of all copies.
+  double rim_displacement() const { return copies_ * rim_displacement_; }
+
+  void meet(const operators::Tractions& tractions);
+  /// Factor of the yield stress [k][i][j] of the grid; null: 1.
+  void soften(std::shared_ptr<const Field> factor);
+  const std::shared_ptr<const Field>& softening() const { return softening_; }
+
+  /// Stress of its active cells; cells that yield and were not active are appended. Returns the
+  /// smallest (yield stress - von Mises)/yield stress of cells that are not active.
+  double find_stress(ActiveCells& active);
+  void activate(std::uint32_t cell, const plasticity::Tensor& deviator, ActiveCells& active);
+  /// Radial return of a cell, whose flow was guessed.
+  plasticity::Return return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
+                                const plasticity::Tensor& guess) const;
+
+  /// The place of a cell of the box in fields of the whole grid.
+  std::size_t grid_cell(std::uint32_t cell) const;
+  /// And back; -1 outside.
+  std::ptrdiff_t box_cell(std::size_t grid_cell) const;
+
+  /// Yield stress / 3 G.
+  double strain_at_yield() const;
+  /// That, or the largest accumulated strain before the increment.
+  double strain_scale() const;
+  /// A cell's history after a flow by `increment`.
+  void flow(std::uint32_t cell, const plasticity::Tensor& increment, double equivalent);
+  /// The history after the increment; ends the use of this object.
+  std::shared_ptr<const PlasticState> finish();
+
+ private:
+  using Found = std::pair<std::uint32_t, plasticity::Tensor>;
+  /// Squares of von Mises stresses, over 3.
+  struct Limits {
+    double first, weakest;
+  };
+
+  const plasticity::Material& material() const { return scene_.materials[index_]; }
+  void open(const Box& box, const Field& displacement, Field& gap) const;
+  double largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const;
+  /// The square of the von Mises stress over its limit, at most, of a layer's cells that are not
+  /// active.
+  double look_at_layer(int k, const double* layer, const Limits& limits, ActiveCells& active,
+                       std::vector<Found>& found) const;
+  double yield_limit(std::uint32_t cell) const;
+  /// Before the increment, into the first places; how many.
+  std::span<const plasticity::Tensor> backstresses(std::uint32_t cell,
+                                                   plasticity::Tensors& place) const;
+
+  const Scene& scene_;
+  int index_;
+  std::uint8_t number_;
+  int copies_;
+  operators::ResidualMethod method_;
+  fft::Symmetry symmetry_;
+  BoxChoice choice_;
+  std::shared_ptr<const PlasticState> history_;  // before the increment; null: none
+  operators::Tensor tensor_ = operators::Tensor::deviator;
+  Box box_;
+  Scene::Operators operators_;
+  std::vector<operators::VolumeSpectrum> spectrum_;  // one, or none without a box
+  Field strain_;                                     // before the increment plus the last guess
+  Field equivalent_;                                 // before the increment
+  Field backstress_;         // before the increment, [term][component][cell]
+  std::vector<int> active_;  // per cell: its place among the active ones, or -1
+  bool strained_ = false;
+  double rim_displacement_ = 0.0;
+  OutsideStrain outside_;  // what the history outside of the box does
+  Field given_stress_;     // of all but tractions and the strain in the box
+  double offset_ = 0.0;    // of its cells from the grid's, see Placement
+  const operators::Tractions* tractions_ = nullptr;
+  operators::Tractions seen_;  // from cells at an offset
+  std::shared_ptr<const Field> softening_;
+  double weakest_ = 1.0;  // its smallest value
+};
+
+}  // namespace samcontact::simulation

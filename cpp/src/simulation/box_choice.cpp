@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/box_choice.hpp"
+
+#include <algorithm>
+
+#include "samcontact/fft/plan.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+/// One extent of a box that holds [begin, end) of a grid of n cells, and had `before` cells: with
+/// room to grow, and a count that transforms fast. As much is added at both ends: contacts that are
+/// mirror images have boxes that are.
+void fit_extent(int n, int before, bool mirrored, int& begin, int& end) {
+  if (mirrored) {
+    begin = std::min(begin, n - end);
+    end = n - begin;
+  }
+  const int needed = end - begin;
+  int cells = needed;
+  if (before > 0 && cells > before) cells = std::max(cells, before + before / 4);
+  const auto good = [](int count) { return (fft::good_even_size(2 * count - 1) + 1) / 2; };
+  for (cells = good(cells); (cells - needed) % 2 != 0;) cells = good(cells + 1);
+  if (cells > n - n / 8) cells = n;
+  begin = cells == n ? 0 : std::clamp(begin - (cells - needed) / 2, 0, n - cells);
+  end = begin + cells;
+}
+
+}  // namespace
+
+Box BoxChoice::fitted(const Box& needed, const Box& before) const {
+  const Box old = before.empty() ? Box{} : whole(before);
+  int i0 = needed.i0, i1 = needed.i0 + needed.nx, j0 = needed.j0, j1 = needed.j0 + needed.ny;
+  fit_extent(grid_.nx, old.nx, mirrors_x(), i0, i1);
+  fit_extent(grid_.ny, old.ny, mirrors_y(), j0, j1);
+  int nz = needed.nz;
+  if (before.nz > 0 && nz > before.nz) nz = std::max(nz, before.nz + before.nz / 4);
+  nz = std::min(nz, grid_.nz);
+  if (nz > grid_.nz - grid_.nz / 8) nz = grid_.nz;
+  return stored({i0, j0, i1 - i0, j1 - j0, nz});
+}
+
+Box BoxChoice::rim_of(const Box& box, std::uint32_t cell) const {
+  const int j = static_cast<int>(cell % box.ny), ki = static_cast<int>(cell / box.ny);
+  const int i = ki % box.nx, k = ki / box.nx;
+  const bool rim = (i == 0 && !mirrors_x()) || (j == 0 && !mirrors_y()) || i == box.nx - 1 ||
+                   j == box.ny - 1 || k == box.nz - 1;
+  return rim ? with_margin({box.i0 + i, box.j0 + j, 1, 1, k + 1}) : box;
+}
+
+Box BoxChoice::stored(Box box) const {
+  const Box part = stored_part(grid_, symmetry_);
+  const int i1 = box.i0 + box.nx, j1 = box.j0 + box.ny;
+  box.i0 = std::max(box.i0, part.i0);
+  box.j0 = std::max(box.j0, part.j0);
+  box.nx = i1 - box.i0;
+  box.ny = j1 - box.j0;
+  return box;
+}
+
+Box window_of(const operators::Tractions& tractions, const Grid& grid) {
+  Box window;
+  for (const Field* field : {&tractions.pressure, &tractions.shear_x, &tractions.shear_y}) {
+    if (field->empty()) continue;
+    Box box = bounding_box(grid, [&](std::size_t at) { return (*field)[at] != 0; });
+    box.nz = 0;
+    window = window.united(box);
+  }
+  return window;
+}
+
+}  // namespace samcontact::simulation

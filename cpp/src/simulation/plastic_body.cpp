@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/plastic_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "samcontact/base/memory.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+using operators::Tensor;
+
+/// Elastic stress above this part of the yield stress belongs into the box.
+constexpr double near = 0.9;
+
+/// Memory of an increment a cell of its box where all of them flow and it is divided; as measured,
+/// docs/architecture.md has the parts.
+constexpr double fast_bytes = 950, exact_bytes = 1800;
+
+double bytes_of(const Box& box, operators::ResidualMethod method) {
+  const bool exact = method == operators::ResidualMethod::exact;
+  return static_cast<double>(box.volume_size()) * (exact ? exact_bytes : fast_bytes);
+}
+
+/// Before a box of the volume is taken instead of another one, which is given back.
+void require_memory_of(const Box& box, const Box& before, operators::ResidualMethod method) {
+  require_memory(bytes_of(box, method) - bytes_of(before, method),
+                 "the plastic zone, " + std::to_string(box.nx) + " x " + std::to_string(box.ny) +
+                     " x " + std::to_string(box.nz) + " cells of the grid,");
+}
+
+/// Half the square of a deviator xx, yy, yz, xz, xy.
+double second_invariant(const std::array<double, 5>& s) {
+  return s[0] * s[0] + s[1] * s[1] + s[0] * s[1] + s[2] * s[2] + s[3] * s[3] + s[4] * s[4];
+}
+
+/// Sum of the backstresses of a cell: xx, yy, yz, xz, xy.
+std::array<double, 5> centre(const Field& backstress, std::size_t cells, std::size_t cell) {
+  std::array<double, 5> sum{};
+  int c = 0;
+  for (std::size_t at = cell; at < backstress.size(); at += cells) sum[c++ % 5] += backstress[at];
+  return sum;
+}
+
+}  // namespace
+
+PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int copies,
+                         fft::Symmetry symmetry)
+    : scene_(from.scene()),
+      index_(index),
+      number_(number),
+      copies_(copies),
+      method_(from.method),
+      symmetry_(symmetry),
+      choice_(scene_.grid, symmetry),
+      history_(unfolded(from.plastic[index], scene_.grid, symmetry)),
+      offset_(from.placement().offset[index]) {
+  if (!history_) return;
+  tensor_ = history_->tensor();
+  strained_ = true;
+}
+
+Box PlasticBody::near_yield(const YieldScan& scan, HeatOfIncrement& heat) const {
+  const double limit = near * weakest_ * material().hardening.yield_stress(0.0);
+  return heat.has_past(index_) ? heat.above(index_, tractions(), method_, limit)
+                               : scan.box(tractions(), sign(), limit);
+}
+
+void PlasticBody::set_box(const Box& box, const operators::Heating& heating,
+                          std::span<Source* const> sources, ActiveCells& active) {
+  require_memory_of(box, box_, method_);
+  const int parts = operators::count(tensor_);
+  const std::size_t cells = box.volume_size();
+  const std::size_t terms = material().backstresses.size();
+  PlasticFields fields = history_ ? history_->fields(box)
+                                  : PlasticFields{box, Field(parts * cells, 0.0), Field(cells, 0.0),
+                                                  Field(cells * 5 * terms, 0.0)};
+  // What is in the box by now includes the last guess.
+  for (int c = 0; c < parts && !box_.empty(); ++c) {
+    insert(strain_.data() + c * box_.volume_size(), box_, fields.strain.data() + c * cells, box);
+  }
+  strain_ = std::move(fields.strain);
+  equivalent_ = std::move(fields.equivalent);
+  backstress_ = std::move(fields.backstress);
+  if (!box_.empty()) active.move(number_, box_, box);
+  active_.assign(cells, -1);
+  for (std::size_t n = 0; n < active.size(); ++n) {
+    if (active.cells[n].body == number_) active_[active.cells[n].cell] = static_cast<int>(n);
+  }
+  box_ = box;
+  // The old ones first: the two together may not fit.
+  spectrum_.clear();
+  operators_.reset();
+  operators_ = scene_.volume(index_, choice_.whole(box), tensor_, method_, symmetry_, heating);
+  spectrum_.push_back(operators_->make_spectrum());
+  given_stress_.clear();
+  for (Source* source : sources) source->stress(index_, box, tensor_, given_stress_);
+  if (!history_) return;
+  outside_ = outside_strain(scene_, index_, *history_, box, method_);
+  add_to(given_stress_, std::move(outside_.stress));
+}
+
+void PlasticBody::set_strain(std::uint32_t cell, const plasticity::Tensor& strain) {
+  const auto places = operators::components(tensor_);
+  const std::size_t cells = box_.volume_size();
+  for (std::size_t c = 0; c < places.size(); ++c) strain_[c * cells + cell] = strain[places[c]];
+}
+
+void PlasticBody::transform(bool active) {
+  strained_ = (strained_ || active) && !box_.empty();
+  if (strained_) operators::forward(operators_->transform(), strain_.data(), spectrum_[0]);
+}
+
+void PlasticBody::open(Field& gap) {
+  rim_displacement_ = 0.0;
+  if (!outside_.displacement.empty()) {
+    open(outside_.surface, outside_.displacement, gap);
+    rim_displacement_ += largest_at_rim(outside_.surface, outside_.displacement, false);
+  }
+  if (!strained_) return;
+  Field displacement(box_.surface_size());
+  operators_->residual_displacement().apply(spectrum_[0], displacement.data());
+  open(box_, displacement, gap);
+  rim_displacement_ += largest_at_rim(box_, displacement, true);
+}
+
+/// A surface field of the body, on a box from the mirror planes on.
+void PlasticBody::open(const Box& box, const Field& displacement, Field& gap) const {
+  const Grid& grid = scene_.grid;
+  const Box whole = choice_.whole(box);
+  const auto add = [&](int to, const double* u, double part) {
+    if (to < 0 || to >= grid.nx) return;
+    double* row = gap.data() + static_cast<std::size_t>(to) * grid.ny;
+    for (int j = whole.j0; j < whole.j0 + whole.ny; ++j) {
+      const int sj = j < box.j0 ? grid.ny - 1 - j : j;
+      row[j] += part * u[sj - box.j0];
+    }
+  };
+  const double copies = copies_, part = std::fabs(offset_);
+  const int side = offset_ > 0 ? -1 : 1;
+  for (int i = whole.i0; i < whole.i0 + whole.nx; ++i) {
+    const int si = i < box.i0 ? grid.nx - 1 - i : i;
+    const double* u = displacement.data() + static_cast<std::size_t>(si - box.i0) * box.ny;
+    add(i, u, copies * (1 - part));
+    if (part > 0) add(i + side, u, copies * part);
+  }
+}
+
+/// Outside of the box it falls off.
+double PlasticBody::largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const {
+  double largest = 0.0;
+  for (int i = 0; i < box.nx; ++i) {
+    for (int j = 0; j < box.ny; ++j) {
+      const bool at_x = ends_x && (i == box.nx - 1 || (i == 0 && !choice_.mirrors_x()));
+      const bool at_y = j == box.ny - 1 || (j == 0 && !choice_.mirrors_y());
+      if (!at_x && !at_y) continue;
+      largest =
+          std::max(largest, std::fabs(displacement[static_cast<std::size_t>(i) * box.ny + j]));
+    }
+  }
+  return largest;
+}
+
+bool PlasticBody::may_touch_outside(const Field& gap, double reach) const {
+  if (rim_displacement_ == 0) return false;
+  const Grid& grid = scene_.grid;
+  const Box whole = choice_.whole(box_);
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      const bool inside =
+          i >= whole.i0 && i < whole.i0 + whole.nx && j >= whole.j0 && j < whole.j0 + whole.ny;
+      if (!inside && gap[static_cast<std::size_t>(i) * grid.ny + j] < reach) return true;
+    }
+  }
+  return false;
+}
+
+void PlasticBody::meet(const operators::Tractions& tractions) {
+  tractions_ = &tractions;
+  if (offset_ != 0) seen_ = seen_from_body(tractions, scene_.grid, offset_);
+}
+
+void PlasticBody::soften(std::shared_ptr<const Field> factor) {
+  softening_ = std::move(factor);
+  if (softening_) weakest_ = *std::min_element(softening_->begin(), softening_->end());
+}
+
+std::size_t PlasticBody::grid_cell(std::uint32_t cell) const {
+  const std::size_t j = cell % box_.ny, ki = cell / box_.ny, i = ki % box_.nx, k = ki / box_.nx;
+  const Grid& grid = scene_.grid;
+  return (k * grid.nx + box_.i0 + i) * grid.ny + box_.j0 + j;
+}
+
+std::ptrdiff_t PlasticBody::box_cell(std::size_t grid_cell) const {
+  const Grid& grid = scene_.grid;
+  const int j = static_cast<int>(grid_cell % grid.ny) - box_.j0;
+  const int i = static_cast<int>(grid_cell / grid.ny % grid.nx) - box_.i0;
+  const int k = static_cast<int>(grid_cell / grid.ny / grid.nx);
+  if (i < 0 || i >= box_.nx || j < 0 || j >= box_.ny || k >= box_.nz) return -1;
+  return (static_cast<std::ptrdiff_t>(k) * box_.nx + i) * box_.ny + j;
+}
+
+void PlasticBody::activate(std::uint32_t cell, const plasticity::Tensor& deviator,
+                           ActiveCells& active) {
+  active_[cell] = static_cast<int>(active.size());
+  plasticity::Tensor before{};
+  const auto places = operators::components(tensor_);
+  for (std::size_t c = 0; c < places.size(); ++c) {
+    before[places[c]] = strain_[c * box_.volume_size() + cell];
+  }
+  if (tensor_ == Tensor::deviator) before[2] = -(before[0] + before[1]);
+  active.append({number_, cell}, before, deviator);
+}
+
+double PlasticBody::find_stress(ActiveCells& active) {
+  auto& spectrum = spectrum_[0];
+  if (!strained_) std::fill(spectrum.data.begin(), spectrum.data.end(), 0.0);
+  const double first = material().hardening.yield_stress(0.0), bound = first * first / 3;
+  const Limits limits{bound, bound * weakest_ * weakest_};
+  const std::size_t parts = operators::count(tensor_), plane = box_.surface_size();
+  std::vector<std::vector<Found>> found(box_.nz);
+  std::vector<double> largest(box_.nz, 0.0);
+  const auto look = [&](int k, const double* layer) {
+    Field sum;
+    if (!given_stress_.empty()) {
+      sum.assign(layer, layer + parts * plane);
+      for (std::size_t c = 0; c < parts; ++c) {
+        const double* given = given_stress_.data() + (c * box_.nz + k) * plane;
+        for (std::size_t i = 0; i < plane; ++i) sum[c * plane + i] += given[i];
+      }
+      layer = sum.data();
+    }
+    largest[k] = look_at_layer(k, layer, limits, active, found[k]);
+  };
+  const operators::Tractions here = window(tractions(), scene_.grid, box_);
+  operators_->for_each_layer(spectrum, strained_ ? strain_.data() : nullptr, &here, sign(), look);
+  for (const auto& layer : found) {
+    for (const auto& [cell, deviator] : layer) activate(cell, deviator, active);
+  }
+  return 1 - std::sqrt(*std::max_element(largest.begin(), largest.end()));
+}
+
+double PlasticBody::look_at_layer(int k, const double* layer, const Limits& limits,
+                                  ActiveCells& active, std::vector<Found>& found) const {
+  const std::size_t plane = box_.surface_size(), cells = box_.volume_size();
+  const bool deviator = tensor_ == Tensor::deviator, kinematic = !backstress_.empty();
+  const double* s[6];
+  for (int c = 0; c < 6; ++c) s[c] = layer + (deviator ? (c < 3 ? c : c - 1) : c) * plane;
+  double highest = 0.0;
+  for (std::size_t i = 0; i < plane; ++i) {
+    const std::size_t cell = k * plane + i;
+    double xx = s[0][i], yy = s[1][i];
+    if (!deviator) {
+      const double mean = (xx + yy + s[2][i]) / 3;
+      xx -= mean;
+      yy -= mean;
+    }
+    const int number = active_[cell];
+    if (number < 0) {
+      std::array<double, 5> effective{xx, yy, s[3][i], s[4][i], s[5][i]};
+      if (kinematic) {
+        const auto x = centre(backstress_, cells, cell);
+        for (int c = 0; c < 5; ++c) effective[c] -= x[c];
+      }
+      const double second = second_invariant(effective);
+      const bool own = second > limits.weakest && (softening_ || equivalent_[cell] > 0);
+      const double limit = own ? yield_limit(static_cast<std::uint32_t>(cell)) : limits.first;
+      highest = std::max(highest, second / limit);
+      if (second <= limit) continue;
+    }
+    const plasticity::Tensor t{xx, yy, -(xx + yy), s[3][i], s[4][i], s[5][i]};
+    if (number >= 0) {
+      active.stress[number] = t;
+    } else {
+      found.emplace_back(static_cast<std::uint32_t>(cell), t);
+    }
+  }
+  return highest;
+}
+
+double PlasticBody::yield_limit(std::uint32_t cell) const {
+  double yield_stress = material().hardening.yield_stress(equivalent_[cell]);
+  if (softening_) yield_stress *= (*softening_)[grid_cell(cell)];
+  return yield_stress * yield_stress / 3;
+}
+
+std::span<const plasticity::Tensor> PlasticBody::backstresses(std::uint32_t cell,
+                                                              plasticity::Tensors& place) const {
+  const std::size_t cells = box_.volume_size(), terms = backstress_.size() / (5 * cells);
+  for (std::size_t n = 0; n < terms; ++n) {
+    const double* x = backstress_.data() + 5 * n * cells + cell;
+    place[n] = {x[0], x[cells], -(x[0] + x[cells]), x[2 * cells], x[3 * cells], x[4 * cells]};
+  }
+  return {place.data(), terms};
+}
+
+plasticity::Return PlasticBody::return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
+                                           const plasticity::Tensor& guess) const {
+  plasticity::Tensors place;
+  return plasticity::radial_return(deviator, guess, equivalent_[cell], material(),
+                                   backstresses(cell, place),
+                                   softening_ ? (*softening_)[grid_cell(cell)] : 1.0);
+}
+
+double PlasticBody::strain_at_yield() const {
+  return material().hardening.yield_stress(0.0) / (3 * material().elastic.shear_modulus());
+}
+
+double PlasticBody::strain_scale() const {
+  return history_ ? std::max(strain_at_yield(), history_->max_equivalent()) : strain_at_yield();
+}
+
+void PlasticBody::flow(std::uint32_t cell, const plasticity::Tensor& increment, double equivalent) {
+  equivalent_[cell] += equivalent;
+  plasticity::Tensors place;
+  std::size_t to = cell;
+  auto law = material().backstresses.begin();
+  for (const auto& before : backstresses(cell, place)) {
+    const auto x = plasticity::advanced(before, *law++, increment, equivalent);
+    for (const int c : operators::components(Tensor::deviator)) {
+      backstress_[to] = x[c];
+      to += box_.volume_size();
+    }
+  }
+}
+
+std::shared_ptr<const PlasticState> PlasticBody::finish() {
+  const PlasticFields fields{box_, std::move(strain_), std::move(equivalent_),
+                             std::move(backstress_)};
+  return std::make_shared<const PlasticState>(history_.get(), symmetry_, tensor_, fields);
+}
+
+}  // namespace samcontact::simulation
