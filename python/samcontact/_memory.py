@@ -33,9 +33,13 @@ VOLUME_FIELD = 300.0
 
 def require(what: str, needed: float, remedy: str = "take fewer cells") -> None:
     """Raise MemoryError unless this many bytes are available."""
+    from ._kept import forget
+
     if needed < _SMALL:
         return
     there = available()
+    if there is not None and needed > there and forget():
+        there = available()
     if there is not None and needed > there:
         raise MemoryError(
             f"{what} needs about {needed / 1e9:.3g} GB of memory, and {there / 1e9:.3g} GB are "

@@ -520,9 +520,9 @@ class Simulation(Fixed, Shown):
                     _log(states[-1], len(states), len(steps))
                     bar.update()
                     if progress:
+                        strain = max(map(states[-1].max_equivalent_plastic_strain, (1, 2)))
                         bar.set_postfix(
-                            iterations=states[-1].iterations,
-                            plastic_cells=states[-1].plastic_cells(),
+                            iterations=states[-1].iterations, plastic_strain=f"{strain:.3g}"
                         )
         finally:
             self._looks_at_steps = looks

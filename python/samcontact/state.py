@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -12,15 +13,17 @@ from . import _memory
 from ._checks import MOST_CELLS, FloatArray, choice, integer
 from ._copies import reduced, restored_state
 from ._frozen import Fixed
+from ._kept import kept
 from ._repr import Rows, Shown, quantity
+from ._tensors import von_mises
 from .track import Track
 
 if TYPE_CHECKING:
     from .simulation import Simulation
 
 _VOLUME = (
-    "stress", "von_mises", "hydrostatic", "residual_stress", "plastic_strain",
-    "equivalent_plastic_strain", "backstress", "temperature",
+    "stress", "residual_stress", "plastic_strain", "equivalent_plastic_strain", "backstress",
+    "temperature",
 )  # fmt: skip
 
 
@@ -29,11 +32,13 @@ class State(Fixed, Shown):
 
     Tensor components are xx, yy, zz, yz, xz, xy in the frame of the body (z into it); tension is
     positive. Methods take body = 1 or 2; those of volume fields raise ValueError for a grid without
-    layers or a rigid body. A pickle or copy stands for itself, with a simulation of its own.
+    layers or a rigid body. They are read-only, and what was computed last is kept for the next who
+    asks for it. A pickle or copy stands for itself, with a simulation of its own.
     """
 
     def __init__(self, core: Any, simulation: Simulation) -> None:
         self.grid = simulation.grid
+        self._tracks: dict[tuple[int, int], Track] = {}
         self._core = core
         self._simulation = simulation
 
@@ -133,7 +138,10 @@ class State(Fixed, Shown):
         cells = self.grid.nx // 4 if margin is None else integer("margin", margin, 0)
         if cells > MOST_CELLS // 4:
             raise ValueError(f"margin must be at most {MOST_CELLS // 4} cells, got {cells}")
-        return Track(self._core, self.grid, body, cells)
+        key = body, cells
+        if key not in self._tracks:
+            self._tracks[key] = Track(self._core, self.grid, body, cells)
+        return self._tracks[key]
 
     @property
     def converged(self) -> bool:
@@ -175,11 +183,11 @@ class State(Fixed, Shown):
 
     def von_mises(self, body: int = 2) -> FloatArray:
         """Von Mises stress [Pa], shape (nx, ny, nz)."""
-        return self._field("von_mises", body)
+        return self._field("von_mises", body, lambda: von_mises(self.stress(body)))
 
     def hydrostatic(self, body: int = 2) -> FloatArray:
         """Mean normal stress [Pa], shape (nx, ny, nz)."""
-        return self._field("hydrostatic", body)
+        return self._field("hydrostatic", body, lambda: self.stress(body)[:3].mean(axis=0))
 
     def plastic_cells(self) -> int:
         """How many cells of both bodies have yielded so far, on their whole tracks."""
@@ -240,8 +248,14 @@ class State(Fixed, Shown):
         factor = self._core.softening(choice("body", body, (1, 2)) - 1)
         return np.ones(self.grid.volume_shape) if factor is None else factor
 
-    def _field(self, name: str, body: int) -> FloatArray:
+    def _field(
+        self, name: str, body: int, compute: Callable[[], FloatArray] | None = None
+    ) -> FloatArray:
+        """Of the core, unless it is kept, or computed from others that may be."""
         index = choice("body", body, (1, 2)) - 1
+        return kept(self, (name, index), compute or (lambda: self._of_core(name, index)))
+
+    def _of_core(self, name: str, index: int) -> FloatArray:
         if name in _VOLUME:
             exact = self._core.exact_residual_stress and self._core.max_plastic_strain(index) > 0
             cell = _memory.EXACT_RESIDUAL if exact else _memory.VOLUME_FIELD

@@ -10,6 +10,7 @@ import numpy as np
 from . import _memory
 from ._checks import FloatArray
 from ._frozen import Fixed, read_only
+from ._kept import kept
 from ._tensors import von_mises
 from .grid import Grid
 
@@ -19,8 +20,8 @@ __all__ = ["Track"]
 class Track(Fixed):
     """What is left in one body along its whole track, unloaded, in the frame of the body.
 
-    Made by `State.track`. The origin of x is where the contact stood on the body at the start of
-    the simulation.
+    Made by `State.track`. Fields are read-only, and kept as those of a state. The origin of x is
+    where the contact stood on the body at the start of the simulation.
     """
 
     def __init__(self, core: Any, grid: Grid, body: int, margin: int) -> None:
@@ -66,7 +67,7 @@ class Track(Fixed):
 
     def residual_von_mises(self) -> FloatArray:
         """Von Mises stress of the residual stress [Pa], shape (len(x), ny, nz)."""
-        return von_mises(self.residual_stress())
+        return kept(self, "residual_von_mises", lambda: von_mises(self.residual_stress()))
 
     def residual_hydrostatic(self) -> FloatArray:
         """Mean normal residual stress [Pa], shape (len(x), ny, nz)."""
@@ -86,6 +87,9 @@ class Track(Fixed):
         return self._field("backstress")
 
     def _field(self, name: str) -> FloatArray:
+        return kept(self, name, lambda: self._of_core(name))
+
+    def _of_core(self, name: str) -> FloatArray:
         cell = _memory.FAST_RESIDUAL if name.startswith("residual") else _memory.VOLUME_FIELD
         needed = _memory.volume(self.grid, cell)
         _memory.require_for_grid(f"the field {name} of a track", self.grid, needed)

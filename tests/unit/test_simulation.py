@@ -577,7 +577,8 @@ class TestState:
 
     def test_scribbling_on_a_volume_field_changes_nothing(self, state):
         expected = state.plastic_strain().copy()
-        state.plastic_strain()[...] = 7.0
+        with pytest.raises(ValueError, match="read-only"):
+            state.plastic_strain()[...] = 7.0
         np.testing.assert_array_equal(state.plastic_strain(), expected)
 
     def test_balance(self, state):

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fields of states are computed once for all who ask, and kept only while there is room."""
+
+import gc
+from collections import Counter
+
+import numpy as np
+import pytest
+from test_cases import MINIMAL
+from test_cli import invoke
+from test_moving_cases import MOVING
+
+import samcontact as sc
+from samcontact import _core, _kept, _memory
+from samcontact.cases import load_case
+
+STRESSES = ("stress", "von_mises", "hydrostatic", "residual_stress", "track_residual_stress")
+
+
+@pytest.fixture
+def computed(monkeypatch):
+    """How often the core computes each stress of each state and body."""
+    counts = Counter()
+
+    def counting(name):
+        compute = getattr(_core.State, name)
+
+        def count(state, body, *place):
+            flow = state.max_equivalent_plastic_strain(body)
+            moment = (state.load, state.approach, *state.travel, flow)
+            counts[(name, body, *moment)] += 1
+            return compute(state, body, *place)
+
+        return count
+
+    for name in STRESSES:
+        monkeypatch.setattr(_core.State, name, counting(name))
+    return counts
+
+
+def run(text, folder):
+    file = folder / "case.toml"
+    file.write_text(text)
+    assert invoke("run", file, "--output", folder / "out").exit_code == 0
+    assert invoke("report", folder / "out").exit_code == 0
+
+
+@pytest.fixture
+def states(tmp_path):
+    file = tmp_path / "case.toml"
+    file.write_text(MINIMAL)
+    simulation, path = load_case(file).build()
+    return simulation.run(path, progress=False)
+
+
+def test_a_run_with_figures_and_report_computes_each_stress_once(tmp_path, computed):
+    run(MINIMAL, tmp_path)
+    assert {key[0] for key in computed} == {"stress", "residual_stress"}
+    assert set(computed.values()) == {1}
+
+
+def test_of_a_contact_that_moves_too(tmp_path, computed):
+    run(MOVING, tmp_path)
+    assert sum(key[0] == "track_residual_stress" for key in computed) == 1
+    assert set(computed.values()) == {1}
+
+
+def test_invariants_are_those_of_the_stress(states):
+    state = states[1]
+    stress = state.stress(2)
+    assert state.stress(2) is stress
+    np.testing.assert_array_equal(state.hydrostatic(2), stress[:3].mean(axis=0))
+    difference = state.von_mises(2) - state._core.von_mises(1)
+    assert np.abs(difference).max() < 1e-15 * state.von_mises(2).max()
+    with pytest.raises(ValueError, match="read-only"):
+        stress *= 1e-6
+
+
+def test_they_go_with_their_state(states):
+    states[0].stress(2)
+    kept = len(_kept._fields)
+    del states[0]
+    gc.collect()
+    assert len(_kept._fields) == kept - 1
+
+
+def test_the_oldest_go_first(states, monkeypatch):
+    first, last = states[0], states[-1]
+    size = first.stress(2).nbytes
+    monkeypatch.setattr(_kept, "MOST", 1.5 * size)
+    stress = last.stress(2)
+    assert last.stress(2) is stress
+    held = [field for mine in _kept._fields.values() for field in mine.values()]
+    assert any(field is stress for field in held)
+    assert sum(field.nbytes for field in held) <= _kept.MOST
+    monkeypatch.setattr(_kept, "MOST", 0.0)
+    assert first.stress(2) is not first.stress(2)
+
+
+def test_they_go_where_memory_is_short(states, monkeypatch):
+    stress = states[0].stress(2)
+    answers = iter([1e8, 1e10])
+    monkeypatch.setattr(_memory, "available", lambda: next(answers))
+    _memory.require("something", 1e9)
+    monkeypatch.undo()
+    assert states[0].stress(2) is not stress
+
+
+def test_a_bar_gathers_no_track(monkeypatch, states):
+    def gathered(*_):
+        raise AssertionError("the whole track of an increment was gathered")
+
+    monkeypatch.setattr(sc.State, "track", gathered)
+    simulation = states[0]._simulation
+    simulation.run([{"load": 500.0}, {"load": 0.0}], progress=True)
+    assert simulation.state.max_equivalent_plastic_strain() > 0
