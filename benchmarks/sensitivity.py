@@ -3,13 +3,14 @@
 
 Each part of the gallery is computed again with cells, layers and increments halved and with a
 window and depth a quarter larger, one at a time. A number that moves by more than is said of it
-wants a finer mesh, a limit, or a sentence.
+wants a finer mesh, a limit, or a sentence. --docs writes docs/sensitivity.md from the kept table.
 """
 
 from __future__ import annotations
 
 import argparse
 import importlib
+import json
 import os
 import re
 import sys
@@ -30,6 +31,25 @@ PARTS = ("nano_indentation", "flattening", "two_plastic_bodies", "friction", "he
          "transient_heat", "rolling", "rolling_ellipticity", "rolling_load", "rolling_two_bodies",
          "wear")  # fmt: skip
 CHANGES = ("cells", "layers", "increments", "window")
+PAGE = ROOT / "docs" / "sensitivity.md"
+HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
+<!-- Written by: python -m benchmarks.sensitivity --docs -->
+# What the gallery's numbers depend on
+
+Every number that a page of the [gallery](gallery.md) states, on {mesh}: how much it
+moves [%] when the cells are halved in both directions, the layers are halved, the increments of the
+load are halved, or the window and its depth are made a quarter larger, one at a time. Where a
+quantity is a list of numbers it is the largest move over the largest number. A dash: the scene has
+nothing of that kind to change, or gives another number of values. Tugging and running-in are not in
+the table: they state [limits](gallery/tugging.md) and have a [convergence](wear_convergence.md)
+page of their own.
+"""
+MESHES = {
+    True: "the coarse meshes of the tests, with half as many cells, layers and increments as the "
+    "page's or fewer: what a number moves when these are halved is about what the page's mesh is "
+    "better by, and an upper bound of what it is still off by",
+    False: "the meshes of the pages",
+}
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 
 
@@ -94,6 +114,29 @@ def moved(before: list[float], after: list[float] | None) -> float:
     return 100 * max(abs(b - a) for a, b in zip(before, after, strict=True)) / scale
 
 
+def page(table: pd.DataFrame, quick: bool) -> str:
+    """The table as a page of the docs; values that never move by more than 0.5 % are counted."""
+    text = [HEAD.format(mesh=MESHES[quick])]
+    moves = [f"{what} [%]" for what in CHANGES]
+    for part, rows in table.groupby("part", sort=False):
+        title = importlib.import_module(f"gallery.{part}").TITLE
+        largest = rows[moves].max(axis=1)
+        shown, steady = rows[~(largest <= 0.5)], int((largest <= 0.5).sum())
+        text.append(f"## {title}\n")
+        if steady:
+            text.append(f"{steady} of {len(rows)} values move by less than 0.5 %.\n")
+        if len(shown):
+            text.append("| value | numbers | cells | layers | increments | window |")
+            text.append("| --- | --- | --- | --- | --- | --- |")
+            for row in shown.to_dict("records"):
+                numbers = ", ".join(f"{number:.4g}" for number in row["values"][:6])
+                more = ", ..." if len(row["values"]) > 6 else ""
+                moved = " | ".join("-" if row[m] != row[m] else f"{row[m]:.2f}" for m in moves)
+                text.append(f"| {row['quantity']} | {numbers}{more} | {moved} |")
+            text.append("")
+    return "\n".join(text)
+
+
 def main(given: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.sensitivity")
     parser.add_argument("parts", nargs="*", default=PARTS)
@@ -101,7 +144,12 @@ def main(given: list[str] | None = None) -> int:
     parser.add_argument("--processes", type=int, default=1)
     output = ROOT / "results" / "benchmarks" / "sensitivity.csv"
     parser.add_argument("--output", type=Path, default=output)
+    parser.add_argument("--docs", action="store_true", help=f"write {PAGE.relative_to(ROOT)} of it")
     chosen = parser.parse_args(given)
+    if chosen.docs:
+        kept = pd.read_csv(chosen.output, converters={"values": json.loads})
+        PAGE.write_text(page(kept, chosen.quick), encoding="utf-8")
+        return 0
     os.environ["OMP_NUM_THREADS"] = "1"
     tasks = [(part, what, chosen.quick) for part in chosen.parts for what in (None, *CHANGES)]
     with ProcessPoolExecutor(chosen.processes) as pool:
