@@ -48,7 +48,8 @@ std::function<double()> layer_sweep() {
 /// 100 000 cells of AISI 52100 about half of which yield.
 std::function<double()> radial_return() {
   constexpr std::size_t cells = 100'000;
-  const auto steel = plasticity::Material::make_swift(210e9, 0.3, 945e6, 20.0, 0.121);
+  const auto steel =
+      plasticity::Material::with_law(210e9, 0.3, plasticity::Swift{945e6, 20.0, 0.121});
   std::vector<plasticity::Tensor> stress(cells);
   std::vector<double> strain(cells);
   for (std::size_t n = 0; n < cells; ++n) {

@@ -1,29 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/plasticity/material.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
 
 namespace samcontact::bindings {
+namespace {
+
+template <class Function>
+Array each(const Array& g, const Function& function) {
+  py::array_t<double> out(g.size());
+  std::transform(g.data(), g.data() + g.size(), out.mutable_data(), function);
+  return out;
+}
+
+void bind_descriptions(py::module_& m) {
+  using plasticity::LawDescription;
+  using Parameter = LawDescription::Parameter;
+  py::class_<Parameter>(m, "LawParameter")
+      .def_readonly("name", &Parameter::name)
+      .def_readonly("many", &Parameter::many)
+      .def_property_readonly("unit", [](const Parameter& p) { return p.allowed.unit; })
+      .def_property_readonly("low", [](const Parameter& p) { return p.allowed.low; })
+      .def_property_readonly("high", [](const Parameter& p) { return p.allowed.high; })
+      .def_property_readonly("above_low", [](const Parameter& p) { return p.allowed.above_low; });
+  py::class_<LawDescription>(m, "LawDescription")
+      .def_readonly("name", &LawDescription::name)
+      .def_readonly("says", &LawDescription::says)
+      .def_readonly("yields", &LawDescription::yields)
+      .def_readonly("parameters", &LawDescription::parameters);
+  m.def("hardening_laws", &plasticity::Hardening::descriptions);
+}
+
+}  // namespace
 
 void bind_plasticity(py::module_& m) {
   using plasticity::Material;
+  bind_descriptions(m);
   py::class_<Elastic>(m, "Elastic")
       .def_static("isotropic", &Elastic::isotropic, py::arg("E"), py::arg("nu"))
       .def_static("rigid", &Elastic::rigid)
       .def_readonly("E", &Elastic::E)
       .def_readonly("nu", &Elastic::nu);
   py::class_<Material>(m, "Material")
-      .def_static("elastic", &Material::make_elastic, py::arg("E"), py::arg("nu"))
       .def_static("rigid", &Material::make_rigid)
-      .def_static("perfect_plastic", &Material::make_perfect_plastic, py::arg("E"), py::arg("nu"),
-                  py::arg("yield_stress"))
-      .def_static("linear_hardening", &Material::make_linear_hardening, py::arg("E"), py::arg("nu"),
-                  py::arg("yield_stress"), py::arg("tangent_modulus"))
-      .def_static("swift", &Material::make_swift, py::arg("E"), py::arg("nu"), py::arg("B"),
-                  py::arg("C"), py::arg("n"))
+      .def_static("with_law",
+                  py::overload_cast<double, double, const std::string&,
+                                    const plasticity::Hardening::Values&>(&Material::with_law),
+                  py::arg("E"), py::arg("nu"), py::arg("law"), py::arg("values"))
       .def(
           "with_backstresses",
           [](const Material& s, const std::vector<std::pair<double, double>>& terms) {
@@ -46,12 +74,13 @@ void bind_plasticity(py::module_& m) {
       .def(
           "yield_stress",
           [](const Material& s, const Array& g) {
-            py::array_t<double> out(g.size());
-            double* to = out.mutable_data();
-            for (py::ssize_t i = 0; i < g.size(); ++i) {
-              to[i] = s.hardening.yield_stress(g.data()[i]);
-            }
-            return out;
+            return each(g, [&](double one) { return s.hardening.yield_stress(one); });
+          },
+          py::arg("g"))
+      .def(
+          "work",
+          [](const Material& s, const Array& g) {
+            return each(g, [&](double one) { return s.hardening.work(one); });
           },
           py::arg("g"))
       .def(

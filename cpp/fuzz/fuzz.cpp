@@ -67,13 +67,16 @@ plasticity::Material material(Draw& draw) {
     case 1:
       return plasticity::Material::make_elastic(E, nu);
     case 2:
-      return plasticity::Material::make_perfect_plastic(E, nu, draw.number(1e9, 1));
-    case 3:
-      return plasticity::Material::make_linear_hardening(E, nu, draw.number(1e9, 1),
-                                                         draw.number(2e10, 2));
+      return plasticity::Material::with_law(E, nu, plasticity::PerfectPlastic{draw.number(1e9, 1)});
+    case 3: {
+      const double yield_stress = draw.number(1e9, 1), tangent_modulus = draw.number(2e10, 2);
+      return plasticity::Material::with_law(
+          E, nu, plasticity::LinearHardening{yield_stress, tangent_modulus});
+    }
     default: {
       const double B = draw.number(1e9, 1), C = draw.number(20.0, 1);
-      return plasticity::Material::make_swift(E, nu, B, C, draw.between(0.01, 0.5));
+      return plasticity::Material::with_law(E, nu,
+                                            plasticity::Swift{B, C, draw.between(0.01, 0.5)});
     }
   }
 }

@@ -76,7 +76,8 @@ TEST_CASE("an elastic scene takes the least tol") {
 }
 
 TEST_CASE("loading flows, unloading keeps the print") {
-  auto simulation = small_scene(plasticity::Material::make_linear_hardening(210e9, 0.3, 1e9, 21e9));
+  auto simulation = small_scene(
+      plasticity::Material::with_law(210e9, 0.3, plasticity::LinearHardening{1e9, 21e9}));
   const State loaded = simulation.step(load(300.0));
   CHECK(loaded.plastic_iterations > 0);
   CHECK(loaded.yield_excess <= 1e-6);
@@ -98,7 +99,8 @@ TEST_CASE("an elastic scene has no volume") {
 }
 
 TEST_CASE("an interrupt leaves the state as it was") {
-  auto simulation = small_scene(plasticity::Material::make_perfect_plastic(210e9, 0.3, 1e9));
+  auto simulation =
+      small_scene(plasticity::Material::with_law(210e9, 0.3, plasticity::PerfectPlastic{1e9}));
   const State before = simulation.step(load(100.0));
   set_interrupt_check([] { throw Stopped{}; });
   CHECK_THROWS_AS(for (int n = 0; n < 100000; ++n) simulation.step(load(n % 2 ? 250.0 : 200.0)),

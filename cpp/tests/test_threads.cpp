@@ -22,7 +22,8 @@ namespace {
 constexpr double size = 60e-6, fine = 50e-6;
 const Thermal warm = Thermal::of(50.2, 11.7e-6, 1.367e-5);
 const auto elastic = plasticity::Material::make_elastic(210e9, 0.3);
-const auto steel = plasticity::Material::make_linear_hardening(210e9, 0.3, 1e9, 21e9);
+const auto steel =
+    plasticity::Material::with_law(210e9, 0.3, plasticity::LinearHardening{1e9, 21e9});
 
 using Work = std::function<std::vector<Field>()>;
 

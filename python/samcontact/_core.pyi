@@ -47,15 +47,35 @@ class Heating:
     ) -> None: ...
     def values(self) -> list[float]: ...
 
+class LawParameter:
+    name: str
+    unit: str
+    low: float
+    high: float
+    above_low: bool
+    many: bool
+
+class LawDescription:
+    name: str
+    says: str
+    yields: bool
+    parameters: list[LawParameter]
+
+def hardening_laws() -> list[LawDescription]: ...
+
 class Material:
     elastic_constants: Elastic
     is_plastic: bool
-    # and a factory of each law, by its name in samcontact._laws
+    @staticmethod
+    def rigid() -> Material: ...
+    @staticmethod
+    def with_law(E: float, nu: float, law: str, values: dict[str, list[float]]) -> Material: ...
     def with_thermal(
         self, conductivity: float, expansion: float, diffusivity: float
     ) -> Material: ...
     def with_backstresses(self, terms: list[tuple[float, float]]) -> Material: ...
     def yield_stress(self, g: FloatArray) -> FloatArray: ...
+    def work(self, g: FloatArray) -> FloatArray: ...
     def uniaxial_stress(self, strain: list[float]) -> list[float]: ...
     def radial_return(
         self, stress: list[float], g: float, backstresses: list[list[float]]

@@ -1,27 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Laws of materials: of each its constants, and the work of its yield stress.
+"""Laws of materials, and the constants of each with what they may be.
 
-A law is a factory of the core's `Material` by the same name, an entry of `LAWS`, and a factory of
-`Material` in Python. Case files, tables and checkpoints take it from here.
+The core tells its hardening laws. A factory of `Material` by the same name makes the material of a
+law; all else (checks, case files, tables, checkpoints) follows from `LAWS`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
-from ._checks import FloatArray, number
+from . import _core
+from ._checks import number
 from ._frozen import FrozenDict
-
-Constants = Mapping[str, float]
 
 
 @dataclass(frozen=True)
 class Constant:
-    """A parameter of a law: its unit, and its limits as case files check them."""
+    """A parameter of a law: its unit, and its limits."""
 
     unit: str = ""
     gt: float | None = None
@@ -38,47 +36,23 @@ class Law:
     """In a line."""
     constants: Mapping[str, Constant]
     """In the order of the factory."""
-    work: Callable[[Constants, FloatArray], FloatArray] | None = None
-    """Integral of the yield stress up to an equivalent plastic strain [J/m^3]; None: no yield."""
+    yields: bool = False
+
+
+def _constant(told: _core.LawParameter) -> Constant:
+    low = {"gt" if told.above_low else "ge": told.low}
+    return Constant(told.unit, **low, le=told.high if told.high < math.inf else None)
 
 
 _E = {"E": Constant("Pa", gt=0.0), "nu": Constant(ge=0.0, lt=0.5)}
-_STRESS = Constant("Pa", gt=0.0)
-
-
-def _perfect_work(of: Constants, g: FloatArray) -> FloatArray:
-    return of["yield_stress"] * g
-
-
-def _linear_work(of: Constants, g: FloatArray) -> FloatArray:
-    modulus = of["tangent_modulus"] / (1.0 - of["tangent_modulus"] / of["E"])
-    return (of["yield_stress"] + 0.5 * modulus * g) * g
-
-
-def _swift_work(of: Constants, g: FloatArray) -> FloatArray:
-    # s^(n+1) (1 - (C/s)^(n+1)) with s = C + 1e6 g, without cancellation where g is small
-    power, s = of["n"] + 1.0, of["C"] + 1e6 * g
-    part = np.minimum(1e6 * g / s, 1.0 - 2.0**-53)  # 1: C is nothing beside the strain
-    grown = -np.expm1(power * np.log1p(-part))
-    return np.asarray(of["B"] * s ** of["n"] * (s * grown / (1e6 * power)))
-
-
+_TOLD = {
+    law.name: Law(law.says, _E | {p.name: _constant(p) for p in law.parameters}, law.yields)
+    for law in _core.hardening_laws()
+}
 LAWS: Mapping[str, Law] = {
-    "elastic": Law("Linear elasticity.", _E),
+    "elastic": _TOLD["elastic"],
     "rigid": Law("A body that does not deform.", {}),
-    "perfect_plastic": Law(
-        "Elastic, perfectly plastic.", _E | {"yield_stress": _STRESS}, _perfect_work
-    ),
-    "linear_hardening": Law(
-        "Linear isotropic hardening; tangent modulus of the uniaxial curve.",
-        _E | {"yield_stress": _STRESS, "tangent_modulus": Constant("Pa", ge=0.0)},
-        _linear_work,
-    ),
-    "swift": Law(
-        "Swift hardening B (C + 1e6 g)^n.",
-        _E | {"B": _STRESS, "C": Constant("microstrain", gt=0.0), "n": Constant(ge=0.0, le=1.0)},
-        _swift_work,
-    ),
+    **_TOLD,
 }
 
 
@@ -95,3 +69,12 @@ def checked_constants(law: str, given: Any) -> FrozenDict[float]:
             f"got {', '.join(map(str, given)) or 'none'}: use Material.{law}(...)"
         )
     return FrozenDict({name: number(name, given[name]) for name in names})
+
+
+def core_material(law: str, constants: Mapping[str, float]) -> _core.Material:
+    """The core's material; raises ValueError naming a constant that is out of range."""
+    if law == "rigid":
+        return _core.Material.rigid()
+    values = {name: [value] for name, value in constants.items()}
+    (E,), (nu,) = values.pop("E"), values.pop("nu")
+    return _core.Material.with_law(E, nu, law, values)

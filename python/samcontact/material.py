@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core
 from ._checks import FloatArray, number, real_array
-from ._laws import LAWS, checked_constants
+from ._laws import checked_constants, core_material
 from ._repr import Rows, Shown, material_rows
 
 
@@ -211,7 +210,7 @@ class Material(Shown):
 
     @cached_property
     def _core(self) -> Any:
-        isotropic = getattr(_core.Material, self.law)(**self.parameters)
+        isotropic = core_material(self.law, self.parameters)
         core = isotropic.with_backstresses(list(self.kinematic)) if self.kinematic else isotropic
         return core if self.thermal is None else core.with_thermal(*self.thermal)
 
@@ -241,11 +240,14 @@ class Material(Shown):
         With kinematic hardening the radius of the yield surface, without its backstress. Infinite
         for an elastic or rigid body. Raises ValueError where g is negative or not finite.
         """
+        return self._at(g, self._core.yield_stress)
+
+    def _at(self, g: ArrayLike, function: Callable[[FloatArray], FloatArray]) -> float | FloatArray:
         strain = real_array("g", g)
         bad = ~(np.isfinite(strain) & (strain >= 0))
         if bad.any():
             raise ValueError(f"g must be finite and >= 0, got {float(strain[bad].flat[0])!r}")
-        values = self._core.yield_stress(np.ascontiguousarray(strain).ravel())
+        values = function(np.ascontiguousarray(strain).ravel())
         return float(values[0]) if strain.ndim == 0 else values.reshape(strain.shape)
 
     def plastic_work(self, g: ArrayLike) -> float | FloatArray:
@@ -255,10 +257,7 @@ class Material(Shown):
         without thermal softening. Scalar or array (same shape); 0 for a body that cannot yield.
         Raises ValueError where g is negative or not finite.
         """
-        self.yield_stress(g)  # checks g
-        strain, integral = real_array("g", g), LAWS[self.law].work
-        work = 0.0 * strain if integral is None else integral(self.parameters, strain)
-        return work if strain.ndim else float(work)
+        return self._at(g, self._core.work)
 
     def uniaxial_stress(self, strain: ArrayLike) -> FloatArray:
         """Axial stress in a bar of this material that is stretched and compressed.

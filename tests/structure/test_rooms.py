@@ -54,6 +54,7 @@ CORE_USERS = {
     "__init__",
     "_expected",
     "_heating",
+    "_laws",
     "_overlap",
     "_load_core",
     "checkpoint",
@@ -61,7 +62,6 @@ CORE_USERS = {
     "grid",
     "heat_kernels",
     "kernels",
-    "material",
     "operators",
     "simulation",
 }

@@ -32,9 +32,8 @@ class KinematicEquation {
  public:
   /// product(a, b): inner product of number a and b of the trial stress (0) and the backstresses.
   template <class Product>
-  KinematicEquation(const Material& material, const Hardening& hardening, double stiffness,
-                    double g, const Product& product)
-      : material_(material), hardening_(hardening), stiffness_(stiffness), g_(g) {
+  KinematicEquation(const Material& material, double stiffness, double g, const Product& product)
+      : material_(material), stiffness_(stiffness), g_(g) {
     const int count = static_cast<int>(material.backstresses.size()) + 1;
     for (int a = 0; a < count; ++a) {
       for (int b = 0; b <= a; ++b) gram_[a][b] = gram_[b][a] = product(a, b);
@@ -74,9 +73,10 @@ class KinematicEquation {
 
   /// 0 inside the yield surface. The difference of the sides falls monotonically as long as no
   /// backstress exceeds its limit modulus/recovery: Newton between bounds.
-  double solve(double start) const {
+  template <class Law>
+  double solve(const Law& law, double start) const {
     double low = 0.0, high = left(0.0).value, d = start;
-    if (high <= hardening_.yield_stress(g_)) return 0.0;
+    if (high <= law.at(g_).yield_stress) return 0.0;
     for (const Backstress& x : material_.backstresses) {
       if (x.recovery > 0) high += x.modulus / x.recovery;
     }
@@ -84,7 +84,7 @@ class KinematicEquation {
     if (!(d > low && d < high)) d = 0.0;
     for (int n = 0; n < 200; ++n) {
       const auto [value, value_slope] = left(d);
-      const auto [yield_stress, yield_slope] = hardening_.at(g_ + d);
+      const auto [yield_stress, yield_slope] = law.at(g_ + d);
       const double difference = value - taken_up(d) - yield_stress;
       double slope = value_slope - stiffness_ - yield_slope;
       for (const Backstress& x : material_.backstresses) {
@@ -105,7 +105,6 @@ class KinematicEquation {
 
  private:
   const Material& material_;
-  const Hardening& hardening_;
   double stiffness_, g_;
   std::array<std::array<double, max_backstresses + 1>, max_backstresses + 1> gram_{};
 };
@@ -116,18 +115,37 @@ double inner(const Tensor& a, const Tensor& b) {
          3.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 
+/// Newton's method, see equivalent_increment.
+template <class Law>
+double solve(const Law& law, double trial, double g, double stiffness, double start) {
+  if (trial <= law.at(g).yield_stress) return 0.0;
+  // The yield stress is concave in g: from an estimate that is too large Newton's first iterate is
+  // too small, and from there they rise monotonically to the root.
+  double d = start;
+  for (int n = 0; n < 100; ++n) {
+    const auto [yield_stress, slope] = law.at(g + d);
+    const double step = (trial - stiffness * d - yield_stress) / (stiffness + slope);
+    if (step < 0 && n > 0) break;
+    d = std::max(0.0, d + step);
+    // The next step would be of the order of this one squared.
+    if (std::fabs(step) <= 1e-8 * d) break;
+  }
+  return d;
+}
+
+template <class Law>
 Return isotropic_return(const Tensor& stress, const Tensor& guess, double g, double shear_modulus,
-                        const Hardening& hardening) {
+                        const Law& law) {
   const Tensor s = deviator(stress);
   Tensor trial = s;
   for (int c = 0; c < 6; ++c) trial[c] += 2 * shear_modulus * guess[c];
-  const double q = equivalent(trial), yield_before = hardening.yield_stress(g);
+  const double q = equivalent(trial), yield_before = law.at(g).yield_stress;
   Return result{};
   double yield = yield_before;
   if (q > yield_before) {
     // For a plastic strain sqrt(2/3 e:e) is 2/3 of what `equivalent` makes of it.
     const double estimate = 2.0 / 3 * equivalent(guess);
-    result.equivalent = equivalent_increment(q, g, shear_modulus, hardening, estimate);
+    result.equivalent = solve(law, q, g, 3 * shear_modulus, estimate);
     const double scale = 1.5 * result.equivalent / q;
     for (int c = 0; c < 6; ++c) result.increment[c] = scale * trial[c];
     yield = q - 3 * shear_modulus * result.equivalent;
@@ -137,30 +155,30 @@ Return isotropic_return(const Tensor& stress, const Tensor& guess, double g, dou
   return result;
 }
 
+template <class Law>
 Return kinematic_return(const Tensor& stress, const Tensor& guess, double g,
-                        const Material& material, const Hardening& hardening,
-                        std::span<const Tensor> before) {
+                        const Material& material, const Law& law, std::span<const Tensor> before) {
   const double shear_modulus = material.elastic.shear_modulus();
   const Tensor s = deviator(stress), trial = plus(s, 2 * shear_modulus, guess);
-  const double yield_before = hardening.yield_stress(g);
+  const double yield_before = law.at(g).yield_stress;
   const auto tensor = [&](int a) -> const Tensor& { return a == 0 ? trial : before[a - 1]; };
-  const KinematicEquation equation(material, hardening, 3 * shear_modulus, g,
+  const KinematicEquation equation(material, 3 * shear_modulus, g,
                                    [&](int a, int b) { return inner(tensor(a), tensor(b)); });
-  const auto& laws = material.backstresses;
+  const auto& terms = material.backstresses;
   Return result{};
   result.overshoot = std::max(0.0, equation.left(0.0).value / yield_before - 1.0);
-  const double d = equation.solve(2.0 / 3 * equivalent(guess));
+  const double d = equation.solve(law, 2.0 / 3 * equivalent(guess));
   Tensor direction = trial, centred = s;
   if (d > 0) {
-    for (std::size_t n = 0; n < laws.size(); ++n) {
-      direction = plus(direction, -1 / (1 + laws[n].recovery * d), before[n]);
+    for (std::size_t n = 0; n < terms.size(); ++n) {
+      direction = plus(direction, -1 / (1 + terms[n].recovery * d), before[n]);
     }
     const double scale = 1.5 * d / equivalent(direction);
     for (int c = 0; c < 6; ++c) result.increment[c] = scale * direction[c];
     result.equivalent = d;
   }
-  for (std::size_t n = 0; n < laws.size(); ++n) {
-    centred = plus(centred, -1.0, advanced(before[n], laws[n], result.increment, d));
+  for (std::size_t n = 0; n < terms.size(); ++n) {
+    centred = plus(centred, -1.0, advanced(before[n], terms[n], result.increment, d));
   }
   const double yield = d > 0 ? equivalent(direction) - equation.taken_up(d) : yield_before;
   result.excess = std::max(0.0, equivalent(centred) / yield - 1.0);
@@ -173,20 +191,8 @@ double von_mises(const Tensor& stress) { return equivalent(deviator(stress)); }
 
 double equivalent_increment(double trial, double g, double shear_modulus,
                             const Hardening& hardening, double start) {
-  const double stiffness = 3 * shear_modulus;
-  if (trial <= hardening.yield_stress(g)) return 0.0;
-  // The yield stress is concave in g: from an estimate that is too large Newton's first iterate is
-  // too small, and from there they rise monotonically to the root.
-  double d = start;
-  for (int n = 0; n < 100; ++n) {
-    const auto [yield_stress, slope] = hardening.at(g + d);
-    const double step = (trial - stiffness * d - yield_stress) / (stiffness + slope);
-    if (step < 0 && n > 0) break;
-    d = std::max(0.0, d + step);
-    // The next step would be of the order of this one squared.
-    if (std::fabs(step) <= 1e-8 * d) break;
-  }
-  return d;
+  return hardening.visit(
+      [&](const auto& law) { return solve(law, trial, g, 3 * shear_modulus, start); });
 }
 
 Tensor advanced(const Tensor& backstress, const Backstress& law, const Tensor& increment,
@@ -198,30 +204,32 @@ Tensor advanced(const Tensor& backstress, const Backstress& law, const Tensor& i
 
 Return radial_return(const Tensor& stress, const Tensor& guess, double g, const Material& material,
                      std::span<const Tensor> before, double softening) {
-  const auto with = [&](const Hardening& hardening) {
+  const auto with = [&](const auto& law) {
     return before.empty()
-               ? isotropic_return(stress, guess, g, material.elastic.shear_modulus(), hardening)
-               : kinematic_return(stress, guess, g, material, hardening, before);
+               ? isotropic_return(stress, guess, g, material.elastic.shear_modulus(), law)
+               : kinematic_return(stress, guess, g, material, law, before);
   };
-  return softening == 1 ? with(material.hardening) : with(material.hardening.scaled(softening));
+  return material.hardening.visit(
+      [&](const auto& law) { return softening == 1 ? with(law) : with(Scaled{law, softening}); });
 }
 
 std::vector<double> uniaxial_stress(const Material& material, std::span<const double> strain) {
   const double E = material.elastic.E;
-  const auto& laws = material.backstresses;
-  std::vector<double> stress, x(laws.size(), 0.0);
+  const auto& terms = material.backstresses;
+  std::vector<double> stress, x(terms.size(), 0.0);
   double plastic = 0.0, g = 0.0;
   for (const double total : strain) {
     const double trial = E * (total - plastic);
     const auto value = [&](int a) { return a == 0 ? trial : x[a - 1]; };
-    const KinematicEquation equation(material, material.hardening, E, g,
+    const KinematicEquation equation(material, E, g,
                                      [&](int a, int b) { return value(a) * value(b); });
-    const double d = equation.solve(0.0);
+    const double d =
+        material.hardening.visit([&](const auto& law) { return equation.solve(law, 0.0); });
     double left = trial;
-    for (std::size_t n = 0; n < laws.size(); ++n) left -= x[n] / (1 + laws[n].recovery * d);
+    for (std::size_t n = 0; n < terms.size(); ++n) left -= x[n] / (1 + terms[n].recovery * d);
     const double flow = std::copysign(d, left);
-    for (std::size_t n = 0; n < laws.size(); ++n) {
-      x[n] = (x[n] + laws[n].modulus * flow) / (1 + laws[n].recovery * d);
+    for (std::size_t n = 0; n < terms.size(); ++n) {
+      x[n] = (x[n] + terms[n].modulus * flow) / (1 + terms[n].recovery * d);
     }
     plastic += flow;
     g += d;

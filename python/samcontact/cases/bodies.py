@@ -111,7 +111,7 @@ def _field(constant: Constant) -> Any:
 
 def _model(name: str, law: Law) -> type[_Body]:
     """The section of a law, e.g. `SwiftBody`."""
-    base = _PlasticBody if law.work is not None else _ElasticBody if law.constants else _Body
+    base = _PlasticBody if law.yields else _ElasticBody if law.constants else _Body
     fields: dict[str, Any] = {"law": (Literal[name], ...)}
     fields |= {constant: (_field(law.constants[constant]), ...) for constant in law.constants}
     title = "".join(word.capitalize() for word in name.split("_"))

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hardening laws: the yield stress [Pa] and its work as functions of the equivalent plastic strain.
+//
+// A law is a struct here and an alternative of Hardening::Laws. It says its name, its parameters
+// and what they may be; checks, bindings, case files and the radial return take it from there.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "samcontact/base/elastic.hpp"
+
+namespace samcontact::plasticity {
+
+/// Yield stress and d yield_stress / dg [Pa] together: a power costs more than all else here.
+struct Point {
+  double yield_stress, slope;
+};
+
+/// What a parameter may be: low <= value <= high, or low < value, and finite.
+struct Allowed {
+  const char* unit;  // "" for a plain number
+  double low = 0.0, high = std::numeric_limits<double>::infinity();
+  bool above_low = false;
+
+  static constexpr Allowed positive(const char* unit) { return {.unit = unit, .above_low = true}; }
+};
+
+/// Never yields.
+struct NoYield {
+  static constexpr auto name = "elastic", says = "Linear elasticity.";
+
+  template <class Self, class Visit>
+  static void parameters(Self&, const Visit&) {}
+  void prepare(const Elastic&) {}
+  Point at(double) const { return {std::numeric_limits<double>::infinity(), 0.0}; }
+  double work(double) const { return 0.0; }
+  bool operator==(const NoYield&) const = default;
+};
+
+struct PerfectPlastic {
+  static constexpr auto name = "perfect_plastic", says = "Elastic, perfectly plastic.";
+  double yield_stress;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("yield_stress", law.yield_stress, Allowed::positive("Pa"));
+  }
+  void prepare(const Elastic&) {}
+  Point at(double) const { return {yield_stress, 0.0}; }
+  double work(double g) const { return yield_stress * g; }
+  bool operator==(const PerfectPlastic&) const = default;
+};
+
+/// yield_stress + modulus g, the modulus being E Et/(E - Et) of the uniaxial curve's tangent Et <
+/// E.
+struct LinearHardening {
+  static constexpr auto name = "linear_hardening",
+                        says = "Linear isotropic hardening; tangent modulus of the uniaxial curve.";
+  double yield_stress, tangent_modulus;
+  double modulus = 0.0;  // made of the others
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("yield_stress", law.yield_stress, Allowed::positive("Pa"));
+    visit("tangent_modulus", law.tangent_modulus, Allowed{"Pa"});
+  }
+  void prepare(const Elastic& elastic);
+  Point at(double g) const { return {yield_stress + modulus * g, modulus}; }
+  double work(double g) const { return (yield_stress + 0.5 * modulus * g) * g; }
+  bool operator==(const LinearHardening&) const = default;
+};
+
+/// B (C + 1e6 g)^n: Swift's law, whose C counts microstrain. Boucly (2008), eq. (2.162).
+struct Swift {
+  static constexpr auto name = "swift", says = "Swift hardening B (C + 1e6 g)^n.";
+  static constexpr double micro = 1e6;
+  double B, C, n;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("B", law.B, Allowed::positive("Pa"));
+    visit("C", law.C, Allowed::positive("microstrain"));
+    visit("n", law.n, Allowed{.unit = "", .high = 1.0});
+  }
+  void prepare(const Elastic&) {}
+  Point at(double g) const {
+    const double base = C + micro * g, stress = B * std::pow(base, n);
+    return {stress, n * micro * stress / base};
+  }
+  double work(double g) const;
+  bool operator==(const Swift&) const = default;
+};
+
+/// A law whose yield stress is `factor` times that of another, which must outlive it.
+template <class Law>
+struct Scaled {
+  const Law& law;
+  double factor;
+
+  Point at(double g) const {
+    const Point point = law.at(g);
+    return {factor * point.yield_stress, factor * point.slope};
+  }
+};
+
+/// What is told of a law to those who make one by name.
+struct LawDescription {
+  struct Parameter {
+    std::string name;
+    Allowed allowed;
+    bool many;  // a list of such numbers
+  };
+  std::string name, says;
+  bool yields;
+  std::vector<Parameter> parameters;
+};
+
+/// One of the laws, its parameters checked.
+class Hardening {
+ public:
+  using Laws = std::variant<NoYield, PerfectPlastic, LinearHardening, Swift>;
+  /// Parameters by name; one that is no list has one value.
+  using Values = std::map<std::string, std::vector<double>>;
+
+  /// Throws std::invalid_argument naming the parameter, its value and what is allowed.
+  Hardening(Laws law, const Elastic& elastic);
+  static Hardening named(const std::string& name, const Values& values, const Elastic& elastic);
+  static std::vector<LawDescription> descriptions();
+
+  /// What the function returns for the law itself.
+  template <class Function>
+  decltype(auto) visit(Function&& function) const {
+    return std::visit(std::forward<Function>(function), law_);
+  }
+  bool yields() const { return !std::holds_alternative<NoYield>(law_); }
+  double yield_stress(double g) const {
+    return visit([g](const auto& law) { return law.at(g).yield_stress; });
+  }
+  /// Integral of the yield stress from 0 to g [J/m^3]; 0 without yield.
+  double work(double g) const {
+    return visit([g](const auto& law) { return law.work(g); });
+  }
+  bool operator==(const Hardening&) const = default;
+
+ private:
+  Laws law_;
+};
+
+}  // namespace samcontact::plasticity

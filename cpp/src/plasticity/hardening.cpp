@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/plasticity/hardening.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <type_traits>
+
+#include "samcontact/base/errors.hpp"
+
+namespace samcontact::plasticity {
+namespace {
+
+std::string text(const Allowed& allowed) {
+  if (std::isfinite(allowed.high)) {
+    return "in [" + to_text(allowed.low) + ", " + to_text(allowed.high) + "]";
+  }
+  const std::string unit = allowed.unit, sign = allowed.above_low ? " > " : " >= ";
+  return "a finite number" + sign + to_text(allowed.low) + (unit.empty() ? "" : " [" + unit + "]");
+}
+
+void check(const std::string& name, double value, const Allowed& allowed) {
+  const bool inside = allowed.above_low ? value > allowed.low : value >= allowed.low;
+  require(std::isfinite(value) && inside && value <= allowed.high, name, text(allowed), value);
+}
+
+/// What `function` returns for each law, without values.
+template <class Function, std::size_t... n>
+void for_each_law(std::index_sequence<n...>, const Function& function) {
+  (function(std::variant_alternative_t<n, Hardening::Laws>{}), ...);
+}
+constexpr std::make_index_sequence<std::variant_size_v<Hardening::Laws>> all_laws;
+
+}  // namespace
+
+void LinearHardening::prepare(const Elastic& elastic) {
+  const double E = elastic.E;
+  require(tangent_modulus < E, "tangent_modulus", "in [0, E) with E = " + to_text(E) + " Pa",
+          tangent_modulus);
+  modulus = E * tangent_modulus / (E - tangent_modulus);
+}
+
+double Swift::work(double g) const {
+  // s^(n+1) (1 - (C/s)^(n+1)) with s = C + 1e6 g, without cancellation where g is small
+  const double power = n + 1, s = C + micro * g;
+  const double part = std::min(micro * g / s, 1 - 0x1p-53);  // 1: C is nothing beside the strain
+  const double grown = -std::expm1(power * std::log1p(-part));
+  return B * std::pow(s, n) * (s * grown / (micro * power));
+}
+
+Hardening::Hardening(Laws law, const Elastic& elastic) : law_(std::move(law)) {
+  std::visit(
+      [&](auto& made) {
+        std::decay_t<decltype(made)>::parameters(made, &check);
+        made.prepare(elastic);
+      },
+      law_);
+}
+
+Hardening Hardening::named(const std::string& name, const Values& values, const Elastic& elastic) {
+  Laws found;
+  bool known = false;
+  for_each_law(all_laws, [&](auto law) {
+    using Law = decltype(law);
+    if (name != Law::name) return;
+    known = true;
+    Law::parameters(law, [&](const char* parameter, auto& value, const Allowed&) {
+      const std::vector<double>& given = values.at(parameter);
+      if constexpr (std::is_same_v<decltype(value), double&>) {
+        value = given.at(0);
+      } else {
+        value = given;
+      }
+    });
+    found = std::move(law);
+  });
+  if (!known) throw std::invalid_argument("there is no hardening law '" + name + "'");
+  return {std::move(found), elastic};
+}
+
+std::vector<LawDescription> Hardening::descriptions() {
+  std::vector<LawDescription> all;
+  for_each_law(all_laws, [&](const auto& law) {
+    using Law = std::decay_t<decltype(law)>;
+    LawDescription told{Law::name, Law::says, !std::is_same_v<Law, NoYield>, {}};
+    Law::parameters(law, [&](const char* name, const auto& value, const Allowed& allowed) {
+      told.parameters.push_back({name, allowed, !std::is_same_v<decltype(value), const double&>});
+    });
+    all.push_back(std::move(told));
+  });
+  return all;
+}
+
+}  // namespace samcontact::plasticity
