@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
+#include <memory>
+
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/operators/half_space.hpp"
 
 namespace samcontact::bindings {
 
@@ -42,8 +45,12 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
 
 void bind_contact(py::module_& m) {
   py::class_<ContactSolver>(m, "ContactSolver")
-      .def(py::init<const Grid&, const Elastic&, const Elastic&, double,
-                    const operators::HeatingPair&>(),
+      .def(py::init([](const Grid& grid, const Elastic& body1, const Elastic& body2,
+                       double friction, const operators::HeatingPair& heating) {
+             return std::make_unique<ContactSolver>(grid, operators::half_space(body1),
+                                                    operators::half_space(body2), friction,
+                                                    heating);
+           }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
            py::arg("heating"))
       .def("solve", &solve, py::arg("gap"), py::arg("load_driven"), py::arg("value"),

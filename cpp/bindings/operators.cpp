@@ -3,7 +3,7 @@
 
 #include "arrays.hpp"
 #include "rooms.hpp"
-#include "samcontact/operators/heat_history.hpp"
+#include "samcontact/operators/half_space.hpp"
 #include "samcontact/operators/surface_displacement.hpp"
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
@@ -11,8 +11,6 @@
 namespace samcontact::bindings {
 
 namespace {
-
-const double* pointer(const Field& field) { return field.empty() ? nullptr : field.data(); }
 
 py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& elastic, bool exact,
                           double image_tol) {
@@ -22,7 +20,7 @@ py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& 
     const py::gil_scoped_release release;
     using operators::ResidualMethod;
     const operators::VolumeOperators volume(
-        grid, elastic,
+        grid, operators::half_space(elastic),
         {operators::Tensor::full, operators::Symmetry::none,
          exact ? ResidualMethod::exact : ResidualMethod::fast, image_tol});
     stress = volume.stress(field.data(), nullptr, 1.0);
@@ -35,7 +33,7 @@ py::array residual_displacement(const Grid& grid, const Array& strain, double nu
   Field out(grid.surface_size());
   {
     const py::gil_scoped_release release;
-    const operators::VolumeOperators volume(grid, {1.0, nu}, {});
+    const operators::VolumeOperators volume(grid, operators::half_space({1.0, nu}), {});
     operators::VolumeSpectrum spectrum = volume.make_spectrum();
     operators::forward(volume.transform(), field.data(), spectrum);
     volume.residual_displacement().apply(spectrum, out.data());
@@ -45,14 +43,13 @@ py::array residual_displacement(const Grid& grid, const Array& strain, double nu
 
 py::array surface_displacement(const Grid& grid, const Elastic& elastic, const Array& pressure,
                                const py::object& shear_x, const py::object& shear_y) {
-  const Field p = to_field(pressure), sx = to_field_or_empty(shear_x),
-              sy = to_field_or_empty(shear_y);
+  const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
+                                       to_field_or_empty(shear_y)};
   Field out;
   {
     const py::gil_scoped_release release;
-    out = operators::surface_displacement(
-        grid, operators::SurfaceInfluence(elastic.normal_compliance()),
-        elastic.coupling_compliance(), p.data(), pointer(sx), pointer(sy));
+    out = operators::surface_displacement(grid, *operators::half_space(elastic), {}, tractions, 1.0,
+                                          operators::Axis::z);
   }
   return surface_array(std::move(out), grid);
 }
@@ -61,12 +58,12 @@ py::array surface_stress(const Grid& grid, const Elastic& elastic,
                          const operators::Heating& heating, const std::vector<double>& z,
                          const Array& pressure, const py::object& shear_x,
                          const py::object& shear_y) {
-  const Field p = to_field(pressure), sx = to_field_or_empty(shear_x),
-              sy = to_field_or_empty(shear_y);
+  const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
+                                       to_field_or_empty(shear_y)};
   Field out;
   {
     const py::gil_scoped_release release;
-    out = operators::traction_stress(grid, elastic, heating, z, p.data(), pointer(sx), pointer(sy));
+    out = operators::traction_stress(grid, operators::half_space(elastic), heating, z, tractions);
   }
   return tensor_array(std::move(out), grid, static_cast<py::ssize_t>(z.size()));
 }
@@ -99,9 +96,9 @@ void bind_heat_history(py::module_& m) {
       .def(py::init([](const Grid& grid, const operators::Heating& heating, const Elastic& elastic,
                        double shortest, double longest, double tolerance, bool in_depth) {
              const py::gil_scoped_release release;
-             return BoundHistory{
-                 grid, HeatHistory(grid, heating.thermal, elastic, heating.speed_x, heating.speed_y,
-                                   {shortest, longest, tolerance, in_depth})};
+             return BoundHistory{grid,
+                                 operators::half_space(elastic)->heat_history(
+                                     grid, heating, {shortest, longest, tolerance, in_depth})};
            }),
            py::arg("grid"), py::arg("heating"), py::arg("elastic"), py::arg("shortest"),
            py::arg("longest"), py::arg("tolerance"), py::arg("in_depth"))

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/operators/half_space.hpp"
 #include "samcontact/simulation/simulation.hpp"
 
 using namespace samcontact;
@@ -91,7 +92,8 @@ Field heights(Draw& draw, std::size_t count) {
 void contact_of(Draw& draw) {
   const double dx = draw.number(1e-5, 3), dy = dx * draw.number(1.0, 1);
   const Grid grid(draw.count(0, 9), draw.count(1, 9), dx, dy);
-  const Elastic body1 = material(draw).elastic, body2 = material(draw).elastic;
+  const auto body1 = operators::half_space(material(draw).elastic);
+  const auto body2 = operators::half_space(material(draw).elastic);
   const double friction = draw.coin() ? 0.0 : draw.between(0.0, 1.0);
   const contact::ContactSolver solver(grid, body1, body2, friction);
   const contact::ContactSettings settings{.tol = draw.number(1e-6, 5),

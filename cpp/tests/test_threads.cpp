@@ -12,6 +12,7 @@
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/fft/padded_transform.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
+#include "samcontact/operators/half_space.hpp"
 #include "samcontact/simulation/simulation.hpp"
 
 using namespace samcontact;
@@ -100,8 +101,9 @@ TEST_CASE("threads share a contact solver") {
     };
   };
   // Each with its own boxes, so that one thread drops operators that the other may still use.
-  const contact::ContactSolver alone(grid, elastic.elastic, elastic.elastic, 0.0);
-  const contact::ContactSolver shared(grid, elastic.elastic, elastic.elastic, 0.0);
+  const auto medium = operators::half_space(elastic.elastic);
+  const contact::ContactSolver alone(grid, medium, medium, 0.0);
+  const contact::ContactSolver shared(grid, medium, medium, 0.0);
   const double wide = 1.5e6, narrow = 1e4;
   CHECK(at_once(solve(shared, wide), solve(shared, narrow)) ==
         one_by_one(solve(alone, wide), solve(alone, narrow)));

@@ -48,23 +48,19 @@ double change_in_contact(const Field& a, const Field& b, const Field& pressure, 
   return load_driven ? highest - lowest : std::max(std::fabs(lowest), std::fabs(highest));
 }
 
-operators::SurfaceInfluence influence_of(const Elastic& body1, const Elastic& body2,
+operators::SurfaceInfluence influence_of(const std::array<operators::SharedMedium, 2>& bodies,
                                          double friction, const operators::HeatingPair& heating) {
   require(std::isfinite(friction) && friction >= 0, "friction", "a finite number >= 0", friction);
-  if (body1.is_rigid() && body2.is_rigid()) {
+  if (bodies[0]->is_rigid() && bodies[1]->is_rigid()) {
     throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
   }
-  operators::SurfaceInfluence influence(
-      body1.normal_compliance() + body2.normal_compliance(),
-      friction * (body2.coupling_compliance() - body1.coupling_compliance()));
-  const Elastic* bodies[] = {&body1, &body2};
+  operators::SurfaceInfluence influence;
   for (int b = 0; b < 2; ++b) {
-    if (!heating[b].is_on()) continue;
-    if (bodies[b]->is_rigid()) {
+    if (heating[b].is_on() && bodies[b]->is_rigid()) {
       throw std::invalid_argument("body " + std::to_string(b + 1) +
                                   " is rigid: it has no thermal expansion, heat cannot enter it");
     }
-    influence.add(heating[b], bodies[b]->nu);
+    influence.add(bodies[b], operators::shear_sign(b) * friction, heating[b]);
   }
   return influence;
 }
@@ -94,16 +90,16 @@ GridTooSmallError too_small(const std::string& complaint) {
   return GridTooSmallError(complaint + ", or ask for a warning with on_border=\"warn\"");
 }
 
-ContactSolver::ContactSolver(const Grid& grid, const Elastic& body1, const Elastic& body2,
-                             double friction, const operators::HeatingPair& heating)
-    : ContactSolver(grid, influence_of(body1, body2, friction, heating), friction) {}
+ContactSolver::ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
+                             const operators::SharedMedium& body2, double friction,
+                             const operators::HeatingPair& heating)
+    : ContactSolver(grid, influence_of({body1, body2}, friction, heating), friction) {}
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence,
                              double friction)
     : grid_(grid),
       friction_(friction),
       heated_(influence.is_heated()),
-      displacement_(grid, influence),
       multilevel_(grid, influence) {}
 
 void ContactSolver::check(const Field& gap, const Driver& driver, const Field& initial_pressure,
@@ -138,10 +134,10 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
   pressure.resize(gap.size(), 0.0);
   for (double& p : pressure) p = std::max(p, 0.0);
 
-  Solution solution = displacement_.has_rest()
+  Solution solution = multilevel_.displacement().has_rest()
                           ? solve_coupled(gap, driver, std::move(pressure), settings)
-                          : multilevel_.solve(displacement_, gap, driver, std::move(pressure),
-                                              settings.tol, settings.max_iterations);
+                          : multilevel_.solve(gap, driver, std::move(pressure), settings.tol,
+                                              settings.max_iterations);
   // Comparisons with NaN are false: such a solution would look converged.
   const bool finite =
       all_finite(solution.pressure) && all_finite(solution.gap) && std::isfinite(solution.load);
@@ -184,7 +180,7 @@ bool ContactSolver::is_unstable(const Field& pressure) const {
   Field contact(pressure.size()), displacement(pressure.size());
   for (std::size_t i = 0; i < pressure.size(); ++i) contact[i] = pressure[i] > 0 ? 1.0 : 0.0;
   ComplexField scratch;
-  displacement_.apply(contact.data(), displacement.data(), scratch);
+  multilevel_.displacement().apply(contact.data(), displacement.data(), scratch);
   return ordered_dot(contact.data(), displacement.data(), contact.size()) < 0;
 }
 
@@ -196,7 +192,7 @@ Solution ContactSolver::solve_coupled(const Field& gap, Driver driver, Field pre
   int iterations = 0, applications = 0;
   double work = 0.0;
   const auto update_coupling = [&](const Field& p) {
-    displacement_.apply_rest(p.data(), coupling.data(), scratch);
+    multilevel_.displacement().apply_rest(p.data(), coupling.data(), scratch);
     ++applications;
     ++work;
   };
@@ -207,8 +203,8 @@ Solution ContactSolver::solve_coupled(const Field& gap, Driver driver, Field pre
   for (int n = 0; n < max_coupling_iterations; ++n) {
     for (std::size_t i = 0; i < gap.size(); ++i) lagged[i] = gap[i] + coupling[i];
     const double inner_tol = std::clamp(0.1 * outer_error, 0.3 * settings.tol, 1e-2);
-    solution = multilevel_.solve(displacement_, lagged, driver, std::move(pressure),
-                                 std::max(inner_tol, 1e-13), settings.max_iterations);
+    solution = multilevel_.solve(lagged, driver, std::move(pressure), std::max(inner_tol, 1e-13),
+                                 settings.max_iterations);
     iterations += solution.iterations;
     applications += solution.operator_applications;
     work += solution.work;

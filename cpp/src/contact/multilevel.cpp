@@ -40,15 +40,15 @@ bool is_zero(const Field& field) {
 class Multilevel::Level {
  public:
   Level(const Grid& grid, operators::SurfaceInfluence influence)
-      : grid_(grid), influence_(std::move(influence)) {}
+      : grid_(grid), influence_(std::move(influence)), displacement_(grid, influence_) {}
 
   /// The work of the solution is counted in the unit of fft::filter_cost. is_start: only its
   /// pressure is wanted, to start from.
-  Solution solve(const operators::SurfaceDisplacement& displacement, const Field& initial_gap,
-                 Driver driver, Field pressure, double tol, int max_iterations,
-                 bool is_start = false) const;
+  Solution solve(const Field& initial_gap, Driver driver, Field pressure, double tol,
+                 int max_iterations, bool is_start = false) const;
 
   const Grid& grid() const { return grid_; }
+  const operators::SurfaceDisplacement& displacement() const { return displacement_; }
   std::shared_ptr<const NearOperators> near(int nx, int ny) const;
 
  private:
@@ -56,10 +56,10 @@ class Multilevel::Level {
 
   Grid grid_;
   operators::SurfaceInfluence influence_;
+  operators::SurfaceDisplacement displacement_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const NearOperators> near_;  // of the box size used last
   mutable std::unique_ptr<Level> coarser_;
-  mutable std::unique_ptr<operators::SurfaceDisplacement> coarser_displacement_;
 };
 
 namespace {
@@ -69,7 +69,7 @@ class Rounds {
  public:
   using Near = std::function<std::shared_ptr<const NearOperators>(int nx, int ny)>;
 
-  Rounds(const Grid& grid, const operators::SurfaceDisplacement& displacement, Near near,
+  Rounds(const Grid& grid, const operators::NormalDisplacement& displacement, Near near,
          const Field& initial_gap, Driver driver, Field pressure, bool warm)
       : grid_(grid),
         displacement_(displacement),
@@ -173,7 +173,7 @@ class Rounds {
   }
 
   const Grid& grid_;
-  const operators::SurfaceDisplacement& displacement_;
+  const operators::NormalDisplacement& displacement_;
   const Near near_;
   const Field& initial_gap_;
   const Driver driver_;
@@ -198,22 +198,17 @@ Field Multilevel::Level::coarse_start(const Field& gap, Driver driver, int max_i
                                       double& work) const {
   {
     const std::lock_guard lock(mutex_);
-    if (!coarser_) {
-      const Grid coarse = coarsened(grid_);
-      coarser_ = std::make_unique<Level>(coarse, influence_);
-      coarser_displacement_ = std::make_unique<operators::SurfaceDisplacement>(coarse, influence_);
-    }
+    if (!coarser_) coarser_ = std::make_unique<Level>(coarsened(grid_), influence_);
   }
   const Grid& coarse = coarser_->grid();
   const Solution start =
-      coarser_->solve(*coarser_displacement_, coarsened(grid_, gap), driver,
-                      Field(coarse.surface_size(), 0.0), coarse_tol, max_iterations, true);
+      coarser_->solve(coarsened(grid_, gap), driver, Field(coarse.surface_size(), 0.0), coarse_tol,
+                      max_iterations, true);
   work += start.work;
   return refined(grid_, start.pressure);
 }
 
-Solution Multilevel::Level::solve(const operators::SurfaceDisplacement& displacement,
-                                  const Field& initial_gap, Driver driver, Field pressure,
+Solution Multilevel::Level::solve(const Field& initial_gap, Driver driver, Field pressure,
                                   double tol, int max_iterations, bool is_start) const {
   const double lowest = *std::min_element(initial_gap.begin(), initial_gap.end());
   if (driver.is_load() ? driver.value == 0 : driver.value <= lowest) {
@@ -231,7 +226,7 @@ Solution Multilevel::Level::solve(const operators::SurfaceDisplacement& displace
     pressure = coarse_start(initial_gap, driver, max_iterations, work);
   }
   const auto near_of = [this](int nx, int ny) { return near(nx, ny); };
-  Rounds rounds(grid_, displacement, near_of, initial_gap, driver, std::move(pressure), warm);
+  Rounds rounds(grid_, displacement_, near_of, initial_gap, driver, std::move(pressure), warm);
   Solution solution =
       is_start ? rounds.start(tol, max_iterations) : rounds.run(tol, max_iterations);
   solution.work += work;
@@ -244,12 +239,14 @@ Multilevel::~Multilevel() = default;
 Multilevel::Multilevel(Multilevel&&) noexcept = default;
 Multilevel& Multilevel::operator=(Multilevel&&) noexcept = default;
 
-Solution Multilevel::solve(const operators::SurfaceDisplacement& displacement,
-                           const Field& initial_gap, Driver driver, Field pressure, double tol,
+const operators::SurfaceDisplacement& Multilevel::displacement() const {
+  return finest_->displacement();
+}
+
+Solution Multilevel::solve(const Field& initial_gap, Driver driver, Field pressure, double tol,
                            int max_iterations) const {
-  Solution solution =
-      finest_->solve(displacement, initial_gap, driver, std::move(pressure), tol, max_iterations);
-  solution.work /= displacement.cost();
+  Solution solution = finest_->solve(initial_gap, driver, std::move(pressure), tol, max_iterations);
+  solution.work /= displacement().cost();
   const double area = finest_->grid().cell_area();
   const Field& p = solution.pressure;
   solution.load = driver.is_load()

@@ -15,7 +15,7 @@ constexpr int refresh_interval = 30;
 
 class ConjugateGradient {
  public:
-  ConjugateGradient(const operators::SurfaceDisplacement& displacement, const Field& initial_gap,
+  ConjugateGradient(const operators::NormalDisplacement& displacement, const Field& initial_gap,
                     double cell_area, Driver driver, Field pressure)
       : displacement_(displacement),
         initial_gap_(initial_gap),
@@ -107,7 +107,7 @@ class ConjugateGradient {
     }
   }
 
-  const operators::SurfaceDisplacement& displacement_;
+  const operators::NormalDisplacement& displacement_;
   const Field& initial_gap_;
   std::size_t size_;
   Driver driver_;
@@ -121,7 +121,7 @@ class ConjugateGradient {
 
 }  // namespace
 
-Solution polonsky_keer(const operators::SurfaceDisplacement& displacement, const Field& initial_gap,
+Solution polonsky_keer(const operators::NormalDisplacement& displacement, const Field& initial_gap,
                        double cell_area, Driver driver, Field pressure, double tol,
                        int max_iterations) {
   ConjugateGradient iteration(displacement, initial_gap, cell_area, driver, std::move(pressure));

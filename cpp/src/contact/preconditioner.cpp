@@ -12,9 +12,9 @@ namespace {
 /// half-space, so that the preconditioner is positive definite whatever the shape of the cells.
 constexpr double smallest_share = 0.1;
 
-/// 2/(E* |q|) at the shortest wave of the grid.
-double smallest_eigenvalue(double dx, double dy, double normal_compliance) {
-  return 2 * normal_compliance / (std::numbers::pi * std::hypot(1 / dx, 1 / dy));
+/// Of the shortest wave of the grid.
+double shortest_wavenumber(double dx, double dy) {
+  return std::numbers::pi * std::hypot(1 / dx, 1 / dy);
 }
 
 }  // namespace
@@ -25,9 +25,11 @@ Preconditioner::Preconditioner(int nx, int ny, double dx, double dy,
     : transform_(nx, ny, operators::short_period_x(nx), operators::short_period_y(ny)),
       inverse_(near.is_exact() || influence.is_heated()
                    ? operators::periodic_spectrum(
-                         transform_, influence.elastic(dx, dy, transform_.hx(), transform_.hy()))
+                         transform_, influence.elastic(dx, dy,
+                                                       operators::CellOffsets::lattice(
+                                                           transform_.hx(), transform_.hy())))
                    : near.spectrum()) {
-  const double floor = smallest_share * smallest_eigenvalue(dx, dy, influence.normal_compliance());
+  const double floor = smallest_share * influence.wave_compliance(shortest_wavenumber(dx, dy));
   // The spectrum carries 1/(mx my) of the two transforms; so must the inverse.
   const double points = static_cast<double>(transform_.mx()) * transform_.my();
   for (double& value : inverse_) value = 1.0 / (std::max(value * points, floor) * points);

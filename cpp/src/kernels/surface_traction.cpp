@@ -37,6 +37,12 @@ double shear_displacement(double x, double y) {
   return 0.5 * y * std::log(rho2) + x * std::atan2(std::copysign(1.0, x) * y, std::fabs(x));
 }
 
+double along_displacement(double x, double y, double nu) {
+  return (1 - nu) * x * log_ratio(y, x, 0.0) + y * log_ratio(x, y, 0.0);
+}
+
+double cross_displacement(double x, double y, double nu) { return -nu * std::hypot(x, y); }
+
 Stress pressure_stress(double x, double y, double z, double nu) {
   const Elementary e(x, y, z);
   const double k = 1 - 2 * nu;

@@ -2,6 +2,7 @@
 #include "samcontact/operators/heat_stress.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace samcontact::operators {
 namespace {
@@ -24,8 +25,8 @@ ParityParts cropped(const ParityParts& from, int from_nx, const Grid& grid) {
 
 }  // namespace
 
-HeatStress::HeatStress(const Grid& widest, const Elastic& elastic, const Heating& heating)
-    : widest_(widest), elastic_(elastic), heating_(heating) {
+HeatStress::HeatStress(const Grid& widest, SharedMedium medium, const Heating& heating)
+    : widest_(widest), medium_(std::move(medium)), heating_(heating) {
   const double parts = (heating.speed_x != 0 ? 2 : 1) * (heating.speed_y != 0 ? 2 : 1);
   const double numbers = 6 * parts * widest.surface_size() * std::max(widest.nz, 1);
   // Closed forms are as fast as a copy.
@@ -33,8 +34,8 @@ HeatStress::HeatStress(const Grid& widest, const Elastic& elastic, const Heating
 }
 
 HeatStress::Tables HeatStress::compute(double z, const Grid& grid) const {
-  return heat_stress(heating_, elastic_, grid.dx, grid.dy, z,
-                     Offsets::lattice(grid.dx, grid.dy, grid.nx, grid.ny));
+  return medium_->heat_stress(heating_, grid.dx, grid.dy, z,
+                              Offsets::lattice(grid.dx, grid.dy, grid.nx, grid.ny));
 }
 
 HeatStress::Tables HeatStress::at(double z, const Grid& grid) const {

@@ -51,8 +51,9 @@ int CoarseAxis::end(int I) const { return std::min((I + 2) * factor, cells); }
 NearDisplacement::NearDisplacement(int nx, int ny, double dx, double dy,
                                    const SurfaceInfluence& influence)
     : transform_(transform_for(nx, ny)),
-      near_(
-          periodic_spectrum(transform_, influence.even(dx, dy, transform_.hx(), transform_.hy()))),
+      near_(periodic_spectrum(
+          transform_,
+          influence.even(dx, dy, CellOffsets::lattice(transform_.hx(), transform_.hy())))),
       x_{nx, coarse_factor(nx)},
       y_{ny, coarse_factor(ny)} {
   if (padded_in_full(nx, ny)) return;
@@ -65,16 +66,16 @@ NearDisplacement::NearDisplacement(int nx, int ny, double dx, double dy,
                                                             fft::good_even_size(2 * cy - 1));
   const int hx = far_transform_->hx();
   far_.assign(far_transform_->quarter_size(), 0.0);
-  Offsets direct, nearest;  // to the cell, and to the nearest of its images
+  CellOffsets direct, nearest;  // to the cell, and to the nearest of its images
   for (int I = 0; I < cx; ++I) {
     const int x = I * x_.factor;
-    direct.x.push_back(x * dx);
-    nearest.x.push_back(std::min(x, transform_.mx() - x) * dx);
+    direct.x.push_back(x);
+    nearest.x.push_back(std::min(x, transform_.mx() - x));
   }
   for (int J = 0; J < cy; ++J) {
     const int y = J * y_.factor;
-    direct.y.push_back(y * dy);
-    nearest.y.push_back(std::min(y, transform_.my() - y) * dy);
+    direct.y.push_back(y);
+    nearest.y.push_back(std::min(y, transform_.my() - y));
   }
   const Field exact = influence.even(dx, dy, direct), periodic = influence.even(dx, dy, nearest);
   for (int J = 0; J < cy; ++J) {

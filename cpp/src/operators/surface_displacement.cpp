@@ -4,18 +4,13 @@
 #include <utility>
 
 namespace samcontact::operators {
-namespace {
-
-constexpr kernels::Parity even{false, false, false};
-constexpr kernels::Parity odd_in_y{false, true, false};
-
-}  // namespace
 
 SurfaceDisplacement::SurfaceDisplacement(const Grid& grid, const SurfaceInfluence& influence)
     : convolution_(grid),
       rest_(influence.rest(grid.dx, grid.dy, grid.nx, grid.ny)),
-      self_influence_(influence.elastic(grid.dx, grid.dy, 1, 1)[0]) {
-  even_.push_back({even, influence.even(grid.dx, grid.dy, grid.nx, grid.ny)});
+      self_influence_(influence.elastic(grid.dx, grid.dy, CellOffsets::lattice(1, 1))[0]) {
+  even_.push_back({compliance_parity(Traction::pressure, Axis::z),
+                   influence.even(grid.dx, grid.dy, CellOffsets::lattice(grid.nx, grid.ny))});
   convolution_.transform(even_[0]);
   for (ParityKernel& kernel : rest_) convolution_.transform(kernel);
 }
@@ -30,36 +25,31 @@ void SurfaceDisplacement::apply_rest(const double* pressure, double* displacemen
   convolution_.apply(rest_, pressure, displacement, work);
 }
 
-Field surface_displacement(const Grid& grid, const SurfaceInfluence& influence,
-                           double coupling_compliance, const double* pressure,
-                           const double* shear_x, const double* shear_y) {
-  const SurfaceConvolution convolution(grid);
+Field surface_displacement(const Grid& grid, const Medium& medium, const Heating& heating,
+                           const Tractions& tractions, double shear_sign, Axis axis) {
   Field total(grid.surface_size(), 0.0), part(grid.surface_size());
+  if (medium.is_rigid()) return total;
+  const SurfaceConvolution convolution(grid);
+  const auto offsets = CellOffsets::lattice(grid.nx, grid.ny);
   ComplexField work;
-  const auto add = [&](const double* traction, std::vector<ParityKernel> kernels) {
-    for (ParityKernel& kernel : kernels) convolution.transform(kernel);
-    convolution.apply(kernels, traction, part.data(), work);
-    for (std::size_t i = 0; i < total.size(); ++i) total[i] += part[i];
-  };
-  if (pressure != nullptr) {
-    auto kernels = influence.rest(grid.dx, grid.dy, grid.nx, grid.ny);
-    kernels.push_back({even, influence.even(grid.dx, grid.dy, grid.nx, grid.ny)});
-    add(pressure, std::move(kernels));
-  }
-  if (coupling_compliance == 0) return total;
-  const SurfaceInfluence shear(0.0, coupling_compliance);
-  if (shear_x != nullptr) add(shear_x, shear.rest(grid.dx, grid.dy, grid.nx, grid.ny));
-  if (shear_y != nullptr) {
-    // The same with x and y exchanged.
-    const auto kernels = shear.rest(grid.dy, grid.dx, grid.ny, grid.nx);
-    Field table(grid.surface_size());
-    for (int j = 0; j < grid.ny; ++j) {
-      for (int i = 0; i < grid.nx; ++i) {
-        table[static_cast<std::size_t>(j) * grid.nx + i] =
-            kernels[0].quarter[static_cast<std::size_t>(i) * grid.ny + j];
+  for (const Traction kind : all_tractions) {
+    const Field& field = tractions.of(kind);
+    if (field.empty()) continue;
+    std::vector<ParityKernel> kernels;
+    kernels.push_back(
+        {compliance_parity(kind, axis), medium.compliance(kind, axis, grid.dx, grid.dy, offsets)});
+    if (kind == Traction::pressure && axis == Axis::z && heating.is_on()) {
+      auto parts =
+          medium.heat_displacement(heating, grid.dx, grid.dy, offsets.in_metres(grid.dx, grid.dy));
+      for (int flip = 0; flip < 4; ++flip) {
+        if (parts[flip].empty()) continue;
+        kernels.push_back({{(flip & 1) != 0, (flip & 2) != 0, false}, std::move(parts[flip])});
       }
     }
-    add(shear_y, {{odd_in_y, std::move(table)}});
+    for (ParityKernel& kernel : kernels) convolution.transform(kernel);
+    convolution.apply(kernels, field.data(), part.data(), work);
+    const double sign = sign_of(kind, shear_sign);
+    for (std::size_t i = 0; i < total.size(); ++i) total[i] += sign * part[i];
   }
   return total;
 }

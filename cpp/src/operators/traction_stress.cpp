@@ -2,76 +2,53 @@
 #include "samcontact/operators/traction_stress.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/threads.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
-#include "samcontact/kernels/eigenstrain.hpp"
-#include "samcontact/kernels/surface_traction.hpp"
-#include "samcontact/operators/influence_lattice.hpp"
 #include "samcontact/operators/parity_product.hpp"
 
 namespace samcontact::operators {
 namespace {
 
-kernels::Parity parity(Traction kind, int component) {
-  auto p = kernels::component_parity(component);
-  const bool both = kind == Traction::heat_xy;
-  if (kind == Traction::shear_x || kind == Traction::heat_x || both) p.odd_x = !p.odd_x;
-  if (kind == Traction::shear_y || kind == Traction::heat_y || both) p.odd_y = !p.odd_y;
-  return p;
-}
-
-/// Index in ParityParts of the heat that belongs to a kind.
-int heat_part(Traction kind) {
-  if (kind == Traction::pressure) return 0;
-  return static_cast<int>(kind) - static_cast<int>(Traction::heat_x) + 1;
-}
-
-bool is_shear(Traction kind) { return kind == Traction::shear_x || kind == Traction::shear_y; }
-
-kernels::Stress corner_stress(Traction kind, double x, double y, double z, double nu) {
-  if (kind == Traction::pressure) return kernels::pressure_stress(x, y, z, nu);
-  if (kind == Traction::shear_x) return kernels::shear_stress(x, y, z, nu);
-  const auto s = kernels::shear_stress(y, x, z, nu);
-  return {s[1], s[0], s[2], s[4], s[3], s[5]};
-}
-
-/// The components of the field that are asked for come first.
-kernels::Stress select(kernels::Stress s, Tensor tensor) {
-  if (tensor == Tensor::full) return s;
-  const double mean = (s[0] + s[1] + s[2]) / 3;
-  return {s[0] - mean, s[1] - mean, s[3], s[4], s[5], 0.0};
-}
-
-/// Adds a table [j][i] of the grid's offsets, if there is one, to a wider quarter.
-void add_table(const Field& table, const Grid& grid, double* quarter, int hx) {
-  for (std::size_t n = 0; n < table.size(); ++n) {
-    quarter[n / grid.nx * hx + n % grid.nx] += table[n];
+/// Adds a table [j][i] of the grid's offsets to a wider quarter.
+void add_table(const double* table, const Grid& grid, double* quarter, int hx) {
+  for (int j = 0; j < grid.ny; ++j) {
+    double* row = quarter + static_cast<std::size_t>(j) * hx;
+    for (int i = 0; i < grid.nx; ++i) row[i] += *table++;
   }
 }
 
 }  // namespace
 
 TractionStress::TractionStress(const Grid& grid, const VolumeTransform& transform,
-                               const Elastic& elastic, std::shared_ptr<const HeatStress> heat,
+                               SharedMedium medium, std::shared_ptr<const HeatStress> heat,
                                std::vector<double> depths, Tensor tensor)
     : grid_(grid),
       transform_(&transform),
-      elastic_(elastic),
+      medium_(std::move(medium)),
       heat_(std::move(heat)),
       depths_(std::move(depths)),
       tensor_(tensor) {}
 
-std::vector<Traction> TractionStress::pressure_kinds() const {
-  std::vector<Traction> kinds{Traction::pressure};
-  if (!heat_) return kinds;
-  if (heat_->heating().speed_x != 0) kinds.push_back(Traction::heat_x);
-  if (heat_->heating().speed_y != 0) kinds.push_back(Traction::heat_y);
-  if (kinds.size() == 3) kinds.push_back(Traction::heat_xy);
-  return kinds;
+kernels::Parity TractionStress::parity(Part part, int component) {
+  auto p = kernels::component_parity(component);
+  const bool both = part == Part::heat_xy;
+  if (part == Part::shear_x || part == Part::heat_x || both) p.odd_x = !p.odd_x;
+  if (part == Part::shear_y || part == Part::heat_y || both) p.odd_y = !p.odd_y;
+  return p;
+}
+
+std::vector<TractionStress::Part> TractionStress::parts(Traction traction) const {
+  if (traction == Traction::shear_x) return {Part::shear_x};
+  if (traction == Traction::shear_y) return {Part::shear_y};
+  std::vector<Part> parts{Part::pressure};
+  if (!heat_) return parts;
+  if (heat_->heating().speed_x != 0) parts.push_back(Part::heat_x);
+  if (heat_->heating().speed_y != 0) parts.push_back(Part::heat_y);
+  if (parts.size() == 3) parts.push_back(Part::heat_xy);
+  return parts;
 }
 
 TractionStress::HeatTables TractionStress::heat_tables(double z) const {
@@ -92,49 +69,49 @@ TractionStress::HeatTables TractionStress::heat_tables(double z) const {
   return tables;
 }
 
-void TractionStress::prepare(Traction kind) {
-  if (!spectra_[static_cast<int>(kind)].empty()) return;
-  if (is_shear(kind)) return build(kind, {});
+void TractionStress::prepare(Traction traction) const {
+  const std::lock_guard lock(mutex_);
+  const auto wanted = parts(traction);
+  if (!spectra_[static_cast<int>(wanted[0])].empty()) return;
   std::vector<HeatTables> heat;
-  if (heat_) {
+  if (heat_ && traction == Traction::pressure) {
     // Not in parallel: a table asks whether to stop, and may throw.
     for (const double z : depths_) heat.push_back(heat_tables(z));
   }
-  for (const Traction part : pressure_kinds()) build(part, heat);
+  std::array<Field, part_count> built;
+  for (const Part part : wanted) built[static_cast<int>(part)] = build(part, heat);
+  for (const Part part : wanted) {
+    spectra_[static_cast<int>(part)] = std::move(built[static_cast<int>(part)]);
+  }
 }
 
-void TractionStress::build(Traction kind, const std::vector<HeatTables>& heat) {
+Field TractionStress::build(Part part, const std::vector<HeatTables>& heat) const {
   const fft::ParitySpectrum parity_spectrum(transform_->mx(), transform_->my());
-  const CornerLattice lattice{grid_.nx, grid_.ny, grid_.dy / grid_.dx};
   const int nz = layers(), hx = parity_spectrum.hx(), hy = parity_spectrum.hy();
   const auto places = components(tensor_);
   const int count = static_cast<int>(places.size());
-  const bool elastic = kind == Traction::pressure || is_shear(kind);
+  const bool elastic = part == Part::pressure || part == Part::shear_x || part == Part::shear_y;
+  const Traction traction = part == Part::shear_x   ? Traction::shear_x
+                            : part == Part::shear_y ? Traction::shear_y
+                                                    : Traction::pressure;
   Field built(parity_spectrum.size() * count * nz);
   check_interrupt();
 #pragma omp parallel
   {
-    Field corners(elastic ? 6 * lattice.size() : 0), quarter(parity_spectrum.size());
+    Field quarter(parity_spectrum.size());
 #pragma omp for schedule(dynamic)
     for (int k = 0; k < nz; ++k) {
-      const double z = depths_[k] / grid_.dx;
-      if (elastic) {
-        const double nu = elastic_.nu;
-        lattice.evaluate<6>(
-            [&](double x, double y) {
-              auto s = select(corner_stress(kind, x, y, z, nu), tensor_);
-              for (double& v : s) v /= 2 * std::numbers::pi;
-              return s;
-            },
-            corners.data());
-      }
+      const Field table = elastic ? medium_->stress(traction, grid_, depths_[k], tensor_) : Field{};
       for (int c = 0; c < count; ++c) {
         std::fill(quarter.begin(), quarter.end(), 0.0);
         if (elastic) {
-          lattice.corner_sums(corners.data() + c * lattice.size(), quarter.data(), hx, hy);
+          add_table(table.data() + c * grid_.surface_size(), grid_, quarter.data(), hx);
         }
-        if (!heat.empty()) add_table(heat[k][c][heat_part(kind)], grid_, quarter.data(), hx);
-        const auto p = parity(kind, places[c]);
+        if (!heat.empty()) {
+          const Field& heated = heat[k][c][static_cast<int>(part)];
+          if (!heated.empty()) add_table(heated.data(), grid_, quarter.data(), hx);
+        }
+        const auto p = parity(part, places[c]);
         parity_spectrum.transform(quarter.data(), p.odd_x, p.odd_y);
         for (int ky = 0; ky < hy; ++ky) {
           std::copy_n(quarter.data() + static_cast<std::size_t>(ky) * hx, hx,
@@ -143,12 +120,12 @@ void TractionStress::build(Traction kind, const std::vector<HeatTables>& heat) {
       }
     }
   }
-  spectra_[static_cast<int>(kind)] = std::move(built);
+  return built;
 }
 
-void TractionStress::add(Traction kind, const Field& traction, double scale,
+void TractionStress::add(Part part, const Field& traction, double scale,
                          VolumeSpectrum& out) const {
-  const Field& spectra = spectra_[static_cast<int>(kind)];
+  const Field& spectra = spectra_[static_cast<int>(part)];
   const int nz = layers(), hx = out.mx / 2 + 1;
   const auto places = components(tensor_);
 #pragma omp parallel for schedule(static) if (2.0 * out.data.size() > worth_threads)
@@ -158,7 +135,7 @@ void TractionStress::add(Traction kind, const Field& traction, double scale,
         spectra.data() + static_cast<std::size_t>(ky) * out.components * nz * hx;
     for (int c = 0; c < out.components; ++c) {
       for (int k = 0; k < nz; ++k, quarter += hx) {
-        add_parity_product(quarter, parity(kind, places[c]), scale, in, out.row(ky, c, k),
+        add_parity_product(quarter, parity(part, places[c]), scale, in, out.row(ky, c, k),
                            *transform_);
       }
     }
@@ -166,32 +143,35 @@ void TractionStress::add(Traction kind, const Field& traction, double scale,
   out.used.assign(nz, 1);
 }
 
+void TractionStress::add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out) const {
+  for (const Traction kind : all_tractions) {
+    const Field& field = tractions.of(kind);
+    if (field.empty()) continue;
+    prepare(kind);
+    const Field spectrum = transform_->forward(field.data());
+    for (const Part part : parts(kind)) add(part, spectrum, sign_of(kind, shear_sign), out);
+  }
+}
+
 std::size_t TractionStress::bytes() const {
+  const std::lock_guard lock(mutex_);
   std::size_t values = 0;
   for (const Field& spectrum : spectra_) values += spectrum.size();
   return values * sizeof(double);
 }
 
-Field traction_stress(const Grid& grid, const Elastic& elastic, const Heating& heating,
-                      std::span<const double> depths, const double* pressure, const double* shear_x,
-                      const double* shear_y) {
+Field traction_stress(const Grid& grid, const SharedMedium& medium, const Heating& heating,
+                      std::span<const double> depths, const Tractions& tractions) {
   const VolumeTransform transform(grid.nx, grid.ny, Symmetry::none);
   const auto heat =
-      heating.is_on() ? std::make_shared<const HeatStress>(grid, elastic, heating) : nullptr;
-  Field stress(6 * depths.size() * grid.surface_size());
+      heating.is_on() ? std::make_shared<const HeatStress>(grid, medium, heating) : nullptr;
   const std::size_t plane = grid.surface_size();
+  Field stress(6 * depths.size() * plane);
   // One depth at a time: the kernels of a depth are used once, so only one set is kept.
   for (std::size_t d = 0; d < depths.size(); ++d) {
-    TractionStress single(grid, transform, elastic, heat, {depths[d]}, Tensor::full);
     VolumeSpectrum spectrum(transform, 1, Tensor::full);
-    const auto add = [&](const double* traction, Traction kind) {
-      if (traction == nullptr) return;
-      single.prepare(kind);
-      single.add(kind, transform.forward(traction), 1.0, spectrum);
-    };
-    for (const Traction kind : single.pressure_kinds()) add(pressure, kind);
-    add(shear_x, Traction::shear_x);
-    add(shear_y, Traction::shear_y);
+    TractionStress(grid, transform, medium, heat, {depths[d]}, Tensor::full)
+        .add(tractions, 1.0, spectrum);
     Field layer(6 * plane);
     inverse(transform, spectrum, layer.data());
     for (int c = 0; c < 6; ++c) {

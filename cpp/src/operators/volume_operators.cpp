@@ -2,13 +2,10 @@
 #include "samcontact/operators/volume_operators.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
+#include <utility>
 
 #include "samcontact/base/interrupt.hpp"
-#include "samcontact/operators/cuboid_residual_stress.hpp"
-#include "samcontact/operators/layer_residual_stress.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -28,23 +25,19 @@ VolumeTransform make_transform(const Grid& grid, const VolumeOptions& options) {
 
 }  // namespace
 
-VolumeOperators::VolumeOperators(const Grid& grid, const Elastic& elastic,
+VolumeOperators::VolumeOperators(const Grid& grid, SharedMedium medium,
                                  const VolumeOptions& options)
     : grid_(grid),
-      elastic_(elastic),
+      medium_(std::move(medium)),
       options_(options),
       transform_(make_transform(grid, options)),
-      traction_stress_(grid, transform_, elastic, options.heat, grid.z(), options.tensor) {}
+      traction_stress_(grid, transform_, medium_, options.heat, grid.z(), options.tensor) {}
 
 const ResidualStress& VolumeOperators::residual_stress() const {
   const std::lock_guard lock(mutex_);
   if (!residual_stress_) {
-    if (options_.method == ResidualMethod::exact) {
-      residual_stress_ = std::make_unique<CuboidResidualStress>(grid_, transform_, elastic_);
-    } else {
-      residual_stress_ =
-          std::make_unique<LayerResidualStress>(grid_, transform_, elastic_, options_.image_tol);
-    }
+    residual_stress_ =
+        medium_->residual_stress(grid_, transform_, options_.method, options_.image_tol);
   }
   return *residual_stress_;
 }
@@ -52,28 +45,9 @@ const ResidualStress& VolumeOperators::residual_stress() const {
 const ResidualDisplacement& VolumeOperators::residual_displacement() const {
   const std::lock_guard lock(mutex_);
   if (!residual_displacement_) {
-    residual_displacement_ =
-        std::make_unique<ResidualDisplacement>(grid_, transform_, elastic_.nu, options_.tensor);
+    residual_displacement_ = medium_->residual_displacement(grid_, transform_, options_.tensor);
   }
   return *residual_displacement_;
-}
-
-void VolumeOperators::add_tractions(const Tractions& tractions, double shear_sign,
-                                    VolumeSpectrum& out) const {
-  const auto add = [&](std::span<const Traction> kinds, const Field& field, double scale) {
-    if (field.empty()) return;
-    const Field spectrum = transform_.forward(field.data());
-    for (const Traction kind : kinds) {
-      {
-        const std::lock_guard lock(mutex_);
-        traction_stress_.prepare(kind);
-      }
-      traction_stress_.add(kind, spectrum, scale, out);
-    }
-  };
-  add(traction_stress_.pressure_kinds(), tractions.pressure, 1.0);
-  add(std::array{Traction::shear_x}, tractions.shear_x, shear_sign);
-  add(std::array{Traction::shear_y}, tractions.shear_y, shear_sign);
 }
 
 void VolumeOperators::for_each_layer(
@@ -85,7 +59,7 @@ void VolumeOperators::for_each_layer(
     residual_stress().apply(spectrum);
     far_field = residual_stress().far_field(options_.tensor, strain);
   }
-  if (tractions != nullptr) add_tractions(*tractions, shear_sign, spectrum);
+  if (tractions != nullptr) traction_stress_.add(*tractions, shear_sign, spectrum);
   const std::size_t layer_size = count(options_.tensor) * transform_.plane_size();
 #pragma omp parallel
   {

@@ -60,7 +60,7 @@ Box HeatOfIncrement::above(int body, const operators::Tractions& tractions,
   const Box whole = Box::whole(scene_.grid);
   const auto operators =
       scene_.volume(body, whole, Tensor::full, method, fft::Symmetry::none, target_.heating[body]);
-  const Field stress = operators->stress(nullptr, &tractions, body == 1 ? 1.0 : -1.0);
+  const Field stress = operators->stress(nullptr, &tractions, operators::shear_sign(body));
   const Field& past = past_stress(body);
   const std::size_t cells = whole.volume_size();
   Box found;

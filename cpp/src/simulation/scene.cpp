@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "samcontact/operators/half_space.hpp"
+
 namespace samcontact::simulation {
 namespace {
 
@@ -15,6 +17,13 @@ constexpr std::size_t most_kept = 6;
 /// Cells beyond which the operators of a box that was outgrown are not kept.
 constexpr std::size_t large_box = 1'000'000;
 
+std::array<operators::SharedMedium, 2> media_of(const plasticity::Material& body1,
+                                                const plasticity::Material& body2) {
+  const auto upper = operators::half_space(body1.elastic);
+  const auto lower = operators::half_space(body2.elastic);
+  return {upper, *upper == *lower ? upper : lower};
+}
+
 }  // namespace
 
 Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
@@ -22,6 +31,7 @@ Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
              double image_tol, const HeatMarch& march_, int reach_, Reliefs reliefs_)
     : grid(grid_),
       materials{body1, body2},
+      media(media_of(body1, body2)),
       initial_gap(std::move(initial_gap_)),
       friction(friction_),
       march(march_),
@@ -82,8 +92,8 @@ std::shared_ptr<const contact::ContactSolver> Scene::solver(
     const operators::HeatingPair& heating) const {
   const std::lock_guard lock(mutex_);
   if (!solver_ || solver_heating_ != heating) {
-    solver_ = std::make_shared<const contact::ContactSolver>(
-        grid, materials[0].elastic, materials[1].elastic, friction, heating);
+    solver_ =
+        std::make_shared<const contact::ContactSolver>(grid, media[0], media[1], friction, heating);
     solver_heating_ = heating;
   }
   return solver_;
@@ -103,28 +113,24 @@ std::shared_ptr<const operators::HeatStress> Scene::heat_stress(
     int body, const operators::Heating& heating) const {
   if (!heating.is_on()) return nullptr;
   const std::lock_guard lock(heat_mutex_);
-  const Elastic& elastic = materials[body].elastic;
   for (const auto& kept : heat_stress_) {
-    if (kept && kept->heating() == heating && kept->elastic() == elastic) return kept;
+    if (kept && kept->heating() == heating && kept->medium() == media[body]) return kept;
   }
-  heat_stress_[body] = std::make_shared<const operators::HeatStress>(grid, elastic, heating);
+  heat_stress_[body] = std::make_shared<const operators::HeatStress>(grid, media[body], heating);
   return heat_stress_[body];
 }
 
 operators::HeatHistory Scene::heat_history(int body, const operators::Heating& heating) const {
-  return {grid,
-          heating.thermal,
-          materials[body].elastic,
-          heating.speed_x,
-          heating.speed_y,
-          {.shortest = march.shortest, .longest = march.longest, .in_depth = grid.nz > 0}};
+  return media[body]->heat_history(
+      grid, heating,
+      {.shortest = march.shortest, .longest = march.longest, .in_depth = grid.nz > 0});
 }
 
 void Scene::require_volume(int body) const {
   if (grid.nz == 0) {
     throw std::invalid_argument("nz is 0: fields below the surface need a grid with nz and dz");
   }
-  if (materials[body].elastic.is_rigid()) {
+  if (media[body]->is_rigid()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
                                 " is rigid: it has no stress or strain");
   }
@@ -134,11 +140,10 @@ Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tenso
                                operators::ResidualMethod method, fft::Symmetry symmetry,
                                const operators::Heating& heating) const {
   require_volume(body);
-  if (materials[0].elastic == materials[1].elastic) body = 0;
   const Box size{0, 0, box.nx, box.ny, box.nz};
   const std::lock_guard lock(mutex_);
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) {
-    return k.body == body && k.size == size && k.tensor == tensor && k.method == method &&
+    return k.medium == media[body] && k.size == size && k.tensor == tensor && k.method == method &&
            k.symmetry == symmetry && k.heating == heating;
   });
   if (found != kept_.end()) {
@@ -146,14 +151,14 @@ Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tenso
     return kept_.front().operators;
   }
   kept_.remove_if([&](const Kept& k) {
-    return k.body == body && k.tensor == tensor && k.operators.use_count() == 1 &&
+    return k.medium == media[body] && k.tensor == tensor && k.operators.use_count() == 1 &&
            k.size.volume_size() > large_box && size.contains(k.size);
   });
   const operators::VolumeOptions options{tensor, symmetry, method, image_tol_,
                                          heat_stress(body, heating)};
-  kept_.push_front({body, size, tensor, method, symmetry, heating,
-                    std::make_shared<operators::VolumeOperators>(
-                        size.grid(grid), materials[body].elastic, options)});
+  kept_.push_front(
+      {media[body], size, tensor, method, symmetry, heating,
+       std::make_shared<operators::VolumeOperators>(size.grid(grid), media[body], options)});
   if (kept_.size() > most_kept) kept_.pop_back();
   return kept_.front().operators;
 }

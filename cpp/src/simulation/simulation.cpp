@@ -168,8 +168,7 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
 }
 
 const Scans& Simulation::scans(const operators::HeatingPair& heating) {
-  const auto& [body1, body2] = scene_->materials;
-  const bool equal = body1.elastic == body2.elastic && heating[0] == heating[1];
+  const bool equal = scene_->media[0] == scene_->media[1] && heating[0] == heating[1];
   for (int b = 0; b < 2; ++b) {
     if (!scene_->materials[b].is_plastic()) continue;
     if (scans_[b] && scans_heating_[b] == heating[b]) continue;

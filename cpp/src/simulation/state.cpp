@@ -82,7 +82,7 @@ PastHeat State::heat_so_far() const {
   if (!scene_->march.is_on() || time == 0) return so_far;
   for (int b = 0; b < 2; ++b) {
     if (b == 1 && heating[0] == heating[1] && past[0] == past[1] &&
-        scene_->materials[0].elastic == scene_->materials[1].elastic) {
+        scene_->media[0] == scene_->media[1]) {
       so_far[1] = so_far[0];
       continue;
     }
@@ -151,7 +151,7 @@ bool State::has_moved(int body) const {
 Field State::total_stress(int body, bool with_tractions) const {
   const Grid& grid = scene_->grid;
   scene_->require_volume(body);
-  const double sign = body == 1 ? 1.0 : -1.0;
+  const double sign = operators::shear_sign(body);
   const Box whole = Box::whole(grid);
   if (!plastic[body] && !with_tractions) return Field(6 * grid.volume_size(), 0.0);
   const operators::Heating heat = with_tractions ? heating[body] : operators::Heating{};
@@ -314,15 +314,10 @@ Field State::residual_displacement(int body, const Box& region) const {
 
 Field State::surface_displacement(int body) const {
   Field out = residual_displacement(body);
-  const Elastic& elastic = scene_->materials[body].elastic;
-  if (elastic.is_rigid()) return out;
-  const auto pointer = [](const Field& f) { return f.empty() ? nullptr : f.data(); };
-  operators::SurfaceInfluence influence(elastic.normal_compliance());
-  influence.add(heating[body], elastic.nu);
-  const Field loaded = operators::surface_displacement(
-      scene_->grid, influence, (body == 1 ? 1.0 : -1.0) * elastic.coupling_compliance(),
-      pointer(tractions.pressure), pointer(tractions.shear_x), pointer(tractions.shear_y));
-  add(loaded, out);
+  if (scene_->media[body]->is_rigid()) return out;
+  add(operators::surface_displacement(scene_->grid, *scene_->media[body], heating[body], tractions,
+                                      operators::shear_sign(body), operators::Axis::z),
+      out);
   if (past[body]) add(past[body]->displacement(heating[body].time), out);
   return out;
 }

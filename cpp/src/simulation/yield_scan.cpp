@@ -2,15 +2,12 @@
 #include "samcontact/simulation/yield_scan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 
 namespace samcontact::simulation {
 namespace {
 
 using operators::Tensor;
-using operators::Traction;
 
 /// Cells of a level are at most this part of the depths that it serves: the stress of a uniform
 /// cell then differs by about a percent from that of the pressure it averages.
@@ -47,13 +44,13 @@ Field average(const Field& fine, const Grid& grid, const Grid& coarse, int facto
 }  // namespace
 
 YieldScan::Level::Level(const Grid& fine, int factor_, std::vector<int> layers_,
-                        const Elastic& elastic,
+                        const operators::SharedMedium& medium,
                         const std::shared_ptr<const operators::HeatStress>& heat)
     : factor(factor_),
       grid(coarsened(fine, factor_)),
       layers(std::move(layers_)),
       transform(grid.nx, grid.ny, operators::Symmetry::none),
-      stress(grid, transform, elastic, heat, depths(fine, layers), Tensor::deviator) {}
+      stress(grid, transform, medium, heat, depths(fine, layers), Tensor::deviator) {}
 
 YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& heating)
     : grid_(scene.grid) {
@@ -65,8 +62,8 @@ YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& hea
   int factor = 1;
   const auto flush = [&] {
     if (layers.empty()) return;
-    levels_.push_back(std::make_unique<Level>(grid_, factor, std::move(layers),
-                                              scene.materials[body].elastic, heat));
+    levels_.push_back(
+        std::make_unique<Level>(grid_, factor, std::move(layers), scene.media[body], heat));
     layers.clear();
   };
   for (int k = 0; k < grid_.nz; ++k) {
@@ -87,18 +84,12 @@ Box YieldScan::level_box(const Level& level, const operators::Tractions& tractio
   const Grid& grid = level.grid;
   const int nz = level.stress.layers();
   operators::VolumeSpectrum spectrum(level.transform, nz, Tensor::deviator);
-  const auto add = [&](std::span<const Traction> kinds, const Field& field, double scale) {
-    if (field.empty()) return;
-    const Field coarse = average(field, grid_, grid, level.factor);
-    const Field transformed = level.transform.forward(coarse.data());
-    for (const Traction kind : kinds) {
-      level.stress.prepare(kind);
-      level.stress.add(kind, transformed, scale, spectrum);
-    }
+  const auto coarse = [&](const Field& field) {
+    return field.empty() ? Field{} : average(field, grid_, grid, level.factor);
   };
-  add(level.stress.pressure_kinds(), tractions.pressure, 1.0);
-  add(std::array{Traction::shear_x}, tractions.shear_x, shear_sign);
-  add(std::array{Traction::shear_y}, tractions.shear_y, shear_sign);
+  level.stress.add(
+      {coarse(tractions.pressure), coarse(tractions.shear_x), coarse(tractions.shear_y)},
+      shear_sign, spectrum);
   const std::size_t plane = grid.surface_size(), n = plane * nz;
   Field s(5 * n);
   operators::inverse(level.transform, spectrum, s.data());

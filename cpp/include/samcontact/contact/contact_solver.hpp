@@ -4,12 +4,11 @@
 
 #include <string>
 
-#include "samcontact/base/elastic.hpp"
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/grid.hpp"
 #include "samcontact/contact/complementarity.hpp"
 #include "samcontact/contact/multilevel.hpp"
-#include "samcontact/operators/surface_displacement.hpp"
+#include "samcontact/operators/surface_influence.hpp"
 
 namespace samcontact::contact {
 
@@ -33,7 +32,8 @@ class ContactSolver {
   /// friction: coefficient mu >= 0; the shear mu p acts on body 2 in +x, on body 1 in -x. heating:
   /// of the two bodies. Throws std::invalid_argument when both bodies are rigid, a rigid one is
   /// heated, or friction is negative or not finite.
-  ContactSolver(const Grid& grid, const Elastic& body1, const Elastic& body2, double friction,
+  ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
+                const operators::SharedMedium& body2, double friction,
                 const operators::HeatingPair& heating = {});
 
   /// Where the displacement is an even operator (heat at rest included) one solve of the
@@ -60,7 +60,6 @@ class ContactSolver {
   Grid grid_;
   double friction_;
   bool heated_;
-  operators::SurfaceDisplacement displacement_;
   Multilevel multilevel_;
 };
 

@@ -11,8 +11,8 @@
 
 namespace samcontact::contact {
 
-/// Solves p >= 0, g >= 0, p g = 0 on one grid, as often as wanted. Keeps the operators of coarser
-/// grids and the cheap operator, all made when first needed. Thread-safe.
+/// Solves p >= 0, g >= 0, p g = 0 on one grid, as often as wanted. Keeps the operators of the grid
+/// and, made when first needed, of coarser grids and the cheap one. Thread-safe.
 class Multilevel {
  public:
   Multilevel(const Grid& grid, const operators::SurfaceInfluence& influence);
@@ -22,10 +22,13 @@ class Multilevel {
   Multilevel(const Multilevel&) = delete;
   Multilevel& operator=(const Multilevel&) = delete;
 
-  /// displacement: the exact operator of the grid. Starts from `pressure`, or from a coarser grid
-  /// if that is zero everywhere. Returns converged = false after max_iterations.
-  Solution solve(const operators::SurfaceDisplacement& displacement, const Field& initial_gap,
-                 Driver driver, Field pressure, double tol, int max_iterations) const;
+  /// The exact operator of the grid.
+  const operators::SurfaceDisplacement& displacement() const;
+
+  /// Starts from `pressure`, or from a coarser grid if that is zero everywhere. Returns converged =
+  /// false after max_iterations.
+  Solution solve(const Field& initial_gap, Driver driver, Field pressure, double tol,
+                 int max_iterations) const;
 
  private:
   class Level;

@@ -22,6 +22,12 @@ double pressure_displacement(double x, double y);
 /// printed in Boucly (2008), eq. (2.37), lacks (1 - 2 nu)/4.
 double shear_displacement(double x, double y);
 
+/// Corner functions of the displacement in the surface due to shear s_x: u_x = s_x/(2 pi G) S2
+/// along it, even in x and y, and u_y = s_x/(2 pi G) S2 across, odd in x and y. Cerruti's point
+/// force, Johnson (1985), sec. 3.6, integrated.
+double along_displacement(double x, double y, double nu);
+double cross_displacement(double x, double y, double nu);
+
 /// Corner functions of the stress due to pressure: sigma = p/(2 pi) S2. Parities in (x, y):
 /// xx, yy, zz even-even, yz even-odd, xz odd-even, xy odd-odd. Boucly (2008), eqs (2.81)-(2.86).
 Stress pressure_stress(double x, double y, double z, double nu);

@@ -9,7 +9,7 @@
 #include <mutex>
 
 #include "samcontact/base/grid.hpp"
-#include "samcontact/operators/heating.hpp"
+#include "samcontact/operators/medium.hpp"
 
 namespace samcontact::operators {
 
@@ -19,10 +19,10 @@ class HeatStress {
   using Tables = std::array<ParityParts, 6>;  // components xx, yy, zz, yz, xz, xy
 
   /// For boxes of cells of `widest`.
-  HeatStress(const Grid& widest, const Elastic& elastic, const Heating& heating);
+  HeatStress(const Grid& widest, SharedMedium medium, const Heating& heating);
 
   const Heating& heating() const { return heating_; }
-  const Elastic& elastic() const { return elastic_; }
+  const SharedMedium& medium() const { return medium_; }
   /// At a depth, on the offsets of a grid; of other cells than the widest one's if need be.
   Tables at(double z, const Grid& grid) const;
   std::size_t bytes() const;
@@ -31,7 +31,7 @@ class HeatStress {
   Tables compute(double z, const Grid& grid) const;
 
   Grid widest_;
-  Elastic elastic_;
+  SharedMedium medium_;
   Heating heating_;
   bool keeps_;
   mutable std::mutex mutex_;

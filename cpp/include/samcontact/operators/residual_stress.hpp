@@ -6,6 +6,10 @@
 
 namespace samcontact::operators {
 
+/// How the residual stress is found: from the influence coefficients of cuboids, or by sweeps over
+/// the layers.
+enum class ResidualMethod { exact, fast };
+
 class ResidualStress {
  public:
   virtual ~ResidualStress() = default;

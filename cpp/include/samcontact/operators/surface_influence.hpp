@@ -1,44 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pressure on one cell, with the friction and heat that it brings, does to the normal
-// displacement of the cells around it: the coefficients behind all contact operators, on any grid.
+// What pressure on one cell, with the shear and heat that it brings, does to the gap around it: the
+// coefficients behind all contact operators, on any grid.
 #pragma once
 
 #include <vector>
 
-#include "samcontact/operators/heating.hpp"
+#include "samcontact/operators/medium.hpp"
 #include "samcontact/operators/surface_convolution.hpp"
 
 namespace samcontact::operators {
 
+/// The sum over the bodies that touch.
 class SurfaceInfluence {
  public:
-  /// Compliances [1/Pa] as in base/elastic.hpp, summed over the bodies; shear_compliance with the
-  /// sign of each body's shear, and times shear over pressure.
-  explicit SurfaceInfluence(double normal_compliance, double shear_compliance = 0.0);
+  /// Adds a body. shear_x: on it, over the pressure [-].
+  void add(const SharedMedium& medium, double shear_x = 0.0, const Heating& heating = {});
 
-  /// Adds the heat of a body; nu its Poisson's ratio.
-  void add(const Heating& heating, double nu);
-
-  /// The part that is even in x and y: quarter [j][i] of offsets i dx, j dy [m/Pa].
-  Field even(double dx, double dy, int nx, int ny) const;
-  /// The same at any offsets.
-  Field even(double dx, double dy, const Offsets& offsets) const;
+  /// The part that is even in x and y, [j][i] [m/Pa].
+  Field even(double dx, double dy, const CellOffsets& offsets) const;
   /// The elastic part of it, which is positive definite.
-  Field elastic(double dx, double dy, int nx, int ny) const;
+  Field elastic(double dx, double dy, const CellOffsets& offsets) const;
+  /// u_z over the pressure of a wave [m/Pa], elastic and even; wavenumber > 0 [1/m].
+  double wave_compliance(double wavenumber) const;
 
-  /// All that is not even.
+  /// All that is not even, on the offsets of a grid.
   std::vector<ParityKernel> rest(double dx, double dy, int nx, int ny) const;
-  bool has_rest() const;
   /// Whether heat enters a body: the operator may then be indefinite.
-  bool is_heated() const { return !heated_.empty(); }
-  double normal_compliance() const { return normal_; }
+  bool is_heated() const;
 
  private:
-  struct Heated {
-    Heating heating;
-    double nu = 0.0;
+  struct Body {
+    SharedMedium medium;
+    int count;       // bodies of this medium
+    double shear_x;  // sum over them
   };
-  double normal_, shear_;
+  struct Heated {
+    SharedMedium medium;
+    Heating heating;
+  };
+  std::vector<Body> bodies_;
   std::vector<Heated> heated_;
 };
 

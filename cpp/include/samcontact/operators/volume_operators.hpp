@@ -6,22 +6,11 @@
 #include <memory>
 #include <mutex>
 
-#include "samcontact/base/elastic.hpp"
 #include "samcontact/base/grid.hpp"
-#include "samcontact/operators/residual_displacement.hpp"
-#include "samcontact/operators/residual_stress.hpp"
+#include "samcontact/operators/medium.hpp"
 #include "samcontact/operators/traction_stress.hpp"
 
 namespace samcontact::operators {
-
-/// Tractions on a surface [i][j] [Pa] in the body's own frame; empty arrays mean none.
-struct Tractions {
-  Field pressure, shear_x, shear_y;
-};
-
-/// How the residual stress is found: from the influence coefficients of cuboids, or by sweeps over
-/// the layers.
-enum class ResidualMethod { exact, fast };
 
 struct VolumeOptions {
   Tensor tensor = Tensor::full;
@@ -34,25 +23,22 @@ struct VolumeOptions {
   std::shared_ptr<const HeatStress> heat = {};
 };
 
-/// Thread-safe; shared by bodies with equal elastic constants. Strain and stress have the
+/// Thread-safe; shared by bodies of one medium. Strain and stress have the
 /// components of options.tensor, [component][k][i][j] on the cells that the symmetry leaves, and so
 /// have tractions and displacement.
 class VolumeOperators {
  public:
-  VolumeOperators(const Grid& grid, const Elastic& elastic, const VolumeOptions& options);
+  VolumeOperators(const Grid& grid, SharedMedium medium, const VolumeOptions& options);
 
   const Grid& grid() const { return grid_; }
-  const Elastic& elastic() const { return elastic_; }
   Tensor tensor() const { return options_.tensor; }
   const VolumeTransform& transform() const { return transform_; }
   VolumeSpectrum make_spectrum() const { return {transform_, grid_.nz, options_.tensor}; }
 
   const ResidualStress& residual_stress() const;
   const ResidualDisplacement& residual_displacement() const;
-  /// out += stress of a traction; sign multiplies the shear (the two bodies see opposite shear).
-  void add_tractions(const Tractions& tractions, double shear_sign, VolumeSpectrum& out) const;
-
-  /// Stress of an eigenstrain and of tractions; either pointer may be null.
+  /// Stress of an eigenstrain and of tractions; either pointer may be null. shear_sign multiplies
+  /// the shear.
   Field stress(const double* strain, const Tractions* tractions, double shear_sign) const;
   /// The same layer by layer, in any order and several at once: calls use(layer, stress
   /// [component][i][j]). spectrum: that of the eigenstrain on entry, zero without one; destroyed.
@@ -65,11 +51,11 @@ class VolumeOperators {
 
  private:
   Grid grid_;
-  Elastic elastic_;
+  SharedMedium medium_;
   VolumeOptions options_;
   VolumeTransform transform_;
   mutable std::mutex mutex_;
-  mutable TractionStress traction_stress_;
+  TractionStress traction_stress_;
   mutable std::unique_ptr<ResidualStress> residual_stress_;
   mutable std::unique_ptr<ResidualDisplacement> residual_displacement_;
 };

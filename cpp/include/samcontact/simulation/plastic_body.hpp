@@ -34,7 +34,7 @@ class PlasticBody {
   bool strained() const { return strained_; }
   /// What acts on it, in its own cells.
   const operators::Tractions& tractions() const { return offset_ != 0 ? seen_ : *tractions_; }
-  double sign() const { return index_ == 1 ? 1.0 : -1.0; }  // of the shear
+  double sign() const { return operators::shear_sign(index_); }
   /// The box of all cells where the tractions alone come near yielding; before there is a strain.
   Box near_yield(const YieldScan& scan, HeatOfIncrement& heat) const;
 

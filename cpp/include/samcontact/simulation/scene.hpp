@@ -28,6 +28,7 @@ class Scene {
 
   const Grid grid;
   const std::array<plasticity::Material, 2> materials;
+  const std::array<operators::SharedMedium, 2> media;  // one object where they are equal
   const Field initial_gap;
   const double friction;
   const HeatMarch march;
@@ -57,8 +58,8 @@ class Scene {
   void require_volume(int body) const;
 
   using Operators = std::shared_ptr<const operators::VolumeOperators>;
-  /// Operators of a body on (whole) boxes of this size; bodies with equal elastic constants and
-  /// heat share them. The last few are kept. Thread-safe.
+  /// Operators of a body on (whole) boxes of this size; bodies of one medium with equal heat share
+  /// them. The last few are kept. Thread-safe.
   Operators volume(int body, const Box& box, operators::Tensor tensor,
                    operators::ResidualMethod method, fft::Symmetry symmetry,
                    const operators::Heating& heating) const;
@@ -71,7 +72,7 @@ class Scene {
 
  private:
   struct Kept {
-    int body;
+    operators::SharedMedium medium;
     Box size;
     operators::Tensor tensor;
     operators::ResidualMethod method;

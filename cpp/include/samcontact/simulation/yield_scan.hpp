@@ -28,9 +28,10 @@ class YieldScan {
     Grid grid;
     std::vector<int> layers;  // of the scene's grid
     operators::VolumeTransform transform;
-    mutable operators::TractionStress stress;
+    operators::TractionStress stress;
 
-    Level(const Grid& fine, int factor_, std::vector<int> layers_, const Elastic& elastic,
+    Level(const Grid& fine, int factor_, std::vector<int> layers_,
+          const operators::SharedMedium& medium,
           const std::shared_ptr<const operators::HeatStress>& heat);
   };
   Box level_box(const Level& level, const operators::Tractions& tractions, double shear_sign,

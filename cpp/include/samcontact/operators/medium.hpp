@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a body is to the operators: everything that its elastic constants decide. Operators ask a
+// medium for coefficients and never for constants, so that a body of another make is one more
+// class.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "samcontact/base/grid.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
+#include "samcontact/operators/heat_history.hpp"
+#include "samcontact/operators/heating.hpp"
+#include "samcontact/operators/residual_displacement.hpp"
+#include "samcontact/operators/residual_stress.hpp"
+#include "samcontact/operators/tractions.hpp"
+
+namespace samcontact::operators {
+
+enum class Axis { x, y, z };
+
+/// Offsets of a table in cells of the grid, not negative, in any order; they may skip cells.
+struct CellOffsets {
+  std::vector<int> x, y;
+
+  static CellOffsets lattice(int nx, int ny);
+  Offsets in_metres(double dx, double dy) const;
+};
+
+/// Immutable and thread-safe. Frame: z into the body, x and y in its surface.
+class Medium {
+ public:
+  virtual ~Medium() = default;
+
+  virtual bool is_rigid() const = 0;
+  /// Whether all coefficients are the same.
+  virtual bool operator==(const Medium& other) const = 0;
+
+  /// Displacement of the surface along `axis` at offsets from a cell of dx by dy [m] under a unit
+  /// traction, [j][i] [m/Pa]. Its parity is that of compliance_parity().
+  virtual Field compliance(Traction traction, Axis axis, double dx, double dy,
+                           const CellOffsets& offsets) const = 0;
+  /// u_z over the pressure of a wave [m/Pa], wavenumber > 0 [1/m].
+  virtual double wave_compliance(double wavenumber) const = 0;
+
+  /// Stress at a depth z >= 0 [m] on the offsets of a grid under a unit traction on one cell,
+  /// [component of tensor][j][i] [-].
+  virtual Field stress(Traction traction, const Grid& grid, double z, Tensor tensor) const = 0;
+
+  /// Operators of eigenstrain in the layers of a grid, the first of which starts at the surface.
+  /// image_tol: see LayerResidualStress.
+  virtual std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
+                                                          const VolumeTransform& transform,
+                                                          ResidualMethod method,
+                                                          double image_tol) const = 0;
+  virtual std::unique_ptr<ResidualDisplacement> residual_displacement(
+      const Grid& grid, const VolumeTransform& transform, Tensor tensor) const = 0;
+
+  /// Of heat that enters with a unit pressure on one cell, see heating.hpp.
+  virtual ParityParts heat_displacement(const Heating& heating, double dx, double dy,
+                                        const Offsets& offsets) const = 0;
+  virtual std::array<ParityParts, 6> heat_stress(const Heating& heating, double dx, double dy,
+                                                 double z, const Offsets& offsets) const = 0;
+  /// An empty history of heat that enters as told.
+  virtual HeatHistory heat_history(const Grid& grid, const Heating& heating,
+                                   const HeatHistorySettings& settings) const = 0;
+
+ protected:
+  Medium() = default;
+  Medium(const Medium&) = default;
+  Medium& operator=(const Medium&) = default;
+};
+
+/// Bodies of one scene whose media are equal share one object: it is the key of what is kept.
+using SharedMedium = std::shared_ptr<const Medium>;
+
+/// In x and y: odd in a direction that one of traction and displacement has and the other not.
+kernels::Parity compliance_parity(Traction traction, Axis axis);
+
+}  // namespace samcontact::operators

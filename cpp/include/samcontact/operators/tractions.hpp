@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What loads a surface: pressure and shear along x and y.
+#pragma once
+
+#include <array>
+
+#include "samcontact/base/aligned.hpp"
+
+namespace samcontact::operators {
+
+enum class Traction { pressure, shear_x, shear_y };
+inline constexpr std::array all_tractions{Traction::pressure, Traction::shear_x, Traction::shear_y};
+
+/// Tractions on a surface [i][j] [Pa] in the body's own frame; empty arrays mean none.
+struct Tractions {
+  Field pressure, shear_x, shear_y;
+
+  const Field& of(Traction kind) const {
+    return kind == Traction::pressure ? pressure : kind == Traction::shear_x ? shear_x : shear_y;
+  }
+};
+
+/// Shear acts on body 2 (index 1) as it is given and on body 1 (index 0) in the opposite direction.
+constexpr double shear_sign(int body) { return body == 1 ? 1.0 : -1.0; }
+
+/// What a traction is multiplied by.
+constexpr double sign_of(Traction kind, double shear_sign) {
+  return kind == Traction::pressure ? 1.0 : shear_sign;
+}
+
+}  // namespace samcontact::operators
