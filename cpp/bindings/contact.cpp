@@ -13,7 +13,7 @@ namespace samcontact::bindings {
 namespace {
 
 using contact::ContactSolver;
-using contact::Driver;
+using contact::Drive;
 
 py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, double value,
                const py::object& initial_pressure, double tol, int max_iterations,
@@ -24,13 +24,13 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
   contact::Solution solution;
   {
     const py::gil_scoped_release release;
-    solution = solver.solve(h, load_driven ? Driver::load(value) : Driver::approach(value), start,
-                            settings);
+    solution =
+        solver.solve(h, load_driven ? Drive::load(value) : Drive::approach(value), start, settings);
   }
   py::dict result;
-  result["pressure"] = surface_array(std::move(solution.pressure), solver.grid());
+  result["pressure"] = surface_array(std::move(solution.tractions.pressure), solver.grid());
   result["gap"] = surface_array(std::move(solution.gap), solver.grid());
-  result["approach"] = solution.approach;
+  result["approach"] = solution.motion.approach;
   result["load"] = solution.load;
   result["error"] = solution.error;
   result["iterations"] = solution.iterations;
@@ -41,6 +41,13 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
   return result;
 }
 
+/// Shear s_x on body 2 that goes with a pressure; None without friction.
+py::object shear(const ContactSolver& solver, const Array& pressure) {
+  Field along_x = solver.sliding().tractions(to_field(pressure)).shear_x;
+  if (along_x.empty()) return py::none();
+  return surface_array(std::move(along_x), solver.grid());
+}
+
 }  // namespace
 
 void bind_contact(py::module_& m) {
@@ -48,14 +55,15 @@ void bind_contact(py::module_& m) {
       .def(py::init([](const Grid& grid, const Elastic& body1, const Elastic& body2,
                        double friction, const operators::HeatingPair& heating) {
              return std::make_unique<ContactSolver>(grid, operators::half_space(body1),
-                                                    operators::half_space(body2), friction,
-                                                    heating);
+                                                    operators::half_space(body2),
+                                                    contact::GrossSliding(friction), heating);
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
            py::arg("heating"))
       .def("solve", &solve, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
            py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
-           py::arg("error_on_border"));
+           py::arg("error_on_border"))
+      .def("shear", &shear, py::arg("pressure"));
 }
 
 }  // namespace samcontact::bindings

@@ -311,10 +311,8 @@ simulation::Reliefs to_reliefs(const std::array<py::object, 2>& given) {
 
 Target make_target(const std::string& kind, double value, const py::object& pressure,
                    const py::object& shear_x, const py::object& shear_y) {
-  if (kind == "load") return {Target::Kind::load, value, {}};
-  if (kind == "approach") return {Target::Kind::approach, value, {}};
-  return {Target::Kind::tractions,
-          0.0,
+  using contact::Drive;
+  return {kind == "approach" ? Drive::approach(value) : Drive::load(value),
           {to_field_or_empty(pressure), to_field_or_empty(shear_x), to_field_or_empty(shear_y)}};
 }
 

@@ -95,7 +95,7 @@ void contact_of(Draw& draw) {
   const auto body1 = operators::half_space(material(draw).elastic);
   const auto body2 = operators::half_space(material(draw).elastic);
   const double friction = draw.coin() ? 0.0 : draw.between(0.0, 1.0);
-  const contact::ContactSolver solver(grid, body1, body2, friction);
+  const contact::ContactSolver solver(grid, body1, body2, contact::GrossSliding(friction));
   const contact::ContactSettings settings{.tol = draw.number(1e-6, 5),
                                           .max_iterations = draw.count(0, 200),
                                           .on_border = contact::OnBorder::warn};
@@ -103,11 +103,11 @@ void contact_of(Draw& draw) {
   const double value = by_load ? draw.number(1.0, 6) : draw.number(1e-6, 4);
   const Field gap = heights(draw, grid.surface_size());
   const auto found = solver.solve(
-      gap, by_load ? contact::Driver::load(value) : contact::Driver::approach(value), {}, settings);
+      gap, by_load ? contact::Drive::load(value) : contact::Drive::approach(value), {}, settings);
   check(found.converged, "what is returned has converged");
-  check(is_finite(found.pressure) && is_finite(found.gap), "fields are finite");
+  check(is_finite(found.tractions.pressure) && is_finite(found.gap), "fields are finite");
   double sum = 0.0;
-  for (const double p : found.pressure) {
+  for (const double p : found.tractions.pressure) {
     check(p >= 0, "no tension");
     sum += p;
   }
@@ -133,9 +133,8 @@ void steps_of(Draw& draw) {
                                     friction, settings);
   for (int increments = draw.count(1, 2); increments > 0; --increments) {
     simulation::Target target;
-    target.kind = draw.coin() ? simulation::Target::Kind::load : simulation::Target::Kind::approach;
-    target.value =
-        target.kind == simulation::Target::Kind::load ? draw.number(1.0, 3) : draw.number(1e-6, 2);
+    target.drive = draw.coin() ? contact::Drive::load(draw.number(1.0, 3))
+                               : contact::Drive::approach(draw.number(1e-6, 2));
     const auto& state = simulation.step(target);
     check(is_finite(state.tractions.pressure), "pressure is finite");
     for (int body = 0; body < 2; ++body) {

@@ -144,13 +144,14 @@ TEST_CASE("rounds of the active set agree with the plain conjugate gradient") {
     const Field gap = wavy_gap(grid);
     const operators::SurfaceDisplacement displacement(grid, influence);
     const contact::Multilevel multilevel(grid, influence);
-    for (const auto driver : {contact::Driver::load(1e8), contact::Driver::approach(0.05)}) {
+    for (const auto normal : {contact::Given::force(1e8), contact::Given::motion(0.05)}) {
       const Field none(gap.size(), 0.0);
-      const auto fast = multilevel.solve(gap, driver, none, 1e-10, 1000);
-      const auto plain = contact::polonsky_keer(displacement, gap, 1.0, driver, none, 1e-10, 1000);
+      const auto fast = multilevel.solve(gap, normal, none, 1e-10, 1000);
+      const auto plain = contact::polonsky_keer(displacement, gap, 1.0, normal, none, 1e-10, 1000);
       CHECK(fast.converged);
       CHECK(plain.converged);
-      CHECK(largest_difference(fast.pressure, plain.pressure) < 1e-7 * largest(plain.pressure));
+      CHECK(largest_difference(fast.tractions.pressure, plain.tractions.pressure) <
+            1e-7 * largest(plain.tractions.pressure));
       CHECK(fast.operator_applications < plain.operator_applications / 2);
     }
   }
@@ -159,7 +160,7 @@ TEST_CASE("rounds of the active set agree with the plain conjugate gradient") {
 TEST_CASE("too few iterations are reported") {
   const Grid grid(40, 40, 1.0, 1.0);
   const contact::Multilevel multilevel(grid, influence);
-  const auto solution = multilevel.solve(wavy_gap(grid), contact::Driver::load(1e8),
+  const auto solution = multilevel.solve(wavy_gap(grid), contact::Given::force(1e8),
                                          Field(grid.surface_size(), 0.0), 1e-10, 2);
   CHECK_FALSE(solution.converged);
   CHECK(solution.iterations == 2);

@@ -119,12 +119,11 @@ TEST_CASE("media are equal when their coefficients are") {
 TEST_CASE("contact on springs presses each cell by its own penetration") {
   const Field gap{0.0, 1e-6, 2e-6, 5e-6}, compliance{1e-15, 2e-15, 1e-15, 3e-15};
   const double approach = 3e-6;
-  const auto found =
-      contact::polonsky_keer(Springs(compliance), gap, 1.0, contact::Driver::approach(approach),
-                             Field(4, 0.0), 1e-12, 200);
+  const auto found = contact::polonsky_keer(
+      Springs(compliance), gap, 1.0, contact::Given::motion(approach), Field(4, 0.0), 1e-12, 200);
   REQUIRE(found.converged);
   for (std::size_t i = 0; i < 4; ++i) {
     const double exact = std::fmax(approach - gap[i], 0.0) / compliance[i];
-    CHECK(std::fabs(found.pressure[i] - exact) < 1e-10 * 3e9);
+    CHECK(std::fabs(found.tractions.pressure[i] - exact) < 1e-10 * 3e9);
   }
 }

@@ -31,7 +31,7 @@ Simulation small_scene(const plasticity::Material& lower, const Settings& settin
                     settings);
 }
 
-Target load(double newton) { return {.kind = Target::Kind::load, .value = newton}; }
+Target load(double newton) { return {.drive = contact::Drive::load(newton)}; }
 
 }  // namespace
 

@@ -55,7 +55,7 @@ Field ball(const Grid& grid, double radius) {
   return gap;
 }
 
-Target load(double newton) { return {.kind = Target::Kind::load, .value = newton}; }
+Target load(double newton) { return {.drive = contact::Drive::load(newton)}; }
 
 /// Loaded under heat that is marched in time, in steps too short to reach the next cell.
 Simulation heated_scene(double heat_factor) {
@@ -96,14 +96,15 @@ TEST_CASE("threads share a contact solver") {
   const Field gap = ball(grid, 7.5e-3);
   const auto solve = [&](const contact::ContactSolver& solver, double newton) {
     return [&, newton] {
-      const auto solution = solver.solve(gap, contact::Driver::load(newton), {}, {.tol = 1e-4});
-      return std::vector<Field>{solution.pressure, solution.gap, {solution.approach}};
+      const auto solution = solver.solve(gap, contact::Drive::load(newton), {}, {.tol = 1e-4});
+      return std::vector<Field>{
+          solution.tractions.pressure, solution.gap, {solution.motion.approach}};
     };
   };
   // Each with its own boxes, so that one thread drops operators that the other may still use.
   const auto medium = operators::half_space(elastic.elastic);
-  const contact::ContactSolver alone(grid, medium, medium, 0.0);
-  const contact::ContactSolver shared(grid, medium, medium, 0.0);
+  const contact::ContactSolver alone(grid, medium, medium, contact::GrossSliding(0.0));
+  const contact::ContactSolver shared(grid, medium, medium, contact::GrossSliding(0.0));
   const double wide = 1.5e6, narrow = 1e4;
   CHECK(at_once(solve(shared, wide), solve(shared, narrow)) ==
         one_by_one(solve(alone, wide), solve(alone, narrow)));

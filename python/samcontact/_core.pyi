@@ -101,6 +101,7 @@ class ContactSolver:
         max_iterations: int,
         error_on_border: bool,
     ) -> dict[str, Any]: ...  # fields of ContactSolution (operator_applications, work, ...)
+    def shear(self, pressure: FloatArray) -> FloatArray | None: ...
 
 class State:
     pressure: FloatArray

@@ -277,9 +277,9 @@ class ContactSolver(Fixed):
         layers = np.size(z)
         needed = _memory.volume(self.grid, _memory.STRESS_OF_TRACTIONS, layers)
         _memory.require_for_grid(f"the stress at {layers} depths", self.grid, needed)
-        p = finite_array("pressure", pressure, self.grid.surface_shape)
-        if shear is None and self.friction > 0:
-            shear = self.friction * p
+        p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
+        if shear is None:
+            shear = self._core.shear(p)
         parts = [s for s in shear_components(self.grid, shear) if s is not None]
         sign = 1.0 if body == 2 else -1.0
         reversed_or_not = np.stack([sign * s for s in parts]) if parts else None
@@ -290,7 +290,7 @@ class ContactSolver(Fixed):
             material._core.elastic_constants,
             self._heating[body - 1],
             depths_of(z).tolist(),
-            np.ascontiguousarray(p),
+            p,
             *shear_components(self.grid, reversed_or_not),
         )
         return stress

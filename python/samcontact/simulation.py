@@ -314,8 +314,6 @@ class Simulation(Fixed, Shown):
         if kind == "pressure":
             shape = self.grid.surface_shape
             p = tractions("pressure", pressure, shape)  # type: ignore[arg-type]
-            if shear is None and self.friction > 0:
-                shear = self.friction * p
             shear_x, shear_y = shear_components(self.grid, shear)
         elif shear is not None:
             raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")

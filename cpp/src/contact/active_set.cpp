@@ -29,7 +29,7 @@ class ActiveSet {
   ActiveSet(const NearProblem& problem, Field pressure, Field displacement)
       : problem_(problem),
         n_(pressure.size()),
-        load_driven_(problem.driver.is_load()),
+        load_driven_(problem.normal.is_force()),
         p_(std::move(pressure)),
         r_(n_),
         z_(n_),
@@ -74,7 +74,7 @@ class ActiveSet {
 
   /// Approach and scales; a change of the set that raised the energy was premature.
   void watch_energy(const Totals& all) {
-    approach_ = problem_.driver.value;
+    approach_ = problem_.normal.value;
     if (load_driven_) approach_ = all.contacts > 0 ? all.rest_in_contact / all.contacts : 0.0;
     const double energy = all.energy - (load_driven_ ? 0.0 : approach_ * all.pressure);
     if (energy > energy_) patience_ *= patience_loss;
@@ -104,7 +104,7 @@ class ActiveSet {
 
   /// Displacement of a pressure that was changed by hand, scaled to the load.
   void settle() {
-    if (load_driven_) scale_to_sum(p_, problem_.driver.value / problem_.cell_area);
+    if (load_driven_) scale_to_sum(p_, problem_.normal.value / problem_.cell_area);
     apply(p_, rest_);
     for (std::size_t i = 0; i < n_; ++i) rest_[i] += problem_.gap[i];
   }

@@ -37,11 +37,11 @@ double scale_to_sum(Field& pressure, double sum) {
 }
 
 double close_gap(const Field& initial_gap, const Field& displacement, const Field& pressure,
-                 Driver driver, Field& gap) {
+                 Given normal, Field& gap) {
   const std::ptrdiff_t n = initial_gap.size();
 #pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
   for (std::ptrdiff_t i = 0; i < n; ++i) gap[i] = initial_gap[i] + displacement[i];
-  const double approach = driver.is_load() ? contact_mean(pressure, gap) : driver.value;
+  const double approach = normal.is_force() ? contact_mean(pressure, gap) : normal.value;
 #pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
   for (std::ptrdiff_t i = 0; i < n; ++i) gap[i] -= approach;
   return approach;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "samcontact/base/reduce.hpp"
 
@@ -30,11 +31,6 @@ std::array<double, 2> border_pressure(const Grid& grid, const Field& pressure) {
   return largest;
 }
 
-std::string describe(const Driver& driver) {
-  return driver.kind == Driver::Kind::load ? "load " + to_text(driver.value) + " N"
-                                           : "approach " + to_text(driver.value) + " m";
-}
-
 /// Largest change between two fields on the cells in contact; under load control a uniform change
 /// is only a change of approach.
 double change_in_contact(const Field& a, const Field& b, const Field& pressure, bool load_driven) {
@@ -49,8 +45,8 @@ double change_in_contact(const Field& a, const Field& b, const Field& pressure, 
 }
 
 operators::SurfaceInfluence influence_of(const std::array<operators::SharedMedium, 2>& bodies,
-                                         double friction, const operators::HeatingPair& heating) {
-  require(std::isfinite(friction) && friction >= 0, "friction", "a finite number >= 0", friction);
+                                         const GrossSliding& sliding,
+                                         const operators::HeatingPair& heating) {
   if (bodies[0]->is_rigid() && bodies[1]->is_rigid()) {
     throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
   }
@@ -60,7 +56,7 @@ operators::SurfaceInfluence influence_of(const std::array<operators::SharedMediu
       throw std::invalid_argument("body " + std::to_string(b + 1) +
                                   " is rigid: it has no thermal expansion, heat cannot enter it");
     }
-    influence.add(bodies[b], operators::shear_sign(b) * friction, heating[b]);
+    influence.add(bodies[b], sliding.shear_over_pressure(b), heating[b]);
   }
   return influence;
 }
@@ -91,70 +87,37 @@ GridTooSmallError too_small(const std::string& complaint) {
 }
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
-                             const operators::SharedMedium& body2, double friction,
+                             const operators::SharedMedium& body2, const GrossSliding& sliding,
                              const operators::HeatingPair& heating)
-    : ContactSolver(grid, influence_of({body1, body2}, friction, heating), friction) {}
+    : ContactSolver(grid, influence_of({body1, body2}, sliding, heating), sliding) {}
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence,
-                             double friction)
+                             const GrossSliding& sliding)
     : grid_(grid),
-      friction_(friction),
+      sliding_(sliding),
       heated_(influence.is_heated()),
       multilevel_(grid, influence) {}
 
-void ContactSolver::check(const Field& gap, const Driver& driver, const Field& initial_pressure,
-                          const ContactSettings& settings) const {
-  std::string shape = " must have shape (";
-  shape.append(std::to_string(grid_.nx)).append(", ").append(std::to_string(grid_.ny)).append(")");
-  if (gap.size() != grid_.surface_size()) throw std::invalid_argument("gap" + shape);
-  if (!all_finite(gap)) throw std::invalid_argument("gap must be finite everywhere");
-  if (!initial_pressure.empty()) {
-    if (initial_pressure.size() != gap.size()) {
-      throw std::invalid_argument("initial_pressure" + shape);
-    }
-    if (!all_finite(initial_pressure)) {
-      throw std::invalid_argument("initial_pressure must be finite everywhere");
-    }
-  }
-  if (driver.kind == Driver::Kind::load) {
-    require(std::isfinite(driver.value) && driver.value >= 0, "load", "a finite number >= 0 [N]",
-            driver.value);
-    if (driver.value > 0) require_moderate("load", driver.value, "[N], or 0");
-  } else {
-    require(std::isfinite(driver.value), "approach", "a finite number [m]", driver.value);
-  }
-  require(settings.tol >= 1e-13 && settings.tol < 1, "tol", "in [1e-13, 1)", settings.tol);
-  require(settings.max_iterations > 0, "max_iterations", "an integer > 0", settings.max_iterations);
-}
-
-Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& initial_pressure,
-                              const ContactSettings& settings) const {
-  check(gap, driver, initial_pressure, settings);
-  Field pressure = initial_pressure;
-  pressure.resize(gap.size(), 0.0);
-  for (double& p : pressure) p = std::max(p, 0.0);
-
-  Solution solution = multilevel_.displacement().has_rest()
-                          ? solve_coupled(gap, driver, std::move(pressure), settings)
-                          : multilevel_.solve(gap, driver, std::move(pressure), settings.tol,
-                                              settings.max_iterations);
+void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
+                                   const ContactSettings& settings) const {
   // Comparisons with NaN are false: such a solution would look converged.
-  const bool finite =
-      all_finite(solution.pressure) && all_finite(solution.gap) && std::isfinite(solution.load);
+  const bool finite = all_finite(solution.tractions.pressure) && all_finite(solution.gap) &&
+                      std::isfinite(solution.load);
   const bool grows = solution.negative_curvatures > 0;
-  if (heated_ && !driver.is_load() && (finite ? is_unstable(solution.pressure) : grows)) {
-    throw ConvergenceError("the contact is thermoelastically unstable at " + describe(driver) +
+  if (heated_ && !drive.normal.is_force() &&
+      (finite ? is_unstable(solution.tractions.pressure) : grows)) {
+    throw ConvergenceError("the contact is thermoelastically unstable at " + describe(drive) +
                                ": its heat raises the surfaces by more than its pressure lowers "
                                "them, so that it grows by itself; give a load instead",
                            solution.iterations, solution.error);
   }
   if (!finite) {
-    throw ConvergenceError("contact did not converge at " + describe(driver) +
+    throw ConvergenceError("contact did not converge at " + describe(drive) +
                                ": the solution is beyond the range of numbers",
                            solution.iterations, solution.error);
   }
   if (heated_ && !solution.converged && solution.negative_curvatures > 0) {
-    throw ConvergenceError("the contact may be thermoelastically unstable at " + describe(driver) +
+    throw ConvergenceError("the contact may be thermoelastically unstable at " + describe(drive) +
                                ": frictional heat makes the operator indefinite " +
                                std::to_string(solution.negative_curvatures) +
                                " times on the way; error " + to_text(solution.error) + " after " +
@@ -164,15 +127,34 @@ Solution ContactSolver::solve(const Field& gap, Driver driver, const Field& init
   }
   if (!solution.converged) {
     throw ConvergenceError(
-        "contact did not converge at " + describe(driver) + ": error " + to_text(solution.error) +
+        "contact did not converge at " + describe(drive) + ": error " + to_text(solution.error) +
             " after " + std::to_string(solution.iterations) + " iterations, tol " +
             to_text(settings.tol) + ": allow more max_iterations, a larger tol, or smaller cells",
         solution.iterations, solution.error);
   }
-  solution.border_complaint = border_complaint(grid_, solution.pressure, describe(driver));
+}
+
+Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field& initial_pressure,
+                              const ContactSettings& settings) const {
+  require_surface(gap, grid_, "gap");
+  if (!initial_pressure.empty()) require_surface(initial_pressure, grid_, "initial_pressure");
+  require_valid(drive);
+  require(settings.tol >= 1e-13 && settings.tol < 1, "tol", "in [1e-13, 1)", settings.tol);
+  require(settings.max_iterations > 0, "max_iterations", "an integer > 0", settings.max_iterations);
+  Field pressure = initial_pressure;
+  pressure.resize(gap.size(), 0.0);
+  for (double& p : pressure) p = std::max(p, 0.0);
+
+  Solution solution = multilevel_.displacement().has_rest()
+                          ? solve_coupled(gap, drive.normal, std::move(pressure), settings)
+                          : multilevel_.solve(gap, drive.normal, std::move(pressure), settings.tol,
+                                              settings.max_iterations);
+  require_solved(solution, drive, settings);
+  solution.border_complaint = border_complaint(grid_, solution.tractions.pressure, describe(drive));
   if (!solution.border_complaint.empty() && settings.on_border == OnBorder::error) {
     throw too_small(solution.border_complaint);
   }
+  solution.tractions = sliding_.tractions(std::move(solution.tractions.pressure));
   return solution;
 }
 
@@ -184,9 +166,9 @@ bool ContactSolver::is_unstable(const Field& pressure) const {
   return ordered_dot(contact.data(), displacement.data(), contact.size()) < 0;
 }
 
-Solution ContactSolver::solve_coupled(const Field& gap, Driver driver, Field pressure,
+Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pressure,
                                       const ContactSettings& settings) const {
-  const bool load_driven = driver.kind == Driver::Kind::load;
+  const bool load_driven = normal.is_force();
   Field coupling(gap.size()), previous(gap.size()), lagged(gap.size());
   ComplexField scratch;
   int iterations = 0, applications = 0;
@@ -203,32 +185,33 @@ Solution ContactSolver::solve_coupled(const Field& gap, Driver driver, Field pre
   for (int n = 0; n < max_coupling_iterations; ++n) {
     for (std::size_t i = 0; i < gap.size(); ++i) lagged[i] = gap[i] + coupling[i];
     const double inner_tol = std::clamp(0.1 * outer_error, 0.3 * settings.tol, 1e-2);
-    solution = multilevel_.solve(lagged, driver, std::move(pressure), std::max(inner_tol, 1e-13),
+    solution = multilevel_.solve(lagged, normal, std::move(pressure), std::max(inner_tol, 1e-13),
                                  settings.max_iterations);
     iterations += solution.iterations;
     applications += solution.operator_applications;
     work += solution.work;
     if (!solution.converged) break;
     std::swap(previous, coupling);
-    update_coupling(solution.pressure);
+    update_coupling(solution.tractions.pressure);
     // The gap with the updated coupling; its scale is the elastic displacement in the contact.
     double scale = 0.0;
     for (std::size_t i = 0; i < gap.size(); ++i) {
-      scale = std::max(scale, std::fabs(solution.gap[i] + solution.approach - lagged[i]));
+      scale = std::max(scale, std::fabs(solution.gap[i] + solution.motion.approach - lagged[i]));
     }
-    const double change = change_in_contact(coupling, previous, solution.pressure, load_driven);
+    const double change =
+        change_in_contact(coupling, previous, solution.tractions.pressure, load_driven);
     outer_error = scale > 0 ? change / scale : 0.0;
     solution.error += outer_error;
     for (std::size_t i = 0; i < gap.size(); ++i) solution.gap[i] += coupling[i] - previous[i];
     if (load_driven) {
       // The part of the change that is uniform over the contact moves the bodies.
-      const double shift = contact_mean(solution.pressure, solution.gap);
+      const double shift = contact_mean(solution.tractions.pressure, solution.gap);
       for (double& g : solution.gap) g -= shift;
-      solution.approach += shift;
+      solution.motion.approach += shift;
     }
     solution.converged = solution.error <= settings.tol;
     if (solution.converged) break;
-    pressure = solution.pressure;
+    pressure = solution.tractions.pressure;
   }
   solution.iterations = iterations;
   solution.operator_applications = applications;

@@ -44,7 +44,7 @@ class Multilevel::Level {
 
   /// The work of the solution is counted in the unit of fft::filter_cost. is_start: only its
   /// pressure is wanted, to start from.
-  Solution solve(const Field& initial_gap, Driver driver, Field pressure, double tol,
+  Solution solve(const Field& initial_gap, Given normal, Field pressure, double tol,
                  int max_iterations, bool is_start = false) const;
 
   const Grid& grid() const { return grid_; }
@@ -52,7 +52,7 @@ class Multilevel::Level {
   std::shared_ptr<const NearOperators> near(int nx, int ny) const;
 
  private:
-  Field coarse_start(const Field& gap, Driver driver, int max_iterations, double& work) const;
+  Field coarse_start(const Field& gap, Given normal, int max_iterations, double& work) const;
 
   Grid grid_;
   operators::SurfaceInfluence influence_;
@@ -70,18 +70,19 @@ class Rounds {
   using Near = std::function<std::shared_ptr<const NearOperators>(int nx, int ny)>;
 
   Rounds(const Grid& grid, const operators::NormalDisplacement& displacement, Near near,
-         const Field& initial_gap, Driver driver, Field pressure, bool warm)
+         const Field& initial_gap, Given normal, Field pressure, bool warm)
       : grid_(grid),
         displacement_(displacement),
         near_(std::move(near)),
         initial_gap_(initial_gap),
-        driver_(driver),
+        normal_(normal),
         warm_(warm),
         box_{},
         u_(initial_gap.size()) {
-    solution_.pressure = std::move(pressure);
+    solution_.tractions.pressure = std::move(pressure);
     solution_.gap.resize(initial_gap.size());
-    if (driver.is_load()) scale_to_sum(solution_.pressure, driver.value / grid.cell_area());
+    if (normal.is_force())
+      scale_to_sum(solution_.tractions.pressure, normal.value / grid.cell_area());
   }
 
   /// One round, unjudged: what the next finer grid starts from.
@@ -114,11 +115,12 @@ class Rounds {
  private:
   void evaluate() {
     check_interrupt();
-    displacement_.apply(solution_.pressure.data(), u_.data(), work_);
+    displacement_.apply(solution_.tractions.pressure.data(), u_.data(), work_);
     ++solution_.operator_applications;
     solution_.work += displacement_.cost();
-    solution_.approach = close_gap(initial_gap_, u_, solution_.pressure, driver_, solution_.gap);
-    solution_.error = complementarity_error(solution_.pressure, u_, solution_.gap);
+    solution_.motion.approach =
+        close_gap(initial_gap_, u_, solution_.tractions.pressure, normal_, solution_.gap);
+    solution_.error = complementarity_error(solution_.tractions.pressure, u_, solution_.gap);
   }
 
   /// A surface field over the box.
@@ -130,7 +132,7 @@ class Rounds {
 
   /// True when contact has become possible outside the box.
   bool choose_box() {
-    const Box box = possible_contact(grid_, solution_.pressure, solution_.gap);
+    const Box box = possible_contact(grid_, solution_.tractions.pressure, solution_.gap);
     if (box_.contains(box)) return false;
     box_ = with_margin(grid_, box, box_);
     return true;
@@ -139,9 +141,9 @@ class Rounds {
   void round(bool first, double tol, int max_iterations) {
     const auto near = near_(box_.nx, box_.ny);
     const bool exact = near->displacement.is_exact();
-    NearProblem problem{*near, part(initial_gap_), driver_, grid_.cell_area(),
+    NearProblem problem{*near, part(initial_gap_), normal_, grid_.cell_area(),
                         displacement_.self_influence()};
-    Field pressure = part(solution_.pressure);
+    Field pressure = part(solution_.tractions.pressure);
     Field displacement = part(u_);
     if (!exact) {
       Field cheap(displacement.size());
@@ -154,17 +156,17 @@ class Rounds {
     const auto result =
         solve_active_set(problem, std::move(pressure), std::move(displacement), first && !warm_,
                          std::max(asked, safety * tol), max_iterations);
-    std::fill(solution_.pressure.begin(), solution_.pressure.end(), 0.0);
-    insert(result.pressure.data(), box_, solution_.pressure.data(), Box::surface(grid_));
+    std::fill(solution_.tractions.pressure.begin(), solution_.tractions.pressure.end(), 0.0);
+    insert(result.pressure.data(), box_, solution_.tractions.pressure.data(), Box::surface(grid_));
     solution_.iterations += result.iterations;
     solution_.negative_curvatures += result.negative_curvature;
     solution_.work += result.operations;
   }
 
   Solution plain(double tol, int max_iterations) {
-    Solution end =
-        polonsky_keer(displacement_, initial_gap_, grid_.cell_area(), driver_,
-                      std::move(solution_.pressure), tol, max_iterations - solution_.iterations);
+    Solution end = polonsky_keer(displacement_, initial_gap_, grid_.cell_area(), normal_,
+                                 std::move(solution_.tractions.pressure), tol,
+                                 max_iterations - solution_.iterations);
     end.iterations += solution_.iterations;
     end.negative_curvatures += solution_.negative_curvatures;
     end.work = end.work * displacement_.cost() + solution_.work;
@@ -176,7 +178,7 @@ class Rounds {
   const operators::NormalDisplacement& displacement_;
   const Near near_;
   const Field& initial_gap_;
-  const Driver driver_;
+  const Given normal_;
   const bool warm_;
   Box box_;
   Field u_;
@@ -194,7 +196,7 @@ std::shared_ptr<const NearOperators> Multilevel::Level::near(int nx, int ny) con
   return near_;
 }
 
-Field Multilevel::Level::coarse_start(const Field& gap, Driver driver, int max_iterations,
+Field Multilevel::Level::coarse_start(const Field& gap, Given normal, int max_iterations,
                                       double& work) const {
   {
     const std::lock_guard lock(mutex_);
@@ -202,31 +204,31 @@ Field Multilevel::Level::coarse_start(const Field& gap, Driver driver, int max_i
   }
   const Grid& coarse = coarser_->grid();
   const Solution start =
-      coarser_->solve(coarsened(grid_, gap), driver, Field(coarse.surface_size(), 0.0), coarse_tol,
+      coarser_->solve(coarsened(grid_, gap), normal, Field(coarse.surface_size(), 0.0), coarse_tol,
                       max_iterations, true);
   work += start.work;
-  return refined(grid_, start.pressure);
+  return refined(grid_, start.tractions.pressure);
 }
 
-Solution Multilevel::Level::solve(const Field& initial_gap, Driver driver, Field pressure,
+Solution Multilevel::Level::solve(const Field& initial_gap, Given normal, Field pressure,
                                   double tol, int max_iterations, bool is_start) const {
   const double lowest = *std::min_element(initial_gap.begin(), initial_gap.end());
-  if (driver.is_load() ? driver.value == 0 : driver.value <= lowest) {
+  if (normal.is_force() ? normal.value == 0 : normal.value <= lowest) {
     // Apart, or just touching: nothing to solve.
     Solution solution;
-    solution.approach = driver.is_load() ? lowest : driver.value;
-    solution.pressure.assign(initial_gap.size(), 0.0);
+    solution.motion.approach = normal.is_force() ? lowest : normal.value;
+    solution.tractions.pressure.assign(initial_gap.size(), 0.0);
     solution.gap = initial_gap;
-    for (double& g : solution.gap) g -= solution.approach;
+    for (double& g : solution.gap) g -= solution.motion.approach;
     return solution;
   }
   double work = 0.0;
   const bool warm = !is_zero(pressure);
   if (!warm && std::min(grid_.nx, grid_.ny) >= coarsest_side) {
-    pressure = coarse_start(initial_gap, driver, max_iterations, work);
+    pressure = coarse_start(initial_gap, normal, max_iterations, work);
   }
   const auto near_of = [this](int nx, int ny) { return near(nx, ny); };
-  Rounds rounds(grid_, displacement_, near_of, initial_gap, driver, std::move(pressure), warm);
+  Rounds rounds(grid_, displacement_, near_of, initial_gap, normal, std::move(pressure), warm);
   Solution solution =
       is_start ? rounds.start(tol, max_iterations) : rounds.run(tol, max_iterations);
   solution.work += work;
@@ -243,14 +245,14 @@ const operators::SurfaceDisplacement& Multilevel::displacement() const {
   return finest_->displacement();
 }
 
-Solution Multilevel::solve(const Field& initial_gap, Driver driver, Field pressure, double tol,
+Solution Multilevel::solve(const Field& initial_gap, Given normal, Field pressure, double tol,
                            int max_iterations) const {
-  Solution solution = finest_->solve(initial_gap, driver, std::move(pressure), tol, max_iterations);
+  Solution solution = finest_->solve(initial_gap, normal, std::move(pressure), tol, max_iterations);
   solution.work /= displacement().cost();
   const double area = finest_->grid().cell_area();
-  const Field& p = solution.pressure;
-  solution.load = driver.is_load()
-                      ? driver.value
+  const Field& p = solution.tractions.pressure;
+  solution.load = normal.is_force()
+                      ? normal.value
                       : area * ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
   return solution;
 }

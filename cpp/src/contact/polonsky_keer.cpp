@@ -16,18 +16,18 @@ constexpr int refresh_interval = 30;
 class ConjugateGradient {
  public:
   ConjugateGradient(const operators::NormalDisplacement& displacement, const Field& initial_gap,
-                    double cell_area, Driver driver, Field pressure)
+                    double cell_area, Given normal, Field pressure)
       : displacement_(displacement),
         initial_gap_(initial_gap),
         size_(initial_gap.size()),
-        driver_(driver),
-        target_sum_(driver.value / cell_area),
+        normal_(normal),
+        target_sum_(normal.value / cell_area),
         p_(std::move(pressure)),
         u_(size_),
         g_(size_),
         t_(size_, 0.0),
         q_(size_) {
-    if (driver_.is_load()) scale_to_sum(p_, target_sum_);
+    if (normal_.is_force()) scale_to_sum(p_, target_sum_);
     refresh();
   }
 
@@ -47,10 +47,10 @@ class ConjugateGradient {
       if (solution.converged || n == max_iterations) break;
       advance();
     }
-    solution.pressure = p_;
+    solution.tractions.pressure = p_;
     solution.negative_curvatures = negative_curvatures_;
     solution.gap = g_;
-    solution.approach = approach_;
+    solution.motion.approach = approach_;
     solution.operator_applications = applications_;
     solution.work = applications_;
     return solution;
@@ -67,7 +67,7 @@ class ConjugateGradient {
     since_refresh_ = 0;
   }
 
-  void update_gap() { approach_ = close_gap(initial_gap_, u_, p_, driver_, g_); }
+  void update_gap() { approach_ = close_gap(initial_gap_, u_, p_, normal_, g_); }
 
   /// One projected conjugate-gradient step from the current gap.
   void advance() {
@@ -79,7 +79,7 @@ class ConjugateGradient {
     for (std::size_t i = 0; i < size_; ++i) t_[i] = active(i) ? g_[i] + beta * t_[i] : 0.0;
 
     apply(t_, q_);
-    const double shift = driver_.is_load() ? contact_mean(p_, q_) : 0.0;
+    const double shift = normal_.is_force() ? contact_mean(p_, q_) : 0.0;
     const double gt = ordered_sum(size_, [&](std::size_t i) { return g_[i] * t_[i]; });
     const double qt = ordered_sum(size_, [&](std::size_t i) { return (q_[i] - shift) * t_[i]; });
     // Without an active cell with a residual there is no curvature: use the cell's own stiffness.
@@ -99,7 +99,7 @@ class ConjugateGradient {
     }
     // After a direction without curvature, conjugation would repeat it for ever.
     conjugate_ = !released && qt > 0;
-    const double scale = driver_.is_load() ? scale_to_sum(p_, target_sum_) : 1.0;
+    const double scale = normal_.is_force() ? scale_to_sum(p_, target_sum_) : 1.0;
     if (clipped || released || ++since_refresh_ >= refresh_interval) {
       refresh();
     } else {
@@ -110,7 +110,7 @@ class ConjugateGradient {
   const operators::NormalDisplacement& displacement_;
   const Field& initial_gap_;
   std::size_t size_;
-  Driver driver_;
+  Given normal_;
   double target_sum_;
   Field p_, u_, g_, t_, q_;
   double approach_ = 0.0, norm_ = 0.0;
@@ -122,9 +122,9 @@ class ConjugateGradient {
 }  // namespace
 
 Solution polonsky_keer(const operators::NormalDisplacement& displacement, const Field& initial_gap,
-                       double cell_area, Driver driver, Field pressure, double tol,
+                       double cell_area, Given normal, Field pressure, double tol,
                        int max_iterations) {
-  ConjugateGradient iteration(displacement, initial_gap, cell_area, driver, std::move(pressure));
+  ConjugateGradient iteration(displacement, initial_gap, cell_area, normal, std::move(pressure));
   return iteration.run(tol, max_iterations);
 }
 

@@ -51,10 +51,9 @@ class FixedPoint {
     }
     while (result_.grown && !any(mapped_)) evaluate();
     // Plastic flow only widens the contact: what is too large now will not fit later.
-    if (settings_.on_border == contact::OnBorder::error &&
-        target_.kind != Target::Kind::tractions) {
+    if (settings_.on_border == contact::OnBorder::error && !target_.is_prescribed()) {
       const auto complaint =
-          contact::border_complaint(grid_, result_.contact.pressure, describe(target_));
+          contact::border_complaint(grid_, result_.contact.tractions.pressure, describe(target_));
       if (!complaint.empty()) throw contact::too_small(complaint);
     }
     if (problem_.has_plastic_body()) ++counters_.yield_checks;
@@ -154,14 +153,7 @@ class FixedPoint {
 }  // namespace
 
 std::string describe(const Target& target) {
-  switch (target.kind) {
-    case Target::Kind::load:
-      return "load " + to_text(target.value) + " N";
-    case Target::Kind::approach:
-      return "approach " + to_text(target.value) + " m";
-    default:
-      return "the prescribed tractions";
-  }
+  return target.is_prescribed() ? "the prescribed tractions" : contact::describe(target.drive);
 }
 
 State solve_increment(const State& from, const Target& target, const Scans& scans,

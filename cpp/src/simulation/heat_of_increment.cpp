@@ -14,7 +14,7 @@ using operators::Tensor;
 
 HeatOfIncrement::HeatOfIncrement(const Scene& scene, const Target& target)
     : scene_(scene), target_(target) {
-  if (target.kind == Target::Kind::tractions) return;
+  if (target.is_prescribed()) return;
   for (int b = 0; b < 2; ++b) {
     if (has_past(b)) {
       displacement_.push_back(target.past[b]->displacement(target.heating[b].time));

@@ -39,7 +39,7 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
   using fft::Symmetry;
   if (from_.method == operators::ResidualMethod::exact) return Symmetry::none;
   Symmetry symmetry = scene_.symmetry(from_.travel);
-  if (target_.kind == Target::Kind::tractions) {
+  if (target_.is_prescribed()) {
     symmetry = symmetry_of(tractions_, scene_.grid);
   }
   symmetry = common(symmetry, symmetry_of(target_.heating));
@@ -52,7 +52,7 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
 
 bool PlasticIncrement::twins() const {
   const auto& [upper, lower] = scene_.materials;
-  if (!upper.is_plastic() || upper != lower || scene_.friction > 0) return false;
+  if (!upper.is_plastic() || upper != lower || scene_.sliding.is_on()) return false;
   if (target_.heating[0] != target_.heating[1] || target_.past[0] != target_.past[1]) return false;
   // Two laws cannot be compared.
   if (settings_.softening[0] || settings_.softening[1]) return false;
@@ -70,10 +70,10 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
       settings_(settings),
       counters_(counters),
       scene_(from.scene()),
-      tractions_(target.kind == Target::Kind::tractions
+      tractions_(target.is_prescribed()
                      ? seen_from_body(target.tractions, scene_.grid, from.placement().origin)
                      : operators::Tractions{from.tractions.pressure, {}, {}}),
-      undeformed_(target.kind == Target::Kind::tractions ? Field() : scene_.gap(from.travel)),
+      undeformed_(target.is_prescribed() ? Field() : scene_.gap(from.travel)),
       heat_(scene_, target),
       sources_{&undeformed_, &heat_},
       symmetry_(choose_symmetry()),
@@ -108,27 +108,22 @@ void PlasticIncrement::scatter(const Field& guess) {
 
 contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) {
   contact::Solution solution;
-  if (target_.kind == Target::Kind::tractions) {
-    solution.pressure = tractions_.pressure;
+  if (target_.is_prescribed()) {
+    solution.tractions = tractions_;
+    const Field& pressure = tractions_.pressure;
     solution.load = scene_.grid.cell_area() *
-                    ordered_sum(gap.size(), [&](std::size_t i) { return solution.pressure[i]; });
-    solution.approach = std::numeric_limits<double>::quiet_NaN();
+                    ordered_sum(gap.size(), [&](std::size_t i) { return pressure[i]; });
+    solution.motion.approach = std::numeric_limits<double>::quiet_NaN();
   } else {
-    const auto driver = target_.kind == Target::Kind::load
-                            ? contact::Driver::load(target_.value)
-                            : contact::Driver::approach(target_.value);
     contact::ContactSettings settings;
     settings.tol = tol;
     // An iterate may be larger than the solution: the border is checked once, at the end.
     settings.on_border = contact::OnBorder::warn;
-    solution = scene_.solver(target_.heating)->solve(gap, driver, tractions_.pressure, settings);
+    const auto solver = scene_.solver(target_.heating);
+    solution = solver->solve(gap, target_.drive, tractions_.pressure, settings);
     ++counters_.contact_solves;
     counters_.contact_iterations += solution.iterations;
-    tractions_.pressure = solution.pressure;
-    if (scene_.friction > 0) {
-      tractions_.shear_x = solution.pressure;
-      for (double& s : tractions_.shear_x) s *= scene_.friction;
-    }
+    tractions_ = solution.tractions;
   }
   for (PlasticBody& body : bodies_) body.meet(tractions_);
   return solution;
@@ -227,7 +222,7 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
   for (const Source* source : sources_) source->open(gap_);
   for (PlasticBody& body : bodies_) {
     body.transform(active_.size() > 0);
-    if (target_.kind != Target::Kind::tractions) body.open(gap_);
+    if (!target_.is_prescribed()) body.open(gap_);
   }
   Result result;
   result.contact = solve_contact(gap_, contact_tol);
@@ -261,8 +256,9 @@ double PlasticIncrement::part_of_last_motion() const {
       std::fabs(by[1 - main] - ratio * last->advance[1 - main]) <= 1e-6 * std::fabs(by[main]);
   if (!same_way || !(ratio > 0 && ratio <= 2)) return 0.0;
   const auto near = [](double a, double b) { return std::fabs(a - b) <= 0.05 * std::fabs(b); };
-  if (target_.kind == Target::Kind::load && !near(target_.value, from_.load)) return 0.0;
-  if (target_.kind == Target::Kind::approach && !near(target_.value, from_.approach)) return 0.0;
+  const double normal = target_.drive.normal.value;
+  if (target_.is_load() && !near(normal, from_.load)) return 0.0;
+  if (target_.is_approach() && !near(normal, from_.approach)) return 0.0;
   return ratio;
 }
 
@@ -346,14 +342,14 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.softening = {};
   state.contact_gap.clear();
   state.load = result.contact.load;
-  state.approach = result.contact.approach;
+  state.approach = result.contact.motion.approach;
   state.flowed = {};
   state.border_flow = {};
   state.advance = {};
   remember_flow(state, mapped);
   scatter(mapped);
   for (std::size_t b = 0; b < bodies_.size(); ++b) finish(b, mapped, state);
-  if (target_.kind != Target::Kind::tractions) {
+  if (!target_.is_prescribed()) {
     Box whole = Box::whole(scene_.grid);
     const bool known = std::all_of(bodies_.begin(), bodies_.end(), [&](const PlasticBody& body) {
       whole.nz = body.box().nz;

@@ -33,16 +33,15 @@ Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
       materials{body1, body2},
       media(media_of(body1, body2)),
       initial_gap(std::move(initial_gap_)),
-      friction(friction_),
+      sliding(friction_),
       march(march_),
       reach(reach_),
       reliefs(std::move(reliefs_)),
       image_tol_(image_tol),
       symmetry_(symmetry_of(initial_gap, grid_)) {
-  // Throws for bodies or friction that no contact has.
+  // Throws for bodies that have no contact.
   solver({});
-  // Sliding is along x.
-  if (friction > 0) symmetry_ = common(symmetry_, fft::Symmetry::y);
+  symmetry_ = common(symmetry_, sliding.symmetry());
 }
 
 Placement Scene::placement(const Travel& travel) const {
@@ -93,7 +92,7 @@ std::shared_ptr<const contact::ContactSolver> Scene::solver(
   const std::lock_guard lock(mutex_);
   if (!solver_ || solver_heating_ != heating) {
     solver_ =
-        std::make_shared<const contact::ContactSolver>(grid, media[0], media[1], friction, heating);
+        std::make_shared<const contact::ContactSolver>(grid, media[0], media[1], sliding, heating);
     solver_heating_ = heating;
   }
   return solver_;

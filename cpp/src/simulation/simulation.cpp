@@ -146,7 +146,7 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
                        const plasticity::Material& body2, Field initial_gap, double friction,
                        const Settings& settings, const HeatMarch& march, Reliefs reliefs)
     : scene_(
-          (require_field(initial_gap, grid.surface_size(), "gap", shape_text({grid.nx, grid.ny})),
+          (contact::require_surface(initial_gap, grid, "gap"),
            std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
                                    settings.image_tol, march, settings.reach, std::move(reliefs)))),
       settings_(settings),
@@ -181,19 +181,10 @@ const Scans& Simulation::scans(const operators::HeatingPair& heating) {
 }
 
 void Simulation::check(const Target& target) const {
-  if (target.kind == Target::Kind::load) {
-    require(std::isfinite(target.value) && target.value >= 0, "load", "a finite number >= 0 [N]",
-            target.value);
-    if (target.value > 0) require_moderate("load", target.value, "[N], or 0");
-  } else if (target.kind == Target::Kind::approach) {
-    require(std::isfinite(target.value), "approach", "a finite number [m]", target.value);
-  } else {
-    const Grid& grid = scene_->grid;
-    const std::string shape = shape_text({grid.nx, grid.ny});
-    require_field(target.tractions.pressure, grid.surface_size(), "pressure", shape);
-    for (const Field* shear : {&target.tractions.shear_x, &target.tractions.shear_y}) {
-      if (!shear->empty()) require_field(*shear, grid.surface_size(), "shear", shape);
-    }
+  if (!target.is_prescribed()) return contact::require_valid(target.drive);
+  contact::require_surface(target.tractions.pressure, scene_->grid, "pressure");
+  for (const Field* shear : {&target.tractions.shear_x, &target.tractions.shear_y}) {
+    if (!shear->empty()) contact::require_surface(*shear, scene_->grid, "shear");
   }
 }
 
@@ -201,10 +192,11 @@ Target Simulation::between(const State& from, const Target& target, double fract
   Target part = target;
   if (fraction == 1.0) return part;
   const auto mix = [fraction](double a, double b) { return a + fraction * (b - a); };
-  if (target.kind == Target::Kind::load) {
-    part.value = mix(from.load, target.value);
-  } else if (target.kind == Target::Kind::approach) {
-    part.value = mix(from.approach, target.value);
+  double& normal = part.drive.normal.value;
+  if (target.is_load()) {
+    normal = mix(from.load, normal);
+  } else if (target.is_approach()) {
+    normal = mix(from.approach, normal);
   } else {
     const auto mix_field = [&](const Field& a, Field& b) {
       if (a.empty() && b.empty()) return;
@@ -296,8 +288,7 @@ State Simulation::walk(const Target& target) {
     } catch (const ConvergenceError&) {
       part = 0.5 * (goal - done);
       ++counters_.halvings;
-      const bool no_start =
-          target.kind == Target::Kind::approach && !std::isfinite(moment.approach);
+      const bool no_start = target.is_approach() && !std::isfinite(moment.approach);
       if (part < least || no_start) throw;
     }
   }
@@ -314,7 +305,7 @@ std::vector<std::string> Simulation::border_complaints(const State& reached,
     if (settings_.on_border == contact::OnBorder::error) throw contact::too_small(what);
     complaints.push_back(std::move(what));
   };
-  if (target.kind != Target::Kind::tractions) {
+  if (!target.is_prescribed()) {
     add(contact::border_complaint(scene_->grid, reached.tractions.pressure, describe(target)));
   }
   for (int b = 0; b < 2; ++b) {
@@ -329,7 +320,10 @@ std::vector<std::string> Simulation::border_complaints(const State& reached,
 const State& Simulation::step(const Target& target) {
   check(target);
   const long contact_before = counters_.contact_iterations;
-  State reached = walk(target);
+  Target whole = target;
+  const auto& [pressure, shear_x, shear_y] = target.tractions;
+  if (shear_x.empty() && shear_y.empty()) whole.tractions = scene_->sliding.tractions(pressure);
+  State reached = walk(whole);
   reached.contact_iterations = static_cast<int>(counters_.contact_iterations - contact_before);
   reached.warnings = border_complaints(reached, target);
   state_ = std::move(reached);

@@ -12,7 +12,7 @@ namespace samcontact::contact {
 struct NearProblem {
   const NearOperators& operators;
   Field gap;  // initial gap of the box, with what the cheap operator misses [m]
-  Driver driver;
+  Given normal;
   double cell_area;
   double self_influence;  // u of a cell under its own unit pressure [m/Pa]
 };

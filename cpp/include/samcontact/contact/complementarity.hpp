@@ -9,24 +9,16 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/drive.hpp"
+#include "samcontact/operators/tractions.hpp"
 
 namespace samcontact::contact {
 
-/// What drives the contact: a total load [N] or an approach of the bodies [m].
-struct Driver {
-  enum class Kind { load, approach } kind;
-  double value;
-
-  static Driver load(double newton) { return {Kind::load, newton}; }
-  static Driver approach(double metre) { return {Kind::approach, metre}; }
-  bool is_load() const { return kind == Kind::load; }
-};
-
 struct Solution {
-  Field pressure;  // [i][j] [Pa]
-  Field gap;       // [i][j] [m]
-  double approach = 0.0;
-  double load = 0.0;
+  operators::Tractions tractions;  // on body 2
+  Field gap;                       // [i][j] [m]
+  RigidMotion motion;
+  double load = 0.0;  // [N]
   /// max over cells of |min(p / max p, g / max u)|: pressure where there is a gap, and gap or
   /// penetration where there is pressure, each relative to its own scale.
   double error = 0.0;
@@ -74,8 +66,8 @@ double complementarity_error(const Field& pressure, const Displacement& displace
 double scale_to_sum(Field& pressure, double sum);
 
 /// gap = initial gap + displacement - approach. Returns the approach: under load the mean of the
-/// rest over the contact, else the driver's.
+/// rest over the contact, else the one given.
 double close_gap(const Field& initial_gap, const Field& displacement, const Field& pressure,
-                 Driver driver, Field& gap);
+                 Given normal, Field& gap);
 
 }  // namespace samcontact::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact of two elastic half-spaces with Coulomb friction s = mu p (gross sliding along x).
+// Contact of two elastic bodies: takes a drive, returns tractions and a rigid motion.
 #pragma once
 
 #include <string>
@@ -7,6 +7,7 @@
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/grid.hpp"
 #include "samcontact/contact/complementarity.hpp"
+#include "samcontact/contact/gross_sliding.hpp"
 #include "samcontact/contact/multilevel.hpp"
 #include "samcontact/operators/surface_influence.hpp"
 
@@ -16,7 +17,7 @@ namespace samcontact::contact {
 enum class OnBorder { error, warn };
 
 /// Names the border that the contact touches and the remedy; empty when it touches none. what: the
-/// driver in words.
+/// drive in words.
 std::string border_complaint(const Grid& grid, const Field& pressure, const std::string& what);
 /// The error of a complaint, which also names the way to a warning.
 GridTooSmallError too_small(const std::string& complaint);
@@ -29,11 +30,10 @@ struct ContactSettings {
 
 class ContactSolver {
  public:
-  /// friction: coefficient mu >= 0; the shear mu p acts on body 2 in +x, on body 1 in -x. heating:
-  /// of the two bodies. Throws std::invalid_argument when both bodies are rigid, a rigid one is
-  /// heated, or friction is negative or not finite.
+  /// heating: of the two bodies. Throws std::invalid_argument when both bodies are rigid or a rigid
+  /// one is heated.
   ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
-                const operators::SharedMedium& body2, double friction,
+                const operators::SharedMedium& body2, const GrossSliding& sliding,
                 const operators::HeatingPair& heating = {});
 
   /// Where the displacement is an even operator (heat at rest included) one solve of the
@@ -42,23 +42,25 @@ class ContactSolver {
   /// - nu)), in the energy norm the largest ratio of the operators' Fourier symbols.
   /// initial_pressure may be empty. Throws std::invalid_argument (load < 0, wrong shape, not
   /// finite), GridTooSmallError, and ConvergenceError.
-  Solution solve(const Field& gap, Driver driver, const Field& initial_pressure,
+  Solution solve(const Field& gap, const Drive& drive, const Field& initial_pressure,
                  const ContactSettings& settings) const;
 
   const Grid& grid() const { return grid_; }
-  double friction() const { return friction_; }
+  const GrossSliding& sliding() const { return sliding_; }
 
  private:
-  ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence, double friction);
+  ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence,
+                const GrossSliding& sliding);
   /// Whether a uniform pressure on the contact raises it, on the mean, more than it lowers it.
   bool is_unstable(const Field& pressure) const;
-  Solution solve_coupled(const Field& gap, Driver driver, Field pressure,
+  /// Throws ConvergenceError otherwise.
+  void require_solved(const Solution& solution, const Drive& drive,
+                      const ContactSettings& settings) const;
+  Solution solve_coupled(const Field& gap, Given normal, Field pressure,
                          const ContactSettings& settings) const;
-  void check(const Field& gap, const Driver& driver, const Field& initial_pressure,
-             const ContactSettings& settings) const;
 
   Grid grid_;
-  double friction_;
+  GrossSliding sliding_;
   bool heated_;
   Multilevel multilevel_;
 };

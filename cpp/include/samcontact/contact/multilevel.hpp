@@ -27,7 +27,7 @@ class Multilevel {
 
   /// Starts from `pressure`, or from a coarser grid if that is zero everywhere. Returns converged =
   /// false after max_iterations.
-  Solution solve(const Field& initial_gap, Driver driver, Field pressure, double tol,
+  Solution solve(const Field& initial_gap, Given normal, Field pressure, double tol,
                  int max_iterations) const;
 
  private:

@@ -12,7 +12,7 @@ namespace samcontact::contact {
 /// doi:10.1016/S0043-1648(99)00113-1), for a given load or approach. Starts from `pressure`; stops
 /// when the error is below tol. Returns converged = false after max_iterations.
 Solution polonsky_keer(const operators::NormalDisplacement& displacement, const Field& initial_gap,
-                       double cell_area, Driver driver, Field pressure, double tol,
+                       double cell_area, Given normal, Field pressure, double tol,
                        int max_iterations);
 
 }  // namespace samcontact::contact

@@ -30,7 +30,7 @@ class Scene {
   const std::array<plasticity::Material, 2> materials;
   const std::array<operators::SharedMedium, 2> media;  // one object where they are equal
   const Field initial_gap;
-  const double friction;
+  const contact::GrossSliding sliding;
   const HeatMarch march;
   const int reach;
   const Reliefs reliefs;

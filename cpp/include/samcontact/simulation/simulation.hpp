@@ -11,15 +11,20 @@
 
 namespace samcontact::simulation {
 
-/// Where an increment goes: a load, an approach, or given tractions (in the frame of body 2).
+/// Where an increment goes.
 struct Target {
-  enum class Kind { load, approach, tractions } kind = Kind::load;
-  double value = 0.0;
+  contact::Drive drive = contact::Drive::load(0.0);
+  /// On body 2; with a pressure no contact is driven and solved. Without shear it has that of the
+  /// law of the contact.
   operators::Tractions tractions = {};
   Travel advance{};                     // on the way there
   operators::HeatingPair heating = {};  // that goes with the pressure
   PastHeat past = {};                   // filled in by the simulation
   fft::Symmetry past_symmetry = fft::Symmetry::xy;
+
+  bool is_prescribed() const { return !tractions.pressure.empty(); }
+  bool is_load() const { return !is_prescribed() && drive.normal.is_force(); }
+  bool is_approach() const { return !is_prescribed() && !drive.normal.is_force(); }
 };
 
 /// Factor of a body's yield stress, both [k][i][j] of the grid, from the rise of temperature [K].
