@@ -9,10 +9,11 @@ from fuzzing import tried, try_all, unless_refused
 from hypothesis import strategies as st
 
 import samcontact as sc
+from case_texts import BODIES
 from samcontact import measured, report, results
 from samcontact.cases import parse_case
 
-CASE = """
+CASE = f"""
 title = "small"
 [grid]
 nx = 8
@@ -21,20 +22,7 @@ dx = 1e-4
 dy = 1e-4
 nz = 8
 dz = 1e-4
-[body1]
-law = "elastic"
-E = 210e9
-nu = 0.3
-[body2]
-law = "swift"
-E = 210e9
-nu = 0.3
-B = 945e6
-C = 20
-n = 0.121
-[surface]
-shape = "paraboloid"
-Rx = 7.5e-3
+{BODIES}
 [contact]
 tol = 1e-4
 [[path]]

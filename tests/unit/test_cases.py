@@ -11,41 +11,11 @@ from core_fakes import make_grid
 import samcontact
 import samcontact.plotting
 import samcontact.results
+from case_texts import MINIMAL, SWIFT
 from samcontact import surfaces
 from samcontact.cases import CaseError, load_case
 
 CASES = Path(__file__).parents[2] / "cases"
-
-MINIMAL = """
-title = "two balls"
-[grid]
-nx = 15
-ny = 13
-dx = 60e-6
-dy = 60e-6
-nz = 12
-dz = 60e-6
-[body1]
-law = "elastic"
-E = 210e9
-nu = 0.3
-[body2]
-law = "swift"
-E = 210e9
-nu = 0.3
-B = 945e6
-C = 20
-n = 0.121
-[surface]
-shape = "paraboloid"
-Rx = 7.5e-3
-[[path]]
-load = 600.0
-increments = 2
-[[path]]
-load = 0.0
-increments = 1
-"""
 
 
 @pytest.fixture
@@ -86,13 +56,12 @@ def test_defaults_and_steps(write):
 
 
 def test_every_law_and_shape_is_accepted(write):
-    law = 'law = "swift"\nE = 210e9\nnu = 0.3\nB = 945e6\nC = 20\nn = 0.121'
     for body in (
         'law = "rigid"',
         'law = "perfect_plastic"\nE = 1e9\nnu = 0.3\nyield_stress = 1e9',
         'law = "linear_hardening"\nE = 1e9\nnu = 0.3\nyield_stress = 1e9\ntangent_modulus = 0.0',
     ):
-        text = replaced(law, body) + "[output]\nbody = 1\n"
+        text = replaced(SWIFT, body) + "[output]\nbody = 1\n"
         assert load_case(write(text)).body2.law in body
     shape = 'shape = "paraboloid"\nRx = 7.5e-3'
     for surface in (
@@ -176,8 +145,7 @@ def test_all_errors_are_reported_at_once(write):
 
 def test_rigid_bodies(write):
     elastic = 'law = "elastic"\nE = 210e9\nnu = 0.3'
-    swift = 'law = "swift"\nE = 210e9\nnu = 0.3\nB = 945e6\nC = 20\nn = 0.121'
-    text = replaced(swift, 'law = "rigid"')
+    text = replaced(SWIFT, 'law = "rigid"')
     with pytest.raises(CaseError, match=r"output\.body = 2 is rigid .* set it to 1"):
         load_case(write(text))
     with pytest.raises(CaseError, match="both rigid"):

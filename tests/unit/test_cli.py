@@ -3,16 +3,13 @@
 
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
-from test_cases import MINIMAL
 
 import samcontact
+from case_texts import MINIMAL, SWIFT
+from command import check_failure, invoke
 from samcontact import results
-from samcontact.commands.folder import is_own
-from samcontact.commands.main import main
 
 
 @pytest.fixture
@@ -20,16 +17,6 @@ def case_file(tmp_path):
     path = tmp_path / "scene.toml"
     path.write_text(MINIMAL)
     return path
-
-
-def invoke(*arguments):
-    outcome = CliRunner().invoke(main, [str(argument) for argument in arguments])
-    if outcome.exit_code == 0 and arguments[0] in ("run", "resume"):
-        lines = [line for line in outcome.stdout.splitlines() if "/" in line]
-        written = [Path(line) for line in lines if Path(line).is_file()]
-        # else a later run would leave it beside results that it does not show
-        assert [file for file in written if not is_own(file)] == []
-    return outcome
 
 
 def test_run_writes_results_figures_and_tables(case_file, tmp_path):
@@ -69,15 +56,6 @@ def test_run_quietly_without_figures_into_the_default_directory(case_file, monke
     assert [p.name for p in (tmp_path / "results/scene").iterdir()] == ["results.nc"]
 
 
-def check_failure(outcome, code, *messages):
-    assert outcome.exit_code == code
-    assert outcome.stdout == ""
-    assert outcome.stderr.startswith("error: ")
-    assert "Traceback" not in outcome.stderr
-    for message in messages:
-        assert message in outcome.stderr
-
-
 def test_bad_case_is_exit_code_2(case_file, tmp_path):
     case_file.write_text(MINIMAL.replace("nx = 15", "nx = -15"))
     check_failure(invoke("run", case_file), 2, "scene.toml: grid.nx:", "got -15")
@@ -85,8 +63,7 @@ def test_bad_case_is_exit_code_2(case_file, tmp_path):
 
 
 def test_load_beyond_the_grid_is_exit_code_2(case_file, tmp_path):
-    law = 'law = "swift"\nE = 210e9\nnu = 0.3\nB = 945e6\nC = 20\nn = 0.121'
-    text = MINIMAL.replace(law, 'law = "elastic"\nE = 210e9\nnu = 0.3')
+    text = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3')
     case_file.write_text(text.replace("load = 600.0", "load = 5000.0"))
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--quiet")
     check_failure(outcome, 2, "border")

@@ -6,11 +6,10 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from test_cases import MINIMAL
-from test_cli import invoke
-from test_moving_cases import MOVING
 
 import samcontact as sc
+from case_texts import MINIMAL, MOVING
+from command import invoke
 from samcontact import _core, _kept, _memory
 from samcontact.cases import load_case
 

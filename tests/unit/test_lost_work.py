@@ -8,11 +8,10 @@ import shutil
 
 import pytest
 import xarray as xr
-from test_cases import MINIMAL
-from test_cli import check_failure, invoke
-from test_moving_cli import fields, pressed
 
 import samcontact as sc
+from case_texts import MINIMAL, TUGGING, WEAR
+from command import check_failure, fields, invoke, pressed
 from samcontact import plotting, report, results
 from samcontact.commands import folder, interrupted, solve_contact
 from samcontact.commands.folder import LOCK, locked
@@ -184,12 +183,9 @@ class TestStudies:
 
     @pytest.fixture(params=["tugging", "wear"])
     def study(self, request, tmp_path):
-        import test_tugging_cases
-        import test_wear_cases
-
         text = {
-            "tugging": test_tugging_cases.TEXT.replace("passes = 2", "passes = 1"),
-            "wear": test_wear_cases.TEXT.replace("cycles = 1", "cycles = 2"),
+            "tugging": TUGGING.replace("passes = 2", "passes = 1"),
+            "wear": WEAR.replace("cycles = 1", "cycles = 2"),
         }[request.param]
         file = tmp_path / f"{request.param}.toml"
         file.write_text(text)

@@ -8,41 +8,12 @@ import numpy as np
 import pytest
 
 import samcontact as sc
+from case_texts import MOVING
 from samcontact import paths
 from samcontact.cases import Case, CaseError, load_case
 
 CASES = Path(__file__).parents[2] / "cases"
 
-MOVING = """
-title = "moving"
-[grid]
-nx = 15
-ny = 13
-dx = 60e-6
-dy = 60e-6
-nz = 12
-dz = 60e-6
-[body1]
-law = "elastic"
-E = 210e9
-nu = 0.3
-[body2]
-law = "swift"
-E = 210e9
-nu = 0.3
-B = 945e6
-C = 20
-n = 0.121
-[surface]
-shape = "paraboloid"
-Rx = 7.5e-3
-[contact]
-friction = 0.0
-[[path]]
-load = 600.0
-increments = 2
-roll = {distance = 180e-6, step = 60e-6, passes = 2, unload_increments = 1}
-"""
 ROLL = "roll = {distance = 180e-6, step = 60e-6, passes = 2, unload_increments = 1}"
 
 

@@ -12,17 +12,12 @@ import pytest
 import xarray as xr
 from matplotlib.figure import Figure
 from PIL import Image
-from test_cases import MINIMAL
-from test_cli import check_failure, invoke
-from test_moving_cases import MOVING
 
+from case_texts import MINIMAL, MOVING
+from command import check_failure, fields, invoke, pressed
 from samcontact import results
 from samcontact.cases import load_case
 from samcontact.commands import solve_contact
-
-
-def pressed(*_, **__):
-    raise KeyboardInterrupt
 
 
 @pytest.fixture
@@ -76,12 +71,6 @@ def counted(file, *arguments):
 checkpoint._write = counted
 main(sys.argv[2:])
 """
-
-
-def fields(folder):
-    with results.open_results(folder / "results.nc") as data:
-        del data.attrs["created"], data.attrs["history"]
-        return data.load()
 
 
 def test_goes_on_after_being_killed(case_file, tmp_path):

@@ -9,10 +9,10 @@ import pytest
 from click.testing import CliRunner
 from core_fakes import ELASTIC, SWIFT, FakeState, make_simulation
 from selenium.webdriver.common.by import By
-from test_cases import MINIMAL
 
 import samcontact as sc
 from browser import chromium, served
+from case_texts import MINIMAL
 from samcontact import report, results
 from samcontact.cases import parse_case
 from samcontact.commands.main import main

@@ -7,9 +7,9 @@ import warnings
 
 import numpy as np
 import pytest
-from test_cases import MINIMAL
 
 import samcontact as sc
+from case_texts import MINIMAL
 from samcontact import _expected, report, resolution, results
 from samcontact.cases import parse_case
 

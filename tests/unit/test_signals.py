@@ -6,11 +6,9 @@ import subprocess
 import sys
 
 import pytest
-import test_tugging_cases
-import test_wear_cases
-from test_cases import MINIMAL
-from test_cli import invoke
 
+from case_texts import MINIMAL, TUGGING, WEAR
+from command import invoke
 from samcontact import results
 from samcontact._starting import is_command
 
@@ -36,8 +34,8 @@ OPTIONS = ("--no-figures", "--quiet")
 TEXTS = {
     "run": (MINIMAL, signal.SIGHUP),
     "sweep": (MINIMAL, signal.SIGTERM),
-    "tugging": (test_tugging_cases.TEXT.replace("passes = 2", "passes = 1"), signal.SIGTERM),
-    "wear": (test_wear_cases.TEXT.replace("cycles = 1", "cycles = 2"), signal.SIGTERM),
+    "tugging": (TUGGING.replace("passes = 2", "passes = 1"), signal.SIGTERM),
+    "wear": (WEAR.replace("cycles = 1", "cycles = 2"), signal.SIGTERM),
 }
 
 

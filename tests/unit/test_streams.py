@@ -8,9 +8,9 @@ import sys
 
 import click
 import pytest
-from test_cases import MINIMAL
-from test_cli import invoke
 
+from case_texts import MINIMAL
+from command import invoke
 from samcontact.commands.main import main
 from samcontact.commands.streams import guarded_output
 

@@ -5,11 +5,10 @@ import re
 
 import numpy as np
 import pytest
-import test_tugging_cases
-import test_wear_cases
 import xarray as xr
-from test_cli import invoke
 
+from case_texts import TUGGING, WEAR
+from command import invoke
 from samcontact import report, results
 from samcontact.report.tugging import _checks
 
@@ -26,13 +25,13 @@ def run_and_report(text, folder):
 
 @pytest.fixture(scope="module")
 def tugging(tmp_path_factory):
-    text = test_tugging_cases.TEXT.replace("increments = 8", "increments = 12")
+    text = TUGGING.replace("increments = 8", "increments = 12")
     return run_and_report(text, tmp_path_factory.mktemp("tugging"))
 
 
 @pytest.fixture(scope="module")
 def wear(tmp_path_factory):
-    return run_and_report(test_wear_cases.TEXT, tmp_path_factory.mktemp("wear"))
+    return run_and_report(WEAR, tmp_path_factory.mktemp("wear"))
 
 
 def page(folder):

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 import xarray as xr
 from distributed import Client, LocalCluster
-from test_cases import MINIMAL
-from test_cli import invoke
 
 import samcontact as sc
+from case_texts import MINIMAL
+from command import invoke
 from comparing import assert_stored
 from samcontact import results
 from samcontact.cases import Case, CaseError, TuggingCase

@@ -8,10 +8,10 @@ import sys
 import time
 
 import pytest
-from test_cases import MINIMAL
-from test_cli import check_failure, invoke
 
 import samcontact as sc
+from case_texts import MINIMAL
+from command import check_failure, invoke
 from comparing import assert_stored
 from samcontact import results
 from samcontact.cases import load_case

@@ -5,40 +5,20 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from test_cli import check_failure, invoke
 
 import samcontact as sc
+from case_texts import TUGGING
+from command import check_failure, invoke
 from samcontact.asperities import Collision, tug
 from samcontact.cases import CaseError, TuggingCase, load_case
 
-TEXT = """
-title = "Two spheres"
-[tugging]
-R1 = 1.0
-R2 = 2.0
-interference = 6e-4
-increments = 8
-passes = 2
-back_and_forth = true
-[body1]
-law = "elastic"
-E = 200e9
-nu = 0.32
-[body2]
-law = "perfect_plastic"
-E = 200e9
-nu = 0.32
-yield_stress = 0.9e9
-[contact]
-tol = 1e-7
-"""
 GRID = "[grid]\nnx = 41\nny = 41\ndx = 3e-3\ndy = 3e-3\nnz = 20\ndz = 3e-3\n"
 
 
 @pytest.fixture
 def case_file(tmp_path):
     path = tmp_path / "spheres.toml"
-    path.write_text(TEXT)
+    path.write_text(TUGGING)
     return path
 
 
@@ -56,7 +36,7 @@ def test_it_is_the_call_that_it_describes(case_file):
 
 
 def test_with_a_grid_and_a_relief(case_file):
-    text = TEXT.replace("increments = 8\n", "")
+    text = TUGGING.replace("increments = 8\n", "")
     relief = '[relief2]\nkind = "dent"\ndepth = 1e-4\nradius = 2e-2\n'
     case_file.write_text(text + GRID + relief)
     result = load_case(case_file).solve(progress=False)
@@ -71,7 +51,7 @@ def test_the_command_writes_series_and_figures(case_file, tmp_path):
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == sorted(names)
     with xr.open_dataset(tmp_path / "out" / "series.nc", engine="h5netcdf") as series:
         assert series.sizes == {"pass": 2, "increment": series.sizes["increment"], "body": 2}
-        assert series.attrs["case"] == TEXT
+        assert series.attrs["case"] == TUGGING
         assert series.force_x.attrs["units"] == "N"
         net = series.net_energy.values
         table = pd.read_csv(tmp_path / "out" / "series.csv")
@@ -100,13 +80,13 @@ def test_no_figures_and_no_animation(case_file, tmp_path):
     ],
 )
 def test_errors_name_field_and_remedy(case_file, old, new, text):
-    case_file.write_text(TEXT.replace(old, new))
+    case_file.write_text(TUGGING.replace(old, new))
     with pytest.raises(CaseError, match=text):
         load_case(case_file)
 
 
 def test_a_relief_of_another_width(case_file):
     np.save(case_file.parent / "h.npy", np.zeros((5, 3)))
-    case_file.write_text(TEXT + '[relief1]\nkind = "file"\npath = "h.npy"\n')
+    case_file.write_text(TUGGING + '[relief1]\nkind = "file"\npath = "h.npy"\n')
     with pytest.raises(CaseError, match=r"\[relief1\] relief1 must have heights of shape"):
         load_case(case_file).solve(progress=False)

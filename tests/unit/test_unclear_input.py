@@ -12,9 +12,9 @@ import warnings
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from test_cli import check_failure, invoke
 
 import samcontact as sc
+from command import check_failure, invoke
 from samcontact._checks import escaped
 from samcontact.cases import Case, CaseError, load_case, parse_case
 from samcontact.cases.errors import nearest

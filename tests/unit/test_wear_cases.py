@@ -5,61 +5,22 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from test_cli import check_failure, invoke
 
+from case_texts import WEAR
+from command import check_failure, invoke
 from samcontact import wear
 from samcontact.cases import CaseError, load_case
-
-TEXT = """
-title = "Wearing ball"
-[grid]
-nx = 21
-ny = 21
-dx = 60e-6
-dy = 60e-6
-nz = 24
-dz = 24e-6
-[body1]
-law = "elastic"
-E = 210e9
-nu = 0.3
-[body2]
-law = "swift"
-E = 210e9
-nu = 0.3
-B = 1735e6
-C = 16.0
-n = 0.067
-[surface]
-shape = "paraboloid"
-Rx = 7.5e-3
-[contact]
-friction = 0.4
-[[path]]
-load = 1700.0
-increments = 1
-[[path]]
-load = 0.0
-increments = 1
-[wear]
-threshold = 0.002
-cycles = 1
-window = [3, 5]
-order = 1
-[output]
-figures = false
-"""
 
 
 @pytest.fixture
 def case_file(tmp_path):
     path = tmp_path / "ball.toml"
-    path.write_text(TEXT)
+    path.write_text(WEAR)
     return path
 
 
 def test_the_command_is_the_call_that_the_case_describes(case_file, tmp_path):
-    case_file.write_text(TEXT.replace("figures = false", "figures = true"))
+    case_file.write_text(WEAR.replace("figures = false", "figures = true"))
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--resume")
     assert outcome.exit_code == 0, outcome.output
     pictures = ["wear_rate", "profile_body2", "surface_body2", "first_cycle_body2"]
@@ -81,7 +42,7 @@ def test_the_command_is_the_call_that_the_case_describes(case_file, tmp_path):
 
 
 def test_a_run_that_stops_says_nothing_of_wearing_on(case_file, tmp_path):
-    case_file.write_text(TEXT.replace("1700.0", "170.0").replace("cycles = 1", "cycles = 3"))
+    case_file.write_text(WEAR.replace("1700.0", "170.0").replace("cycles = 1", "cycles = 3"))
     outcome = invoke("run", case_file, "--output", tmp_path / "out")
     assert outcome.exit_code == 0, outcome.output
     assert "still wearing" not in outcome.stdout
@@ -98,7 +59,7 @@ def test_a_run_that_stops_says_nothing_of_wearing_on(case_file, tmp_path):
     ],
 )
 def test_what_wear_refuses(case_file, tmp_path, old, new, text):
-    case_file.write_text(TEXT.replace(old, new))
+    case_file.write_text(WEAR.replace(old, new))
     check_failure(invoke("run", case_file, "--output", tmp_path / "out", "--quiet"), 2, text)
 
 
@@ -106,6 +67,6 @@ def test_what_the_case_refuses(case_file, tmp_path):
     check_failure(
         invoke("run", case_file, "--animate"), 2, "--animate is not for a case with [wear]"
     )
-    case_file.write_text(TEXT.replace("threshold", "treshold"))
+    case_file.write_text(WEAR.replace("threshold", "treshold"))
     with pytest.raises(CaseError, match=r"wear.treshold: unknown field; allowed here: threshold"):
         load_case(case_file)
