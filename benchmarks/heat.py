@@ -19,12 +19,12 @@ TITLE = "Frictional heat"
 THERMAL = {"conductivity": 50.2, "expansion": 11.7e-6, "diffusivity": 1.367e-5}
 FACTOR = 0.05  # m/s
 STEP = 1e-3  # s
-HEATED: dict[str, dict[str, Any]] = {
-    "cold": {},
-    "at rest": {"heat_factor": FACTOR},
-    "moving, 0.1 m/s": {"heat_factor": FACTOR, "velocity": (0.1, 0.0)},
+HEATED = {
+    "cold": sc.Heat(0.0),
+    "at rest": sc.Heat(FACTOR),
+    "moving, 0.1 m/s": sc.Heat(FACTOR, velocity=(0.1, 0.0)),
 }
-MARCHED = {"heat_factor": FACTOR, "heat_history": (STEP, 1.0)}
+MARCHED = sc.Heat(FACTOR, history=(STEP, 1.0))
 MAX_MISES = {"cold": 2351e6, "at rest": 1926e6}  # Pa, elastic-plastic, independent computations
 
 
@@ -49,7 +49,7 @@ def solve(meter: Meter, n: int, method: str) -> dict[str, Any]:
     d = 2.6 * hertz().a / n
     grid = sc.Grid(n, n, d, d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    solver = sc.ContactSolver(grid, ELASTIC, ELASTIC.with_thermal(**THERMAL), **HEATED[method])
+    solver = sc.ContactSolver(grid, ELASTIC, ELASTIC.with_thermal(**THERMAL), heat=HEATED[method])
     found = meter(lambda: solver.solve(gap, load=LOAD))
     return {"cells": n * n, "across": n, "errors": {}, **work(found)}
 
@@ -61,11 +61,11 @@ def press(meter: Meter, cells: int, method: str) -> dict[str, Any]:
     grid = sc.Grid(n, n, d, d, int(1.7 * cells), d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     marched = method == "marched in time"
-    settings = MARCHED if marched else HEATED[method]
+    heat = MARCHED if marched else HEATED[method]
     extra = {"duration": STEP} if marched else {}
 
     def run() -> tuple[sc.Simulation, sc.State]:
-        simulation = sc.Simulation(grid, ELASTIC, STEEL.with_thermal(**THERMAL), gap, **settings)
+        simulation = sc.Simulation(grid, ELASTIC, STEEL.with_thermal(**THERMAL), gap, heat=heat)
         for load in np.linspace(0.0, LOAD, 13)[1:]:
             state = simulation.step(load=load, **extra)
         return simulation, state

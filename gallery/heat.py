@@ -144,7 +144,7 @@ def elastic_case(load: float, factor: float, cells: int, depths: np.ndarray) -> 
     contact = hertz(load)
     n, d = surface(contact.a, cells, 1.6)
     grid = sc.Grid(n, n, d, d)
-    solver = sc.ContactSolver(grid, ELASTIC, STEEL, heat_factor=factor)
+    solver = sc.ContactSolver(grid, ELASTIC, STEEL, heat=sc.Heat(factor))
     pressure = solver.solve(sc.surfaces.paraboloid(grid, RADIUS), load=load).pressure
     plane = von_mises(solver.stress(pressure, depths)[:, :, n // 2])
     k = int(plane.max(axis=0).argmax())
@@ -168,7 +168,7 @@ def plastic_case(
     n, d = surface(contact.a, cells, width)
     grid = sc.Grid(n, n, d, d, int(np.ceil(depth * contact.a / layer)), layer)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, heat_factor=factor)
+    simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, heat=sc.Heat(factor))
     for value in load * np.arange(1, increments + 1) / increments:
         state = simulation.step(load=float(value))
     unloaded = simulation.step(load=0.0)
@@ -208,7 +208,7 @@ def onset(cells: int, factors: np.ndarray) -> Onset:
     stress, place = [], []
     pressure = None
     for factor in factors:
-        solver = sc.ContactSolver(grid, ELASTIC, STEEL, heat_factor=float(factor))
+        solver = sc.ContactSolver(grid, ELASTIC, STEEL, heat=sc.Heat(float(factor)))
         pressure = solver.solve(gap, load=LOAD, initial_pressure=pressure).pressure
         found = von_mises(solver.stress(pressure, z))
         i, j, k = np.unravel_index(int(found.argmax()), found.shape)

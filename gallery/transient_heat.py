@@ -39,11 +39,11 @@ SPEED, TIME = 0.95, 23e-3
 HERTZ = sc.hertz.point(R=RADIUS, E_star=E_STAR, load=LOAD)
 assert STEEL.thermal is not None
 CONDUCTIVITY, _, DIFFUSIVITY = STEEL.thermal
-KINDS: dict[str, dict[str, Any]] = {
-    "no heat": {"heat_factor": 0.0},
-    "(i)": {"heat_factor": FACTOR, "heating_time": TIME},
-    "(ii)": {"heat_factor": FACTOR},
-    "(iii)": {"heat_factor": FACTOR, "heating_time": TIME, "velocity": (-SPEED, 0.0)},
+KINDS = {
+    "no heat": sc.Heat(0.0),
+    "(i)": sc.Heat(FACTOR, time=TIME),
+    "(ii)": sc.Heat(FACTOR),
+    "(iii)": sc.Heat(FACTOR, velocity=(-SPEED, 0.0), time=TIME),
 }
 NAMES = {
     "(i)": "(i) at rest, 23 ms",
@@ -104,16 +104,16 @@ def largest(field: np.ndarray, x: np.ndarray, z: np.ndarray) -> tuple[float, flo
     return float(field[i, k]), float(x[i]), float(z[k])
 
 
-def solver(cells: int, **heat: Any) -> tuple[sc.ContactSolver, np.ndarray]:
+def solver(cells: int, heat: sc.Heat) -> tuple[sc.ContactSolver, np.ndarray]:
     """Of an elastic flat, and its pressure."""
     n, d = 2 * int(1.8 * cells) + 1, HERTZ.a / cells
     grid = sc.Grid(n, n, d, d)
-    found = sc.ContactSolver(grid, ELASTIC, STEEL, **heat)
+    found = sc.ContactSolver(grid, ELASTIC, STEEL, heat=heat)
     return found, found.solve(sc.surfaces.paraboloid(grid, RADIUS), load=LOAD).pressure
 
 
-def elastic_case(cells: int, depths: int, heat: dict[str, Any]) -> Elastic:
-    contact, pressure = solver(cells, **heat)
+def elastic_case(cells: int, depths: int, heat: sc.Heat) -> Elastic:
+    contact, pressure = solver(cells, heat)
     x, m = contact.grid.x, contact.grid.ny // 2
     z = np.linspace(0.0, 1.2, depths) * HERTZ.a
     stress = von_mises(contact.stress(pressure, z)[:, :, m])
@@ -126,7 +126,7 @@ def plastic_case(kind: str, cells: int, per_cell: int) -> Plastic:
     n, d = 2 * int(width * cells) + 1, HERTZ.a / cells
     grid = sc.Grid(n, n, d, d, int(depth * cells * per_cell), d / per_cell)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, **KINDS[kind])
+    simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, heat=KINDS[kind])
     for load in np.linspace(0.0, LOAD, 11)[1:]:
         state = simulation.step(load=float(load))
     unloaded = simulation.step(load=0.0)
@@ -142,13 +142,13 @@ def plastic_case(kind: str, cells: int, per_cell: int) -> Plastic:
 def compute(quick: bool) -> Results:
     cells, depths = (12, 21) if quick else (32, 61)
     elastic = {kind: elastic_case(cells, depths, heat) for kind, heat in KINDS.items()}
-    steady = elastic_case(cells, 2, {"heat_factor": FACTOR, "velocity": (-SPEED, 0.0)})
+    steady = elastic_case(cells, 2, sc.Heat(FACTOR, velocity=(-SPEED, 0.0)))
     plastic_cells, per_cell = (6, 2) if quick else (10, 2)
     plastic = {kind: plastic_case(kind, plastic_cells, per_cell) for kind in KINDS}
     times = np.geomspace(1e-4, 1e4, 9 if quick else 25)
     rises, pressures = [], []
     for time in times:
-        contact, pressure = solver(cells, heat_factor=FACTOR, heating_time=float(time))
+        contact, pressure = solver(cells, sc.Heat(FACTOR, time=float(time)))
         rises.append(float(contact.temperature(pressure).max()))
         pressures.append(float(pressure.max()))
     return Results(

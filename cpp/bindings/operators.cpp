@@ -165,26 +165,14 @@ void bind_heating(py::module_& m) {
   py::class_<Heating>(m, "Heating")
       .def(py::init<>())
       .def(py::init([](double factor, double conductivity, double expansion, double diffusivity,
-                       double speed_x, double speed_y, double time, double reference) {
+                       double speed_x, double speed_y, double age, double reference) {
              return Heating{factor,  Thermal::of(conductivity, expansion, diffusivity),
                             speed_x, speed_y,
-                            time,    reference};
+                            age,     reference};
            }),
            py::arg("factor"), py::arg("conductivity"), py::arg("expansion"), py::arg("diffusivity"),
-           py::arg("speed_x"), py::arg("speed_y"), py::arg("time"), py::arg("reference"))
-      .def("values",
-           [](const Heating& h) {
-             return std::vector<double>{h.factor,
-                                        h.thermal.conductivity,
-                                        h.thermal.expansion,
-                                        h.thermal.diffusivity,
-                                        h.speed_x,
-                                        h.speed_y,
-                                        h.time,
-                                        h.reference};
-           })
-      .def_property_readonly("needs_reference",
-                             [](const Heating& h) { return h.is_on() && h.is_steady_at_rest(); });
+           py::arg("speed_x"), py::arg("speed_y"), py::arg("age"), py::arg("reference"))
+      .def_readonly("factor", &Heating::factor);
 }
 
 void bind_operators(py::module_& parent) {

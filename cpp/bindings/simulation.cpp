@@ -238,6 +238,7 @@ void bind_state(py::module_& m) {
       .def("max_plastic_strain", &State::max_plastic_strain, py::arg("body"))
       .def_readonly("heating", &State::heating)
       .def_readonly("time", &State::time)
+      .def_readonly("duration", &State::duration)
       .def_property_readonly("past_symmetry",
                              [](const State& s) { return static_cast<int>(s.past_symmetry); })
       .def(
@@ -318,9 +319,11 @@ Target make_target(const std::string& kind, double value, const py::object& pres
 
 State step(Simulation& simulation, const std::string& kind, double value,
            const py::object& pressure, const py::object& shear_x, const py::object& shear_y,
-           const operators::HeatingPair& heating, const simulation::Travel& advance) {
+           const operators::HeatingPair& heating, double duration,
+           const simulation::Travel& advance) {
   Target target = make_target(kind, value, pressure, shear_x, shear_y);
   target.heating = heating;
+  target.duration = duration;
   target.advance = advance;
   const py::gil_scoped_release release;
   return simulation.step(target);
@@ -351,6 +354,10 @@ void restore(Simulation& simulation, const py::dict& saved) {
   state.contact_gap = field("contact_gap");
   state.heating = saved["heating"].cast<operators::HeatingPair>();
   state.time = saved["time"].cast<double>();
+  state.duration = saved["duration"].cast<double>();
+  if (state.duration > 0) {
+    for (auto& heat : state.heating) heat.age = state.duration;
+  }
   state.travel = saved["travel"].cast<simulation::Travel>();
   state.past_symmetry = static_cast<fft::Symmetry>(saved["past_symmetry"].cast<int>());
   state.load = saved["load"].cast<double>();
@@ -434,7 +441,8 @@ void bind_simulation(py::module_& m) {
            py::arg("error_on_border"), py::arg("residual_stress"), py::arg("image_tol"),
            py::arg("softening"), py::arg("march"), py::arg("reach"), py::arg("reliefs"))
       .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
-           py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"), py::arg("advance"))
+           py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"), py::arg("duration"),
+           py::arg("advance"))
       .def(
           "set_plastic_state",
           [](Simulation& s, int body, int first_row, const Array& strain,

@@ -64,7 +64,8 @@ Simulation heated_scene(double heat_factor) {
                         {.shortest = 2e-5, .longest = 1e-2});
   for (const double newton : {120.0, 150.0}) {
     Target target = load(newton);
-    target.heating[1] = {.factor = heat_factor, .thermal = warm, .time = 5e-5};
+    target.heating[1] = {.factor = heat_factor, .thermal = warm};
+    target.duration = 5e-5;
     simulation.step(target);
   }
   return simulation;

@@ -30,6 +30,7 @@ from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
 from .grid import Grid
+from .heat import Heat
 from .material import Material
 from .relief import Relief
 from .resolution import ElasticStrainWarning, ResolutionWarning
@@ -47,6 +48,7 @@ __all__ = [
     "Grid",
     "GridTooSmallError",
     "GridTooSmallWarning",
+    "Heat",
     "Material",
     "PlasticStrainWarning",
     "Relief",

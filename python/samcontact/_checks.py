@@ -7,7 +7,7 @@ import difflib
 import math
 import os
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import islice
 from numbers import Integral, Real
 from pathlib import Path
@@ -86,11 +86,6 @@ def poisson_ratio(name: str, value: Any) -> float:
     if not 0.0 <= result <= 0.5:
         raise ValueError(f"{name} must be in [0, 0.5], got {result!r}")
     return result
-
-
-def given_or_none(name: str, value: Any) -> float | None:
-    """Return `value` as a float, or None."""
-    return None if value is None else number(name, value)
 
 
 def integer(
@@ -227,6 +222,14 @@ def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray
     if largest > MOST_STRESS:
         raise ValueError(f"{name} must be of a size up to {MOST_STRESS:g} Pa, got {largest:.6g}")
     return array
+
+
+def of_bodies(name: str, value: float | Sequence[float]) -> tuple[float, float]:
+    """Return `value` as two finite floats >= 0, of body 1 and 2; a single one is of body 2."""
+    pair = [0.0, value] if np.ndim(value) == 0 else list(real_array(name, value))
+    if len(pair) != 2:
+        raise ValueError(f"{name} must be a number or a pair, got {len(pair)} values")
+    return non_negative(name, pair[0]), non_negative(name, pair[1])
 
 
 def file_path(name: str, value: Any) -> Path:

@@ -33,7 +33,7 @@ class Elastic:
     def rigid() -> Elastic: ...
 
 class Heating:
-    needs_reference: bool
+    factor: float
     def __init__(
         self,
         factor: float = ...,
@@ -42,10 +42,9 @@ class Heating:
         diffusivity: float = ...,
         speed_x: float = ...,
         speed_y: float = ...,
-        time: float = ...,
+        age: float = ...,
         reference: float = ...,
     ) -> None: ...
-    def values(self) -> list[float]: ...
 
 class LawParameter:
     name: str
@@ -110,6 +109,7 @@ class State:
     contact_gap: FloatArray | None
     heating: list[Heating]
     time: float
+    duration: float
     past_symmetry: int
     exact_residual_stress: bool
     load: float
@@ -182,6 +182,7 @@ class Simulation:
         shear_x: FloatArray | None,
         shear_y: FloatArray | None,
         heating: list[Heating],
+        duration: float,
         advance: tuple[float, float],
     ) -> State: ...
     def set_plastic_state(

@@ -14,7 +14,6 @@ import numpy as np
 from ._atomic import replacing
 from ._checks import file_path
 from ._copies import laws
-from ._heating import pair
 from .checkpoint import (
     DAMAGED,
     DamagedCheckpointError,
@@ -89,7 +88,7 @@ class Journal:
             self.simulation._core.restore(saved)
         except DAMAGED as error:
             raise damaged(file, error) from error
-        self.simulation.heat_factor = pair(arguments["heat_factor"])
+        self.simulation._heat = arguments["heat"]
 
     def add(self, state: State | None = None) -> None:
         """Keep the simulation after a new increment: as it stands, or an earlier state of it."""

@@ -7,7 +7,7 @@ import io
 import math
 import os
 from collections.abc import Callable
-from dataclasses import astuple
+from dataclasses import asdict, astuple, replace
 from typing import TYPE_CHECKING, Any
 
 import h5py
@@ -16,8 +16,10 @@ import numpy as np
 from . import _core
 from ._atomic import replacing_hdf5
 from ._checks import FloatArray, file_path
+from ._heating import heating
 from ._seal import check_seal
 from .grid import Grid
+from .heat import Heat
 from .material import Material
 from .relief import Relief
 from .softening import JohnsonCook
@@ -28,8 +30,7 @@ if TYPE_CHECKING:
 
 Softening = tuple[Callable[[FloatArray], Any] | None, Callable[[FloatArray], Any] | None]
 _FORMAT = "samcontact checkpoint"
-_FORMAT_VERSION = 5
-_UNSEALED = 4  # the format before, without a digest of the file
+_FORMAT_VERSION = 6
 _SURFACE = ("pressure", "shear_x", "shear_y", "contact_gap")
 _REQUIRED = ("pressure",)
 _SETTINGS = (
@@ -39,11 +40,9 @@ _SETTINGS = (
     "max_iterations",
     "residual_stress",
     "image_tol",
-    "heat_factor",
-    "velocity",
     "reach",
 )
-_OPTIONAL = ("increment_tol", "heating_time", "heat_reference", "heat_history")
+_OPTIONAL = ("increment_tol",)
 _FARTHEST = 1 << 30  # cells from the start of a body's way
 _SCALARS = (
     "load",
@@ -54,6 +53,8 @@ _SCALARS = (
     "plastic_residual",
     "yield_excess",
     "exact_residual_stress",
+    "time",
+    "duration",
 )
 
 
@@ -118,8 +119,8 @@ def _write(file: h5py.File, simulation: Simulation, earlier: State | None = None
     file.create_group("settings").attrs.update(
         {name: getattr(simulation, name) for name in _SETTINGS}
     )
-    if earlier is not None:
-        file["settings"].attrs["heat_factor"] = earlier.heat_factor
+    heat = asdict(simulation.heat if earlier is None else earlier._heat)
+    file.create_group("heat").attrs.update({k: v for k, v in heat.items() if v is not None})
     for name in _OPTIONAL:
         if getattr(simulation, name) is not None:
             file["settings"].attrs[name] = getattr(simulation, name)
@@ -135,8 +136,8 @@ def _write(file: h5py.File, simulation: Simulation, earlier: State | None = None
     for name in _SURFACE:
         if getattr(core, name) is not None:
             _dataset(state, name, getattr(core, name))
-    state.attrs["heating"] = np.array([entry.values() for entry in core.heating])
-    state.attrs.update(time=core.time, past_symmetry=core.past_symmetry, travel=core.travel)
+    state.attrs["heat_factor"] = [entry.factor for entry in core.heating]
+    state.attrs.update(past_symmetry=core.past_symmetry, travel=core.travel)
     for body in (0, 1):
         past = core.past(body)
         if past is not None:
@@ -191,14 +192,14 @@ def read_checkpoint(
             if _text(file.attrs.get("format")) != _FORMAT:
                 raise CheckpointError(f"{os.fspath(path)!r} is not a samcontact checkpoint")
             version = int(file.attrs["format_version"])
-            if version not in (_FORMAT_VERSION, _UNSEALED):
+            if version != _FORMAT_VERSION:
                 raise CheckpointError(
                     f"{os.fspath(path)!r} has checkpoint format {version}; "
-                    f"this version reads formats {_UNSEALED} and {_FORMAT_VERSION}"
+                    f"this version reads format {_FORMAT_VERSION}"
                 )
-            if not sealed and version != _UNSEALED:
+            if not sealed:
                 raise ValueError("the digest at its end is missing: it was cut off or changed")
-            return _read_scene(file, softening), _read_state(file)
+            return _read(file, softening)
     except CheckpointError:
         raise
     except DAMAGED as error:
@@ -208,7 +209,14 @@ def read_checkpoint(
 def from_bytes(content: bytes, softening: Softening) -> tuple[dict[str, Any], dict[str, Any]]:
     """The same as `read_checkpoint` from what `to_bytes` has made."""
     with h5py.File(io.BytesIO(content), "r") as file:
-        return _read_scene(file, softening), _read_state(file)
+        return _read(file, softening)
+
+
+def _read(file: h5py.File, softening: Softening) -> tuple[dict[str, Any], dict[str, Any]]:
+    scene, state = _read_scene(file, softening), _read_state(file)
+    heat = replace(scene["heat"], factor=_numbers(file["state"], "heat_factor", 2))
+    state["heating"] = heating(heat, (scene["body1"], scene["body2"]), scene["grid"])
+    return scene, state
 
 
 def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckpointError:
@@ -284,6 +292,7 @@ def _read_scene(file: h5py.File, softening: Softening) -> dict[str, Any]:
     arguments: dict[str, Any] = {k: _plain(v) for k, v in file["settings"].attrs.items()}
     if not set(_SETTINGS) <= set(arguments) <= {*_SETTINGS, *_OPTIONAL}:
         raise ValueError(f"its settings are {', '.join(arguments) or 'missing'}")
+    arguments["heat"] = Heat(**{k: _plain(v) for k, v in file["heat"].attrs.items()})
     arguments["grid"] = Grid(**{k: _plain(v) for k, v in file["grid"].attrs.items()})
     for name, law in zip(("body1", "body2"), softening, strict=True):
         parameters = {k: _plain(v) for k, v in file[name].attrs.items()}
@@ -323,15 +332,10 @@ def _read_state(file: h5py.File) -> dict[str, Any]:
     for name in _SURFACE:
         present = name in group or name in _REQUIRED
         saved[name] = finite_dataset(group, name, shape) if present else None
-    saved["time"] = float(group.attrs["time"])
     saved["travel"] = _numbers(group, "travel", 2)
-    if not math.isfinite(saved["time"]) or max(map(abs, saved["travel"])) >= _FARTHEST:
-        raise ValueError("time or travel is out of range")
+    if max(map(abs, saved["travel"])) >= _FARTHEST:
+        raise ValueError("travel is out of range")
     saved["past_symmetry"] = _mirrored(group, "past_symmetry")
-    heating = np.asarray(group.attrs["heating"])
-    if heating.dtype.kind != "f" or heating.shape != (2, 8) or np.isnan(heating).any():
-        raise ValueError("heating is not 8 numbers for each body")
-    saved["heating"] = [_core.Heating(*map(float, row)) for row in heating]
     for body in (1, 2):
         for name in (f"softening{body}", f"past{body}"):
             saved[name] = finite_dataset(group, name) if name in group else None

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,12 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _expected, _memory, resolution
-from ._checks import FloatArray, choice, exactly_one, finite_array, given_or_none, integer, number
+from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number
 from ._frozen import Fixed
-from ._heating import heating, require_range, require_reference
+from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
 from ._repr import Brief, Rows, Shown, quantity
 from .grid import Grid
+from .heat import Heat
 from .material import Material
 from .operators import depths_of, shear_components
 
@@ -103,18 +103,8 @@ class ContactSolver(Fixed):
     on_border : {"error", "warn"}, optional
         What a contact does that touches the border of the grid.
     max_iterations : int, optional
-    heat_factor : float or pair of floats, optional
-        Q_f >= 0 [m/s]: heat flux into body 2 (or into body 1 and 2) over pressure; see
-        `samcontact.heat`. The heated bodies need thermal constants.
-    velocity : array_like, shape (2,) or (2, 2), optional
-        V_x, V_y of body 2 (or of body 1 and 2) through the contact [m/s], to which the heat is
-        fixed; default at rest.
-    heating_time : float, optional
-        Since when the contact is heated as it is now [s], > 0; default for ever (steady state).
-    heat_reference : float, optional
-        Distance [m] at which a point source at rest in the steady state displaces nothing, which
-        has no limit far away. Matters for the approach only; a given approach needs it; 1 m
-        otherwise.
+    heat : Heat, optional
+        Frictional heat, without a `history`; default none, `Heat(0.0)`.
 
     Raises
     ------
@@ -135,10 +125,7 @@ class ContactSolver(Fixed):
         tol: float = 1e-8,
         on_border: str = "error",
         max_iterations: int = 5000,
-        heat_factor: float | Sequence[float] = 0.0,
-        velocity: ArrayLike | None = None,
-        heating_time: float | None = None,
-        heat_reference: float | None = None,
+        heat: Heat | None = None,
     ) -> None:
         require_type("grid", grid, Grid)
         require_type("body1", body1, Material)
@@ -153,26 +140,26 @@ class ContactSolver(Fixed):
         self.on_border = choice("on_border", on_border, ("error", "warn"))
         self.max_iterations = integer("max_iterations", max_iterations, 1)
         upper, lower = body1._core.elastic_constants, body2._core.elastic_constants
-        self.heat_reference = given_or_none("heat_reference", heat_reference)
-        self._heating = heating((body1, body2), heat_factor, velocity, heating_time, heat_reference)
+        self.heat = COLD if heat is None else heat
+        require_type("heat", self.heat, Heat)
+        if self.heat.history is not None:
+            raise ValueError(
+                f"heat.history must be None for a single contact, got {self.heat.history!r}: give "
+                "time, or use Simulation"
+            )
+        self._heating = heating(self.heat, (body1, body2), grid)
         self._require_memory()
-        require_range(grid, (body1, body2), self._heating)
         self._core = _core.ContactSolver(grid._core, upper, lower, self.friction, self._heating)
 
     def __repr__(self) -> str:
-        settings = ("friction", "tol", "on_border", "max_iterations", "heat_reference")
+        settings = ("friction", "tol", "on_border", "max_iterations", "heat")
         listed = ", ".join(f"{name}={getattr(self, name)!r}" for name in settings)
-        heated = [n for n, entry in enumerate(self._heating, 1) if entry.values()[0] > 0]
-        return (
-            f"ContactSolver({self.grid!r}, {self.body1!r}, {self.body2!r}, {listed}, "
-            f"heated bodies={heated})"
-        )
+        return f"ContactSolver({self.grid!r}, {self.body1!r}, {self.body2!r}, {listed})"
 
     def _require_memory(self) -> None:
         coupled = self.friction > 0 and self.body1.parameters != self.body2.parameters
-        heated = any(entry.values()[0] > 0 for entry in self._heating)
         cell = _memory.COUPLED_CONTACT if coupled else _memory.CONTACT
-        cell = max(cell, _memory.HEATED_CONTACT) if heated else cell
+        cell = max(cell, _memory.HEATED_CONTACT) if any(self.heat.factor) else cell
         _memory.require_for_grid("a contact", self.grid, _memory.surface(self.grid, cell))
 
     def solve(
@@ -216,7 +203,7 @@ class ContactSolver(Fixed):
         driver = exactly_one(load=load, approach=approach)
         value = number(driver, load if approach is None else approach)
         if driver == "approach":
-            require_reference(self._heating, self.heat_reference)
+            require_reference(self.heat)
         shape = self.grid.surface_shape
         start = None
         if initial_pressure is not None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frictional heat: what goes into each body, and how hot it gets there.
+"""Frictional heat: what goes into each body, and in which share.
 
 The flux into a body is its heat factor times the pressure, q = Q_f p, Q_f = beta mu V with beta the
 share of this body, mu the coefficient of friction and V the speed of sliding (Boucly 2008, section
@@ -9,18 +9,116 @@ share of this body, mu the coefficient of friction and V the speed of sliding (B
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING
 
-from ._checks import finite, non_negative, number, positive
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._checks import finite, finite_array, non_negative, number, of_bodies, positive
 
 if TYPE_CHECKING:
     from .material import Material
 
 __all__ = ["factors", "partition"]
 
+Pair = tuple[float, float]
+
+
+@dataclass(frozen=True, init=False, repr=False)
+class Heat:
+    """Frictional heat of a contact, for `ContactSolver` and `Simulation`.
+
+    Parameters
+    ----------
+    factor : float or pair of floats
+        Q_f >= 0 [m/s]: heat flux into body 2 (or into body 1 and 2) over pressure, see `factors`.
+        The heated bodies need thermal constants. 0: the source is off.
+    velocity : array_like, shape (2,) or (2, 2), optional
+        V_x, V_y of body 2 (or of body 1 and 2) through the contact [m/s], to which the heat is
+        fixed; default at rest.
+    time : float, optional
+        Since when the contact is heated as it is at each moment [s], > 0; default for ever (steady
+        state).
+    history : pair of floats, optional
+        (shortest, longest) [s], 0 < shortest <= longest, instead of `time`, for a `Simulation`:
+        march the heat in time, in steps that last at least `shortest` and follow heat for
+        `longest`; each step then takes its `duration`.
+    reference : float, optional
+        Distance [m] at which a point source at rest in the steady state displaces nothing, which
+        has no limit far away. Matters for the approach only; a given approach needs it; 1 m
+        otherwise.
+
+    Attributes are these, factor and velocity those of both bodies: ((V_x, V_y), (V_x, V_y)).
+
+    Raises
+    ------
+    ValueError, TypeError
+        An argument out of range or of the wrong kind.
+    """
+
+    factor: Pair
+    velocity: tuple[Pair, Pair]
+    time: float | None
+    history: Pair | None
+    reference: float | None
+
+    def __init__(
+        self,
+        factor: float | Sequence[float],
+        velocity: ArrayLike | None = None,
+        time: float | None = None,
+        history: Sequence[float] | None = None,
+        reference: float | None = None,
+    ) -> None:
+        if history is not None and time is not None:
+            raise ValueError("give history or time of heat, not both")
+        checked = {
+            "factor": of_bodies("factor", factor),
+            "velocity": _velocities(velocity),
+            "time": None if time is None else positive("time", time),
+            "history": None if history is None else _history(history),
+            "reference": None if reference is None else positive("reference", reference),
+        }
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+
+    def __repr__(self) -> str:
+        """Without what is as it is by default."""
+        given = {field.name: getattr(self, field.name) for field in fields(self)}
+        shown = {n: v for n, v in given.items() if v is not None and v != _AT_REST}
+        return f"Heat({', '.join(f'{name}={value!r}' for name, value in shown.items())})"
+
+
+_AT_REST = ((0.0, 0.0), (0.0, 0.0))
+
+
+def _velocities(velocity: ArrayLike | None) -> tuple[Pair, Pair]:
+    """(Vx, Vy) of both bodies; a single one is that of body 2."""
+    if velocity is None:
+        return _AT_REST
+    if np.ndim(velocity) == 1:
+        v = finite_array("velocity", velocity, (2,))
+        return (0.0, 0.0), (float(v[0]), float(v[1]))
+    both = finite_array("velocity", velocity, (2, 2))
+    return (float(both[0, 0]), float(both[0, 1])), (float(both[1, 0]), float(both[1, 1]))
+
+
+def _history(history: Sequence[float]) -> Pair:
+    given = list(history) if np.ndim(history) == 1 else []
+    if len(given) != 2:
+        raise ValueError(f"history must be a pair (shortest, longest) [s], got {history!r}")
+    shortest, longest = (positive("history", value) for value in given)
+    if not shortest <= longest:  # equal: a single step
+        raise ValueError(
+            f"history must be (shortest, longest) with shortest <= longest, got {given!r}"
+        )
+    return shortest, longest
+
 
 def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[float, float]:
-    """Heat factors Q_f of both bodies, the argument `heat_factor` of solver and simulation.
+    """Heat factors Q_f of both bodies, the argument `factor` of `Heat`.
 
     Parameters
     ----------

@@ -9,6 +9,7 @@ import threading
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -20,11 +21,11 @@ from ._checks import (
     choice,
     exactly_one,
     finite_array,
-    given_or_none,
     in_cells,
     integer,
     non_negative,
     number,
+    of_bodies,
     positive,
     step_list,
     tractions,
@@ -32,7 +33,7 @@ from ._checks import (
 from ._copies import reduced, restored, stand_at
 from ._core import ConvergenceError
 from ._frozen import Fixed, read_only
-from ._heating import heating, march, pair, require_range, require_reference, velocities
+from ._heating import COLD, heating, require_reference
 from ._journal import Journal, describe
 from ._overlap import require_apart
 from ._progress import progress_bar
@@ -40,6 +41,7 @@ from ._repr import Rows, Shown, counts, lengths, material_in_short, quantity
 from .checkpoint import DAMAGED, CheckpointError, damaged, read_checkpoint, write_checkpoint
 from .contact import GridTooSmallWarning, require_type
 from .grid import Grid
+from .heat import Heat
 from .material import Material
 from .operators import shear_components
 from .relief import Relief, relief_rows
@@ -130,12 +132,8 @@ class Simulation(Fixed, Shown):
     image_tol : float, optional
         With "fast": error due to the periodicity of the transforms, relative to the largest
         residual stress; in [1e-6, 0.1].
-    heat_factor, velocity, heating_time, heat_reference : optional
-        Frictional heat, as for `ContactSolver`.
-    heat_history : pair of floats, optional
-        (shortest, longest) [s], 0 < shortest <= longest: march the heat in time, in steps that last
-        at least `shortest` and follow heat for `longest`; each `step` then takes its `duration`.
-        Instead of `heating_time`.
+    heat : Heat, optional
+        Frictional heat; default none, `Heat(0.0)`.
     relief1, relief2 : Relief, optional
         Roughness or dents of the surface of body 1 and 2, which move with it.
     reach : float, optional
@@ -166,11 +164,7 @@ class Simulation(Fixed, Shown):
         max_iterations: int = 60,
         residual_stress: str = "fast",
         image_tol: float = 1e-3,
-        heat_factor: float | Sequence[float] = 0.0,
-        velocity: ArrayLike | None = None,
-        heating_time: float | None = None,
-        heat_reference: float | None = None,
-        heat_history: Sequence[float] | None = None,
+        heat: Heat | None = None,
         relief1: Relief | None = None,
         relief2: Relief | None = None,
         reach: float | None = None,
@@ -202,11 +196,9 @@ class Simulation(Fixed, Shown):
         self.image_tol = number("image_tol", image_tol)
         if not 1e-6 <= self.image_tol <= 0.1:
             raise ValueError(f"image_tol must be in [1e-6, 0.1], got {self.image_tol!r}")
-        self.velocity = velocities(velocity)
-        self.heating_time = given_or_none("heating_time", heating_time)
-        self.heat_reference = given_or_none("heat_reference", heat_reference)
-        self.heat_history = march(heat_history, heating_time)
-        self.heat_factor = pair(heat_factor)
+        self._heat = COLD if heat is None else heat
+        require_type("heat", self._heat, Heat)
+        heating(self._heat, (body1, body2), grid)  # checks it against the bodies
         self.relief1, self.relief2 = relief1, relief2
         length = grid.nx * grid.dx
         self.reach = length if reach is None else non_negative("reach", reach)
@@ -229,21 +221,15 @@ class Simulation(Fixed, Shown):
             self.residual_stress,
             self.image_tol,
             [self._softening(body) for body in (body1, body2)],
-            self.heat_history or (0.0, 0.0),
+            self._heat.history or (0.0, 0.0),
             round(in_cells("reach", self.reach, grid.dx)),
             [relief_rows(f"relief{n}", r, grid) for n, r in ((1, relief1), (2, relief2))],
         )
 
     @property
-    def heat_factor(self) -> tuple[float, float]:
-        """Of both bodies, from now on [m/s]; may be set."""
-        return self._heat_factor
-
-    @heat_factor.setter
-    def heat_factor(self, value: float | Sequence[float]) -> None:
-        factors = pair(value)
-        self._heating(factors, self.heating_time)  # checks them against the bodies
-        self._heat_factor = factors
+    def heat(self) -> Heat:
+        """Of the next increment; `step` can change its factor."""
+        return self._heat
 
     def step(
         self,
@@ -275,9 +261,9 @@ class Simulation(Fixed, Shown):
             strain moves with them, the grid stays with the contact. Whole cells are exact; see
             `State.origin` for parts of them.
         heat_factor : float or pair of floats, optional
-            From now on, instead of that of the simulation [m/s]; 0: the source is off.
+            Of the heat from now on [m/s]; 0: the source is off.
         duration : float, optional
-            Of the increment [s], > 0; goes with `heat_history`. The heat flux is that of the
+            Of the increment [s], > 0; goes with a `history` of the heat. The flux is that of the
             pressure at its end.
 
         Returns
@@ -321,18 +307,22 @@ class Simulation(Fixed, Shown):
             value = number(kind, load if kind == "load" else approach)
         ways = finite_array("advance", advance, (2,))
         first, second = (in_cells("advance", float(way), self.grid.dx) for way in ways)
-        self._check_motion(first, second, duration)
-        factors = self.heat_factor if heat_factor is None else pair(heat_factor)
-        entries = self._heating(factors, self._time_of_step(duration))
+        heat, lasts = self._heat, self._duration(duration)
+        if heat_factor is not None:
+            heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
+        self._check_motion(heat, first, second, lasts or 0.0)
+        entries = heating(heat, (self.body1, self.body2), self.grid, lasts)
         if kind == "approach":
-            require_reference(entries, self.heat_reference)
+            require_reference(heat)
         target = {} if kind == "pressure" else {kind: value}
-        if factors == (0.0, 0.0):
+        if not any(heat.factor):
             self._require_room(**target)
         before = self.state
         with self._alone(), self._scene.beside(**target):
-            core = self._core.step(kind, value, p, shear_x, shear_y, entries, (first, second))
-        state = State(core, self)
+            core = self._core.step(
+                kind, value, p, shear_x, shear_y, entries, lasts or 0.0, (first, second)
+            )
+        state = State(core, self, heat)
         if target:
             try:
                 bodies = (self.body1, self.body2)
@@ -340,7 +330,7 @@ class Simulation(Fixed, Shown):
             except ConvergenceError:
                 stand_at(self, before)
                 raise
-        self.heat_factor = factors
+        self._heat = heat
         for warning in core.warnings:
             warnings.warn(warning, GridTooSmallWarning, stacklevel=2)
         if self._looks_at_steps and state.load > self._largest_load:
@@ -385,7 +375,7 @@ class Simulation(Fixed, Shown):
 
     def _require_room_of(self, steps: Sequence[Mapping[str, Any]]) -> None:
         """The same of the largest load of a path, before its first increment."""
-        heated = any(self.heat_factor) or any("heat_factor" in step for step in steps)
+        heated = any(self._heat.factor) or any("heat_factor" in step for step in steps)
         loads = [step.get("load") for step in steps]
         given = [load for load in loads if isinstance(load, (int, float))]
         if given and not heated:
@@ -404,46 +394,40 @@ class Simulation(Fixed, Shown):
 
         return factor
 
-    def _time_of_step(self, duration: float | None) -> float | None:
-        """Since when the heat of an increment flows as it does [s]; None: for ever."""
-        if self.heat_history is None:
+    def _duration(self, duration: float | None) -> float | None:
+        """Of an increment [s]; None without a march in time."""
+        history = self._heat.history
+        if history is None:
             if duration is not None:
-                raise ValueError("duration needs a simulation with heat_history")
-            return self.heating_time
+                raise ValueError("duration needs a simulation with heat of a history")
+            return None
         if duration is None:
-            raise ValueError("duration must be given in a simulation with heat_history")
-        seconds, shortest = positive("duration", duration), self.heat_history[0]
+            raise ValueError("duration must be given in a simulation with heat of a history")
+        seconds, shortest = positive("duration", duration), history[0]
         if seconds < shortest * (1 - 1e-12):
             raise ValueError(
-                f"duration must be at least the shortest step of heat_history, {shortest!r} s, "
+                f"duration must be at least the shortest step of heat.history, {shortest!r} s, "
                 f"got {seconds!r}"
             )
         return seconds
 
-    def _check_motion(self, first: float, second: float, duration: float | None) -> None:
+    def _check_motion(self, heat: Heat, first: float, second: float, duration: float) -> None:
         """Past heat is known at the cells of the grid, and moves with the velocities."""
-        if self.heat_history is None or first == second == 0:
+        if heat.history is None or first == second == 0:
             return
         for n, cells in ((1, first), (2, second)):
             moved = cells * self.grid.dx
             if abs(cells - round(cells)) > 1e-6:
                 raise ValueError(
                     f"advance of body {n} must be a whole number of cells of {self.grid.dx!r} m in "
-                    f"a simulation with heat_history, got {moved!r} m"
+                    f"a simulation with heat of a history, got {moved!r} m"
                 )
-            expected = self.velocity[n - 1][0] * (duration or 0.0)
-            heated = self.heat_factor[n - 1] > 0
-            if heated and abs(moved - expected) > 1e-6 * self.grid.dx:
+            expected = heat.velocity[n - 1][0] * duration
+            if heat.factor[n - 1] > 0 and abs(moved - expected) > 1e-6 * self.grid.dx:
                 raise ValueError(
                     f"advance of body {n} must be its velocity times duration, {expected!r} m, "
                     f"got {moved!r} m"
                 )
-
-    def _heating(self, factors: tuple[float, float], time: float | None) -> list[Any]:
-        bodies = (self.body1, self.body2)
-        entries = heating(bodies, factors, self.velocity, time, self.heat_reference)
-        require_range(self.grid, bodies, entries)
-        return entries
 
     def run(
         self,
@@ -529,7 +513,7 @@ class Simulation(Fixed, Shown):
     @property
     def state(self) -> State:
         """The present state."""
-        return State(self._core.state, self)
+        return State(self._core.state, self, self._heat)
 
     @property
     def counters(self) -> dict[str, int]:
@@ -607,8 +591,7 @@ class Simulation(Fixed, Shown):
     def __repr__(self) -> str:
         settings = (
             "friction", "tol", "increment_tol", "on_border", "max_iterations", "residual_stress",
-            "image_tol", "heat_factor", "velocity", "heating_time", "heat_reference",
-            "heat_history", "reach",
+            "image_tol", "heat", "reach",
         )  # fmt: skip
         values = ((name, getattr(self, name)) for name in settings)
         listed = ", ".join(f"{name}={value!r}" for name, value in values if value is not None)

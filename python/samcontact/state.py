@@ -16,6 +16,7 @@ from ._frozen import Fixed
 from ._kept import kept
 from ._repr import Rows, Shown, quantity
 from ._tensors import von_mises
+from .heat import Heat
 from .track import Track
 
 if TYPE_CHECKING:
@@ -36,11 +37,12 @@ class State(Fixed, Shown):
     asks for it. A pickle or copy stands for itself, with a simulation of its own.
     """
 
-    def __init__(self, core: Any, simulation: Simulation) -> None:
+    def __init__(self, core: Any, simulation: Simulation, heat: Heat) -> None:
         self.grid = simulation.grid
         self._tracks: dict[tuple[int, int], Track] = {}
         self._core = core
         self._simulation = simulation
+        self._heat = heat  # of the next increment
 
     def __reduce__(self) -> tuple[Any, ...]:
         return restored_state, reduced(self._simulation, self)
@@ -88,14 +90,14 @@ class State(Fixed, Shown):
 
     @property
     def time(self) -> float:
-        """Time [s] since the start of a simulation with `heat_history`; 0 otherwise."""
+        """Time [s] since the start of a simulation with heat of a `history`; 0 otherwise."""
         return float(self._core.time)
 
     @property
     def heat_factor(self) -> tuple[float, float]:
         """Heat flux over pressure of body 1 and 2 in this increment [m/s]."""
-        first, second = (float(entry.values()[0]) for entry in self._core.heating)
-        return first, second
+        first, second = self._core.heating
+        return first.factor, second.factor
 
     @property
     def travel(self) -> tuple[float, float]:

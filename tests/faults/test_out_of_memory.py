@@ -57,7 +57,7 @@ def computed(scene):
     elif kind == "coupled":
         sc.ContactSolver(grid, elastic, other, 0.3).solve(gap, load=300.0)
     elif kind == "heated":
-        heat = dict(heat_factor=1e-3, velocity=[1.0, 0.0])
+        heat = dict(heat=sc.Heat(1e-3, [1.0, 0.0]))
         sc.ContactSolver(grid, sc.Material.rigid(), warm, 0.1, **heat).solve(gap, load=300.0)
     elif kind == "simulation":
         sc.Simulation(grid, elastic, elastic, gap).step(load=300.0)
@@ -108,7 +108,7 @@ FLAT = np.broadcast_to(0.0, HUGE.surface_shape)
 REFUSED = {
     "contact": lambda: sc.ContactSolver(HUGE, ELASTIC, ELASTIC),
     "coupled": lambda: sc.ContactSolver(HUGE, ELASTIC, OTHER, 0.3),
-    "heated": lambda: sc.ContactSolver(HUGE, ELASTIC, WARM, heat_factor=1e-3, heat_reference=1.0),
+    "heated": lambda: sc.ContactSolver(HUGE, ELASTIC, WARM, heat=sc.Heat(1e-3, reference=1.0)),
     "elastic": lambda: sc.Simulation(HUGE, ELASTIC, ELASTIC, FLAT),
     "plastic": lambda: sc.Simulation(HUGE, ELASTIC, STEEL, FLAT),
 }
@@ -134,7 +134,7 @@ FIELDS = {
         PRESSURE, np.arange(80.0)
     ),
     "temperature": lambda: sc.ContactSolver(
-        GRID, ELASTIC, WARM, heat_factor=1e-3, velocity=[1.0, 0.0]
+        GRID, ELASTIC, WARM, heat=sc.Heat(1e-3, [1.0, 0.0])
     ).temperature(PRESSURE, np.arange(160.0)),
     "field of a state": lambda: sc.Simulation(
         GRID, ELASTIC, ELASTIC, np.zeros(GRID.surface_shape)

@@ -146,6 +146,9 @@ def test_contacts(count):
     dent = surfaces.paraboloid(grid, 1e-3)
 
     def solve(gap, x, settings, start):
+        settings = dict(settings)
+        if "heat" in settings:
+            settings["heat"] = sc.Heat(**settings["heat"])
         solver = sc.ContactSolver(grid, ELASTIC, ELASTIC, x[0], on_border="warn", **settings)
         return solver.solve(gap, initial_pressure=start, **{x[2]: x[1]})
 
@@ -167,7 +170,14 @@ def test_contacts(count):
             st.one_of(st.just(0.0), wild), wild, st.sampled_from(["load", "load", "approach"])
         ),
         settings=st.fixed_dictionaries(
-            {}, optional={"tol": wild, "max_iterations": few_iterations, "heat_factor": wild}
+            {},
+            optional={
+                "tol": wild,
+                "max_iterations": few_iterations,
+                "heat": st.fixed_dictionaries(
+                    {"factor": wild}, optional={"time": wild, "reference": wild}
+                ),
+            },
         ),
         start=st.one_of(st.none(), arrays((7, 6))),
     )

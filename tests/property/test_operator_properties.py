@@ -302,7 +302,7 @@ def test_heat_is_reciprocal_and_linear(shape, velocity, factor, seed):
 
     def rise(q, direction=1.0):
         v = (direction * velocity[0], direction * velocity[1])
-        solver = sc.ContactSolver(grid, HOT, HOT, heat_factor=0.1, velocity=v, heat_reference=1.0)
+        solver = sc.ContactSolver(grid, HOT, HOT, heat=sc.Heat(0.1, v, reference=1.0))
         return solver.temperature(q)[..., 0]
 
     t1, t2 = rise(q1), rise(q2)

@@ -24,18 +24,14 @@ FLAT = sc.Relief(np.zeros((3, 9)))
 
 HEATED = {
     "friction": 0.1,
-    "heat_factor": (0.01, 0.02),
-    "velocity": ((0.1, 0.0), (0.2, 0.1)),
-    "heat_reference": 1.0,
+    "heat": sc.Heat((0.01, 0.02), ((0.1, 0.0), (0.2, 0.1)), time=1.0, reference=1.0),
 }
 BODIES = {"grid": GRID, "body1": STEEL, "body2": SOFT}
-SOLVER = sc.ContactSolver(
-    GRID, HOT, HOT, heat_factor=(0.0, 0.01), heat_reference=1.0, heating_time=1.0
-)
+SOLVER = sc.ContactSolver(GRID, HOT, HOT, heat=sc.Heat((0.0, 0.01), time=1.0, reference=1.0))
 SIMULATION = sc.Simulation(**BODIES, gap=GAP, tol=1e-4)
 STATE = SIMULATION.step(load=LOAD)
 TRACK = STATE.track(2, margin=0)
-MARCHED = {"heat_factor": (0.0, 0.01), "heat_history": (1e-4, 1e-2), "friction": 0.1}
+MARCHED = {"heat": sc.Heat((0.0, 0.01), history=(1e-4, 1e-2)), "friction": 0.1}
 MARCHING = sc.Simulation(GRID, HOT, HOT, GAP, **MARCHED)
 SETTABLE = sc.Simulation(GRID, STEEL, KINEMATIC, GAP, tol=1e-4)
 
@@ -108,7 +104,7 @@ CALLS = [
         sc.ContactSolver,
         {
             "grid": GRID, "body1": HOT, "body2": HOT, **HEATED, "tol": 1e-6,
-            "on_border": "error", "max_iterations": 50, "heating_time": 1.0,
+            "on_border": "error", "max_iterations": 50,
         },
     ),
     *(
@@ -127,7 +123,7 @@ CALLS = [
         {
             **BODIES, "body1": HOT, "body2": HOT, "gap": GAP, **HEATED, **SETTINGS,
             "increment_tol": 1e-2, "residual_stress": "exact", "image_tol": 1e-3,
-            "heating_time": 1.0, "relief1": FLAT, "relief2": FLAT, "reach": 1e-4,
+            "relief1": FLAT, "relief2": FLAT, "reach": 1e-4,
         },
     ),
     (

@@ -124,7 +124,7 @@ def test_heat_that_melts_the_surface(melting):
     """What would be molten keeps the floor of its strength; the load is carried around it."""
     soft = law(0.1).with_softening(sc.softening.JohnsonCook(melting, 1.0, floor=0.05))
     soft = soft.with_thermal(50.0, 0.0, 1.4e-5)  # without expansion, to melt before it seizes
-    simulation = simulate(soft, 0.3, heat_factor=3.0, velocity=(1.0, 0.0), tol=1e-6)
+    simulation = simulate(soft, 0.3, heat=sc.Heat(3.0, (1.0, 0.0)), tol=1e-6)
     for load in (0.02, 0.05):
         state = simulation.step(load=load * EXACT.load)
     factor = state.softening()

@@ -41,9 +41,9 @@ class Scene:
         self.gap = sc.surfaces.paraboloid(self.grid, 7.5e-3 * metre, 9e-3 * metre)
         self.load = 300 * newton
 
-    def contact(self, friction=0.0, **heat):
+    def contact(self, friction=0.0, heat=None):
         solver = sc.ContactSolver(
-            self.grid, self.other, self.laws["elastic"], friction, tol=1e-12, **heat
+            self.grid, self.other, self.laws["elastic"], friction, tol=1e-12, heat=heat
         )
         found = solver.solve(self.gap, load=self.load)
         return {
@@ -55,13 +55,13 @@ class Scene:
 
     def heated(self, **more):
         factors = (0.01 * self.speed, 0.02 * self.speed)
-        return self.contact(0.1, heat_factor=factors, **more)
+        return self.contact(0.1, sc.Heat(factors, **more))
 
     def plastic(self, law, advance=0.0, **settings):
         simulation = sc.Simulation(
             self.grid, self.other, self.laws[law], self.gap, 0.1, **HISTORY, **settings
         )
-        duration = {"duration": 1e-3 * self.second} if "heat_history" in settings else {}
+        duration = {"duration": 1e-3 * self.second} if "heat" in settings else {}
         moved = (advance * self.metre, -0.5 * advance * self.metre)
         simulation.step(load=self.load, **duration)
         state = simulation.step(load=0.3 * self.load, advance=moved, **duration)
@@ -79,7 +79,7 @@ class Scene:
     def marched(self):
         factor = (0.01 * self.speed, 0.02 * self.speed)
         history = (1e-4 * self.second, 1e-2 * self.second)
-        return self.plastic("linear", heat_factor=factor, heat_history=history)
+        return self.plastic("linear", heat=sc.Heat(factor, history=history))
 
     def moving(self):
         dent = sc.dents.spherical(self.grid, 1e-6 * self.metre, 1e-4 * self.metre)
@@ -91,9 +91,9 @@ SCENES = {
     "friction": lambda scene: scene.contact(0.5),
     "heat, steady and moving": lambda scene: scene.heated(
         velocity=((0.0, 0.0), (0.1 * scene.speed, 0.05 * scene.speed)),
-        heat_reference=1.0 * scene.metre,
+        reference=1.0 * scene.metre,
     ),
-    "heat, since a moment": lambda scene: scene.heated(heating_time=1e-3 * scene.second),
+    "heat, since a moment": lambda scene: scene.heated(time=1e-3 * scene.second),
     "load and unload, linear hardening": lambda scene: scene.plastic("linear"),
     "load and unload, Swift": lambda scene: scene.plastic("swift"),
     "load and unload, kinematic": lambda scene: scene.plastic("kinematic"),

@@ -18,8 +18,8 @@ def grid_of(cells, width=1.3, **volume):
     return sc.Grid(cells, cells, d, d, **volume)
 
 
-def solver(grid, heat_factor, body1=COLD, body2=WARM, **settings):
-    return sc.ContactSolver(grid, body1, body2, heat_factor=heat_factor, **settings)
+def solver(grid, factor, body1=COLD, body2=WARM, **heat):
+    return sc.ContactSolver(grid, body1, body2, heat=sc.Heat(factor, **heat))
 
 
 def ball(grid):

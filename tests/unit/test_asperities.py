@@ -271,7 +271,7 @@ def test_bad_angles(name):
 def test_bad_arguments():
     which = collision(3)
     grid = which.grid(8)
-    with pytest.raises(ValueError, match=r"friction must be 0 in tugging, got 0\.1"):
+    with pytest.raises(ValueError, match=r"friction must be left out in tugging, got 0\.1"):
         tug(which, STEEL, STEEL, grid, friction=0.1)
     with pytest.raises(ValueError, match="passes must be an integer >= 1"):
         tug(which, STEEL, STEEL, grid, passes=0)

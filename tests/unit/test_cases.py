@@ -43,11 +43,6 @@ def test_defaults_and_steps(write):
         "on_border": "error",
         "residual_stress": "fast",
         "image_tol": 1e-3,
-        "heat_factor": 0.0,
-        "velocity": None,
-        "heating_time": None,
-        "heat_reference": None,
-        "heat_history": None,
         "reach": None,
     }
     assert (case.output.body, case.output.volume, case.output.figures) == (2, "peak_and_last", True)
@@ -294,10 +289,10 @@ m = 1.0
 [surface]
 shape = "paraboloid"
 Rx = 7.5e-3
-[contact]
-heat_factor = 0.02
+[heat]
+factor = 0.02
 velocity = [0.1, 0.0]
-heat_history = [1e-3, 1.0]
+history = [1e-3, 1.0]
 [[path]]
 load = 1200.0
 increments = 2
@@ -338,15 +333,25 @@ def test_heat(write, tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("duration = 4e-3\n", "", r"path\[0\]: duration and contact.heat_history go together"),
-        ("heat_history = [1e-3, 1.0]", "", r"path\[0\]: duration and contact.heat_history go tog"),
-        ("heat_history = [1e-3, 1.0]", "heat_history = [1e-3]", "heat_history"),
-        ("heat_factor = 0.02", "heat_factor = -0.02", "contact.heat_factor"),
-        ("velocity = [0.1, 0.0]", "velocity = [0.1]", "contact.velocity"),
-        ("velocity", "heating_time = 1.0\nvelocity", "give heat_history or heating_time"),
+        ("duration = 4e-3\n", "", r"path\[0\]: duration and heat.history go together"),
+        ("history = [1e-3, 1.0]", "", r"path\[0\]: duration and heat.history go together"),
+        ("history = [1e-3, 1.0]", "history = [1e-3]", "heat.history"),
+        (
+            "factor = 0.02",
+            "factor = -0.02",
+            r"heat\.factor",
+        ),
+        ("factor = 0.02", "", "heat.factor: required field is missing"),
+        ("velocity = [0.1, 0.0]", "velocity = [0.1]", "heat.velocity"),
+        ("velocity", "time = 1.0\nvelocity", "heat: give history or time of heat, not both"),
+        (
+            "[heat]",
+            "[contact]\nheat_factor = 0.02\n[heat]",
+            "contact.heat_factor: unknown .*; did you mean heat.factor",
+        ),
         ("conductivity = 50.2", "conductivity = 0.0", "body2.thermal.conductivity"),
         ("melting = 1800.0", "melting = 20.0", "melting must be > reference"),
-        ("heat_factor = 0.02", "heat_factor = [0.1, 0.1]", "heat_factor of body1 is 0.1, but the"),
+        ("factor = 0.02", "factor = [0.1, 0.1]", r"\[heat\] heat.factor of body1 is 0.1, but the"),
     ],
 )
 def test_errors_of_heat(write, old, new, message):

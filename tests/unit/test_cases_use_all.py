@@ -28,9 +28,10 @@ ROUGH = {
 SURFACE = {"shape": "paraboloid", "Rx": 1e-3, "Ry": 2e-3, "roughness": ROUGH}
 CONTACT = {
     "friction": 0.1, "tol": 1e-6, "increment_tol": 1e-3, "on_border": "warn",
-    "residual_stress": "fast", "image_tol": 2e-3, "heat_factor": [1e-3, 2e-3],
-    "velocity": [[1.0, 0.0], [0.5, 0.0]], "heating_time": 1e-3, "heat_reference": 0.5,
-    "reach": 1e-4,
+    "residual_stress": "fast", "image_tol": 2e-3, "reach": 1e-4,
+}  # fmt: skip
+HEAT = {
+    "factor": [1e-3, 2e-3], "velocity": [[1.0, 0.0], [0.5, 0.0]], "time": 1e-3, "reference": 0.5,
 }  # fmt: skip
 RAMP = {
     "load": 2.0, "increments": 2, "start": 0.5, "spacing": "power", "exponent": 3.0,
@@ -40,7 +41,7 @@ DENT = {"kind": "dent", "depth": 1e-7, "radius": 3e-5, "x": 1e-6, "y": 2e-6}
 FURROW = {"kind": "furrow", "depth": 1e-7, "half_width": 2e-5, "along": "x", "position": 1e-6}
 BASE = {
     "title": "t", "grid": GRID, "body1": SWIFT, "body2": SWIFT, "surface": SURFACE,
-    "contact": CONTACT, "path": [RAMP],
+    "contact": CONTACT, "heat": HEAT, "path": [RAMP],
 }  # fmt: skip
 ROLL = {
     "distance": 1e-5, "step": 5e-6, "passes": 2, "unload_increments": 3, "slide_to_roll": -0.1,
@@ -49,8 +50,7 @@ MEASURED = {
     "path": "h.npy", "channel": 0, "detrend": "none", "unit": "um", "dx": 2e-6, "dy": 3e-6,
     "y": 1e-6, "mirror": "x", "method": "linear", "average": True, "fill": 1e-7, "x": 2e-6,
 }  # fmt: skip
-MARCHED = {k: v for k, v in CONTACT.items() if k not in ("heating_time", "heat_reference")}
-MARCHED |= {"heat_history": [1e-6, 1e-3], "heat_factor": [0.0, 2e-3]}
+MARCHED = {"factor": [0.0, 2e-3], "velocity": HEAT["velocity"], "history": [1e-6, 1e-3]}
 FLAT = {"shape": "paraboloid", "Rx": 1e-3}
 TUGGING = {
     "title": "t",
@@ -79,16 +79,16 @@ KINDS = {
                                         "unload_increments": 3, "slider": 1}}]},
     "approach": BASE | {"path": [{"approach": 1e-7, "start": 1e-8}]},
     "marched": BASE
-    | {"contact": MARCHED, "path": [{"load": 1.0, "duration": 1e-4},
-                                    {"load": 1.0, "duration": 1e-4}]},
+    | {"heat": MARCHED, "path": [{"load": 1.0, "duration": 1e-4},
+                                 {"load": 1.0, "duration": 1e-4}]},
     "marched sliding": BASE
-    | {"contact": MARCHED | {"velocity": [-2.0, 0.0]}, "surface": FLAT,
+    | {"heat": MARCHED | {"velocity": [-2.0, 0.0]}, "surface": FLAT,
        "path": [{"load": 1.0, "slide": {"distance": 1e-5, "step": 5e-6, "speed": 2.0,
                                         "passes": 2}}]},
     "wear": BASE | {"wear": WEAR | {"strain_depth": "smoothed"}},
     "running in": BASE | {"wear": {"threshold": 2e-3, "smoothing_length": 8e-6}},
     "marched wear": BASE
-    | {"wear": WEAR, "contact": MARCHED, "path": [{"load": 1.0, "duration": 1e-4}]},
+    | {"wear": WEAR, "heat": MARCHED, "path": [{"load": 1.0, "duration": 1e-4}]},
     "tugging": TUGGING,
     "tugging on a grid": TUGGING
     | {"grid": GRID, "tugging": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6}},
@@ -100,7 +100,8 @@ OTHER = {
     "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
     "channel": ["other"], "window": [[5, 5]], "start": [0.6, 2e-8], "velocity": [
         [[2.0, 0.0], [0.5, 0.0]], [-3.0, 0.0], [0.0, 1.0]],
-    "heat_factor": [[1e-3, 4e-3], 0.5, [0.0, 4e-3]], "heat_history": [[1e-6, 2e-3]],
+    "heat_factor": [[1e-3, 4e-3], 0.5, [0.0, 4e-3]], "factor": [[1e-3, 4e-3], [0.0, 4e-3]],
+    "history": [[1e-6, 2e-3]],
     "advance": [[2e-5, 0.0]], "recovery": [[6.0]], "modulus": [[2e9]], "order": [2],
     "wavelength_min": [20e-6], "wavelength_max": [90e-6], "slide_to_roll": [-0.2],
     "step": [1e-5], "increments": [3, 13], "distance": [2e-5], "nz": [5], "ambient": [290.0],
@@ -108,7 +109,7 @@ OTHER = {
 }  # fmt: skip
 UNSET = {
     "window": 3, "order": 1, "smoothing_length": 8e-6,
-    "heating_time": 1e-3, "heat_reference": 0.5, "heat_history": [1e-6, 1e-3], "speed": 2.0,
+    "time": 1e-3, "reference": 0.5, "history": [1e-6, 1e-3], "speed": 2.0, "heat": HEAT,
     "duration": 1e-4, "back_and_forth": True, "unload_increments": 4, "increment_tol": 1e-2,
     "Ry": 3e-3, "advance": [1e-5, 0.0], "exponent": 3.0, "start": 1e-9, "reach": 1e-4,
     "heat_factor": 1e-3, "velocity": [1.0, 0.0], "wavelength_min": 15e-6, "wavelength_max": 60e-6,
@@ -249,7 +250,17 @@ def test_every_field_of_every_section_is_tried():
     missing = {model.__name__ for model in all_models(Case, TuggingCase)} - bodies
     assert missing - {model.__name__ for model in sections} == set()
     fields = {name for model in sections for name in model.model_fields}
-    sections_in = {"kinematic", "surface", "path", "body1", "body2", "contact", "tugging", "output"}
+    sections_in = {
+        "kinematic",
+        "surface",
+        "path",
+        "body1",
+        "body2",
+        "contact",
+        "heat",
+        "tugging",
+        "output",
+    }
     given = {
         "law",
         "kind",
@@ -274,8 +285,7 @@ def test_every_field_of_every_section_is_tried():
              "body1": {"law": "rigid"}, "body2": {"law": "elastic", "E": 1e9, "nu": 0.3}},
             r"output\.volume = 'all' needs a \[grid\] with nz and dz",
         ),
-        ({"contact": {"velocity": [1.0, 0.0]}, "path": [{"load": 1.0}]}, r"contact\.velocity is"),
-        ({"contact": {}, "path": [{"load": 1.0}]}, r"body1\.thermal is of frictional"),
+        ({"heat": None, "path": [{"load": 1.0}]}, r"body1\.thermal is of frictional"),
         (
             {"contact": CONTACT | {"residual_stress": "exact"}},
             r"contact\.image_tol is of residual_stress",
@@ -290,7 +300,7 @@ def test_what_has_no_effect_is_refused_by_name(change, message):
 
 def test_a_source_that_is_off_may_have_all_of_heat():
     """As in a sweep of the heat factor from 0."""
-    Case.model_validate(BASE | {"contact": CONTACT | {"heat_factor": 0.0}, "path": [{"load": 1.0}]})
+    Case.model_validate(BASE | {"heat": HEAT | {"factor": 0.0}, "path": [{"load": 1.0}]})
 
 
 def test_tugging_knows_no_heat():

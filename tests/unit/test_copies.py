@@ -20,10 +20,11 @@ WAYS = {
 def moving():
     """Two inelastic bodies with roughness, friction, heat in time, and a law that no file holds."""
     steel = MATERIALS["swift"].with_thermal(50.0, 1e-5, 1.4e-5).with_softening(halved)
-    heat = {"heat_factor": [0.0, 1e-4], "velocity": [[0.0, 0.0], [GRID.dx / 1e-3, 0.0]]}
+    velocity = [[0.0, 0.0], [GRID.dx / 1e-3, 0.0]]
+    heat = sc.Heat([0.0, 1e-4], velocity, history=(1e-3, 0.1))
     dent = sc.dents.spherical(GRID, 1e-7, 3 * GRID.dx)
     return sc.Simulation(
-        GRID, MATERIALS["linear"], steel, GAP, 0.1, heat_history=(1e-3, 0.1), relief2=dent,
+        GRID, MATERIALS["linear"], steel, GAP, 0.1, heat=heat, relief2=dent,
         on_border="warn", **heat,
     )  # fmt: skip
 

@@ -2,6 +2,7 @@
 """Frictional heat in the contact and the stress; heat factors."""
 
 import math
+import pickle
 import re
 
 import numpy as np
@@ -59,7 +60,7 @@ class TestTemperature:
         """Early, under a wide source, heat flows in one dimension: 2 q sqrt(kappa t/pi)/K."""
         grid = sc.Grid(61, 61, 1e-5, 1e-5)
         time, q = 1e-5, 1e7
-        rise = solver(grid, 0.1, heating_time=time).temperature(np.full((61, 61), q / 0.1))
+        rise = solver(grid, 0.1, time=time).temperature(np.full((61, 61), q / 0.1))
         expected = 2 * q * math.sqrt(KAPPA * time / math.pi) / K
         assert rise[30, 30, 0] == pytest.approx(expected, rel=1e-6)
 
@@ -103,10 +104,10 @@ class TestThermalStress:
     @pytest.mark.parametrize(
         "settings",
         [
-            {"heating_time": 1e-4},
-            {"heating_time": 1e-2},
+            {"time": 1e-4},
+            {"time": 1e-2},
             {"velocity": (0.3, 0.0)},
-            {"velocity": (0.2, -0.3), "heating_time": 2e-3},
+            {"velocity": (0.2, -0.3), "time": 2e-3},
         ],
     )
     def test_leaves_the_surface_free(self, settings):
@@ -120,7 +121,7 @@ class TestThermalStress:
         grid = grid_of(25)
         z = [0.0, 1e-4]
         steady, _, _ = self.difference(grid, z)
-        late, _, _ = self.difference(grid, z, heating_time=1e4)
+        late, _, _ = self.difference(grid, z, time=1e4)
         np.testing.assert_allclose(late, steady, atol=1e-3 * np.abs(steady).max())
 
 
@@ -151,7 +152,7 @@ class TestContact:
     def test_the_reference_shifts_the_approach_only(self):
         grid = grid_of(33)
         near, far = (
-            solver(grid, 0.1, heat_reference=r).solve(ball(grid), load=LOAD) for r in (1e-3, 10.0)
+            solver(grid, 0.1, reference=r).solve(ball(grid), load=LOAD) for r in (1e-3, 10.0)
         )
         np.testing.assert_allclose(near.pressure, far.pressure, atol=1e-6 * near.pressure.max())
         shift = 0.1 * LOAD * ALPHA * (1 + NU) / (2 * np.pi * K) * np.log(1e4)
@@ -159,7 +160,7 @@ class TestContact:
 
     def test_by_approach(self):
         grid = grid_of(33)
-        heated = solver(grid, 0.05, heat_reference=2e-3)
+        heated = solver(grid, 0.05, reference=2e-3)
         found = heated.solve(ball(grid), load=200.0)
         again = heated.solve(ball(grid), approach=found.approach)
         assert again.load == pytest.approx(200.0, rel=1e-6)
@@ -178,7 +179,7 @@ class TestContact:
     def test_no_motion_is_the_limit_of_slow_motion(self):
         grid = grid_of(25)
         still, slow = (
-            solver(grid, 0.1, velocity=(v, 0.0), heating_time=1e-3).solve(ball(grid), load=LOAD)
+            solver(grid, 0.1, velocity=(v, 0.0), time=1e-3).solve(ball(grid), load=LOAD)
             for v in (0.0, 1e-6)
         )
         np.testing.assert_allclose(slow.pressure, still.pressure, atol=1e-5 * still.pressure.max())
@@ -205,7 +206,7 @@ class TestInstability:
 
     def test_a_contact_that_grows_by_itself_is_named(self):
         grid = grid_of(65)
-        heated = solver(grid, 0.1, heat_reference=0.1)
+        heated = solver(grid, 0.1, reference=0.1)
         with pytest.raises(sc.ConvergenceError, match="thermoelastically unstable at approach"):
             heated.solve(ball(grid), approach=5e-6)
 
@@ -214,32 +215,52 @@ class TestBadInput:
     @pytest.mark.parametrize(
         ("settings", "text"),
         [
-            ({"heat_factor": -0.1}, "heat_factor must be"),
-            ({"heat_factor": np.nan}, "heat_factor must be"),
-            ({"heat_factor": (0.1, 0.1, 0.1)}, "heat_factor must be a number or a pair, got 3"),
-            ({"heat_factor": (0.1, 0.0)}, "heat_factor of body1 is 0.1, but the body has no therm"),
-            ({"heat_factor": 0.1, "body2": COLD}, "heat_factor of body2 is 0.1, but the body has"),
-            ({"heat_factor": (0.1, 0.0), "body1": sc.Material.rigid()}, "but the body is rigid"),
-            ({"heat_factor": 0.1, "heating_time": -1.0}, "heating_time must be"),
-            ({"heat_factor": 0.1, "heating_time": 0.0}, "heating_time must be"),
-            ({"heat_factor": 0.1, "heat_reference": 0.0}, "heat_reference must be"),
-            ({"heat_factor": 0.1, "velocity": (1.0, np.inf)}, "velocity must be finite"),
-            ({"heat_factor": 0.1, "velocity": (1.0,)}, "velocity must have shape"),
+            ({"factor": -0.1}, "factor must be a finite number >= 0, got -0.1"),
+            ({"factor": np.nan}, "factor must be"),
+            ({"factor": (0.1, 0.1, 0.1)}, "factor must be a number or a pair, got 3"),
+            ({"time": -1.0}, "time must be a finite number > 0, got -1.0"),
+            ({"time": 0.0}, "time must be"),
+            ({"reference": 0.0}, "reference must be"),
+            ({"velocity": (1.0, np.inf)}, "velocity must be finite"),
+            ({"velocity": (1.0,)}, "velocity must have shape"),
+        ],
+    )
+    def test_refused(self, settings, text):
+        with pytest.raises(ValueError, match=re.escape(text)):
+            sc.Heat(**{"factor": 0.1, **settings})
+
+    @pytest.mark.parametrize(
+        ("factor", "bodies", "text"),
+        [
+            ((0.1, 0.0), {}, "heat.factor of body1 is 0.1, but the body has no thermal constants"),
+            (0.1, {"body2": COLD}, "heat.factor of body2 is 0.1, but the body has no thermal"),
+            ((0.1, 0.0), {"body1": sc.Material.rigid()}, "but the body is rigid"),
         ],
     )
     @pytest.mark.parametrize("kind", ["solver", "simulation"])
-    def test_refused(self, kind, settings, text):
+    def test_refused_by_the_bodies(self, kind, factor, bodies, text):
         grid = grid_of(9, nz=2, dz=1e-5)
-        arguments = {"body1": COLD, "body2": WARM, **settings}
+        arguments = {"body1": COLD, "body2": WARM, "heat": sc.Heat(factor), **bodies}
         make = sc.ContactSolver
         if kind == "simulation":
             make, arguments["gap"] = sc.Simulation, ball(grid)
         with pytest.raises(ValueError, match=re.escape(text)):
             make(grid, **arguments)
+        with pytest.raises(TypeError, match=r"heat must be a samcontact.Heat, got 0\.1"):
+            make(grid, **arguments | {"heat": 0.1})
+
+    def test_is_one_frozen_object(self):
+        heat = sc.Heat([0, 0.1], [[0, 0], [1, 0]], history=[1e-3, 1])
+        same = sc.Heat(0.1, (1.0, 0.0), history=(1e-3, 1.0))
+        assert heat == same
+        assert hash(heat) == hash(same)
+        assert repr(sc.Heat(0.1)) == "Heat(factor=(0.0, 0.1))"
+        for again in (eval(repr(heat), {"Heat": sc.Heat}), pickle.loads(pickle.dumps(heat))):
+            assert again == heat
 
     def test_an_approach_needs_the_reference(self):
         grid = grid_of(33)
-        with pytest.raises(ValueError, match="heat_reference must be given with an approach"):
+        with pytest.raises(ValueError, match=r"heat\.reference must be given with an approach"):
             solver(grid, 0.1).solve(ball(grid), approach=1e-6)
         moving = solver(grid, 0.1, velocity=(1.0, 0.0))
         assert moving.solve(ball(grid), approach=1e-5).converged

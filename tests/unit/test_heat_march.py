@@ -24,16 +24,13 @@ FIELDS = ("temperature", "surface_temperature", "stress", "surface_displacement"
 STEP = 1e-3  # sqrt(kappa t) = 0.28 contact radii
 
 
-def march(body2=WARM, body1=COLD, heat_factor=0.05, longest=100.0, **settings):
-    return sc.Simulation(
-        GRID, body1, body2, BALL, heat_factor=heat_factor, heat_history=(STEP, longest), **settings
-    )
+def march(body2=WARM, body1=COLD, factor=0.05, longest=100.0, velocity=None, **settings):
+    heat = sc.Heat(factor, velocity, history=(STEP, longest))
+    return sc.Simulation(GRID, body1, body2, BALL, heat=heat, **settings)
 
 
-def at_once(time, body2=WARM, heat_factor=0.05, **settings):
-    return sc.Simulation(
-        GRID, COLD, body2, BALL, heat_factor=heat_factor, heating_time=time, **settings
-    )
+def at_once(time, body2=WARM, factor=0.05, velocity=None):
+    return sc.Simulation(GRID, COLD, body2, BALL, heat=sc.Heat(factor, velocity, time))
 
 
 def assert_fields(a, b, tolerance, body=2):
@@ -78,7 +75,7 @@ class TestGivenFlux:
         np.testing.assert_allclose(state.temperature(), rise, atol=1e-5 * rise.max())
 
     def test_heat_that_stays_away_changes_nothing(self):
-        cold = march(heat_factor=0.0)
+        cold = march(factor=0.0)
         for duration in (STEP, 5 * STEP):
             state = cold.step(load=LOAD, duration=duration)
         plain = sc.Simulation(GRID, COLD, WARM, BALL).step(load=LOAD)
@@ -106,7 +103,7 @@ class TestContact:
         simulation = march(longest=1e6)
         for n in range(32):
             state = simulation.step(load=LOAD, duration=STEP * 2**n)
-        steady = sc.Simulation(GRID, COLD, WARM, BALL, heat_factor=0.05).step(load=LOAD)
+        steady = sc.Simulation(GRID, COLD, WARM, BALL, heat=sc.Heat(0.05)).step(load=LOAD)
         np.testing.assert_allclose(
             state.pressure, steady.pressure, atol=1e-3 * steady.pressure.max()
         )
@@ -118,12 +115,12 @@ class TestContact:
         """The flux of a step is that of its end; what is left of its change is small."""
         found = []
         for parts in (2, 16):
-            simulation = march(heat_factor=0.1)
+            simulation = march(factor=0.1)
             for _ in range(parts):
                 state = simulation.step(load=LOAD, duration=16 * STEP / parts)
             found.append([state.pressure.max(), state.surface_temperature().max()])
         few, many = np.array(found)
-        once = at_once(16 * STEP, heat_factor=0.1).step(load=LOAD)
+        once = at_once(16 * STEP, factor=0.1).step(load=LOAD)
         assert (np.abs(few / many - 1) < 1e-3).all()
         assert once.pressure.max() == pytest.approx(many[0], rel=2e-3)
 
@@ -150,7 +147,7 @@ class TestContact:
 
 class TestPlasticity:
     def test_load_hold_and_cool(self):
-        simulation = march(STEEL, heat_factor=0.08)
+        simulation = march(STEEL, factor=0.08)
         cold = sc.Simulation(GRID, COLD, STEEL, BALL).step(load=LOAD)
         for n in range(8):
             held = simulation.step(load=LOAD, duration=STEP * 2**n)
@@ -179,7 +176,7 @@ class TestPlasticity:
         assert states[1]._core.history(1)["mirrored"] == 2
 
     def test_yield_condition(self):
-        simulation = march(STEEL, heat_factor=0.06, velocity=(0.1, 0.0))
+        simulation = march(STEEL, factor=0.06, velocity=(0.1, 0.0))
         for _ in range(3):
             state = simulation.step(load=LOAD, duration=3 * STEP)
         limit = STEEL.yield_stress(state.equivalent_plastic_strain())
@@ -241,25 +238,30 @@ class TestBadInput:
     @pytest.mark.parametrize(
         ("settings", "text"),
         [
-            ({"heat_history": (0.0, 1.0)}, "heat_history must be"),
-            ({"heat_history": (1e-3, -1.0)}, "heat_history must be"),
-            ({"heat_history": (1.0, 1e-3)}, "with shortest <= longest"),
-            ({"heat_history": (1.0,)}, "heat_history must be a pair"),
-            ({"heat_history": (1e-3, 1.0), "heating_time": 1.0}, "give heat_history or heating_ti"),
+            ({"history": (0.0, 1.0)}, "history must be a finite number > 0, got 0.0"),
+            ({"history": (1e-3, -1.0)}, "history must be a finite number > 0, got -1.0"),
+            ({"history": (1.0, 1e-3)}, "with shortest <= longest"),
+            ({"history": (1.0,)}, "history must be a pair"),
+            ({"history": (1e-3, 1.0), "time": 1.0}, "give history or time of heat, not both"),
         ],
     )
-    def test_of_a_simulation(self, settings, text):
+    def test_of_heat(self, settings, text):
         with pytest.raises(ValueError, match=re.escape(text)):
-            sc.Simulation(GRID, COLD, WARM, BALL, heat_factor=0.1, **settings)
+            sc.Heat(0.1, **settings)
+
+    def test_a_single_contact_has_no_history(self):
+        with pytest.raises(ValueError, match=r"heat\.history must be None for a single contact"):
+            sc.ContactSolver(GRID, COLD, WARM, heat=sc.Heat(0.1, history=(1e-3, 1.0)))
 
     @pytest.mark.parametrize(
         ("duration", "text"),
         [
-            (None, "duration must be given in a simulation with heat_history"),
+            (None, "duration must be given in a simulation with heat of a history"),
             (-1.0, "duration must be"),
             (0.0, "duration must be"),
             (np.nan, "duration must be"),
-            (0.5 * STEP, "duration must be at least the shortest step of heat_history, 0.001 s"),
+            (1e300, "duration must be at most"),
+            (0.5 * STEP, "duration must be at least the shortest step of heat.history, 0.001 s"),
         ],
     )
     def test_of_a_step(self, duration, text):
@@ -270,7 +272,7 @@ class TestBadInput:
         assert simulation.state.time == STEP
 
     def test_a_duration_without_history(self):
-        with pytest.raises(ValueError, match="duration needs a simulation with heat_history"):
+        with pytest.raises(ValueError, match="duration needs a simulation with heat of a history"):
             at_once(None).step(load=LOAD, duration=1.0)
 
     def test_a_failed_step_leaves_everything(self):

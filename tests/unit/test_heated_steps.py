@@ -12,8 +12,9 @@ import samcontact as sc
 STEEL = sc.Material.swift(E, NU, 945e6, 20.0, 0.121).with_thermal(K, ALPHA, KAPPA)
 
 
-def simulation(grid, heat_factor, body1=COLD, body2=STEEL, **settings):
-    return sc.Simulation(grid, body1, body2, ball(grid), heat_factor=heat_factor, **settings)
+def simulation(grid, factor, body1=COLD, body2=STEEL, settings=None, **heat):
+    heat = sc.Heat(factor, **heat)
+    return sc.Simulation(grid, body1, body2, ball(grid), heat=heat, **(settings or {}))
 
 
 VOLUME = {"nz": 20, "dz": 33e-6}
@@ -22,7 +23,7 @@ VOLUME = {"nz": 20, "dz": 33e-6}
 class TestSimulation:
     def test_elastic_state_is_that_of_the_solver(self):
         grid = grid_of(31, 1.4, nz=6, dz=5e-5)
-        settings = {"velocity": (0.2, 0.0), "heating_time": 1e-2}
+        settings = {"velocity": (0.2, 0.0), "time": 1e-2}
         for extra in ({}, settings):
             state = simulation(grid, 0.05, body2=WARM, **extra).step(load=LOAD)
             direct = solver(grid, 0.05, **extra)
@@ -48,12 +49,12 @@ class TestSimulation:
         assert not cooled.temperature().any()
         np.testing.assert_allclose(cooled.stress(), cooled.residual_stress(), atol=1.0)
 
-    @pytest.mark.parametrize("extra", [{}, {"velocity": (0.3, 0.0)}, {"heating_time": 1e-3}])
+    @pytest.mark.parametrize("extra", [{}, {"velocity": (0.3, 0.0)}, {"time": 1e-3}])
     def test_fast_and_exact_residual_stress(self, extra):
         grid = grid_of(25, 1.5, nz=20, dz=45e-6)
         states = []
         for method in ("exact", "fast"):
-            heated = simulation(grid, 0.04, residual_stress=method, **extra)
+            heated = simulation(grid, 0.04, settings={"residual_stress": method}, **extra)
             states.append(heated.run([{"load": 1000.0}, {"load": LOAD}], progress=False)[-1])
         exact, fast = (s.plastic_strain() for s in states)
         assert np.abs(exact).max() > 3e-4
@@ -68,7 +69,7 @@ class TestSimulation:
         hold = heated.step(load=LOAD)
         np.testing.assert_allclose(hold.plastic_strain(), hot.plastic_strain(), rtol=0, atol=1e-8)
         off = heated.step(load=LOAD, heat_factor=0.0)
-        assert heated.heat_factor == (0.0, 0.0)
+        assert heated.heat.factor == (0.0, 0.0)
         assert hot.temperature().max() > 100
         assert not off.temperature().any()
         # without heat the maximum stress is higher: the steel flows on
@@ -80,7 +81,7 @@ class TestSimulation:
         heated = simulation(grid_of(9, 0.5, **VOLUME), 0.03)
         with pytest.raises(sc.GridTooSmallError):
             heated.step(load=LOAD, heat_factor=0.01)
-        assert heated.heat_factor == (0.0, 0.03)
+        assert heated.heat.factor == (0.0, 0.03)
 
     def test_identical_heated_bodies(self):
         grid = grid_of(25, 1.5, **VOLUME)
@@ -88,7 +89,7 @@ class TestSimulation:
             K, ALPHA, KAPPA
         )
         one, two = (
-            simulation(grid, (0.02, 0.02), STEEL, other, tol=1e-9).step(load=LOAD)
+            simulation(grid, (0.02, 0.02), STEEL, other, {"tol": 1e-9}).step(load=LOAD)
             for other in (STEEL, again)
         )
         for body in (1, 2):
@@ -109,22 +110,22 @@ class TestSimulation:
     def test_a_scene_without_heat_builds_nothing_for_it(self):
         grid = grid_of(25, 1.5, **VOLUME)
         cold = sc.Simulation(grid, COLD, STEEL, ball(grid))
-        zero = simulation(grid, 0.0, velocity=(1.0, 0.0), heating_time=1.0)
+        zero = simulation(grid, 0.0, velocity=(1.0, 0.0), time=1.0)
         for s in (cold, zero):
             s.step(load=LOAD)
         assert cold.counters == zero.counters
         assert np.array_equal(cold.state.plastic_strain(), zero.state.plastic_strain())
 
-    @pytest.mark.parametrize("extra", [{}, {"velocity": (0.3, 0.1), "heating_time": 2e-3}])
+    @pytest.mark.parametrize("extra", [{}, {"velocity": (0.3, 0.1), "time": 2e-3}])
     def test_checkpoint_goes_on_bit_for_bit(self, extra, tmp_path):
         grid = grid_of(21, 1.5, nz=16, dz=45e-6)
-        heated = simulation(grid, 0.05, heat_reference=0.3, **extra)
+        heated = simulation(grid, 0.05, reference=0.3, **extra)
         heated.step(load=1000.0)
         heated.step(load=1100.0, heat_factor=0.04)
         heated.save(tmp_path / "saved.h5")
         resumed = sc.Simulation.load(tmp_path / "saved.h5")
         assert resumed.body2 == STEEL
-        assert resumed.heat_factor == (0.0, 0.04)
+        assert resumed.heat.factor == (0.0, 0.04)
         for field in ("stress", "temperature"):
             a, b = (getattr(s.state, field)() for s in (heated, resumed))
             assert np.array_equal(a, b)

@@ -55,7 +55,7 @@ def test_an_empty_file_is_damaged(tmp_path, expected, content):
 def test_states_that_are_kept_later_go_on_with_their_own_heat(tmp_path):
     """Neither the last increment's source, nor another description of the run."""
     steel = sc.Material.elastic(210e9, 0.3).with_thermal(50.0, 1e-5, 1.4e-5)
-    heat = {"heat_factor": 1e-3, "heating_time": 1e-3}
+    heat = {"heat": sc.Heat(1e-3, time=1e-3)}
 
     def scene():
         return sc.Simulation(GRID, MATERIALS["elastic"], steel, GAP, **heat)
@@ -68,7 +68,7 @@ def test_states_that_are_kept_later_go_on_with_their_own_heat(tmp_path):
     journal.add(expected[0])  # the run was interrupted here
     again = scene().run(path, progress=False, checkpoint=tmp_path)
     for one, other in zip(again, expected, strict=True):
-        assert one.heat_factor == other.heat_factor
+        assert one.heat == other.heat
         assert_same(one, other)
         np.testing.assert_array_equal(one.surface_temperature(2), other.surface_temperature(2))
     assert expected[1].surface_temperature(2).max() > 0

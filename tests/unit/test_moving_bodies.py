@@ -72,7 +72,7 @@ def test_relief_of_two_bodies_between_each_others_cells():
 
 def test_past_heat_moves_with_the_material():
     step = CELL / 0.5  # s, one cell at 0.5 m/s
-    settings = {"heat_factor": 0.03, "velocity": (0.5, 0.0), "heat_history": (step, 1.0)}
+    settings = {"heat": sc.Heat(0.03, (0.5, 0.0), history=(step, 1.0))}
     simulation = ball(CERAMIC, HEATED, **settings)
     for load in (0.3, 0.6, 0.6, 0.6):
         state = simulation.step(load=load * LOAD, duration=step, advance=(0.0, CELL))

@@ -89,7 +89,7 @@ def test_it_runs_and_follows_the_bodies(write):
         ("passes = 2", "passes = 0", r"path\[0\]\.roll\.passes: input should be greater than or"),
         ("passes = 2", "slider = 2", r"path\[0\]\.roll\.slider: unknown field; allowed here: dist"),
         ("passes = 2", "slide_to_roll = 3", r"roll\.slide_to_roll: input should be less than or"),
-        ("passes = 2", "speed = 1.0", r"path\[0\]: speed and contact.heat_history go together"),
+        ("passes = 2", "speed = 1.0", r"path\[0\]: speed and heat.history go together"),
         ("load = 600.0", "load = 0.0", r"path\[0\]: load must be > 0, got 0\.0"),
         (ROLL, ROLL + "\nstart = 1.0", r"path\[0\]: roll goes without start"),
         (
@@ -141,27 +141,27 @@ def test_friction_and_sliding_agree_in_direction(write, motion, allowed):
             load_case(path)
 
 
-HEAT = """heat_factor = 0.02
-velocity = [-0.5, 0.0]
-heat_history = [1e-6, 1e-2]
-"""
 THERMAL = """n = 0.121
 [body2.thermal]
 conductivity = 50.2
 expansion = 11.7e-6
 diffusivity = 1.367e-5
+[heat]
+factor = 0.02
+velocity = [-0.5, 0.0]
+history = [1e-6, 1e-2]
 """
 
 
 def test_heat_moves_with_the_body(write):
-    heated = [("n = 0.121\n", THERMAL), ("friction = 0.0\n", HEAT)]
+    heated = [("n = 0.121\n", THERMAL)]
     roll = ("unload_increments = 1", "unload_increments = 1, speed = 0.5")
     case = load_case(write(*heated, roll))
     steps = case.steps()
     assert all(step["duration"] == pytest.approx(120e-6) for step in steps[:5])
     assert steps[6]["duration"] == pytest.approx(360e-6)  # the way back
     case.build()
-    with pytest.raises(CaseError, match=r"path\[0\]: speed and contact.heat_history go together"):
+    with pytest.raises(CaseError, match=r"path\[0\]: speed and heat.history go together"):
         load_case(write(*heated))
     with pytest.raises(
         CaseError, match=r"heated body 2 moves at -0\.5 m/s along x, but .* it 0\.5 m/s"

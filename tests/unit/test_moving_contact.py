@@ -85,7 +85,7 @@ def test_the_fast_operator_agrees_with_the_exact_one():
     [
         ({}, STEEL),
         ({"friction": 0.15}, KINEMATIC),
-        ({"heat_factor": 0.03, "velocity": (0.5, 0.0)}, HEATED),
+        ({"heat": sc.Heat(0.03, (0.5, 0.0))}, HEATED),
     ],
     ids=["cold", "friction and kinematic", "heated"],
 )

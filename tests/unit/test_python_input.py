@@ -95,12 +95,12 @@ class TestBeyondTheRange:
     def test_heat_names_what_the_user_gave(self):
         hot = STEEL.with_thermal(50.0, 1e-5, 1.4e-5)
         for settings, named in (
-            ({"velocity": (1e12, 0.0)}, "velocity of body 2 must be at most"),
-            ({"velocity": (0.0, 1e-300)}, "velocity of body 2 must be 0 or at least"),
-            ({"heating_time": 1e300}, "heating_time must be at most"),
+            ({"velocity": (1e12, 0.0)}, "heat.velocity of body 2 must be at most"),
+            ({"velocity": (0.0, 1e-300)}, "heat.velocity of body 2 must be 0 or at least"),
+            ({"time": 1e300}, "heat.time must be at most"),
         ):
             with pytest.raises(ValueError, match=named):
-                small(hot, heat_factor=0.1, **settings).step(load=10.0)
+                small(hot, heat=sc.Heat(0.1, **settings)).step(load=10.0)
         with pytest.raises(ValueError, match="friction times speed must be finite"):
             sc.heat.factors(1e200, 1e200)
 
@@ -179,7 +179,7 @@ class TestPaths:
             return np.ones_like(rise)
 
         hot = STEEL.with_thermal(50.0, 1e-5, 1.4e-5).with_softening(law)
-        states = small(hot, heat_factor=1e-3).run(path, progress=False)
+        states = small(hot, heat=sc.Heat(1e-3)).run(path, progress=False)
         assert [state.load for state in states] == [300.0, 400.0]
 
     @pytest.mark.parametrize("folder", ["", "a\0b", 3])
@@ -226,7 +226,7 @@ class TestInTheMiddle:
             return np.ones_like(rise)
 
         hot = STEEL.with_thermal(50.0, 1e-5, 1.4e-5).with_softening(law)
-        held.append(small(hot, heat_factor=1e-3))
+        held.append(small(hot, heat=sc.Heat(1e-3)))
         assert held[0].step(load=300.0).load == 300.0
         assert held[0].step(load=400.0).load == 400.0
 

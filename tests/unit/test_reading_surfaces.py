@@ -199,8 +199,8 @@ def test_masked_values_are_refused_by_name_elsewhere():
         "strain": lambda: steel.uniaxial_stress(row),
         "X": lambda: kernels.pressure_displacement(row, 0.0, 1.0, 1.0, 1e9, 0.3),
         "x": lambda: hertz.pressure(row),
-        "velocity": lambda: sc.ContactSolver(grid, steel, steel, velocity=row[2:4]),
-        "heat_factor": lambda: sc.ContactSolver(grid, steel, steel, heat_factor=row[2:4]),
+        "velocity": lambda: sc.Heat(0.0, row[2:4]),
+        "factor": lambda: sc.Heat(row[2:4]),
         "interference": lambda: sc.flattening.kogut_etsion(abs(row), 1e-3, 1e11, 0.3, 1e9),
     }
     for name, call in calls.items():

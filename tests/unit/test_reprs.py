@@ -209,10 +209,10 @@ def public_objects():
     heights[3, 4] = np.nan
     steel = STEEL.with_kinematic_hardening([1e9] * 4, [30.0] * 4).with_thermal(50.2, 12e-6, 1e-5)
     steel = steel.with_softening(sc.softening.JohnsonCook(1800.0, 1.0))
-    relief = sc.Relief(1e-9 * heights[:2], -3)
-    simulation = sc.Simulation(grid, steel, steel, gap, relief1=relief, velocity=(1 / 3, 1 / 7))
+    relief, heat = sc.Relief(1e-9 * heights[:2], -3), sc.Heat(1 / 3, (1 / 3, 1 / 7))
+    simulation = sc.Simulation(grid, steel, steel, gap, relief1=relief, heat=heat)
     state = simulation.step(load=10.0)
-    solver = sc.ContactSolver(grid, steel, steel, 0.1, heat_factor=1 / 3, velocity=(1 / 3, 1 / 7))
+    solver = sc.ContactSolver(grid, steel, steel, 0.1, heat=heat)
     collision = sc.asperities.Collision(1e-3, 1e-3, 1e-6)
     cycle = sc.wear.Cycle(1, (0.1,), (0.1,), (0.1,), (0.1,), (0.1,), 1.0, 1.0, 1.0, 9.0, (9.0,))
     worn = {2: np.stack([gap] * 5)}
@@ -220,7 +220,7 @@ def public_objects():
     series = results.to_dataset(simulation, [state])
     fields = {"title": "t" * 500, "long": "d" * 5000}
     return [
-        grid, steel, relief, simulation, state, state.track(), solver, collision, cycle, load,
+        grid, steel, relief, heat, simulation, state, state.track(), solver, collision, cycle, load,
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
         sc.measured.MeasuredSurface(heights, 1e-6, attrs={"source": "s" * 3000}),
         sc.asperities.Tugging(collision, simulation, series, [state]),
@@ -268,6 +268,6 @@ def test_arrays_are_told_by_shape_and_range():
     assert len(in_short("a" * 1000)) < LONGEST
     grid = sc.Grid(4, 4, 1e-6, 1e-6)
     assert repr(sc.ContactSolver(grid, sc.Material.rigid(), BALL, tol=1e-6)).endswith(
-        "friction=0.0, tol=1e-06, on_border='error', max_iterations=5000, heat_reference=None, "
-        "heated bodies=[])"
+        "friction=0.0, tol=1e-06, on_border='error', max_iterations=5000, "
+        "heat=Heat(factor=(0.0, 0.0)))"
     )

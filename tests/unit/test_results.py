@@ -198,7 +198,7 @@ def test_each_increment_has_its_own_source_of_heat(tmp_path):
     steel = sc.Material.elastic(210e9, 0.3).with_thermal(50.0, 1e-5, 1.4e-5)
     grid = sc.Grid(9, 9, 60e-6, 60e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
-    heat = {"heat_factor": [0.0, 2e-3], "heating_time": 1e-3, "on_border": "warn"}
+    heat = {"heat": sc.Heat([0.0, 2e-3], time=1e-3), "on_border": "warn"}
     simulation = sc.Simulation(grid, steel, steel, gap, **heat)
     path = [{"load": 10.0}, {"load": 10.0, "heat_factor": [1e-3, 0.0]}, {"load": 5.0}]
     path.append({"load": 5.0, "heat_factor": 0.0})

@@ -21,11 +21,11 @@ from samcontact.sweeps import worker
 
 def test_settings_of_the_command():
     text = ["body2.yield_stress=1e9, 2e9", "body1.law=elastic,rigid", "contact.friction=0,1.,.5"]
-    assert parse_settings([*text, "contact.velocity=[1,0],[2,0]"]) == {
+    assert parse_settings([*text, "heat.velocity=[1,0],[2,0]"]) == {
         "body2.yield_stress": [1e9, 2e9],
         "body1.law": ["elastic", "rigid"],
         "contact.friction": [0, 1.0, 0.5],
-        "contact.velocity": [[1, 0], [2, 0]],
+        "heat.velocity": [[1, 0], [2, 0]],
     }
 
 

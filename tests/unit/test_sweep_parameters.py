@@ -72,7 +72,7 @@ def test_bad_executors(executor, none_solved):
         ("body2.yield_stress", "Pa"),
         ("body1.thermal.diffusivity", "m²/s"),
         ("body2.C", "microstrain"),
-        ("contact.velocity[0]", "m/s"),
+        ("heat.velocity[0]", "m/s"),
         ("path[3].roll.distance", "m"),
         ("path[0].load", "N"),
         ("tugging.depth", ""),

@@ -96,7 +96,7 @@ def simulation(**settings):
             ValueError,
             "advance must be at most 167.772 m",
         ),
-        (lambda: simulation(heat_history=3.0), ValueError, "heat_history must be a pair"),
+        (lambda: sc.Heat(0.1, history=3.0), ValueError, "history must be a pair"),
         (
             lambda: simulation().run({"load": 1.0}),
             TypeError,

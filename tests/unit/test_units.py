@@ -98,8 +98,8 @@ modulus = [1e9, 2e9]
 [surface]
 shape = "paraboloid"
 Rx = 7.5e-3
-[contact]
-heat_factor = [0.0, 0.25]
+[heat]
+factor = [0.0, 0.25]
 velocity = [-0.1, 0.0]
 [[path]]
 load = 1500.0

@@ -24,9 +24,9 @@ def grid_of(cells, width=1.3, **volume):
     return sc.Grid(cells, cells, d, d, **volume)
 
 
-def von_mises(grid, heat_factor, load, z):
+def von_mises(grid, factor, load, z):
     """Of the elastic contact, at the depths z."""
-    solver = sc.ContactSolver(grid, COLD, WARM, heat_factor=heat_factor)
+    solver = sc.ContactSolver(grid, COLD, WARM, heat=sc.Heat(factor))
     pressure = solver.solve(sc.surfaces.paraboloid(grid, RADIUS), load=load).pressure
     s = solver.stress(pressure, z)
     normal = (s[0] - s[1]) ** 2 + (s[1] - s[2]) ** 2 + (s[2] - s[0]) ** 2
@@ -71,7 +71,7 @@ def test_onset_of_yield(Q, onset, thesis, measured):
 def test_elastic_plastic(Q, loaded, residual, measured):
     grid = grid_of(35, 1.5, nz=34, dz=20e-6)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    heated = sc.Simulation(grid, COLD, STEEL, gap, heat_factor=Q)
+    heated = sc.Simulation(grid, COLD, STEEL, gap, heat=sc.Heat(Q))
     hot = heated.run(sc.paths.ramp(load=LOAD, increments=12), progress=False)[-1]
     name, mesh = f"Q_f = {Q:g}: elastic-plastic, ", "a/12, layers of 20 µm, 12 increments"
     measured.close(TABLE, name + "largest von Mises stress", 1e-6 * hot.von_mises().max(), loaded,

@@ -15,7 +15,7 @@ constexpr double table_tol = 1e-7;
 
 kernels::HeatSource source_of(const Heating& heating, double dx, double dy) {
   const double kappa = heating.thermal.diffusivity;
-  return {dx / 2, dy / 2, kappa * heating.time, heating.speed_x / kappa, heating.speed_y / kappa};
+  return {dx / 2, dy / 2, kappa * heating.age, heating.speed_x / kappa, heating.speed_y / kappa};
 }
 
 /// Negative offsets too, in directions in which the source moves.

@@ -17,7 +17,7 @@ HeatOfIncrement::HeatOfIncrement(const Scene& scene, const Target& target)
   if (target.is_prescribed()) return;
   for (int b = 0; b < 2; ++b) {
     if (has_past(b)) {
-      displacement_.push_back(target.past[b]->displacement(target.heating[b].time));
+      displacement_.push_back(target.past[b]->displacement(target.duration));
     }
   }
 }
@@ -31,7 +31,7 @@ void HeatOfIncrement::open(Field& gap) const {
 const Field& HeatOfIncrement::past_stress(int body) {
   Field& stress = stress_[body];
   if (stress.empty()) {
-    stress = target_.past[body]->stress(target_.heating[body].time, scene_.grid.z());
+    stress = target_.past[body]->stress(target_.duration, scene_.grid.z());
   }
   return stress;
 }
@@ -81,7 +81,7 @@ std::shared_ptr<const Field> HeatOfIncrement::softening(int body, const Softenin
   const auto& heat = target_.heating[body];
   Field rise = scene_.temperature(heat)->rise(pressure.data());
   if (has_past(body)) {
-    const Field more = target_.past[body]->temperature(heat.time, scene_.grid.z());
+    const Field more = target_.past[body]->temperature(target_.duration, scene_.grid.z());
     for (std::size_t n = 0; n < rise.size(); ++n) rise[n] += more[n];
   }
   const std::string name = "softening of body " + std::to_string(body + 1);

@@ -222,7 +222,8 @@ State Simulation::walk(const Target& target) {
     // The remaining way from the moment reached: (end - start) of (1 - start).
     Target part = between(from, target, end == 1.0 ? 1.0 : (end - start) / (1.0 - start));
     if (!marches) return part;
-    for (auto& heat : part.heating) heat.time *= end - start;
+    part.duration *= end - start;
+    for (auto& heat : part.heating) heat.age = part.duration;
     part.past = from.heat_so_far();
     part.past_symmetry = from.heat_symmetry_so_far();
     return part;
@@ -235,7 +236,8 @@ State Simulation::walk(const Target& target) {
     const Target part = part_of(from, start, end);
     State state =
         solve_increment(moved_to(from, end), part, scans(part.heating), settings_, counters_);
-    if (marches) state.time = from.time + part.heating[0].time;
+    state.duration = part.duration;
+    if (marches) state.time = from.time + part.duration;
     iterations += state.plastic_iterations;
     return state;
   };
@@ -277,6 +279,7 @@ State Simulation::walk(const Target& target) {
         const State sum = extrapolated(moved_to(moment, goal), next, twice);
         const Target all = part_of(moment, done, goal);
         next = solve_increment(sum, all, scans(all.heating), settings_, counters_);
+        next.duration = all.duration;
         add_flow(twice, next);
         iterations += next.plastic_iterations;
       }

@@ -91,7 +91,7 @@ PastHeat State::heat_so_far() const {
         past[b] ? *past[b] : scene_->heat_history(b, heating[b]));
     Field flux = tractions.pressure;
     for (double& q : flux) q *= heating[b].factor;
-    history->add(flux.data(), heating[b].time);
+    history->add(flux.data(), duration);
     so_far[b] = std::move(history);
   }
   return so_far;
@@ -228,7 +228,7 @@ Field State::residual_stress(int body, const Box& region) const {
 
 Field State::stress(int body) const {
   Field stress = total_stress(body, true);
-  if (past[body]) add(past[body]->stress(heating[body].time, scene_->grid.z()), stress);
+  if (past[body]) add(past[body]->stress(duration, scene_->grid.z()), stress);
   return stress;
 }
 
@@ -318,7 +318,7 @@ Field State::surface_displacement(int body) const {
   add(operators::surface_displacement(scene_->grid, *scene_->media[body], heating[body], tractions,
                                       operators::shear_sign(body), operators::Axis::z),
       out);
-  if (past[body]) add(past[body]->displacement(heating[body].time), out);
+  if (past[body]) add(past[body]->displacement(duration), out);
   return out;
 }
 
@@ -326,7 +326,7 @@ Field State::temperature(int body) const {
   scene_->require_volume(body);
   const Field pressure = tractions_on(body).pressure;
   Field rise = scene_->temperature(heating[body])->rise(pressure.data());
-  if (past[body]) add(past[body]->temperature(heating[body].time, scene_->grid.z()), rise);
+  if (past[body]) add(past[body]->temperature(duration, scene_->grid.z()), rise);
   return rise;
 }
 
@@ -334,7 +334,7 @@ Field State::surface_temperature(int body) const {
   const std::array surface{0.0};
   Field rise =
       operators::Temperature(scene_->grid, heating[body], surface).rise(tractions.pressure.data());
-  if (past[body]) add(past[body]->temperature(heating[body].time, surface), rise);
+  if (past[body]) add(past[body]->temperature(duration, surface), rise);
   return rise;
 }
 

@@ -107,9 +107,9 @@ def tug(
     require_type("body1", body1, Material)
     require_type("body2", body2, Material)
     require_type("grid", grid, Grid)
-    for name in ("friction", "heat_factor", "heat_history"):
+    for name in ("friction", "heat"):
         if settings.get(name):
-            raise ValueError(f"{name} must be 0 in tugging, got {settings[name]!r}")
+            raise ValueError(f"{name} must be left out in tugging, got {settings[name]!r}")
     step = integer("cells_per_increment", cells_per_increment, 1) * grid.dx / collision.R2
     if step > 0.5 * collision.half_angle:
         raise ValueError(

@@ -12,12 +12,12 @@ from pydantic import Field, ValidationError, model_validator
 
 from .. import _memory, paths
 from .. import hertz as _hertz
-from .._heating import pair, velocities
+from .._heating import COLD, heating
 from .base import CaseError, CaseFile
 from .bodies import BodySection
 from .errors import explain
 from .motion import ReliefSection, Segment
-from .sections import ContactSection, GridSection, OutputSection, SurfaceSection
+from .sections import ContactSection, GridSection, HeatSection, OutputSection, SurfaceSection
 from .tugging import TuggingCase
 from .used import require_all_used
 from .wear import WearSection
@@ -51,6 +51,7 @@ class Case(CaseFile):
     relief1: ReliefSection | None = None
     relief2: ReliefSection | None = None
     contact: ContactSection = ContactSection()
+    heat: HeatSection | None = None
     path: Annotated[list[Segment], Field(min_length=1)]
     wear: WearSection | None = None
     output: OutputSection = OutputSection()
@@ -63,13 +64,12 @@ class Case(CaseFile):
         for name, body in zip(("body1", "body2"), bodies, strict=True):
             if body.is_plastic and self.grid.nz == 0:
                 raise ValueError(f"{name} is inelastic ({body.law}): [grid] needs nz and dz")
-        marches = self.contact.heat_history is not None
+        marches = self.heat is not None and self.heat.history is not None
         for index, segment in enumerate(self.path):
             if segment.is_timed != marches:
                 name = "duration" if segment.passes is None else "speed"
                 raise ValueError(
-                    f"path[{index}]: {name} and contact.heat_history go together: give both or "
-                    "neither"
+                    f"path[{index}]: {name} and heat.history go together: give both or neither"
                 )
         selected = self.output.body
         stored = self.grid.nz > 0 and self.wear is None
@@ -101,7 +101,7 @@ class Case(CaseFile):
 
     def _check_motion(self, steps: paths.Path) -> None:
         """Friction and heat know their directions: bodies under load must move along them."""
-        factors, speeds = pair(self.contact.heat_factor), velocities(self.contact.velocity)
+        heat = COLD if self.heat is None else self.heat.build()
         for step in steps:
             if step.get("load") == 0.0 or "advance" not in step:
                 continue
@@ -113,13 +113,13 @@ class Case(CaseFile):
                     "friction = 0"
                 )
             for body in (1, 2):
-                if "duration" in step and factors[body - 1] > 0:
+                if "duration" in step and heat.factor[body - 1] > 0:
                     speed = step["advance"][body - 1] / step["duration"]
-                    given = speeds[body - 1][0]
+                    given = heat.velocity[body - 1][0]
                     if abs(speed - given) > 1e-6 * max(abs(speed), abs(given)):
                         raise ValueError(
                             f"heated body {body} moves at {speed:.9g} m/s along x, but "
-                            f"contact.velocity gives it {given:.9g} m/s: make them equal"
+                            f"heat.velocity gives it {given:.9g} m/s: make them equal"
                         )
 
     def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
@@ -172,9 +172,13 @@ class Case(CaseFile):
                 if given is not None:
                     reliefs[section] = given.build(grid, self._source.parent)
                     relief_rows(section, reliefs[section], grid)
+            section = "heat"
+            heat = None if self.heat is None else self.heat.build()
+            if heat is not None:
+                heating(heat, (body1, body2), grid)
             section = "contact"
             settings = self.contact.model_dump()
-            simulation = Simulation(grid, body1, body2, gap, **settings, **reliefs)
+            simulation = Simulation(grid, body1, body2, gap, heat=heat, **settings, **reliefs)
         except (ValueError, ImportError) as error:
             raise CaseError(f"{self._source}: [{section}] {error}") from error
         return simulation, self.steps()

@@ -52,7 +52,7 @@ def explain(root: type[BaseModel], item: Any) -> str:
     kind, context = item["type"], item.get("ctx", {})
     where = _dotted(names)
     if kind == "extra_forbidden":
-        near = nearest(str(names[-1]), fields)
+        near = nearest(str(names[-1]), fields) or _elsewhere(root, str(names[-1]))
         hint = f"; did you mean {near}?" if near else ""
         return f"{where}: unknown field; allowed here: {', '.join(fields)}{hint}"
     if kind == "missing":
@@ -79,6 +79,16 @@ def nearest(name: str, fields: Sequence[str]) -> str | None:
             return meant
     found = difflib.get_close_matches(name.lower(), lower, 1, cutoff=0.5)
     return lower[found[0]] if found else None
+
+
+def _elsewhere(root: type[BaseModel], name: str) -> str | None:
+    """The field of another section that has this name, with or without that of its section."""
+    for section, field in root.model_fields.items():
+        known = {inner for model in _models(field.annotation) for inner in model.model_fields}
+        for meant in (name, name.removeprefix(f"{section}_")):
+            if meant in known:
+                return f"{section}.{meant}"
+    return None
 
 
 def _dotted(names: list[str | int]) -> str:

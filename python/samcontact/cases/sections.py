@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 
 from .. import surfaces
 from .._checks import FloatArray
+from ..heat import Heat
 from .base import (
     Count,
     HeatFactor,
@@ -164,7 +165,7 @@ SurfaceSection = Annotated[
 
 
 class ContactSection(Section):
-    """[contact]: friction, heat and solver settings."""
+    """[contact]: friction and solver settings."""
 
     friction: NonNegative = 0.0
     tol: Annotated[float, Field(ge=1e-11, lt=1.0)] = 1e-6
@@ -172,20 +173,27 @@ class ContactSection(Section):
     on_border: Literal["error", "warn"] = "error"
     residual_stress: Literal["fast", "exact"] = "fast"
     image_tol: Annotated[float, Field(ge=1e-6, le=0.1)] = 1e-3
-    heat_factor: HeatFactor = 0.0
-    velocity: Velocity | None = None
-    heating_time: Annotated[Positive, in_unit("s")] | None = None
-    heat_reference: Length | None = None
-    heat_history: (
-        Annotated[list[Positive], Field(min_length=2, max_length=2), in_unit("s")] | None
-    ) = None
     reach: Annotated[NonNegative, in_unit("m")] | None = None
 
+
+class HeatSection(Section):
+    """[heat]: frictional heat, see `Heat`."""
+
+    factor: HeatFactor
+    velocity: Velocity | None = None
+    time: Annotated[Positive, in_unit("s")] | None = None
+    history: Annotated[list[Positive], Field(min_length=2, max_length=2), in_unit("s")] | None = (
+        None
+    )
+    reference: Length | None = None
+
     @model_validator(mode="after")
-    def _one_time(self) -> ContactSection:
-        if self.heating_time is not None and self.heat_history is not None:
-            raise ValueError("give heat_history or heating_time, not both")
+    def _go_together(self) -> HeatSection:
+        self.build()
         return self
+
+    def build(self) -> Heat:
+        return Heat(**self.model_dump())
 
 
 class OutputSection(OutputPlace):

@@ -13,26 +13,13 @@ if TYPE_CHECKING:
     from .case import Case
     from .tugging import TuggingCase
 
-_OF_HEAT = ("velocity", "heating_time", "heat_reference", "heat_history")
-
 
 def require_all_used(case: Case) -> None:
     """Raise ValueError naming the first field of a contact or of wear that has no effect."""
-    contact = case.contact
     # a factor of 0 is a source that is off, on purpose
-    heated = "heat_factor" in contact.model_fields_set or any(
-        segment.heat_factor is not None for segment in case.path
-    )
-    if not heated:
-        for name in _OF_HEAT:
-            if getattr(contact, name) is not None:
-                raise ValueError(
-                    f"contact.{name} is of frictional heat: give contact.heat_factor too"
-                )
-        _require_cold(
-            (("body1", case.body1), ("body2", case.body2)), "give contact.heat_factor too"
-        )
-    _require_image_tol(contact)
+    if case.heat is None and all(segment.heat_factor is None for segment in case.path):
+        _require_cold((("body1", case.body1), ("body2", case.body2)), "give [heat] too")
+    _require_image_tol(case.contact)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
         for name in sorted(given):

@@ -8,8 +8,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from .._checks import MOST_STEPS, choice, finite, load_or_approach, number, positive, step_count
-from .._heating import pair
+from .._checks import (
+    MOST_STEPS,
+    choice,
+    finite,
+    load_or_approach,
+    number,
+    of_bodies,
+    positive,
+    step_count,
+)
 
 Steps = list[dict[str, Any]]
 
@@ -66,7 +74,7 @@ class Passes:
                     steps.append(self._timed({"load": 0.0, "advance": advance}, back))
                 steps += [*loading, *map(self._moved, lengths), *unloading]
         if self.heat_factor is not None:
-            pair(self.heat_factor)
+            of_bodies("heat_factor", self.heat_factor)
             steps[0] = {**steps[0], "heat_factor": self.heat_factor}
         return [dict(step) for step in steps]
 
@@ -148,9 +156,9 @@ def rolling(
     back_and_forth : bool
         Passes under load in turn there and back, loaded and unloaded once.
     speed : float, optional
-        Of the contact over the bodies [m/s], > 0, for a simulation with `heat_history`: each step,
-        also back, lasts its length over the speed, each increment of load that of a whole step. The
-        `velocity` of the simulation should be that of the bodies, for distance > 0
+        Of the contact over the bodies [m/s], > 0, for a simulation with heat of a `history`: each
+        step, also back, lasts its length over the speed, each increment of load that of a whole
+        step. The `velocity` of the heat should be that of the bodies, for distance > 0
         -speed (1 + slide_to_roll/2) and -speed (1 - slide_to_roll/2).
     heat_factor : float or pair of floats, optional
         From the first step on [m/s].
@@ -223,7 +231,7 @@ def sliding(
     slider : {1, 2}
         The body on which the contact stays.
     speed : float, optional
-        Of sliding [m/s], > 0, as in `rolling`. The `velocity` of the simulation should be 0 for the
+        Of sliding [m/s], > 0, as in `rolling`. The `velocity` of the heat should be 0 for the
         slider and, for distance > 0, -speed for the other body.
 
     Returns

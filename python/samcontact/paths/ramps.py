@@ -15,10 +15,10 @@ from .._checks import (
     finite_array,
     load_or_approach,
     non_negative,
+    of_bodies,
     positive,
     step_count,
 )
-from .._heating import pair
 
 Path = list[dict[str, Any]]
 
@@ -52,7 +52,7 @@ def _with_parts(
         part = positive("duration", duration) / len(steps)
         steps = [{**step, "duration": part} for step in steps]
     if heat_factor is not None:
-        pair(heat_factor)
+        of_bodies("heat_factor", heat_factor)
         steps[0] = {**steps[0], "heat_factor": heat_factor}
     return steps
 
@@ -77,7 +77,7 @@ def hold(
     advance : pair of floats, optional
         How far body 1 and 2 move towards +x, in all steps together [m].
     duration : float, optional
-        Of all together [s], for a simulation with `heat_history`.
+        Of all together [s], for a simulation with heat of a `history`.
     heat_factor : float or pair of floats, optional
         From the first of these steps on [m/s]; 0: the source is off.
 

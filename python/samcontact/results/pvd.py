@@ -38,7 +38,7 @@ def to_pvd(dataset: xr.Dataset, path: str | Path, body: int = 2) -> list[Path]:
     -------
     list of Path
         The collections, then the files of each increment, then those of a track. The time of an
-        increment is that of its end [s] in a run with `heat_history`, else its number.
+        increment is that of its end [s] in a run with heat of a `history`, else its number.
 
     Raises
     ------

@@ -13,19 +13,19 @@
 
 namespace samcontact::operators {
 
-/// Heat that enters one body: flux = factor p, fixed to the contact, since `time`.
+/// Heat that enters one body: flux = factor p, fixed to the contact, as it is for `age`.
 struct Heating {
   double factor = 0.0;  // Q_f [m/s]
   Thermal thermal{1.0, 0.0, 1.0};
-  double speed_x = 0.0, speed_y = 0.0;                    // of the body through the contact [m/s]
-  double time = std::numeric_limits<double>::infinity();  // [s]; infinity: steady state
+  double speed_x = 0.0, speed_y = 0.0;                   // of the body through the contact [m/s]
+  double age = std::numeric_limits<double>::infinity();  // [s]; infinity: steady state
   /// Distance at which a steady point source at rest displaces nothing [m].
   double reference = 1.0;
 
   bool is_on() const { return factor != 0; }
   bool is_moving() const { return speed_x != 0 || speed_y != 0; }
   /// Only then is there no limit of the displacement far away.
-  bool is_steady_at_rest() const { return !is_moving() && time == infinity(); }
+  bool is_steady_at_rest() const { return !is_moving() && age == infinity(); }
   /// A source that is neither steady nor at rest needs tables instead of closed forms.
   static constexpr double infinity() { return std::numeric_limits<double>::infinity(); }
 

@@ -19,7 +19,9 @@ struct Target {
   operators::Tractions tractions = {};
   Travel advance{};                     // on the way there
   operators::HeatingPair heating = {};  // that goes with the pressure
-  PastHeat past = {};                   // filled in by the simulation
+  /// Of the increment [s], in a march in time, where it is the age of the heating too.
+  double duration = 0.0;
+  PastHeat past = {};  // filled in by the simulation
   fft::Symmetry past_symmetry = fft::Symmetry::xy;
 
   bool is_prescribed() const { return !tractions.pressure.empty(); }

@@ -49,7 +49,7 @@ class State {
   operators::HeatingPair heating;                   // that goes with the pressure
   PastHeat past;                                    // of all steps before, seen from their end
   fft::Symmetry past_symmetry = fft::Symmetry::xy;  // mirror planes of that
-  double time = 0.0;                                // [s], of a march in time
+  double time = 0.0, duration = 0.0;                // [s], of a march, and of its last step
   /// Factor of the yield stress [k][i][j] of the grid; null: 1.
   std::array<std::shared_ptr<const Field>, 2> softening;
   double load = 0.0;      // [N]
