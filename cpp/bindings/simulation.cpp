@@ -13,6 +13,7 @@ namespace samcontact::bindings {
 namespace {
 
 using simulation::Counters;
+using simulation::Settings;
 using simulation::Simulation;
 using simulation::State;
 using simulation::Target;
@@ -405,29 +406,38 @@ void restore(Simulation& simulation, const py::dict& saved) {
   simulation.restore(state, c);
 }
 
+void bind_settings(py::module_& m) {
+  py::class_<Settings>(m, "Settings")
+      .def(py::init([](double tol, double increment_tol, int max_iterations,
+                       const std::string& on_border, const std::string& residual_stress,
+                       double image_tol, int reach) {
+             using operators::ResidualMethod;
+             return Settings{.tol = tol,
+                             .increment_tol = increment_tol,
+                             .max_iterations = max_iterations,
+                             .on_border = on_border == "error" ? contact::OnBorder::error
+                                                               : contact::OnBorder::warn,
+                             .residual_stress = residual_stress == "exact" ? ResidualMethod::exact
+                                                                           : ResidualMethod::fast,
+                             .image_tol = image_tol,
+                             .reach = reach};
+           }),
+           py::kw_only(), py::arg("tol"), py::arg("increment_tol"), py::arg("max_iterations"),
+           py::arg("on_border"), py::arg("residual_stress"), py::arg("image_tol"),
+           py::arg("reach"));
+}
+
 }  // namespace
 
 void bind_simulation(py::module_& m) {
   bind_state(m);
+  bind_settings(m);
   py::class_<Simulation>(m, "Simulation")
       .def(py::init([](const Grid& grid, const plasticity::Material& body1,
                        const plasticity::Material& body2, const Array& gap, double friction,
-                       double tol, double increment_tol, int max_iterations, bool error_on_border,
-                       const std::string& residual_stress, double image_tol,
+                       Settings settings, const std::array<double, 2>& march,
                        const std::array<py::object, 2>& softening,
-                       const std::array<double, 2>& march, int reach,
                        const std::array<py::object, 2>& reliefs) {
-             simulation::Settings settings;
-             settings.tol = tol;
-             settings.increment_tol = increment_tol;
-             settings.max_iterations = max_iterations;
-             settings.on_border =
-                 error_on_border ? contact::OnBorder::error : contact::OnBorder::warn;
-             using operators::ResidualMethod;
-             settings.residual_stress =
-                 residual_stress == "exact" ? ResidualMethod::exact : ResidualMethod::fast;
-             settings.image_tol = image_tol;
-             settings.reach = reach;
              for (int b = 0; b < 2; ++b) {
                if (!softening[b].is_none())
                  settings.softening[b] = softening_law(softening[b], grid);
@@ -436,10 +446,9 @@ void bind_simulation(py::module_& m) {
                  grid, body1, body2, to_field(gap), friction, settings,
                  simulation::HeatMarch{march[0], march[1]}, to_reliefs(reliefs));
            }),
-           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"), py::arg("friction"),
-           py::arg("tol"), py::arg("increment_tol"), py::arg("max_iterations"),
-           py::arg("error_on_border"), py::arg("residual_stress"), py::arg("image_tol"),
-           py::arg("softening"), py::arg("march"), py::arg("reach"), py::arg("reliefs"))
+           py::kw_only(), py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"),
+           py::arg("friction"), py::arg("settings"), py::arg("march"), py::arg("softening"),
+           py::arg("reliefs"))
       .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
            py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"), py::arg("duration"),
            py::arg("advance"))

@@ -120,15 +120,17 @@ void steps_of(Draw& draw) {
                   draw.count(0, 4), dx * draw.number(1.0, 0.5));
   const auto body1 = material(draw), body2 = material(draw);
   const double friction = draw.coin() ? 0.0 : draw.between(0.0, 0.5);
-  simulation::Settings settings;
-  settings.tol = draw.number(1e-4, 2);
-  settings.max_iterations = draw.count(0, 10);
-  settings.max_halvings = draw.count(0, 1);
-  settings.on_border = contact::OnBorder::warn;
-  // The images of a long or deep box are summed cell by cell: on few and coarse ones here.
-  settings.image_tol = 0.1;
-  settings.residual_stress =
-      draw.coin() ? operators::ResidualMethod::exact : operators::ResidualMethod::fast;
+  const simulation::Settings settings{
+      .tol = draw.number(1e-4, 2),
+      .increment_tol = 0.0,
+      .max_iterations = draw.count(0, 10),
+      .on_border = contact::OnBorder::warn,
+      .residual_stress =
+          draw.coin() ? operators::ResidualMethod::exact : operators::ResidualMethod::fast,
+      // The images of a long or deep box are summed cell by cell: on few and coarse ones here.
+      .image_tol = 0.1,
+      .reach = 0,
+      .max_halvings = draw.count(0, 1)};
   simulation::Simulation simulation(grid, body1, body2, heights(draw, grid.surface_size()),
                                     friction, settings);
   for (int increments = draw.count(1, 2); increments > 0; --increments) {

@@ -21,6 +21,13 @@ using namespace samcontact::simulation;
 namespace {
 
 constexpr double size = 60e-6, fine = 50e-6;
+const Settings usual{.tol = 1e-6,
+                     .increment_tol = 0.0,
+                     .max_iterations = 60,
+                     .on_border = contact::OnBorder::error,
+                     .residual_stress = operators::ResidualMethod::fast,
+                     .image_tol = 1e-3,
+                     .reach = 0};
 const Thermal warm = Thermal::of(50.2, 11.7e-6, 1.367e-5);
 const auto elastic = plasticity::Material::make_elastic(210e9, 0.3);
 const auto steel =
@@ -60,7 +67,7 @@ Target load(double newton) { return {.drive = contact::Drive::load(newton)}; }
 /// Loaded under heat that is marched in time, in steps too short to reach the next cell.
 Simulation heated_scene(double heat_factor) {
   const Grid grid(13, 11, size, size, 6, size);
-  Simulation simulation(grid, elastic, steel.with_thermal(warm), ball(grid, 7.5e-3), 0.1, {},
+  Simulation simulation(grid, elastic, steel.with_thermal(warm), ball(grid, 7.5e-3), 0.1, usual,
                         {.shortest = 2e-5, .longest = 1e-2});
   for (const double newton : {120.0, 150.0}) {
     Target target = load(newton);
@@ -115,8 +122,7 @@ TEST_CASE("simulations run in threads of their own") {
   const auto flow = [](double newton) {
     return [newton] {
       const Grid grid(30, 28, fine, fine, 26, fine);
-      Settings settings;
-      settings.residual_stress = operators::ResidualMethod::fast;
+      Settings settings = usual;
       settings.tol = 1e-3;
       Simulation simulation(grid, elastic, steel, ball(grid, 7.5e-3), 0.0, settings);
       const State& state = simulation.step(load(newton));

@@ -3,39 +3,49 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import Any, Protocol
 
-from .checkpoint import Softening, from_bytes, to_bytes
-
-if TYPE_CHECKING:
-    from .simulation import Simulation
-    from .state import State
+from .checkpoint import Snapshot, Softening, from_bytes, to_bytes
+from .grid import Grid
+from .material import Material
 
 
-def laws(simulation: Simulation) -> Softening:
+class Kept(Protocol):
+    """A simulation, as far as checkpoints and copies know it."""
+
+    grid: Grid
+    body1: Material
+    body2: Material
+
+    def _snapshot(self, state: Any = None) -> Snapshot: ...
+
+    def _resume(self, kept: tuple[dict[str, Any], dict[str, Any]]) -> None: ...
+
+
+def laws(simulation: Kept) -> Softening:
     """Of both bodies; a checkpoint has only those of `samcontact.softening`."""
     return simulation.body1.softening, simulation.body2.softening
 
 
-def reduced(simulation: Simulation, state: State | None = None) -> tuple[Any, ...]:
+def reduced(simulation: Kept, state: Any = None) -> tuple[Any, ...]:
     """What makes the simulation again, standing at an earlier state of it where one is given."""
-    return type(simulation), to_bytes(simulation, state), laws(simulation)
+    return type(simulation), to_bytes(simulation._snapshot(state)), laws(simulation)
 
 
-def stand_at(simulation: Simulation, state: State) -> None:
+def stand_at(simulation: Kept, state: Any) -> None:
     """Take a simulation back to an earlier state of it."""
-    _, saved = from_bytes(to_bytes(simulation, state), laws(simulation))
-    simulation._core.restore(saved)
+    simulation._resume(from_bytes(to_bytes(simulation._snapshot(state)), laws(simulation)))
 
 
-def restored(cls: type[Simulation], content: bytes, softening: Softening) -> Simulation:
+def restored(cls: Callable[..., Any], content: bytes, softening: Softening) -> Any:
     """The simulation from what `reduced` has returned."""
-    arguments, saved = from_bytes(content, softening)
-    simulation = cls(**arguments)
-    simulation._core.restore(saved)
+    kept = from_bytes(content, softening)
+    simulation = cls(**kept[0])
+    simulation._resume(kept)
     return simulation
 
 
-def restored_state(cls: type[Simulation], content: bytes, softening: Softening) -> State:
+def restored_state(cls: Callable[..., Any], content: bytes, softening: Softening) -> Any:
     """The state of it."""
     return restored(cls, content, softening).state

@@ -153,25 +153,33 @@ class State:
     def residual_displacement(self, body: int) -> FloatArray: ...
     def surface_displacement(self, body: int) -> FloatArray: ...
 
+class Settings:
+    def __init__(
+        self,
+        *,
+        tol: float,
+        increment_tol: float,
+        max_iterations: int,
+        on_border: str,
+        residual_stress: str,
+        image_tol: float,
+        reach: int,
+    ) -> None: ...
+
 class Simulation:
     state: State
     counters: dict[str, int]
     def __init__(
         self,
+        *,
         grid: Grid,
         body1: Material,
         body2: Material,
         gap: FloatArray,
         friction: float,
-        tol: float,
-        increment_tol: float,
-        max_iterations: int,
-        error_on_border: bool,
-        residual_stress: str,
-        image_tol: float,
-        softening: list[Callable[[FloatArray], FloatArray] | None],
+        settings: Settings,
         march: tuple[float, float],
-        reach: int,
+        softening: list[Callable[[FloatArray], FloatArray] | None],
         reliefs: list[tuple[FloatArray, int, bool] | None],
     ) -> None: ...
     def step(

@@ -4,9 +4,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
 from . import _core
+from ._checks import FloatArray, finite_array
 from .grid import Grid
 from .heat import Heat
 from .material import Material
@@ -67,6 +71,19 @@ def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> Non
     longest = 1e55 * min(grid.dx, grid.dy) ** 2 / diffusivity
     if time > longest:
         raise ValueError(f"{name} must be at most {longest:.3g} s, got {time:.3g} s")
+
+
+def core_law(body: Material, grid: Grid) -> Callable[[FloatArray], FloatArray] | None:
+    """The law of softening of a body as the core calls it: (nx, ny, nz) in, depth-major out."""
+    law, shape = body.softening, grid.volume_shape
+    if law is None:
+        return None
+
+    def factor(rise: FloatArray) -> FloatArray:
+        checked = finite_array("factor of softening", law(rise), shape)
+        return np.ascontiguousarray(np.moveaxis(checked, 2, 0))
+
+    return factor
 
 
 def require_reference(heat: Heat) -> None:

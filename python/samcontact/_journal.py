@@ -7,13 +7,13 @@ import os
 import warnings
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
 from ._atomic import replacing
 from ._checks import file_path
-from ._copies import laws
+from ._copies import Kept, laws
 from .checkpoint import (
     DAMAGED,
     DamagedCheckpointError,
@@ -24,11 +24,17 @@ from .checkpoint import (
 )
 
 if TYPE_CHECKING:
-    from .simulation import Simulation
     from .state import State
 
 
-def describe(simulation: Simulation, what: object) -> str:
+class Resumed(Kept, Protocol):
+    """A simulation, as far as a journal knows it."""
+
+    @property
+    def state(self) -> State: ...
+
+
+def describe(simulation: Kept, what: object) -> str:
     """A run that is about to begin; the repr of `what`, e.g. its path, is part of it."""
     return f"{simulation!r}\n{what!r}\n"
 
@@ -55,7 +61,7 @@ class Journal:
     """
 
     def __init__(
-        self, folder: str | os.PathLike[str], simulation: Simulation, description: str
+        self, folder: str | os.PathLike[str], simulation: Resumed, description: str
     ) -> None:
         self.folder, self.simulation = file_path("checkpoint", folder), simulation
         self.count = 0
@@ -81,18 +87,17 @@ class Journal:
         return self.simulation.state
 
     def _restore(self, file: Path) -> None:
-        arguments, saved = read_checkpoint(file, laws(self.simulation))
-        if not _same_surfaces(self.simulation, arguments):  # they may come from other files
-            raise self._foreign()
+        kept = read_checkpoint(file, laws(self.simulation))
+        if not _same_surfaces(self.simulation._snapshot().arguments, kept[0]):
+            raise self._foreign()  # they may come from other files
         try:
-            self.simulation._core.restore(saved)
+            self.simulation._resume(kept)
         except DAMAGED as error:
             raise damaged(file, error) from error
-        self.simulation._heat = arguments["heat"]
 
     def add(self, state: State | None = None) -> None:
         """Keep the simulation after a new increment: as it stands, or an earlier state of it."""
-        write_checkpoint(self._file(self.count + 1), self.simulation, state)
+        write_checkpoint(self._file(self.count + 1), self.simulation._snapshot(state))
         self.count += 1
 
     def _file(self, number: int) -> Path:
@@ -116,11 +121,11 @@ class Journal:
                 part.write_text(description, encoding="utf-8")
 
 
-def _same_surfaces(simulation: Simulation, arguments: Mapping[str, Any]) -> bool:
-    if not np.array_equal(arguments["gap"], simulation.initial_gap):
+def _same_surfaces(now: Mapping[str, Any], before: Mapping[str, Any]) -> bool:
+    if not np.array_equal(before["gap"], now["gap"]):
         return False
     for name in ("relief1", "relief2"):
-        old, new = arguments.get(name), getattr(simulation, name)
+        old, new = before.get(name), now[name]
         if old is None or new is None:
             if old is not new:
                 return False

@@ -7,8 +7,8 @@ import io
 import math
 import os
 from collections.abc import Callable
-from dataclasses import asdict, astuple, replace
-from typing import TYPE_CHECKING, Any
+from dataclasses import asdict, astuple, dataclass, fields, replace
+from typing import Any
 
 import h5py
 import numpy as np
@@ -18,31 +18,18 @@ from ._atomic import replacing_hdf5
 from ._checks import FloatArray, file_path
 from ._heating import heating
 from ._seal import check_seal
+from ._settings import Settings
 from .grid import Grid
 from .heat import Heat
 from .material import Material
 from .relief import Relief
 from .softening import JohnsonCook
 
-if TYPE_CHECKING:
-    from .simulation import Simulation
-    from .state import State
-
 Softening = tuple[Callable[[FloatArray], Any] | None, Callable[[FloatArray], Any] | None]
 _FORMAT = "samcontact checkpoint"
 _FORMAT_VERSION = 6
 _SURFACE = ("pressure", "shear_x", "shear_y", "contact_gap")
 _REQUIRED = ("pressure",)
-_SETTINGS = (
-    "friction",
-    "tol",
-    "on_border",
-    "max_iterations",
-    "residual_stress",
-    "image_tol",
-    "reach",
-)
-_OPTIONAL = ("increment_tol",)
 _FARTHEST = 1 << 30  # cells from the start of a body's way
 _SCALARS = (
     "load",
@@ -77,36 +64,50 @@ class ForeignCheckpointError(CheckpointError):
     """It belongs to another run."""
 
 
-def write_checkpoint(
-    path: str | os.PathLike[str], simulation: Simulation, state: State | None = None
-) -> None:
-    """A failure leaves the old file.
+@dataclass(frozen=True)
+class Snapshot:
+    """What a checkpoint holds of a simulation."""
 
-    state: an earlier one of the simulation, instead of the present one.
-    """
+    arguments: dict[str, Any]
+    """Of Simulation(...)."""
+    state: _core.State
+    counters: dict[str, int]
+
+
+def write_checkpoint(path: str | os.PathLike[str], snapshot: Snapshot) -> None:
+    """A failure leaves the old file."""
     file_path("path", path)
     with replacing_hdf5(path) as opened, h5py.File(opened, "w") as file:
-        _write(file, simulation, state)
+        _write(file, snapshot)
 
 
-def to_bytes(simulation: Simulation, state: State | None = None) -> bytes:
+def to_bytes(snapshot: Snapshot) -> bytes:
     """The content of such a file."""
     content = io.BytesIO()
     with h5py.File(content, "w") as file:
-        _write(file, simulation, state)
+        _write(file, snapshot)
     return content.getvalue()
 
 
-def _write(file: h5py.File, simulation: Simulation, earlier: State | None = None) -> None:
+def _write(file: h5py.File, snapshot: Snapshot) -> None:
     file.attrs.update(
         format=_FORMAT, format_version=_FORMAT_VERSION, samcontact_version=_core.version
     )
-    grid = simulation.grid
-    file.create_group("grid").attrs.update(
-        {k: v for k, v in grid.__getstate__().items() if v is not None}
-    )
+    _write_scene(file, snapshot.arguments)
+    _write_state(file.create_group("state"), snapshot.state)
+    file.create_group("counters").attrs.update(snapshot.counters)
+
+
+def _write_scene(file: h5py.File, arguments: dict[str, Any]) -> None:
+    tables = {
+        "grid": arguments["grid"].__getstate__(),
+        "settings": {item.name: arguments[item.name] for item in fields(Settings)},
+        "heat": asdict(arguments["heat"]),
+    }
+    for name, values in tables.items():
+        file.create_group(name).attrs.update({k: v for k, v in values.items() if v is not None})
     for name in ("body1", "body2"):
-        body = getattr(simulation, name)
+        body = arguments[name]
         file.create_group(name).attrs.update(law=body.law, **body.parameters)
         if body.thermal is not None:
             file[name].attrs["thermal"] = np.array(body.thermal)
@@ -116,22 +117,15 @@ def _write(file: h5py.File, simulation: Simulation, earlier: State | None = None
             file[name].attrs["softening"] = repr(body.softening)
         if body.kinematic:
             file[name].attrs["kinematic"] = np.array(body.kinematic)
-    file.create_group("settings").attrs.update(
-        {name: getattr(simulation, name) for name in _SETTINGS}
-    )
-    heat = asdict(simulation.heat if earlier is None else earlier._heat)
-    file.create_group("heat").attrs.update({k: v for k, v in heat.items() if v is not None})
-    for name in _OPTIONAL:
-        if getattr(simulation, name) is not None:
-            file["settings"].attrs[name] = getattr(simulation, name)
-    file["initial_gap"] = simulation.initial_gap
+    file["initial_gap"] = arguments["gap"]
     for name in ("relief1", "relief2"):
-        relief = getattr(simulation, name)
+        relief = arguments[name]
         if relief is not None:
             _dataset(file, name, relief.heights)
             file[name].attrs.update(first=relief.first, periodic=relief.periodic)
-    core = simulation._core.state if earlier is None else earlier._core
-    state = file.create_group("state")
+
+
+def _write_state(state: h5py.Group, core: _core.State) -> None:
     state.attrs.update({name: getattr(core, name) for name in _SCALARS})
     for name in _SURFACE:
         if getattr(core, name) is not None:
@@ -166,7 +160,6 @@ def _write(file: h5py.File, simulation: Simulation, earlier: State | None = None
                 kept.attrs[name] = value
             elif len(value):
                 _dataset(kept, name, value)
-    file.create_group("counters").attrs.update(simulation.counters)
 
 
 def _equal(first: dict[str, Any] | None, second: dict[str, Any] | None) -> bool:
@@ -290,7 +283,8 @@ def _plain(value: Any) -> Any:
 
 def _read_scene(file: h5py.File, softening: Softening) -> dict[str, Any]:
     arguments: dict[str, Any] = {k: _plain(v) for k, v in file["settings"].attrs.items()}
-    if not set(_SETTINGS) <= set(arguments) <= {*_SETTINGS, *_OPTIONAL}:
+    required = {item.name for item in fields(Settings) if item.default is not None}
+    if not required <= set(arguments) <= {item.name for item in fields(Settings)}:
         raise ValueError(f"its settings are {', '.join(arguments) or 'missing'}")
     arguments["heat"] = Heat(**{k: _plain(v) for k, v in file["heat"].attrs.items()})
     arguments["grid"] = Grid(**{k: _plain(v) for k, v in file["grid"].attrs.items()})

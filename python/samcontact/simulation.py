@@ -3,95 +3,43 @@
 
 from __future__ import annotations
 
-import logging
 import os
-import threading
-import warnings
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _expected, _memory, resolution
-from ._checks import (
-    FloatArray,
-    choice,
-    exactly_one,
-    finite_array,
-    in_cells,
-    integer,
-    non_negative,
-    number,
-    of_bodies,
-    positive,
-    step_list,
-    tractions,
-)
-from ._copies import reduced, restored, stand_at
+from ._checks import FloatArray, choice, finite_array, integer, step_list
+from ._copies import laws, reduced, restored, stand_at
 from ._core import ConvergenceError
 from ._frozen import Fixed, read_only
-from ._heating import COLD, heating, require_reference
-from ._journal import Journal, describe
+from ._heating import COLD, core_law, heating
 from ._overlap import require_apart
-from ._progress import progress_bar
-from ._repr import Rows, Shown, counts, lengths, material_in_short, quantity
-from .checkpoint import DAMAGED, CheckpointError, damaged, read_checkpoint, write_checkpoint
-from .contact import GridTooSmallWarning, require_type
+from ._repr import Rows, Shown, simulation_rows
+from ._running import run_into
+from ._settings import Settings
+from ._steps import STEP, checked_step, largest_cold_load, plastic_fields
+from ._told import PlasticStrainWarning, Told
+from ._turn import Turn
+from .checkpoint import (
+    DAMAGED,
+    CheckpointError,
+    Snapshot,
+    damaged,
+    read_checkpoint,
+    write_checkpoint,
+)
+from .contact import require_type
 from .grid import Grid
 from .heat import Heat
 from .material import Material
-from .operators import shear_components
 from .relief import Relief, relief_rows
 from .state import State
 
 __all__ = ["CheckpointError", "PlasticStrainWarning", "Simulation"]
-
-SMALL_STRAIN = 0.05
-"""Equivalent plastic strain sqrt(2/3 e:e) up to which small-strain theory is trusted [-]."""
-
-
-_logger = logging.getLogger("samcontact")
-
-
-def _log(state: State, number: int, count: int) -> None:
-    """One increment of a run."""
-    if not _logger.isEnabledFor(logging.INFO):
-        return
-    _logger.info(
-        "increment %d of %d: load %.6g N, approach %.6g m, largest pressure %.6g Pa",
-        number, count, state.load, state.approach, state.pressure.max(),
-    )  # fmt: skip
-    _logger.debug(
-        "increment %d: %d plastic and %d contact iterations in %d parts, residual %.2g",
-        number, state.iterations, state.contact_iterations, state.substeps, state.plastic_residual,
-    )  # fmt: skip
-
-
-_TOLD = ("_warned_of_strain", "_warned_of_pressure", "_looks_at_steps", "_largest_load")
-"""What a copy of a simulation need not tell again."""
-
-
-_STEP = (
-    "load", "approach", "pressure", "shear", "advance", "heat_factor", "duration",
-)  # fmt: skip
-"""Arguments of `Simulation.step`."""
-
-
-def require_over_grid(grid: Grid, strain: FloatArray, first: int) -> None:
-    """Refuse a plastic strain that lies beside the grid as a whole."""
-    rows = np.flatnonzero(strain.any(axis=(0, 2, 3))) + first
-    if rows.size and not ((rows >= 0) & (rows < grid.nx)).any():
-        raise ValueError(
-            f"strain must lie over the grid at least in part, rows 0 to {grid.nx - 1}; with "
-            f"first = {first} it lies in rows {rows[0]} to {rows[-1]}"
-        )
-
-
-class PlasticStrainWarning(UserWarning):
-    """The plastic strain is beyond the small-strain theory."""
 
 
 class Simulation(Fixed, Shown):
@@ -150,24 +98,33 @@ class Simulation(Fixed, Shown):
         for the plastic zone, and `State` for a volume field.
     """
 
+    friction: float
+    tol: float
+    increment_tol: float | None
+    on_border: str
+    max_iterations: int
+    residual_stress: str
+    image_tol: float
+    reach: float
+
     def __init__(
         self,
         grid: Grid,
         body1: Material,
         body2: Material,
         gap: ArrayLike,
-        friction: float = 0.0,
+        friction: float = Settings.friction,
         *,
-        tol: float = 1e-6,
-        increment_tol: float | None = None,
-        on_border: str = "error",
-        max_iterations: int = 60,
-        residual_stress: str = "fast",
-        image_tol: float = 1e-3,
+        tol: float = Settings.tol,
+        increment_tol: float | None = Settings.increment_tol,
+        on_border: str = Settings.on_border,
+        max_iterations: int = Settings.max_iterations,
+        residual_stress: str = Settings.residual_stress,
+        image_tol: float = Settings.image_tol,
         heat: Heat | None = None,
         relief1: Relief | None = None,
         relief2: Relief | None = None,
-        reach: float | None = None,
+        reach: float | None = Settings.reach,
     ) -> None:
         require_type("grid", grid, Grid)
         require_type("body1", body1, Material)
@@ -180,50 +137,38 @@ class Simulation(Fixed, Shown):
         _memory.require_for_grid("a simulation", grid, _memory.surface(grid, cell))
         checked = np.array(finite_array("gap", gap, grid.surface_shape), order="C")
         self.initial_gap = read_only(checked)
-        self.friction = number("friction", friction)
-        self.tol = number("tol", tol)
-        self.increment_tol = None
-        if increment_tol is not None:
-            self.increment_tol = number("increment_tol", increment_tol)
-            if not 10 * self.tol <= self.increment_tol < 1:
-                raise ValueError(
-                    f"increment_tol must be in [10 tol, 1) with tol = {self.tol!r}, "
-                    f"got {self.increment_tol!r}"
-                )
-        self.on_border = choice("on_border", on_border, ("error", "warn"))
-        self.max_iterations = integer("max_iterations", max_iterations, 1)
-        self.residual_stress = choice("residual_stress", residual_stress, ("fast", "exact"))
-        self.image_tol = number("image_tol", image_tol)
-        if not 1e-6 <= self.image_tol <= 0.1:
-            raise ValueError(f"image_tol must be in [1e-6, 0.1], got {self.image_tol!r}")
+        settings = Settings(
+            friction=friction,
+            tol=tol,
+            increment_tol=increment_tol,
+            on_border=on_border,
+            max_iterations=max_iterations,
+            residual_stress=residual_stress,
+            image_tol=image_tol,
+            reach=reach,
+        )
+        if settings.reach is None:
+            settings = replace(settings, reach=grid.nx * grid.dx)
+        vars(self).update(asdict(settings))
+        self._settings = settings
         self._heat = COLD if heat is None else heat
         require_type("heat", self._heat, Heat)
         heating(self._heat, (body1, body2), grid)  # checks it against the bodies
         self.relief1, self.relief2 = relief1, relief2
-        length = grid.nx * grid.dx
-        self.reach = length if reach is None else non_negative("reach", reach)
         relieved = relief1 is not None or relief2 is not None
         self._scene = _expected.Scene(grid, self.initial_gap, (body1, body2), relieved)
-        self._warned_of_strain = self._warned_of_pressure = False
-        self._looks_at_steps = True  # a run looks at its grid as a whole
-        self._largest_load = 0.0
-        self._turn = threading.Lock()
+        self._told = Told()
+        self._turn = Turn()
         self._core = _core.Simulation(
-            grid._core,
-            body1._core,
-            body2._core,
-            self.initial_gap,
-            self.friction,
-            self.tol,
-            self.increment_tol or 0.0,
-            self.max_iterations,
-            self.on_border == "error",
-            self.residual_stress,
-            self.image_tol,
-            [self._softening(body) for body in (body1, body2)],
-            self._heat.history or (0.0, 0.0),
-            round(in_cells("reach", self.reach, grid.dx)),
-            [relief_rows(f"relief{n}", r, grid) for n, r in ((1, relief1), (2, relief2))],
+            grid=grid._core,
+            body1=body1._core,
+            body2=body2._core,
+            gap=self.initial_gap,
+            friction=self.friction,
+            settings=settings.to_core(grid.dx),
+            march=self._heat.history or (0.0, 0.0),
+            softening=[core_law(body, grid) for body in (body1, body2)],
+            reliefs=[relief_rows(f"relief{n}", r, grid) for n, r in ((1, relief1), (2, relief2))],
         )
 
     @property
@@ -295,139 +240,40 @@ class Simulation(Fixed, Shown):
             Once in a simulation, when the contact is fewer than 4 cells across, or a plastic zone
             beyond the strain at yield fewer than 4 layers high; `run` warns below 8.
         """
-        kind = exactly_one(load=load, approach=approach, pressure=pressure)
-        value, p, shear_x, shear_y = 0.0, None, None, None
-        if kind == "pressure":
-            shape = self.grid.surface_shape
-            p = tractions("pressure", pressure, shape)  # type: ignore[arg-type]
-            shear_x, shear_y = shear_components(self.grid, shear)
-        elif shear is not None:
-            raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")
-        else:
-            value = number(kind, load if kind == "load" else approach)
-        ways = finite_array("advance", advance, (2,))
-        first, second = (in_cells("advance", float(way), self.grid.dx) for way in ways)
-        heat, lasts = self._heat, self._duration(duration)
-        if heat_factor is not None:
-            heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
-        self._check_motion(heat, first, second, lasts or 0.0)
-        entries = heating(heat, (self.body1, self.body2), self.grid, lasts)
-        if kind == "approach":
-            require_reference(heat)
-        target = {} if kind == "pressure" else {kind: value}
-        if not any(heat.factor):
-            self._require_room(**target)
+        bodies = (self.body1, self.body2)
+        step = checked_step(
+            self.grid,
+            bodies,
+            self._heat,
+            load=load,
+            approach=approach,
+            pressure=pressure,
+            shear=shear,
+            advance=advance,
+            heat_factor=heat_factor,
+            duration=duration,
+        )
+        if not any(step.heat.factor):
+            self._require_room(**step.target)
         before = self.state
-        with self._alone(), self._scene.beside(**target):
-            core = self._core.step(
-                kind, value, p, shear_x, shear_y, entries, lasts or 0.0, (first, second)
-            )
-        state = State(core, self, heat)
-        if target:
+        with self._turn, self._scene.beside(**step.target):
+            core = self._core.step(**step.to_core())
+        state = State(core, self, step.heat)
+        if step.target:
             try:
-                bodies = (self.body1, self.body2)
                 require_apart(state, self.grid.cell_area, bodies, self.friction, self.tol)
             except ConvergenceError:
                 stand_at(self, before)
                 raise
-        self._heat = heat
-        for warning in core.warnings:
-            warnings.warn(warning, GridTooSmallWarning, stacklevel=2)
-        if self._looks_at_steps and state.load > self._largest_load:
-            self._largest_load = state.load
-            warned = resolution.warn_of_step(state, self._scene, stacklevel=2)
-            self._looks_at_steps = not warned
-        if not self._warned_of_pressure:
-            self._warned_of_pressure = resolution.warn_of_strain(
-                state.pressure, self._scene, stacklevel=2
-            )
-        if not self._warned_of_strain:
-            strain, body = max((state.max_plastic_strain(b), b) for b in (1, 2))
-            if strain > SMALL_STRAIN:
-                self._warned_of_strain = True
-                warnings.warn(
-                    f"the equivalent plastic strain of body {body} reaches {strain:.3g}, more than "
-                    f"{SMALL_STRAIN}: strains are taken as small, and results lose their meaning "
-                    "beyond",
-                    PlasticStrainWarning,
-                    stacklevel=2,
-                )
+        self._heat = step.heat
+        self._told.warn(state, self._scene, core.warnings, stacklevel=2)
         return state
-
-    @contextmanager
-    def _alone(self) -> Iterator[None]:
-        """Refuse a second thread, or a law of softening, that would change the same simulation."""
-        if not self._turn.acquire(blocking=False):
-            raise RuntimeError(
-                "this simulation is in the middle of an increment: one thread at a time, each "
-                "with a simulation of its own (copy.deepcopy makes one)"
-            )
-        try:
-            yield
-        finally:
-            self._turn.release()
 
     def _require_room(self, load: float | None = None, approach: float | None = None) -> None:
         """Refuse what Hertz says will not fit, where nothing else shapes the gap."""
         strained = any(self.state.max_plastic_strain(body) for body in (1, 2))
         if self.on_border == "error" and not strained:
             self._scene.require_room(load, approach)
-
-    def _require_room_of(self, steps: Sequence[Mapping[str, Any]]) -> None:
-        """The same of the largest load of a path, before its first increment."""
-        heated = any(self._heat.factor) or any("heat_factor" in step for step in steps)
-        loads = [step.get("load") for step in steps]
-        given = [load for load in loads if isinstance(load, (int, float))]
-        if given and not heated:
-            self._require_room(load=max(given))
-
-    def _softening(self, body: Material) -> Callable[[FloatArray], FloatArray] | None:
-        """The law of a material as the core calls it: (nx, ny, nz) in, depth-major out."""
-        law = body.softening
-        if law is None:
-            return None
-        shape = self.grid.volume_shape
-
-        def factor(rise: FloatArray) -> FloatArray:
-            checked = finite_array("factor of softening", law(rise), shape)
-            return np.ascontiguousarray(np.moveaxis(checked, 2, 0))
-
-        return factor
-
-    def _duration(self, duration: float | None) -> float | None:
-        """Of an increment [s]; None without a march in time."""
-        history = self._heat.history
-        if history is None:
-            if duration is not None:
-                raise ValueError("duration needs a simulation with heat of a history")
-            return None
-        if duration is None:
-            raise ValueError("duration must be given in a simulation with heat of a history")
-        seconds, shortest = positive("duration", duration), history[0]
-        if seconds < shortest * (1 - 1e-12):
-            raise ValueError(
-                f"duration must be at least the shortest step of heat.history, {shortest!r} s, "
-                f"got {seconds!r}"
-            )
-        return seconds
-
-    def _check_motion(self, heat: Heat, first: float, second: float, duration: float) -> None:
-        """Past heat is known at the cells of the grid, and moves with the velocities."""
-        if heat.history is None or first == second == 0:
-            return
-        for n, cells in ((1, first), (2, second)):
-            moved = cells * self.grid.dx
-            if abs(cells - round(cells)) > 1e-6:
-                raise ValueError(
-                    f"advance of body {n} must be a whole number of cells of {self.grid.dx!r} m in "
-                    f"a simulation with heat of a history, got {moved!r} m"
-                )
-            expected = heat.velocity[n - 1][0] * duration
-            if heat.factor[n - 1] > 0 and abs(moved - expected) > 1e-6 * self.grid.dx:
-                raise ValueError(
-                    f"advance of body {n} must be its velocity times duration, {expected!r} m, "
-                    f"got {moved!r} m"
-                )
 
     def run(
         self,
@@ -469,46 +315,16 @@ class Simulation(Fixed, Shown):
         """
         states: list[State] = []
         try:
-            self._run_into(states, step_list("path", path, _STEP), progress, checkpoint)
+            steps = step_list("path", path, STEP)
+            if not any(self._heat.factor) and (load := largest_cold_load(steps)) is not None:
+                self._require_room(load)
+            with self._told.as_a_whole():
+                run_into(states, self, steps, progress, checkpoint)
+            resolution.warn_of_run(states, self._scene, stacklevel=2)
         except BaseException as error:  # Ctrl-C too
             error.states = states  # type: ignore[attr-defined]
             raise
         return states
-
-    def _run_into(
-        self,
-        states: list[State],
-        steps: Sequence[Mapping[str, Any]],
-        progress: bool,
-        checkpoint: str | os.PathLike[str] | None,
-    ) -> None:
-        """Append the state of each increment as soon as it is done."""
-        self._require_room_of(steps)
-        journal = None if checkpoint is None else Journal(checkpoint, self, describe(self, steps))
-        looks, self._looks_at_steps = self._looks_at_steps, False
-        try:
-            with progress_bar(len(steps), "increment", shown=progress) as bar:
-                for arguments in steps:
-                    state = journal.next() if journal else None
-                    kept = state is not None
-                    try:
-                        states.append(self.step(**arguments) if state is None else state)
-                    except Warning:  # made an error by a filter: the increment is done
-                        states.append(self.state)
-                        raise
-                    finally:
-                        if journal and not kept and len(states) > journal.count:
-                            journal.add()
-                    _log(states[-1], len(states), len(steps))
-                    bar.update()
-                    if progress:
-                        strain = max(map(states[-1].max_equivalent_plastic_strain, (1, 2)))
-                        bar.set_postfix(
-                            iterations=states[-1].iterations, plastic_strain=f"{strain:.3g}"
-                        )
-        finally:
-            self._looks_at_steps = looks
-        resolution.warn_of_run(states, self._scene, stacklevel=4)
 
     @property
     def state(self) -> State:
@@ -552,57 +368,48 @@ class Simulation(Fixed, Shown):
             A field of another shape, not finite, or with values outside their range.
         """
         index = choice("body", body, (1, 2)) - 1
-        rows, ny, nz = self.grid.volume_shape
-        if first is not None:
-            integer("first", first)
-            given = np.shape(strain)
-            rows = given[1] if len(given) == 4 and given[1] > 0 else rows
-        shape = (rows, ny, nz)
-        checked_strain = finite_array("strain", strain, (6, *shape))
-        depthwise = np.ascontiguousarray(np.moveaxis(checked_strain, 3, 1))
-        history: FloatArray | None = None
-        if equivalent is not None:
-            checked = finite_array("equivalent", equivalent, shape)
-            history = np.ascontiguousarray(np.moveaxis(checked, 2, 0))
-        centre: FloatArray | None = None
-        if backstress is not None:
-            terms = len((self.body1, self.body2)[index].kinematic)
-            checked = finite_array("backstress", backstress, (terms, 6, *shape))
-            centre = np.ascontiguousarray(np.moveaxis(checked, 4, 2))
-        require_over_grid(self.grid, checked_strain, first or 0)
-        with self._alone():
-            self._core.set_plastic_state(index, first or 0, depthwise, history, centre)
+        row = 0 if first is None else integer("first", first)
+        terms = len((self.body1, self.body2)[index].kinematic)
+        fields = plastic_fields(self.grid, strain, equivalent, backstress, terms, first)
+        with self._turn:
+            self._core.set_plastic_state(index, row, *fields)
 
     def _rows(self) -> Rows:
-        grid, state = self.grid, self.state
-        cells = counts(*(grid.volume_shape if grid.dz is not None else grid.surface_shape))
-        sizes = lengths(*(size for size in (grid.dx, grid.dy, grid.dz) if size is not None))
-        return [
-            ("grid", f"{cells} cells of {sizes}"),
-            ("body 1", material_in_short(self.body1)),
-            ("body 2", material_in_short(self.body2)),
-            ("friction", quantity(self.friction)),
-            ("tolerance", quantity(self.tol)),
-            ("load", quantity(state.load, "N")),
-            ("approach", quantity(state.approach, "m")),
-            ("maximum pressure", quantity(float(state.pressure.max()), "Pa")),
-        ]
+        return simulation_rows(self)
 
     def __repr__(self) -> str:
-        settings = (
-            "friction", "tol", "increment_tol", "on_border", "max_iterations", "residual_stress",
-            "image_tol", "heat", "reach",
-        )  # fmt: skip
-        values = ((name, getattr(self, name)) for name in settings)
-        listed = ", ".join(f"{name}={value!r}" for name, value in values if value is not None)
-        return f"Simulation({self.grid!r}, {self.body1!r}, {self.body2!r}, {listed})"
+        return (
+            f"Simulation({self.grid!r}, {self.body1!r}, {self.body2!r}, {self._settings}, "
+            f"heat={self.heat!r})"
+        )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return restored, reduced(self), {name: getattr(self, name) for name in _TOLD}
+        return restored, reduced(self), {"_told": self._told}
+
+    def _snapshot(self, state: State | None = None) -> Snapshot:
+        """As it stands, or as it stood in an earlier state."""
+        arguments = {
+            "grid": self.grid,
+            "body1": self.body1,
+            "body2": self.body2,
+            "gap": self.initial_gap,
+            **asdict(self._settings),
+            "heat": self._heat if state is None else state._heat,
+            "relief1": self.relief1,
+            "relief2": self.relief2,
+        }
+        core = self._core.state if state is None else state._core
+        return Snapshot(arguments, core, self.counters)
+
+    def _resume(self, kept: tuple[dict[str, Any], dict[str, Any]]) -> None:
+        """Stand as a checkpoint of the same scene tells: its arguments, and entries for the core."""
+        arguments, saved = kept
+        self._core.restore(saved)
+        self._heat = arguments["heat"]
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a checkpoint (HDF5), replacing an old one only when the new one is complete."""
-        write_checkpoint(path, self)
+        write_checkpoint(path, self._snapshot())
 
     @classmethod
     def load(
@@ -622,10 +429,10 @@ class Simulation(Fixed, Shown):
             raise TypeError(
                 f"softening must be a pair, (law of body 1, law of body 2), got {softening!r}"
             ) from error
-        arguments, saved = read_checkpoint(path, (law1, law2))
+        kept = read_checkpoint(path, (law1, law2))
         try:
-            simulation = cls(**arguments)
-            simulation._core.restore(saved)
+            simulation = cls(**kept[0])
+            simulation._resume(kept)
         except DAMAGED as error:
             raise damaged(path, error) from error
         return simulation

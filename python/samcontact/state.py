@@ -5,22 +5,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from . import _memory
 from ._checks import MOST_CELLS, FloatArray, choice, integer
-from ._copies import reduced, restored_state
+from ._copies import Kept, reduced, restored_state
 from ._frozen import Fixed
 from ._kept import kept
 from ._repr import Rows, Shown, quantity
 from ._tensors import von_mises
 from .heat import Heat
 from .track import Track
-
-if TYPE_CHECKING:
-    from .simulation import Simulation
 
 _VOLUME = (
     "stress", "residual_stress", "plastic_strain", "equivalent_plastic_strain", "backstress",
@@ -37,7 +34,7 @@ class State(Fixed, Shown):
     asks for it. A pickle or copy stands for itself, with a simulation of its own.
     """
 
-    def __init__(self, core: Any, simulation: Simulation, heat: Heat) -> None:
+    def __init__(self, core: Any, simulation: Kept, heat: Heat) -> None:
         self.grid = simulation.grid
         self._tracks: dict[tuple[int, int], Track] = {}
         self._core = core

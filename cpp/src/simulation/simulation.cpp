@@ -151,15 +151,6 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
                                    settings.image_tol, march, settings.reach, std::move(reliefs)))),
       settings_(settings),
       state_(scene_, settings.residual_stress) {
-  require(settings.tol >= 1e-11 && settings.tol < 1, "tol", "in [1e-11, 1)", settings.tol);
-  if (settings.increment_tol != 0) {
-    // Closer to tol, the difference of two solutions is their own residual.
-    require(settings.increment_tol >= 10 * settings.tol && settings.increment_tol < 1,
-            "increment_tol", "in [10 tol, 1) with tol = " + to_text(settings.tol),
-            settings.increment_tol);
-  }
-  require(settings.image_tol >= 1e-6 && settings.image_tol <= 0.1, "image_tol", "in [1e-6, 0.1]",
-          settings.image_tol);
   if (grid.nz == 0 && (body1.is_plastic() || body2.is_plastic())) {
     throw std::invalid_argument(
         "nz must be > 0 for an inelastic body: give the grid layers with nz and dz");

@@ -121,7 +121,7 @@ def tug(
     if not (body1.is_plastic or body2.is_plastic):
         settings = {"tol": 1e-8, **settings}  # a net energy of nothing, at a fifth more work
     simulation = Simulation(grid, body1, body2, gap, relief1=relief1, relief2=relief2, **settings)
-    simulation._looks_at_steps = False  # the first ones only touch
+    simulation._told.looks_at_steps = False  # the first ones only touch
     journal = None
     if checkpoint is not None:
         what = describe(simulation, (collision, count, step, back_and_forth))

@@ -187,7 +187,7 @@ def _solve(scene: Scene, standing: Standing) -> Moments:
         relief2=relief2,
         **scene.settings,
     )
-    simulation._looks_at_steps = False
+    simulation._told.looks_at_steps = False
     for body, kept in standing.strains.items():
         simulation.set_plastic_strain(
             body, kept.strain, kept.equivalent, kept.backstress, first=kept.first

@@ -32,20 +32,21 @@ struct Target {
 /// Factor of a body's yield stress, both [k][i][j] of the grid, from the rise of temperature [K].
 using Softening = std::function<Field(const Field& temperature)>;
 
+/// Defaults and ranges are the caller's.
 struct Settings {
-  double tol = 1e-6;  // relative change of the plastic strain increment, and yield excess
-  int max_iterations = 60;
-  int max_halvings = 8;
+  double tol;  // relative change of the plastic strain increment, and yield excess
   /// Error of the division into increments, by step doubling; 0: increments as given.
-  double increment_tol = 0.0;
-  contact::OnBorder on_border = contact::OnBorder::error;
-  operators::ResidualMethod residual_stress = operators::ResidualMethod::fast;
+  double increment_tol;
+  int max_iterations;
+  contact::OnBorder on_border;
+  operators::ResidualMethod residual_stress;
   /// Fast residual stress: error due to periodic images, relative to the largest stress.
-  double image_tol = 1e-3;
+  double image_tol;
   /// How far beyond the grid plastic strain acts along x [cells].
-  int reach = 0;
+  int reach;
+  int max_halvings = 8;
   /// By body; empty: none. Asked once an increment, or part of one.
-  std::array<Softening, 2> softening;
+  std::array<Softening, 2> softening = {};
 };
 
 /// By body; null where nothing can yield.
@@ -65,7 +66,7 @@ struct Counters {
 /// backward Euler with the consistent total strain increment.
 class Simulation {
  public:
-  /// Throws std::invalid_argument: wrong gap, an inelastic body on a grid without volume, tol.
+  /// Throws std::invalid_argument: wrong gap, an inelastic body on a grid without volume.
   Simulation(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
              Field initial_gap, double friction, const Settings& settings,
              const HeatMarch& march = {}, Reliefs reliefs = {});

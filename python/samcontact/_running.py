@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The increments of a run, one after the other: log, progress and checkpoints."""
+
+from __future__ import annotations
+
+import logging
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Protocol
+
+from ._journal import Journal, Resumed, describe
+from ._progress import progress_bar
+from .state import State
+
+_logger = logging.getLogger("samcontact")
+
+
+class Stepped(Resumed, Protocol):
+    """A simulation, as far as a run knows it."""
+
+    @property
+    def step(self) -> Callable[..., State]: ...
+
+
+def _log(state: State, number: int, count: int) -> None:
+    """One increment of a run."""
+    if not _logger.isEnabledFor(logging.INFO):
+        return
+    _logger.info(
+        "increment %d of %d: load %.6g N, approach %.6g m, largest pressure %.6g Pa",
+        number, count, state.load, state.approach, state.pressure.max(),
+    )  # fmt: skip
+    _logger.debug(
+        "increment %d: %d plastic and %d contact iterations in %d parts, residual %.2g",
+        number, state.iterations, state.contact_iterations, state.substeps, state.plastic_residual,
+    )  # fmt: skip
+
+
+def run_into(
+    states: list[State],
+    simulation: Stepped,
+    steps: Sequence[Mapping[str, Any]],
+    progress: bool,
+    checkpoint: str | os.PathLike[str] | None,
+) -> None:
+    """Append the state of each increment as soon as it is done."""
+    journal = None
+    if checkpoint is not None:
+        journal = Journal(checkpoint, simulation, describe(simulation, steps))
+    with progress_bar(len(steps), "increment", shown=progress) as bar:
+        for arguments in steps:
+            state = journal.next() if journal else None
+            kept = state is not None
+            try:
+                states.append(simulation.step(**arguments) if state is None else state)
+            except Warning:  # made an error by a filter: the increment is done
+                states.append(simulation.state)
+                raise
+            finally:
+                if journal and not kept and len(states) > journal.count:
+                    journal.add()
+            _log(states[-1], len(states), len(steps))
+            bar.update()
+            if progress:
+                strain = max(map(states[-1].max_equivalent_plastic_strain, (1, 2)))
+                bar.set_postfix(
+                    iterations=states[-1].iterations, plastic_strain=f"{strain:.3g}"
+                )

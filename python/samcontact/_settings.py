@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Settings of solver and simulation: of each its default and its range.
+
+Checks, repr, checkpoints, the section [contact] of case files and the call of the core follow.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field, fields
+from typing import Any
+
+from . import _core
+from ._checks import choice, in_cells, integer, number
+
+
+@dataclass(frozen=True)
+class Range:
+    """Limits of a number, which is finite; None: without."""
+
+    gt: float | None = None
+    ge: float | None = None
+    lt: float | None = None
+    le: float | None = None
+    unit: str = ""
+
+    def __str__(self) -> str:
+        least = self.ge if self.gt is None else self.gt
+        most = self.le if self.lt is None else self.lt
+        if most is None:
+            return f"a finite number {'>=' if self.gt is None else '>'} {least:g}"
+        ends = "[" if self.gt is None else "(", "]" if self.lt is None else ")"
+        return f"in {ends[0]}{least:g}, {most:g}{ends[1]}"
+
+    def check(self, name: str, value: Any) -> float:
+        """The value as a float within the limits."""
+        given = number(name, value)
+        inside = (
+            math.isfinite(given)
+            and (self.gt is None or given > self.gt)
+            and (self.ge is None or given >= self.ge)
+            and (self.lt is None or given < self.lt)
+            and (self.le is None or given <= self.le)
+        )
+        if not inside:
+            raise ValueError(f"{name} must be {self}, got {given!r}")
+        return given
+
+
+@dataclass(frozen=True)
+class Count:
+    """At least 1."""
+
+    def check(self, name: str, value: Any) -> int:
+        return integer(name, value, 1)
+
+
+@dataclass(frozen=True)
+class Words:
+    """One of some words."""
+
+    allowed: tuple[str, ...]
+
+    def check(self, name: str, value: Any) -> str:
+        word: str = choice(name, value, self.allowed)
+        return word
+
+
+Allowed = Range | Count | Words
+
+
+def _setting(default: Any, allowed: Allowed) -> Any:
+    """A field; it may be None where that is its default."""
+    return field(default=default, metadata={"allowed": allowed})
+
+
+def allowed(settings: type[ContactSettings]) -> Mapping[str, Allowed]:
+    """What each setting may be."""
+    return {item.name: item.metadata["allowed"] for item in fields(settings)}
+
+
+@dataclass(frozen=True)
+class ContactSettings:
+    """Of `ContactSolver`, which tells what they mean."""
+
+    friction: float = _setting(0.0, Range(ge=0.0))
+    tol: float = _setting(1e-8, Range(ge=1e-13, lt=1.0))
+    on_border: str = _setting("error", Words(("error", "warn")))
+    max_iterations: int = _setting(5000, Count())
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            value = getattr(self, item.name)
+            if value is not None or item.default is not None:
+                checked = item.metadata["allowed"].check(item.name, value)
+                object.__setattr__(self, item.name, checked)
+
+    def __str__(self) -> str:
+        """Those that are not None, as the arguments they are."""
+        given = {name: value for name, value in asdict(self).items() if value is not None}
+        return ", ".join(f"{name}={value!r}" for name, value in given.items())
+
+
+@dataclass(frozen=True)
+class Settings(ContactSettings):
+    """Of `Simulation`, which tells what they mean."""
+
+    tol: float = _setting(1e-6, Range(ge=1e-11, lt=1.0))
+    max_iterations: int = _setting(60, Count())
+    increment_tol: float | None = _setting(None, Range(gt=0.0, lt=1.0))
+    residual_stress: str = _setting("fast", Words(("fast", "exact")))
+    image_tol: float = _setting(1e-3, Range(ge=1e-6, le=0.1))
+    reach: float | None = _setting(None, Range(ge=0.0, unit="m"))
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        # Closer to tol, the difference of two solutions is their own residual.
+        if self.increment_tol is not None and self.increment_tol < 10 * self.tol:
+            raise ValueError(
+                f"increment_tol must be in [10 tol, 1) with tol = {self.tol!r}, "
+                f"got {self.increment_tol!r}"
+            )
+
+    def to_core(self, dx: float) -> _core.Settings:
+        """As the core takes them, on cells of this length along x [m]."""
+        given = asdict(self)
+        del given["friction"]  # of the scene
+        given["increment_tol"] = self.increment_tol or 0.0
+        given["reach"] = round(in_cells("reach", given["reach"], dx))
+        return _core.Settings(**given)

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Arguments of a step of a simulation, checked and as the core takes them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._checks import (
+    FloatArray,
+    exactly_one,
+    finite_array,
+    in_cells,
+    number,
+    of_bodies,
+    positive,
+    tractions,
+)
+from ._heating import Bodies, heating, require_reference
+from .grid import Grid
+from .heat import Heat
+from .operators import shear_components
+
+STEP = (
+    "load", "approach", "pressure", "shear", "advance", "heat_factor", "duration",
+)  # fmt: skip
+"""Arguments of `Simulation.step`."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """Where an increment goes, and the heat from then on."""
+
+    kind: str
+    value: float
+    heat: Heat
+    heating: list[Any]
+    duration: float
+    advance: tuple[float, float]
+    pressure: FloatArray | None = None
+    shear_x: FloatArray | None = None
+    shear_y: FloatArray | None = None
+
+    @property
+    def target(self) -> dict[str, float]:
+        """Load or approach by its name; nothing with given tractions."""
+        return {} if self.kind == "pressure" else {self.kind: self.value}
+
+    def to_core(self) -> dict[str, Any]:
+        names = ("kind", "value", "pressure", "shear_x", "shear_y", "heating", "duration")
+        return {name: getattr(self, name) for name in (*names, "advance")}
+
+
+def checked_step(
+    grid: Grid,
+    bodies: Bodies,
+    heat: Heat,
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    pressure: ArrayLike | None = None,
+    shear: ArrayLike | None = None,
+    advance: Sequence[float] = (0.0, 0.0),
+    heat_factor: float | Sequence[float] | None = None,
+    duration: float | None = None,
+) -> Step:
+    """From the arguments of `Simulation.step`, after steps with this heat."""
+    kind = exactly_one(load=load, approach=approach, pressure=pressure)
+    value = 0.0
+    given: dict[str, FloatArray | None] = {}
+    if pressure is not None:
+        given = dict(zip(("shear_x", "shear_y"), shear_components(grid, shear), strict=True))
+        given["pressure"] = tractions("pressure", pressure, grid.surface_shape)
+    elif shear is not None:
+        raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")
+    else:
+        value = number(kind, load if kind == "load" else approach)
+    ways = finite_array("advance", advance, (2,))
+    first, second = (in_cells("advance", float(way), grid.dx) for way in ways)
+    lasts = _duration(heat, duration)
+    if heat_factor is not None:
+        heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
+    if lasts is not None and (first, second) != (0.0, 0.0):
+        _require_motion_of_heat(heat, lasts, (first, second), grid.dx)
+    entries = heating(heat, bodies, grid, lasts)
+    if kind == "approach":
+        require_reference(heat)
+    return Step(kind, value, heat, entries, lasts or 0.0, (first, second), **given)
+
+
+def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:
+    """Of a path whose steps change no heat; None where one does, or without loads."""
+    loads = [step.get("load") for step in steps]
+    given = [load for load in loads if isinstance(load, (int, float))]
+    heated = any("heat_factor" in step for step in steps)
+    return max(given) if given and not heated else None
+
+
+def _duration(heat: Heat, duration: float | None) -> float | None:
+    """Of an increment [s]; None without a march in time."""
+    if heat.history is None:
+        if duration is not None:
+            raise ValueError("duration needs a simulation with heat of a history")
+        return None
+    if duration is None:
+        raise ValueError("duration must be given in a simulation with heat of a history")
+    seconds, shortest = positive("duration", duration), heat.history[0]
+    if seconds < shortest * (1 - 1e-12):
+        raise ValueError(
+            f"duration must be at least the shortest step of heat.history, {shortest!r} s, "
+            f"got {seconds!r}"
+        )
+    return seconds
+
+
+def _require_motion_of_heat(
+    heat: Heat, duration: float, advance: tuple[float, float], dx: float
+) -> None:
+    """Past heat is known at the cells of the grid, and moves with the velocities."""
+    for n, cells in enumerate(advance, 1):
+        moved = cells * dx
+        if abs(cells - round(cells)) > 1e-6:
+            raise ValueError(
+                f"advance of body {n} must be a whole number of cells of {dx!r} m in a simulation "
+                f"with heat of a history, got {moved!r} m"
+            )
+        expected = heat.velocity[n - 1][0] * duration
+        if heat.factor[n - 1] > 0 and abs(moved - expected) > 1e-6 * dx:
+            raise ValueError(
+                f"advance of body {n} must be its velocity times duration, {expected!r} m, "
+                f"got {moved!r} m"
+            )
+
+
+def plastic_fields(
+    grid: Grid,
+    strain: ArrayLike,
+    equivalent: ArrayLike | None,
+    backstress: ArrayLike | None,
+    terms: int,
+    first: int | None,
+) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
+    """Arguments of `Simulation.set_plastic_strain`, depth-major; terms: number of backstresses."""
+    rows, ny, nz = grid.volume_shape
+    if first is not None:
+        given = np.shape(strain)
+        rows = given[1] if len(given) == 4 and given[1] > 0 else rows
+    shape = (rows, ny, nz)
+    checked = finite_array("strain", strain, (6, *shape))
+    history = centre = None
+    if equivalent is not None:
+        history = np.ascontiguousarray(
+            np.moveaxis(finite_array("equivalent", equivalent, shape), 2, 0)
+        )
+    if backstress is not None:
+        deviators = finite_array("backstress", backstress, (terms, 6, *shape))
+        centre = np.ascontiguousarray(np.moveaxis(deviators, 4, 2))
+    _require_over_grid(grid, checked, first or 0)
+    return np.ascontiguousarray(np.moveaxis(checked, 3, 1)), history, centre
+
+
+def _require_over_grid(grid: Grid, strain: FloatArray, first: int) -> None:
+    """Refuse a plastic strain that lies beside the grid as a whole."""
+    rows = np.flatnonzero(strain.any(axis=(0, 2, 3))) + first
+    if rows.size and not ((rows >= 0) & (rows < grid.nx)).any():
+        raise ValueError(
+            f"strain must lie over the grid at least in part, rows 0 to {grid.nx - 1}; with "
+            f"first = {first} it lies in rows {rows[0]} to {rows[-1]}"
+        )

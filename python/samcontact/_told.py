@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a simulation warns of after its increments, and what it has told already."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from . import resolution
+from ._expected import Scene
+from .contact import GridTooSmallWarning
+from .state import State
+
+SMALL_STRAIN = 0.05
+"""Equivalent plastic strain sqrt(2/3 e:e) up to which small-strain theory is trusted [-]."""
+
+
+class PlasticStrainWarning(UserWarning):
+    """The plastic strain is beyond the small-strain theory."""
+
+
+@dataclass
+class Told:
+    """Each is told once; a copy of a simulation need not tell it again."""
+
+    of_strain: bool = False
+    of_pressure: bool = False
+    looks_at_steps: bool = True
+    """Whether steps are warned of by themselves; a run looks at its grid as a whole."""
+    largest_load: float = 0.0
+
+    @contextmanager
+    def as_a_whole(self) -> Iterator[None]:
+        """Of several steps, whose grid is looked at afterwards."""
+        looks, self.looks_at_steps = self.looks_at_steps, False
+        try:
+            yield
+        finally:
+            self.looks_at_steps = looks
+
+    def warn(self, state: State, scene: Scene, complaints: list[str], *, stacklevel: int) -> None:
+        """After an increment; complaints: of the border of the grid, by the core."""
+        for complaint in complaints:
+            warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
+        if self.looks_at_steps and state.load > self.largest_load:
+            self.largest_load = state.load
+            warned = resolution.warn_of_step(state, scene, stacklevel=stacklevel + 1)
+            self.looks_at_steps = not warned
+        if not self.of_pressure:
+            pressure = state.pressure
+            self.of_pressure = resolution.warn_of_strain(
+                pressure, scene, stacklevel=stacklevel + 1
+            )
+        if not self.of_strain:
+            strain, body = max((state.max_plastic_strain(b), b) for b in (1, 2))
+            if strain > SMALL_STRAIN:
+                self.of_strain = True
+                warnings.warn(
+                    f"the equivalent plastic strain of body {body} reaches {strain:.3g}, more than "
+                    f"{SMALL_STRAIN}: strains are taken as small, and results lose their meaning "
+                    "beyond",
+                    PlasticStrainWarning,
+                    stacklevel=stacklevel + 1,
+                )
