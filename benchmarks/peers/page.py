@@ -186,6 +186,33 @@ def without_empty(lines: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [{name: line[name] for name in kept} for line in lines]
 
 
+SMALL = 256  # cells across below which the set-up decides the ratios of elastic contact
+
+
+def least_ratios(data: dict[str, Any]) -> str:
+    """The least ratio of any other code, of elastic and of elastic-plastic contact."""
+    found: dict[str, list[float]] = {}
+    for place, codes in by_place(data).items():
+        problem = place[0]
+        kind = "elastic-plastic" if problem == "plastic" else "elastic"
+        if problem not in MEASURE or OURS not in codes or (kind == "elastic" and place[2] < SMALL):
+            continue
+        for code in (name for name in codes if name != OURS):
+            for time in times_of(problem):
+                ratio = ratio_at(codes, code, MEASURE[problem], time, COUNTED_AT[problem])
+                found.setdefault(kind, []).extend([ratio] if ratio else [])
+    return "; ".join(
+        f"least ratio of {kind} contact at an error of {error:g}"
+        + (f", from {SMALL}² cells on" if kind == "elastic" else "")
+        + f": {min(found[kind]):.2g}"
+        for kind, error in (
+            ("elastic", COUNTED_AT["hertz"]),
+            ("elastic-plastic", COUNTED_AT["plastic"]),
+        )
+        if found.get(kind)
+    )
+
+
 def wins_of_peers(data: dict[str, Any]) -> list[str]:
     """Where a peer is faster at equal error, over the errors of the tables."""
     found: dict[str, list[str]] = {}
@@ -233,6 +260,8 @@ def tables_of(data: dict[str, Any]) -> str:
     versions = ", ".join(f"{code} {version}" for code, version in data["versions"].items())
     counts = [len(rounds) for rounds in data["rows"].values() if rounds]
     sections = [f"{versions}; one thread; {min(counts)} to {max(counts)} rounds."]
+    if least := least_ratios(data):
+        sections.append(least[0].upper() + least[1:] + ".")
     for problem, title in TITLES.items():
         lines = list(stress_lines(data) if problem == "stress" else solver_lines(problem, data))
         if lines:

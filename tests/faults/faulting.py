@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-# Trials: in every run of the tests, and with the marker `slow`. docs/testing.md has them too.
+# Trials: in every run of the tests, and with the marker `slow`.
 TRIALS = {
     "kill: run": (5, 50),
     "kill: wear": (5, 50),

@@ -4,7 +4,7 @@
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-# Inputs tried: in every run of the tests, and with the marker `slow`. docs/testing.md has them too.
+# Inputs tried: in every run of the tests, and with the marker `slow`.
 INPUTS = {
     "texts of case files": (300, 6000),
     "cases with wild values": (400, 8000),
