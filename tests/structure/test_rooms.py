@@ -8,7 +8,6 @@ import os
 import re
 import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import ModuleType
 
@@ -134,18 +133,19 @@ def test_pybind11_stays_in_the_bindings():
     assert {path.stem for path in BINDINGS} - {"arrays", "module", "rooms"} <= set(BELOW)
 
 
-def test_every_header_compiles_alone():
+def without_source(header):
+    """A header that its source includes first compiles alone wherever the core is built."""
+    return not (ROOT / "cpp" / "src" / room(header) / f"{header.stem}.cpp").exists()
+
+
+@pytest.mark.parametrize("header", filter(without_source, HEADERS), ids=lambda file: file.stem)
+def test_headers_without_a_source_compile_alone(header):
     compiler = os.environ.get("CXX", "g++")
     flags = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-Wno-unknown-pragmas"]
     flags += [f"-I{INCLUDE}", "-isystem", "/usr/include/eigen3", "-x", "c++", "-"]
-
-    def compiled(file):
-        code = f'#include "{file.relative_to(INCLUDE)}"\n'
-        return subprocess.run([compiler, *flags], input=code, capture_output=True, text=True)
-
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        results = list(pool.map(compiled, HEADERS))
-    assert "\n".join(r.stderr for r in results if r.returncode != 0) == ""
+    code = f'#include "{header.relative_to(INCLUDE)}"\n'
+    done = subprocess.run([compiler, *flags], input=code, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
 
 
 def test_headers_open_with_their_purpose():
@@ -226,6 +226,37 @@ def test_modules_have_no_cycle():
         for name, file in NAMES.items()
     }
     assert {name for names in graph.values() for name in names} <= set(graph)
+    graphlib.TopologicalSorter(graph).prepare()
+
+
+# Modules that name a type, or import when called, of one that imports them: to be cut.
+BACKWARDS = {
+    ("_copies", "simulation"),
+    ("_copies", "state"),
+    ("_journal", "simulation"),
+    ("_journal", "state"),
+    ("_memory", "_kept"),
+    ("_overlap", "contact"),
+    ("_overlap", "state"),
+    ("cases.used", "cases.case"),
+    ("cases.used", "cases.tugging"),
+    ("checkpoint", "simulation"),
+    ("checkpoint", "state"),
+    ("resolution", "contact"),
+    ("resolution", "state"),
+    ("state", "simulation"),
+}
+
+
+def test_neither_types_nor_functions_import_backwards():
+    graph = {
+        name: {
+            other
+            for other in imports(name, ast.walk(ast.parse(file.read_text())))
+            if other != "_core" and (name, other) not in BACKWARDS
+        }
+        for name, file in NAMES.items()
+    }
     graphlib.TopologicalSorter(graph).prepare()
 
 

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files and functions are short enough to be read at once."""
+
+import ast
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+FOLDERS = ("benchmarks", "cpp", "docs", "gallery", "python", "scripts", "tests")
+FILES = sorted(
+    file
+    for folder in FOLDERS
+    for file in (ROOT / folder).rglob("*")
+    if file.suffix in (".py", ".pyi", ".hpp", ".cpp", ".sh", ".cmake")
+)
+# Lines; of a function those of its docstring do not count. clang-tidy has the same limit for C++.
+FILE, FUNCTION = 400, 60
+# Still longer: to be divided, and nothing joins them.
+LONG_FILES = {
+    "cpp/bindings/simulation.cpp",
+    "cpp/src/simulation/simulation.cpp",
+    "gallery/flattening.py",
+    "gallery/friction.py",
+    "gallery/heat.py",
+    "gallery/transient_heat.py",
+    "python/samcontact/simulation.py",
+}
+LONG_FUNCTIONS = {
+    "gallery/friction.py: stated_elastic_ball",
+    "gallery/friction.py: stated_residual",
+    "gallery/friction.py: stated_rigid",
+    "gallery/heat.py: compute",
+    "gallery/heat.py: stated_onset",
+    "gallery/rolling.py: stated_print",
+    "gallery/rolling.py: stated_stress",
+    "gallery/rolling_two_bodies.py: stated_pairs",
+    "gallery/running_in.py: stated",
+    "gallery/transient_heat.py: stated",
+    "gallery/two_plastic_bodies.py: figures",
+    "gallery/two_plastic_bodies.py: stated",
+    "gallery/wear.py: stated",
+    "python/samcontact/checkpoint.py: _write",
+    "python/samcontact/plotting/animation.py: rolling_animation",
+    "python/samcontact/simulation.py: __init__",
+    "python/samcontact/simulation.py: step",
+}
+
+
+def length(function):
+    """Lines from `def` to the end, without the docstring."""
+    lines = function.end_lineno - function.lineno + 1
+    if ast.get_docstring(function) is not None:
+        told = function.body[0]
+        lines -= told.end_lineno - told.lineno + 1
+    return lines
+
+
+def functions(text):
+    kinds = (ast.FunctionDef, ast.AsyncFunctionDef)
+    return [node for node in ast.walk(ast.parse(text)) if isinstance(node, kinds)]
+
+
+def test_lengths_are_counted():
+    text = 'def f(\n    given,\n):\n    """Says\n    much."""\n    return given\n'
+    assert [length(function) for function in functions(text)] == [4]
+
+
+def test_files_are_short():
+    lines = {str(file.relative_to(ROOT)): len(file.read_text().splitlines()) for file in FILES}
+    assert {"python/samcontact/grid.py", "cpp/src/fft/rows.cpp", "scripts/setup.sh"} <= set(lines)
+    assert {name: n for name, n in lines.items() if n > FILE}.keys() <= LONG_FILES
+
+
+def test_functions_are_short():
+    found = {
+        f"{file.relative_to(ROOT)}: {function.name}": length(function)
+        for file in FILES
+        if file.suffix == ".py"
+        for function in functions(file.read_text())
+    }
+    assert len(found) > 1000
+    assert {name: n for name, n in found.items() if n > FUNCTION}.keys() <= LONG_FUNCTIONS
