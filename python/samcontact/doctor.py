@@ -108,7 +108,7 @@ def _simd() -> str:
 
 def _threads(library: ctypes.CDLL) -> str:
     try:
-        count = library.omp_get_max_threads()
+        count = min(library.omp_get_max_threads(), library.omp_get_thread_limit())
     except AttributeError:
         return "1 (built without OpenMP)"
     given = os.environ.get("OMP_NUM_THREADS")

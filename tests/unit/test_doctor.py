@@ -67,6 +67,31 @@ def test_threads_are_those_of_the_environment():
     assert found.stdout == f"3 of {os.cpu_count()} processors (OMP_NUM_THREADS=3)\n"
 
 
+def test_threads_are_never_thousands():
+    """They would only wait for each other, and no run would end."""
+    code = """
+import os, samcontact as sc
+from samcontact import doctor
+grid = sc.Grid(200, 200, 1e-5, 1e-5)
+steel = sc.Material.elastic(210e9, 0.3)
+sc.ContactSolver(grid, steel, steel).solve(sc.surfaces.paraboloid(grid, 7.5e-3), load=300.0)
+print(len(os.listdir("/proc/self/task")), "OMP_THREAD_LIMIT" in os.environ)
+print(dict(doctor.installation())["threads"])
+"""
+    most = 8 * os.cpu_count()
+    environment = {k: v for k, v in os.environ.items() if not k.startswith("OMP_")}
+    found = subprocess.run(
+        [sys.executable, "-c", code],
+        env=environment | {"OMP_NUM_THREADS": "3000", "OPENBLAS_NUM_THREADS": "1"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    threads, told = found.stdout.splitlines()
+    assert threads == f"{most} False"
+    assert told.startswith(f"{most} of {os.cpu_count()} processors (OMP_NUM_THREADS=3000")
+
+
 @pytest.mark.parametrize(
     ("flags", "level"),
     [
