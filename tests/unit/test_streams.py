@@ -76,6 +76,16 @@ def test_no_room_for_what_is_printed(case):
     assert told == "error: cannot write to the standard output: No space left on device"
 
 
+@pytest.mark.parametrize("words", ["doctor", "run --help", "--help", "--version"])
+def test_what_cannot_be_printed_is_no_success(words):
+    with open("/dev/full", "w") as full:
+        command = [*COMMAND, *words.split()]
+        ended = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, check=False)
+    assert ended.returncode == 1
+    told = "error: cannot write to the standard output: No space left on device\n"
+    assert ended.stderr.decode() == told
+
+
 def test_a_stream_that_is_closed(case):
     out = case.with_name("out")
     script = f"{' '.join(COMMAND)} run {case} --output {out} --no-figures >&- 2>&-"

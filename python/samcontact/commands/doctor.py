@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import click
 
+from .errors import FAILED
+
 
 @click.command()
 def doctor() -> None:
@@ -19,4 +21,5 @@ def doctor() -> None:
         number = f"{verdict.shown}, limit {verdict.condition}"
         click.echo(f"{verdict.word:<8}{verdict.name}: {number}")
         failed = failed or not verdict.passed
-    raise SystemExit(1 if failed else 0)
+    if failed:
+        raise SystemExit(FAILED)

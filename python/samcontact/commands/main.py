@@ -7,6 +7,8 @@ Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad in
 
 from __future__ import annotations
 
+from typing import Any
+
 import click
 
 from .doctor import doctor
@@ -27,7 +29,15 @@ def _print_version(context: click.Context, _: click.Parameter, value: bool) -> N
     context.exit()
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+class _Guarded(click.Group):
+    """Also what is printed before a command is chosen is guarded: help, version, wrong usage."""
+
+    def main(self, *args: Any, **settings: Any) -> Any:
+        with stoppable(), guarded_output():
+            return super().main(*args, **settings)
+
+
+@click.group(cls=_Guarded, context_settings={"help_option_names": ["-h", "--help"]})
 @click.option(
     "--version",
     is_flag=True,
@@ -36,11 +46,8 @@ def _print_version(context: click.Context, _: click.Parameter, value: bool) -> N
     callback=_print_version,
     help="Print the version and exit.",
 )
-@click.pass_context
-def main(context: click.Context) -> None:
+def main() -> None:
     """Semi-analytical elastic-plastic contact of two half-spaces."""
-    context.with_resource(stoppable())
-    context.with_resource(guarded_output())
 
 
 for _command in (run, resume, sweep, report, export, hertz, doctor):

@@ -85,6 +85,9 @@ def guarded_output() -> Iterator[None]:
         warnings.formatwarning = lambda message, *_, **__: f"warning: {message}\n"
         try:
             yield
+        except SystemExit as end:
+            if end.code:
+                raise  # else success depends on what comes now
         finally:
             for guard in guards:
                 guard.flush()
