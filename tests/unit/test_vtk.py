@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """VTK files, read back by VTK's own reader, cell by cell at points of the files' frame."""
 
+import resource
 import sys
 from xml.etree import ElementTree
 
@@ -46,6 +47,27 @@ def value(grid, name, x, y, z):
 def names(grid):
     data = grid.GetCellData()
     return {data.GetArrayName(index) for index in range(data.GetNumberOfArrays())}
+
+
+def test_a_file_that_cannot_be_written_stays_as_it_was(tmp_path, capfd):
+    data, file = dataset(), tmp_path / "out.vtr"
+    results.to_vtk(data, file)
+    before = {path: path.read_bytes() for path in tmp_path.iterdir()}
+    unlimited = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, unlimited[1]))
+    try:
+        with pytest.raises(OSError, match="File too large") as caught:
+            results.to_vtk(data, file, increment=2)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, unlimited)
+    assert caught.value.filename == str(file)
+    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
+    assert capfd.readouterr().err == ""
+
+
+def test_a_name_that_no_text_can_hold(tmp_path):
+    written = results.to_vtk(dataset(), tmp_path / "out\udcff.vtr")
+    assert all(path.stat().st_size > 0 for path in written)
 
 
 @pytest.mark.parametrize(("body", "up"), [(1, 1.0), (2, -1.0)])

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._atomic import replacing
 from .._checks import FloatArray, choice, integer
 from .reading import parts_of_a_run
 
@@ -202,17 +203,12 @@ def _write(
         array.SetName(label)
         grid.GetFieldData().AddArray(array)
     writer = vtk["Writer"]()
-    writer.SetFileName(str(target))
     writer.SetInputData(grid)
-    _check_writable(target)
-    if writer.Write() != 1:
-        raise OSError(f"cannot write {target}")
-
-
-def _check_writable(target: Path) -> None:
-    """VTK prints to stderr where Python raises."""
-    with target.open("wb"):
-        pass
+    # VTK prints to stderr where Python raises, and knows fewer names of files
+    writer.WriteToOutputStringOn()
+    writer.Write()
+    with replacing(target) as part:
+        part.write_text(writer.GetOutputString(), encoding="utf-8")
 
 
 def _modules() -> dict[str, Any]:
