@@ -44,15 +44,14 @@ def number(name: str, value: Any) -> float:
     """Return `value` as a float; raise TypeError unless it is a real number (not a bool)."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
-    if isinstance(value, (bool, np.bool_)) or not isinstance(value, Real):
+    # to NumPy a span of time is an integer
+    if isinstance(value, (bool, np.bool_, np.timedelta64)) or not isinstance(value, Real):
         hint = ": convert it with samcontact.units.si" if _has_unit(value) else ""
         raise TypeError(f"{name} must be a number, got {value!r}{hint}")
     try:
         return float(value) + 0.0  # never -0.0
     except OverflowError as error:
         raise ValueError(f"{name} must be a finite number, got one beyond 1e308") from error
-    except TypeError as error:  # a span of time is an integer to NumPy
-        raise TypeError(f"{name} must be a number, got {value!r}") from error
 
 
 def finite(name: str, value: Any) -> float:
@@ -92,7 +91,7 @@ def integer(
     name: str, value: Any, minimum: int | None = None, largest: int | None = MOST_COUNT
 ) -> int:
     """Return `value` as an int, >= `minimum`, of a size up to `largest`."""
-    if isinstance(value, (bool, np.bool_)) or not isinstance(value, Integral):
+    if isinstance(value, (bool, np.bool_, np.timedelta64)) or not isinstance(value, Integral):
         raise TypeError(f"{name} must be an integer, got {value!r}")
     if minimum is not None and value < minimum:
         raise ValueError(f"{name} must be an integer >= {minimum}, got {value}")

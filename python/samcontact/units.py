@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from decimal import Decimal
 from functools import lru_cache
@@ -41,11 +42,15 @@ def from_text(text: str, unit: str) -> float:
     number = Decimal(match.group(1))
     try:
         # number and unit apart: temperatures such as "20 degC" cannot be multiplied
-        return float(registry.Quantity(number, match.group(2)).to(unit).magnitude)
+        exact = registry.Quantity(number, match.group(2)).to(unit).magnitude
+        found = float(exact)
     except Exception as error:  # pint lets errors of Python's tokenizer through as well
         raise ValueError(
             f"must be a number and a unit that converts to {unit}, got {text!r}"
         ) from error
+    if math.isinf(found) or (found == 0.0 and exact != 0):
+        raise ValueError(f"must be within the range of numbers, got {text!r:.80}")
+    return found
 
 
 def si(value: Any, unit: str) -> Any:
@@ -66,7 +71,8 @@ def si(value: Any, unit: str) -> Any:
     Raises
     ------
     ValueError
-        The text has no unit, or the unit is unknown or of another dimension.
+        The text has no unit, the unit is unknown or of another dimension, or the number is beyond
+        the range of numbers.
     ImportError
         pint is not installed and the value is a text.
 

@@ -43,6 +43,28 @@ def test_point_from_load_approach_and_pressure_agree(R, E_star, load):
             )
 
 
+@pytest.mark.parametrize(
+    ("R", "E_star", "given", "value"),
+    [
+        (1e300, 1e11, "p0", 1e300),
+        (1e-300, 1e11, "p0", 1e-300),
+        (1e200, 1e-200, "load", 1e200),
+        (1.0, 1e11, "load", 1e-320),
+        (1e150, 1e11, "approach", 1e150),  # a is a number, and its cube is none
+    ],
+)
+def test_contacts_beyond_the_range_of_numbers(R, E_star, given, value):
+    message = "gives a contact beyond the range of numbers: "
+    with pytest.raises(ValueError, match=f"{given} {message}"):
+        hertz.point(R, E_star, **{given: value})
+    with pytest.raises(ValueError, match=f"{given} {message}"):
+        hertz.elliptic(R, 2.0 * R, E_star, **{given: value})
+    if given != "approach":
+        given = "load_per_length" if given == "load" else given
+        with pytest.raises(ValueError, match=f"{given} {message}"):
+            hertz.line(R, E_star, **{given: value})
+
+
 def test_point_pressure_integrates_to_the_load_and_is_zero_outside():
     contact = hertz.point(R=2.0, E_star=3.0, load=0.7)
     total, _ = quad(lambda r: 2 * math.pi * r * contact.pressure(r), 0, contact.a, epsabs=1e-12)

@@ -67,6 +67,10 @@ class TestOneNumber:
     def test_a_span_of_time_is_none(self):
         with pytest.raises(TypeError, match="load must be a number"):
             sc.hertz.point(1e-2, 1e11, load=np.timedelta64(3, "s"))
+        with pytest.raises(TypeError, match="load must be a number"):
+            sc.hertz.point(1e-2, 1e11, load=np.timedelta64(3))  # which is 3 to float()
+        with pytest.raises(TypeError, match="nx must be an integer"):
+            sc.Grid(np.timedelta64(15), 15, 1.0, 1.0)
 
     def test_a_body_is_an_integer_whatever_it_was(self):
         state = small().state

@@ -55,6 +55,14 @@ def test_wrong_texts_are_refused(text):
         units.si(text, "m")
 
 
+@pytest.mark.parametrize("text", ["1e400 m", "-1e309 m", "1" * 400 + " m", "1e-400 m"])
+def test_numbers_beyond_the_range_are_refused(text):
+    with pytest.raises(ValueError, match="value must be within the range of numbers, got '"):
+        units.si(text, "m")
+    assert units.si("0 m", "m") == 0.0
+    assert units.si("-273.15 degC", "K") == 0.0
+
+
 def test_wrong_quantities_are_refused():
     registry = pint.UnitRegistry()
     with pytest.raises(ValueError, match="converts to Pa, got 2 meter"):

@@ -12,7 +12,7 @@ from scipy.special import ellipkm1, elliprd
 
 from .._checks import FloatArray, exactly_one, positive
 from .._repr import Shown
-from .points import coordinates, semi_ellipsoid
+from .points import coordinates, require_range, semi_ellipsoid
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,8 @@ def elliptic(
     ------
     ValueError
         An argument is not finite and positive (an infinite radius is a line contact, see
-        `line`), or not exactly one of the three is given.
+        `line`), not exactly one of the three is given, or the contact is beyond the range of
+        numbers.
     """
     Rx, Ry, E_star = positive("Rx", Rx), positive("Ry", Ry), positive("E_star", E_star)
     given = exactly_one(load=load, approach=approach, p0=p0)
@@ -127,17 +128,13 @@ def elliptic(
         a = 2.0 * long_radius * positive("p0", p0) * shape / (3.0 * ratio * E_star)
     b = a / ratio
     peak = 3.0 * ratio * E_star * a / (2.0 * long_radius * shape)
-    if not (b > 0.0 and 0.0 < peak < math.inf):
-        raise ValueError(f"{given} gives a contact beyond the range of numbers: a = {a!r} m")
     a_x, a_y = (b, a) if Ry >= Rx else (a, b)
-    return EllipticContact(
-        Rx=Rx,
-        Ry=Ry,
-        E_star=E_star,
-        load=float(load) if load is not None else 2.0 / 3.0 * math.pi * a * b * peak,
-        a_x=a_x,
-        a_y=a_y,
-        k=a_y / a_x,
-        p0=float(p0) if p0 is not None else peak,
-        approach=float(approach) if approach is not None else peak * b * K / E_star,
-    )
+    sizes = {
+        "a_x": a_x,
+        "a_y": a_y,
+        "load": 2.0 / 3.0 * math.pi * a * b * peak if load is None else float(load),
+        "p0": peak if p0 is None else float(p0),
+        "approach": peak * b * K / E_star if approach is None else float(approach),
+    }
+    require_range(given, **sizes)
+    return EllipticContact(Rx=Rx, Ry=Ry, E_star=E_star, k=a_y / a_x, **sizes)

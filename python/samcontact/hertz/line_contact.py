@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from .._checks import FloatArray, exactly_one, poisson_ratio, positive
 from .._repr import Shown
 from .axis import line_axis, line_max_von_mises
-from .points import coordinates, depth_ratio, semi_ellipsoid
+from .points import coordinates, depth_ratio, require_range, semi_ellipsoid
 
 
 @dataclass(frozen=True)
@@ -81,21 +81,23 @@ def line(
     Raises
     ------
     ValueError
-        An argument is not finite and positive, or not exactly one of the two is given.
+        An argument is not finite and positive, not exactly one of the two is given, or the
+        contact is beyond the range of numbers.
     """
     R, E_star = positive("R", R), positive("E_star", E_star)
-    if exactly_one(load_per_length=load_per_length, p0=p0) == "load_per_length":
+    given = exactly_one(load_per_length=load_per_length, p0=p0)
+    if given == "load_per_length":
         b = math.sqrt(4.0 * positive("load_per_length", load_per_length) * R / (math.pi * E_star))
     else:
         b = 2.0 * R * positive("p0", p0) / E_star
-    return LineContact(
-        R=R,
-        E_star=E_star,
-        load_per_length=(
-            float(load_per_length)
-            if load_per_length is not None
-            else math.pi * E_star * b * b / (4.0 * R)
+    sizes = {
+        "load_per_length": (
+            math.pi * E_star * b * b / (4.0 * R)
+            if load_per_length is None
+            else float(load_per_length)
         ),
-        b=b,
-        p0=float(p0) if p0 is not None else E_star * b / (2.0 * R),
-    )
+        "b": b,
+        "p0": E_star * b / (2.0 * R) if p0 is None else float(p0),
+    }
+    require_range(given, **sizes)
+    return LineContact(R=R, E_star=E_star, **sizes)

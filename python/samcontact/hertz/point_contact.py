@@ -13,7 +13,7 @@ from .._checks import FloatArray, exactly_one, non_negative, poisson_ratio, posi
 from .._repr import Shown
 from .axis import point_axis, point_max_von_mises
 from .field import field
-from .points import coordinates, depth_ratio, semi_ellipsoid
+from .points import coordinates, depth_ratio, require_range, semi_ellipsoid
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,8 @@ def point(
     Raises
     ------
     ValueError
-        An argument is not finite and positive, or not exactly one of the three is given.
+        An argument is not finite and positive, not exactly one of the three is given, or the
+        contact is beyond the range of numbers.
     """
     R, E_star = positive("R", R), positive("E_star", E_star)
     given = exactly_one(load=load, approach=approach, p0=p0)
@@ -155,12 +156,12 @@ def point(
         a = math.sqrt(R * positive("approach", approach))
     else:
         a = 0.5 * math.pi * R * positive("p0", p0) / E_star
-    force = 4.0 * E_star * a**3 / (3.0 * R)
-    return PointContact(
-        R=R,
-        E_star=E_star,
-        load=float(load) if load is not None else force,
-        a=a,
-        p0=float(p0) if p0 is not None else 2.0 * E_star * a / (math.pi * R),
-        approach=float(approach) if approach is not None else a * a / R,
-    )
+    sizes = {
+        # not a**3, which raises where a product is infinite
+        "load": 4.0 * E_star * a * a * a / (3.0 * R) if load is None else float(load),
+        "a": a,
+        "p0": 2.0 * E_star * a / (math.pi * R) if p0 is None else float(p0),
+        "approach": a * a / R if approach is None else float(approach),
+    }
+    require_range(given, **sizes)
+    return PointContact(R=R, E_star=E_star, **sizes)

@@ -1,12 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checked points of a contact, and the pressure over them."""
+"""Checked points and sizes of a contact, and the pressure over it."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, finite_array, real_array
+
+
+def require_range(given: str, **sizes: float) -> None:
+    """Raise ValueError unless all sizes of a contact are finite numbers > 0."""
+    for name, size in sizes.items():
+        if not 0.0 < size < math.inf:
+            raise ValueError(
+                f"{given} gives a contact beyond the range of numbers: {name} = {size!r}"
+            )
 
 
 def semi_ellipsoid(p0: float, *ratios: FloatArray) -> FloatArray:
