@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files of heights: one convention for all readers, lost points, texts of other programs."""
 
+import os
 import warnings
 
 import h5py
@@ -12,6 +13,7 @@ import samcontact as sc
 from samcontact import kernels, measured
 from samcontact.cases import Case, CaseError
 from samcontact.measured import MeasuredSurface
+from samcontact.measured.files import is_plain
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore", ImportWarning)  # no MPI
@@ -234,10 +236,19 @@ def test_an_array_is_known_by_its_content(name, tmp_path):
         np.save(file, UM)
     surface = measured.read(tmp_path / name, dx=DX, dy=DY, unit="um", detrend=None)
     np.testing.assert_array_equal(surface.heights, UM * 1e-6)
+    assert surface.attrs["format"] == "npy"
+    assert is_plain(tmp_path / name)
     with pytest.raises(ValueError, match="dx must be given"):
         measured.read(tmp_path / name)
     with pytest.raises(ValueError, match="channel must be 0"):
         measured.read(tmp_path / name, dx=DX, channel=1)
+
+
+def test_what_can_be_read_only_once_or_without_end_is_no_file_of_heights(tmp_path):
+    os.mkfifo(tmp_path / "s.txt")
+    for path in (tmp_path / "s.txt", "/dev/zero"):
+        with pytest.raises(ValueError, match="must be a file, is a pipe or device"):
+            measured.read(path, dx=DX)
 
 
 @pytest.mark.parametrize("name", ["s.npy", "s.txt"])

@@ -6,6 +6,7 @@ from __future__ import annotations
 import codecs
 import os
 import re
+import stat
 import warnings
 from itertools import takewhile
 from pathlib import Path
@@ -86,7 +87,8 @@ def read(
         if channel not in _FIRST:
             raise ValueError(f"channel must be 0: {path} has one map, got {channel!r}")
     if step_x is not None and channel in _FIRST and is_plain(source):
-        attrs = {"source": str(source), "format": source.suffix.lower()[1:]}
+        kind = "npy" if _is_array(source) else source.suffix.lower()[1:]
+        attrs = {"source": str(source), "format": kind}
         heights = plain_heights(source)
         if unit is not None:
             heights = heights * _metres(unit)
@@ -104,8 +106,9 @@ def read(
 
 def is_plain(path: Path) -> bool:
     """Whether a file is an array of heights only, without sizes or units of its own."""
-    if path.suffix.lower() not in PLAIN_FORMATS:
-        return _is_array(path)
+    is_array = _is_array(path)
+    if is_array or path.suffix.lower() not in PLAIN_FORMATS:
+        return is_array
     try:
         lines = [] if path.suffix.lower() == ".npy" else _lines(path)
     except OSError:  # told by reading its heights
@@ -117,8 +120,11 @@ def is_plain(path: Path) -> bool:
 
 
 def _is_array(path: Path) -> bool:
-    """Whether a file begins as one of numpy.save."""
+    """Whether a file begins as one of numpy.save; a ValueError for what can be read only once."""
     try:
+        mode = path.stat().st_mode
+        if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+            raise ValueError(f"path: {path} must be a file, is a pipe or device")
         with path.open("rb") as file:
             return file.read(len(MAGIC_PREFIX)) == MAGIC_PREFIX
     except OSError:  # told by reading its heights
