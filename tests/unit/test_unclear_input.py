@@ -275,6 +275,13 @@ def test_shell_completion_as_documented():
     assert complete(_SAMCONTACT_COMPLETE="bash_complete", **words).split() == ["plain,hertz"]
 
 
+def test_a_checkpoint_is_no_file_of_results(tmp_path):
+    simulation().save(tmp_path / "results.nc")
+    outcome = invoke("report", tmp_path)
+    check_failure(outcome, 2, "must be a netCDF4 file")
+    assert len(outcome.stderr.splitlines()) == 1  # what h5netcdf advises is not for users
+
+
 @pytest.mark.parametrize("name", ["results.nc", "case.toml"])
 def test_a_report_replaces_nothing_but_a_page(tmp_path, name):
     (tmp_path / "results.nc").write_text("precious")
@@ -298,6 +305,36 @@ def test_a_file_where_results_should_go(tmp_path, output):
     file.write_text("precious")
     check_failure(invoke("run", case, "--output", tmp_path / output), 1, "it is a file", "--output")
     assert file.read_text() == "precious"
+
+
+def test_a_report_replaces_no_pipe_or_device(tmp_path):
+    (tmp_path / "results.nc").write_text("not read")
+    pipe = tmp_path / "report.html"
+    os.mkfifo(pipe)
+    check_failure(invoke("report", tmp_path), 2, "is a device or pipe")
+    assert pipe.is_fifo()
+
+
+def test_a_lock_that_is_a_link_costs_no_file(tmp_path):
+    case, precious = tmp_path / "case.toml", tmp_path / "precious"
+    case.write_text(TEXT)
+    precious.write_text("precious")
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / ".samcontact.lock").symlink_to(precious)
+    check_failure(invoke("run", case, "--output", tmp_path / "out"), 1, ".samcontact.lock")
+    assert precious.read_text() == "precious"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("[[path]]", "[path]", "path: must be a list of tables: write [[path]] instead of [path]"),
+        ("[grid]", "[[grid]]", "grid: must be one table: write [grid] instead of [[grid]]"),
+    ],
+)
+def test_brackets_of_sections(old, new, message):
+    with pytest.raises(CaseError, match=re.escape(message)):
+        parse_case(TEXT.replace(old, new))
 
 
 def test_case_files_without_an_end():

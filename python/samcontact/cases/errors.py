@@ -66,6 +66,10 @@ def explain(root: type[BaseModel], item: Any) -> str:
     if kind == "value_error":
         message = str(context["error"])
         return f"{where}: {message}" if where else message
+    if kind == "list_type" and isinstance(item["input"], dict):
+        return f"{where}: must be a list of tables: write [[{where}]] instead of [{where}]"
+    if kind == "model_type" and isinstance(item["input"], list):
+        return f"{where}: must be one table: write [{where}] instead of [[{where}]]"
     message = item["msg"][0].lower() + item["msg"][1:]
     return f"{where}: {message}, got {in_short(item['input'])}"
 

@@ -70,8 +70,9 @@ def report(run: Path, output: Path | None) -> None:
 
 def _require_page(target: Path) -> None:
     """Nothing but an older page is replaced; what cannot be written is told before the work."""
-    if target.is_dir():
-        raise ValueError(f"--output must be a file, and {target} is a directory")
+    if target.exists() and not target.is_file():  # a device would become a file
+        kind = "directory" if target.is_dir() else "device or pipe"
+        raise ValueError(f"--output must be a file, and {target} is a {kind}")
     if not target.parent.is_dir():
         raise ValueError(
             f"--output must be in a directory that exists: there is no {target.parent}"

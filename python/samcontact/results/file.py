@@ -100,7 +100,9 @@ def open_results(path: str | Path) -> xr.Dataset:
     except PermissionError:
         raise
     except (*DAMAGED, xr.SerializationWarning) as error:
-        raise ValueError(f"path must be a netCDF4 file, got {source}: {error}") from error
+        # without what h5netcdf advises, which is for its own arguments
+        told = next(iter(str(error).splitlines()), type(error).__name__).strip()
+        raise ValueError(f"path must be a netCDF4 file, got {source}: {told}") from error
     if "samcontact_version" not in dataset.attrs:
         dataset.close()
         raise ValueError(f"path must be a results file written by samcontact, got {source}")
