@@ -147,6 +147,15 @@ def test_wrong_pressures_fail(monkeypatch):
     }
 
 
+def test_ctrl_c_ends_it_as_any_command(monkeypatch):
+    def stopped():
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(doctor, "self_check", stopped)
+    outcome = invoke()
+    assert (outcome.exit_code, outcome.stderr) == (130, "interrupted\n")
+
+
 def test_an_error_is_told_and_the_others_go_on(monkeypatch):
     def refuse(self, path):
         raise OSError("disk full")

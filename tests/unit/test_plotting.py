@@ -4,12 +4,14 @@
 import subprocess
 import sys
 
+import matplotlib
 import numpy as np
 import pytest
 from core_fakes import FakeState, make_grid, make_simulation
 from matplotlib.figure import Figure
 
 from samcontact import hertz, plotting
+from samcontact.plotting.parts import new_figure, save
 
 E_STAR = 115384615384.6154
 
@@ -240,3 +242,12 @@ def test_bad_input_is_named(state, simulation, ax):
         plotting.axis_profile(state, grid, ax, components=("rr",))
     with pytest.raises(ValueError, match="at least one state"):
         plotting.load_approach([], ax)
+
+
+def test_latex_that_is_not_installed_is_told(tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    with matplotlib.rc_context({"text.usetex": True}):
+        figure = new_figure()
+        figure.suptitle(f"of {tmp_path.name}")
+        with pytest.raises(OSError, match=r"cannot draw a figure: .* latex could not be found"):
+            save(figure, tmp_path / "f.png")

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -50,8 +50,16 @@ def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
 def save(figure: Figure | None, path: Path) -> Path:
     """Write a figure (that of an axes is never none) without what is blank around it."""
     assert figure is not None
-    figure.savefig(path, bbox_inches="tight", pad_inches=0.08)
+    draw(figure, path)
     return path
+
+
+def draw(figure: Figure, target: Path | BinaryIO, **options: Any) -> None:
+    """The same into a file or a buffer, with options of Matplotlib."""
+    try:
+        figure.savefig(target, bbox_inches="tight", pad_inches=0.08, **options)
+    except RuntimeError as error:  # a matplotlibrc asks for LaTeX, which is not installed
+        raise OSError(f"cannot draw a figure: {error}") from error
 
 
 def section_height(width: float, across: float, depth: float) -> float:

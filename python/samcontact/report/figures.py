@@ -21,6 +21,7 @@ from ..plotting.contact import HertzContact
 from ..plotting.parts import (
     QUANTITIES,
     counted,
+    draw,
     finish,
     new_figure,
     place,
@@ -93,7 +94,7 @@ Made = tuple[str, str, Figure]
 def embedded(caption: str, description: str, figure: Figure) -> ReportFigure:
     """The image as text, so that the page needs no other file."""
     buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=DOTS_PER_INCH, bbox_inches="tight", pad_inches=0.08)
+    draw(figure, buffer, format="png", dpi=DOTS_PER_INCH)
     text = base64.b64encode(buffer.getvalue()).decode("ascii")
     return ReportFigure(caption, description, f"data:image/png;base64,{text}")
 
