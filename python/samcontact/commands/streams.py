@@ -39,7 +39,9 @@ class _Guarded:
         self._stream = stream
         self.error: OSError | None = None
 
-    def write(self, text: str) -> int:
+    def write(self, text: str | bytes) -> int:
+        if isinstance(text, bytes):  # of shell completion
+            text = text.decode()
         if self.error is None:
             try:
                 self._stream.write(text)
