@@ -1,48 +1,84 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Simulations and states for pickle and copy: what a checkpoint holds, and laws of softening."""
+"""Simulations and states for checkpoints, pickle and copy: what makes them again."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from dataclasses import fields
+from typing import TYPE_CHECKING, Any, Protocol
 
+from ._settings import Settings
 from .checkpoint import Snapshot, Softening, from_bytes, to_bytes
-from .grid import Grid
-from .material import Material
+
+if TYPE_CHECKING:
+    from ._checks import FloatArray
+    from .grid import Grid
+    from .heat import Heat
+    from .material import Material
+
+_SCENE = ("grid", "body1", "body2", "relief1", "relief2", *(item.name for item in fields(Settings)))
+"""Arguments of a simulation that are attributes of the same name and kind."""
+Kept = tuple[dict[str, Any], dict[str, Any]]
+"""What a checkpoint gives: arguments of a simulation, and entries for the core."""
 
 
-class Kept(Protocol):
-    """A simulation, as far as checkpoints and copies know it."""
+class Standing(Protocol):
+    """A simulation, as far as copies and checkpoints know it."""
 
     grid: Grid
     body1: Material
     body2: Material
+    initial_gap: FloatArray
+    _core: Any
+    _heat: Heat
 
-    def _snapshot(self, state: Any = None) -> Snapshot: ...
+    @property
+    def counters(self) -> dict[str, int]: ...
 
-    def _resume(self, kept: tuple[dict[str, Any], dict[str, Any]]) -> None: ...
+
+class Moment(Protocol):
+    """A state, as far as copies and checkpoints know it."""
+
+    _core: Any
+    _heat: Heat
 
 
-def laws(simulation: Kept) -> Softening:
+def laws(simulation: Standing) -> Softening:
     """Of both bodies; a checkpoint has only those of `samcontact.softening`."""
     return simulation.body1.softening, simulation.body2.softening
 
 
-def reduced(simulation: Kept, state: Any = None) -> tuple[Any, ...]:
-    """What makes the simulation again, standing at an earlier state of it where one is given."""
-    return type(simulation), to_bytes(simulation._snapshot(state)), laws(simulation)
+def snapshot(simulation: Standing, state: Moment | None = None) -> Snapshot:
+    """A simulation as it stands, or as it stood in an earlier state."""
+    arguments = {name: getattr(simulation, name) for name in _SCENE}
+    arguments["gap"] = simulation.initial_gap
+    arguments["heat"] = simulation._heat if state is None else state._heat
+    core = simulation._core.state if state is None else state._core
+    return Snapshot(arguments, core, simulation.counters)
 
 
-def stand_at(simulation: Kept, state: Any) -> None:
+def resume(simulation: Standing, kept: Kept) -> None:
+    """Make a simulation of the same scene stand as a checkpoint tells."""
+    arguments, saved = kept
+    simulation._core.restore(saved)
+    simulation._heat = arguments["heat"]
+
+
+def stand_at(simulation: Standing, state: Moment) -> None:
     """Take a simulation back to an earlier state of it."""
-    simulation._resume(from_bytes(to_bytes(simulation._snapshot(state)), laws(simulation)))
+    resume(simulation, from_bytes(to_bytes(snapshot(simulation, state)), laws(simulation)))
+
+
+def reduced(simulation: Standing, state: Moment | None = None) -> tuple[Any, ...]:
+    """What makes the simulation again, standing at an earlier state of it where one is given."""
+    return type(simulation), to_bytes(snapshot(simulation, state)), laws(simulation)
 
 
 def restored(cls: Callable[..., Any], content: bytes, softening: Softening) -> Any:
     """The simulation from what `reduced` has returned."""
     kept = from_bytes(content, softening)
     simulation = cls(**kept[0])
-    simulation._resume(kept)
+    resume(simulation, kept)
     return simulation
 
 

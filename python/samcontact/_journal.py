@@ -13,7 +13,7 @@ import numpy as np
 
 from ._atomic import replacing
 from ._checks import file_path
-from ._copies import Kept, laws
+from ._copies import Standing, laws, resume, snapshot
 from .checkpoint import (
     DAMAGED,
     DamagedCheckpointError,
@@ -27,14 +27,14 @@ if TYPE_CHECKING:
     from .state import State
 
 
-class Resumed(Kept, Protocol):
+class Resumed(Standing, Protocol):
     """A simulation, as far as a journal knows it."""
 
     @property
     def state(self) -> State: ...
 
 
-def describe(simulation: Kept, what: object) -> str:
+def describe(simulation: object, what: object) -> str:
     """A run that is about to begin; the repr of `what`, e.g. its path, is part of it."""
     return f"{simulation!r}\n{what!r}\n"
 
@@ -88,16 +88,16 @@ class Journal:
 
     def _restore(self, file: Path) -> None:
         kept = read_checkpoint(file, laws(self.simulation))
-        if not _same_surfaces(self.simulation._snapshot().arguments, kept[0]):
+        if not _same_surfaces(snapshot(self.simulation).arguments, kept[0]):
             raise self._foreign()  # they may come from other files
         try:
-            self.simulation._resume(kept)
+            resume(self.simulation, kept)
         except DAMAGED as error:
             raise damaged(file, error) from error
 
     def add(self, state: State | None = None) -> None:
         """Keep the simulation after a new increment: as it stands, or an earlier state of it."""
-        write_checkpoint(self._file(self.count + 1), self.simulation._snapshot(state))
+        write_checkpoint(self._file(self.count + 1), snapshot(self.simulation, state))
         self.count += 1
 
     def _file(self, number: int) -> Path:

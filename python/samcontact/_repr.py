@@ -153,6 +153,23 @@ def material_rows(material: Any) -> Rows:
     return rows
 
 
+def simulation_rows(simulation: Any) -> Rows:
+    """Scene and present state of a simulation."""
+    grid, state = simulation.grid, simulation.state
+    cells = counts(*(grid.volume_shape if grid.dz is not None else grid.surface_shape))
+    sizes = lengths(*(size for size in (grid.dx, grid.dy, grid.dz) if size is not None))
+    return [
+        ("grid", f"{cells} cells of {sizes}"),
+        ("body 1", material_in_short(simulation.body1)),
+        ("body 2", material_in_short(simulation.body2)),
+        ("friction", quantity(simulation.friction)),
+        ("tolerance", quantity(simulation.tol)),
+        ("load", quantity(state.load, "N")),
+        ("approach", quantity(state.approach, "m")),
+        ("maximum pressure", quantity(float(state.pressure.max()), "Pa")),
+    ]
+
+
 def material_in_short(material: Any) -> str:
     """A material in one line, for the tables of what contains it."""
     rows = material_rows(material)

@@ -63,6 +63,4 @@ def run_into(
             bar.update()
             if progress:
                 strain = max(map(states[-1].max_equivalent_plastic_strain, (1, 2)))
-                bar.set_postfix(
-                    iterations=states[-1].iterations, plastic_strain=f"{strain:.3g}"
-                )
+                bar.set_postfix(iterations=states[-1].iterations, plastic_strain=f"{strain:.3g}")

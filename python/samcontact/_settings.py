@@ -13,6 +13,7 @@ from typing import Any
 
 from . import _core
 from ._checks import choice, in_cells, integer, number
+from ._frozen import Fixed
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,7 @@ class Range:
 
 
 @dataclass(frozen=True)
-class Count:
+class Counted:
     """At least 1."""
 
     def check(self, name: str, value: Any) -> int:
@@ -67,7 +68,7 @@ class Words:
         return word
 
 
-Allowed = Range | Count | Words
+Allowed = Range | Counted | Words
 
 
 def _setting(default: Any, allowed: Allowed) -> Any:
@@ -87,7 +88,7 @@ class ContactSettings:
     friction: float = _setting(0.0, Range(ge=0.0))
     tol: float = _setting(1e-8, Range(ge=1e-13, lt=1.0))
     on_border: str = _setting("error", Words(("error", "warn")))
-    max_iterations: int = _setting(5000, Count())
+    max_iterations: int = _setting(5000, Counted())
 
     def __post_init__(self) -> None:
         for item in fields(self):
@@ -95,6 +96,11 @@ class ContactSettings:
             if value is not None or item.default is not None:
                 checked = item.metadata["allowed"].check(item.name, value)
                 object.__setattr__(self, item.name, checked)
+
+    @classmethod
+    def checked(cls, name: str, value: Any) -> Any:
+        """A value of one of them."""
+        return allowed(cls)[name].check(name, value)
 
     def __str__(self) -> str:
         """Those that are not None, as the arguments they are."""
@@ -107,7 +113,7 @@ class Settings(ContactSettings):
     """Of `Simulation`, which tells what they mean."""
 
     tol: float = _setting(1e-6, Range(ge=1e-11, lt=1.0))
-    max_iterations: int = _setting(60, Count())
+    max_iterations: int = _setting(60, Counted())
     increment_tol: float | None = _setting(None, Range(gt=0.0, lt=1.0))
     residual_stress: str = _setting("fast", Words(("fast", "exact")))
     image_tol: float = _setting(1e-3, Range(ge=1e-6, le=0.1))
@@ -129,3 +135,17 @@ class Settings(ContactSettings):
         given["increment_tol"] = self.increment_tol or 0.0
         given["reach"] = round(in_cells("reach", given["reach"], dx))
         return _core.Settings(**given)
+
+
+class Configured(Fixed):
+    """Has its settings as attributes."""
+
+    friction: float
+    tol: float
+    on_border: str
+    max_iterations: int
+    _settings: ContactSettings
+
+    def _configure(self, settings: ContactSettings) -> None:
+        self._settings = settings
+        vars(self).update(asdict(settings))

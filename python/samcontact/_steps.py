@@ -15,6 +15,7 @@ from ._checks import (
     exactly_one,
     finite_array,
     in_cells,
+    integer,
     number,
     of_bodies,
     positive,
@@ -147,6 +148,7 @@ def plastic_fields(
     """Arguments of `Simulation.set_plastic_strain`, depth-major; terms: number of backstresses."""
     rows, ny, nz = grid.volume_shape
     if first is not None:
+        integer("first", first)
         given = np.shape(strain)
         rows = given[1] if len(given) == 4 and given[1] > 0 else rows
     shape = (rows, ny, nz)

@@ -50,9 +50,7 @@ class Told:
             self.looks_at_steps = not warned
         if not self.of_pressure:
             pressure = state.pressure
-            self.of_pressure = resolution.warn_of_strain(
-                pressure, scene, stacklevel=stacklevel + 1
-            )
+            self.of_pressure = resolution.warn_of_strain(pressure, scene, stacklevel=stacklevel + 1)
         if not self.of_strain:
             strain, body = max((state.max_plastic_strain(b), b) for b in (1, 2))
             if strain > SMALL_STRAIN:

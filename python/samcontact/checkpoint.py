@@ -6,7 +6,7 @@ from __future__ import annotations
 import io
 import math
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, astuple, dataclass, fields, replace
 from typing import Any
 
@@ -174,9 +174,15 @@ def _dataset(group: h5py.Group, name: str, values: Any) -> None:
 
 
 def read_checkpoint(
-    path: str | os.PathLike[str], softening: Softening
+    path: str | os.PathLike[str], softening: Sequence[Any]
 ) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the arguments of Simulation(...) and the entries for the core's restore()."""
+    try:
+        law1, law2 = softening
+    except (TypeError, ValueError) as error:
+        raise TypeError(
+            f"softening must be a pair, (law of body 1, law of body 2), got {softening!r}"
+        ) from error
     if not file_path("path", path).is_file():
         raise FileNotFoundError(f"no checkpoint at {os.fspath(path)!r}")
     try:
@@ -192,7 +198,7 @@ def read_checkpoint(
                 )
             if not sealed:
                 raise ValueError("the digest at its end is missing: it was cut off or changed")
-            return _read(file, softening)
+            return _read(file, (law1, law2))
     except CheckpointError:
         raise
     except DAMAGED as error:

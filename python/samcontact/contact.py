@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _expected, _memory, resolution
-from ._checks import FloatArray, choice, exactly_one, finite_array, integer, number
-from ._frozen import Fixed
+from ._checks import FloatArray, choice, exactly_one, finite_array, number
 from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
 from ._repr import Brief, Rows, Shown, quantity
+from ._settings import Configured, ContactSettings
 from .grid import Grid
 from .heat import Heat
 from .material import Material
@@ -83,7 +83,7 @@ class ContactSolution(Brief, Shown):
         ]
 
 
-class ContactSolver(Fixed):
+class ContactSolver(Configured):
     """Contact of two elastic half-spaces with Coulomb friction, gross sliding along x.
 
     Exact Love and Cerruti coefficients, discrete convolution by FFT, active sets with a spectral
@@ -120,11 +120,11 @@ class ContactSolver(Fixed):
         grid: Grid,
         body1: Material,
         body2: Material,
-        friction: float = 0.0,
+        friction: float = ContactSettings.friction,
         *,
-        tol: float = 1e-8,
-        on_border: str = "error",
-        max_iterations: int = 5000,
+        tol: float = ContactSettings.tol,
+        on_border: str = ContactSettings.on_border,
+        max_iterations: int = ContactSettings.max_iterations,
         heat: Heat | None = None,
     ) -> None:
         require_type("grid", grid, Grid)
@@ -133,12 +133,7 @@ class ContactSolver(Fixed):
         self.grid = grid
         self.body1 = body1
         self.body2 = body2
-        self.friction = number("friction", friction)
-        self.tol = number("tol", tol)
-        if not 1e-13 <= self.tol < 1:
-            raise ValueError(f"tol must be in [1e-13, 1), got {self.tol!r}")
-        self.on_border = choice("on_border", on_border, ("error", "warn"))
-        self.max_iterations = integer("max_iterations", max_iterations, 1)
+        self._configure(ContactSettings(friction, tol, on_border, max_iterations))
         upper, lower = body1._core.elastic_constants, body2._core.elastic_constants
         self.heat = COLD if heat is None else heat
         require_type("heat", self.heat, Heat)
@@ -152,9 +147,10 @@ class ContactSolver(Fixed):
         self._core = _core.ContactSolver(grid._core, upper, lower, self.friction, self._heating)
 
     def __repr__(self) -> str:
-        settings = ("friction", "tol", "on_border", "max_iterations", "heat")
-        listed = ", ".join(f"{name}={getattr(self, name)!r}" for name in settings)
-        return f"ContactSolver({self.grid!r}, {self.body1!r}, {self.body2!r}, {listed})"
+        return (
+            f"ContactSolver({self.grid!r}, {self.body1!r}, {self.body2!r}, {self._settings}, "
+            f"heat={self.heat!r})"
+        )
 
     def _require_memory(self) -> None:
         coupled = self.friction > 0 and self.body1.parameters != self.body2.parameters

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _memory
-from ._checks import FloatArray, choice, finite_array, number, real_array, tractions
+from ._checks import FloatArray, choice, finite_array, real_array, tractions
+from ._settings import Settings
 from .grid import Grid
 
 
@@ -115,7 +116,7 @@ def residual_stress(
     nu: float,
     *,
     method: str = "exact",
-    image_tol: float = 1e-3,
+    image_tol: float = Settings.image_tol,
 ) -> FloatArray:
     """Stress [Pa] of an eigenstrain (plastic strain) field, shape (6, nx, ny, nz).
 
@@ -136,12 +137,11 @@ def residual_stress(
     _require_volume(grid)
     elastic = _core.Elastic.isotropic(E, nu)
     exact = choice("method", method, ("exact", "fast")) == "exact"
-    if not 1e-6 <= number("image_tol", image_tol) <= 0.1:
-        raise ValueError(f"image_tol must be in [1e-6, 0.1], got {image_tol!r}")
+    images = Settings.checked("image_tol", image_tol)
     cell = _memory.EXACT_RESIDUAL if exact else _memory.FAST_RESIDUAL
     _memory.require_for_grid(f"the {method} stress", grid, _memory.volume(grid, cell))
     field: FloatArray = _core.operators.residual_stress(
-        grid._core, depth_major(grid, "strain", strain), elastic, exact, float(image_tol)
+        grid._core, depth_major(grid, "strain", strain), elastic, exact, images
     )
     return field
 

@@ -5,33 +5,25 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _expected, _memory, resolution
-from ._checks import FloatArray, choice, finite_array, integer, step_list
-from ._copies import laws, reduced, restored, stand_at
+from ._checks import FloatArray, choice, finite_array, step_list
+from ._copies import reduced, restored, resume, snapshot, stand_at
 from ._core import ConvergenceError
-from ._frozen import Fixed, read_only
+from ._frozen import read_only
 from ._heating import COLD, core_law, heating
 from ._overlap import require_apart
-from ._repr import Rows, Shown, simulation_rows
+from ._repr import Shown, simulation_rows
 from ._running import run_into
-from ._settings import Settings
+from ._settings import Configured, Settings
 from ._steps import STEP, checked_step, largest_cold_load, plastic_fields
-from ._told import PlasticStrainWarning, Told
+from ._told import Told
 from ._turn import Turn
-from .checkpoint import (
-    DAMAGED,
-    CheckpointError,
-    Snapshot,
-    damaged,
-    read_checkpoint,
-    write_checkpoint,
-)
+from .checkpoint import DAMAGED, damaged, read_checkpoint, write_checkpoint
 from .contact import require_type
 from .grid import Grid
 from .heat import Heat
@@ -39,10 +31,8 @@ from .material import Material
 from .relief import Relief, relief_rows
 from .state import State
 
-__all__ = ["CheckpointError", "PlasticStrainWarning", "Simulation"]
 
-
-class Simulation(Fixed, Shown):
+class Simulation(Configured, Shown):
     """Elastic-plastic contact of two bodies, increment after increment.
 
     Each increment solves, implicitly, contact and plastic flow together: the plastic strain
@@ -98,11 +88,7 @@ class Simulation(Fixed, Shown):
         for the plastic zone, and `State` for a volume field.
     """
 
-    friction: float
-    tol: float
     increment_tol: float | None
-    on_border: str
-    max_iterations: int
     residual_stress: str
     image_tol: float
     reach: float
@@ -129,9 +115,7 @@ class Simulation(Fixed, Shown):
         require_type("grid", grid, Grid)
         require_type("body1", body1, Material)
         require_type("body2", body2, Material)
-        self.grid = grid
-        self.body1 = body1
-        self.body2 = body2
+        self.grid, self.body1, self.body2 = grid, body1, body2
         scanned = grid.nz > 0 and (body1.is_plastic or body2.is_plastic)
         cell = _memory.SIMULATION + (_memory.YIELD_SCAN if scanned else 0.0)
         _memory.require_for_grid("a simulation", grid, _memory.surface(grid, cell))
@@ -145,12 +129,9 @@ class Simulation(Fixed, Shown):
             max_iterations=max_iterations,
             residual_stress=residual_stress,
             image_tol=image_tol,
-            reach=reach,
+            reach=grid.nx * grid.dx if reach is None else reach,
         )
-        if settings.reach is None:
-            settings = replace(settings, reach=grid.nx * grid.dx)
-        vars(self).update(asdict(settings))
-        self._settings = settings
+        self._configure(settings)
         self._heat = COLD if heat is None else heat
         require_type("heat", self._heat, Heat)
         heating(self._heat, (body1, body2), grid)  # checks it against the bodies
@@ -315,16 +296,25 @@ class Simulation(Fixed, Shown):
         """
         states: list[State] = []
         try:
-            steps = step_list("path", path, STEP)
-            if not any(self._heat.factor) and (load := largest_cold_load(steps)) is not None:
-                self._require_room(load)
-            with self._told.as_a_whole():
-                run_into(states, self, steps, progress, checkpoint)
-            resolution.warn_of_run(states, self._scene, stacklevel=2)
+            self._run_into(states, step_list("path", path, STEP), progress, checkpoint)
         except BaseException as error:  # Ctrl-C too
             error.states = states  # type: ignore[attr-defined]
             raise
         return states
+
+    def _run_into(
+        self,
+        states: list[State],
+        steps: Sequence[Mapping[str, Any]],
+        progress: bool,
+        checkpoint: str | os.PathLike[str] | None,
+    ) -> None:
+        """Append the state of each increment as soon as it is done."""
+        if not any(self._heat.factor) and (load := largest_cold_load(steps)) is not None:
+            self._require_room(load)
+        with self._told.as_a_whole():
+            run_into(states, self, steps, progress, checkpoint)
+        resolution.warn_of_run(states, self._scene, stacklevel=3)
 
     @property
     def state(self) -> State:
@@ -368,14 +358,12 @@ class Simulation(Fixed, Shown):
             A field of another shape, not finite, or with values outside their range.
         """
         index = choice("body", body, (1, 2)) - 1
-        row = 0 if first is None else integer("first", first)
         terms = len((self.body1, self.body2)[index].kinematic)
         fields = plastic_fields(self.grid, strain, equivalent, backstress, terms, first)
         with self._turn:
-            self._core.set_plastic_state(index, row, *fields)
+            self._core.set_plastic_state(index, first or 0, *fields)
 
-    def _rows(self) -> Rows:
-        return simulation_rows(self)
+    _rows = simulation_rows
 
     def __repr__(self) -> str:
         return (
@@ -386,30 +374,9 @@ class Simulation(Fixed, Shown):
     def __reduce__(self) -> tuple[Any, ...]:
         return restored, reduced(self), {"_told": self._told}
 
-    def _snapshot(self, state: State | None = None) -> Snapshot:
-        """As it stands, or as it stood in an earlier state."""
-        arguments = {
-            "grid": self.grid,
-            "body1": self.body1,
-            "body2": self.body2,
-            "gap": self.initial_gap,
-            **asdict(self._settings),
-            "heat": self._heat if state is None else state._heat,
-            "relief1": self.relief1,
-            "relief2": self.relief2,
-        }
-        core = self._core.state if state is None else state._core
-        return Snapshot(arguments, core, self.counters)
-
-    def _resume(self, kept: tuple[dict[str, Any], dict[str, Any]]) -> None:
-        """Stand as a checkpoint of the same scene tells: its arguments, and entries for the core."""
-        arguments, saved = kept
-        self._core.restore(saved)
-        self._heat = arguments["heat"]
-
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a checkpoint (HDF5), replacing an old one only when the new one is complete."""
-        write_checkpoint(path, self._snapshot())
+        write_checkpoint(path, snapshot(self))
 
     @classmethod
     def load(
@@ -423,16 +390,10 @@ class Simulation(Fixed, Shown):
 
         Raises CheckpointError (a ValueError) for a file that is no checkpoint or is damaged.
         """
-        try:
-            law1, law2 = softening
-        except (TypeError, ValueError) as error:
-            raise TypeError(
-                f"softening must be a pair, (law of body 1, law of body 2), got {softening!r}"
-            ) from error
-        kept = read_checkpoint(path, (law1, law2))
+        kept = read_checkpoint(path, softening)
         try:
             simulation = cls(**kept[0])
-            simulation._resume(kept)
+            resume(simulation, kept)
         except DAMAGED as error:
             raise damaged(path, error) from error
         return simulation

@@ -11,7 +11,7 @@ import numpy as np
 
 from . import _memory
 from ._checks import MOST_CELLS, FloatArray, choice, integer
-from ._copies import Kept, reduced, restored_state
+from ._copies import Standing, reduced, restored_state
 from ._frozen import Fixed
 from ._kept import kept
 from ._repr import Rows, Shown, quantity
@@ -34,7 +34,7 @@ class State(Fixed, Shown):
     asks for it. A pickle or copy stands for itself, with a simulation of its own.
     """
 
-    def __init__(self, core: Any, simulation: Kept, heat: Heat) -> None:
+    def __init__(self, core: Any, simulation: Standing, heat: Heat) -> None:
         self.grid = simulation.grid
         self._tracks: dict[tuple[int, int], Track] = {}
         self._core = core

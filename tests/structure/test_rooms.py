@@ -55,6 +55,7 @@ CORE_USERS = {
     "_heating",
     "_laws",
     "_overlap",
+    "_settings",
     "_load_core",
     "checkpoint",
     "contact",

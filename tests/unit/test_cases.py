@@ -39,8 +39,9 @@ def test_defaults_and_steps(write):
     assert case.contact.model_dump() == {
         "friction": 0.0,
         "tol": 1e-6,
-        "increment_tol": None,
         "on_border": "error",
+        "max_iterations": 60,
+        "increment_tol": None,
         "residual_stress": "fast",
         "image_tol": 1e-3,
         "reach": None,

@@ -28,7 +28,8 @@ ROUGH = {
 SURFACE = {"shape": "paraboloid", "Rx": 1e-3, "Ry": 2e-3, "roughness": ROUGH}
 CONTACT = {
     "friction": 0.1, "tol": 1e-6, "increment_tol": 1e-3, "on_border": "warn",
-    "residual_stress": "fast", "image_tol": 2e-3, "reach": 1e-4,
+    "residual_stress": "fast", "image_tol": 2e-3, "max_iterations": 50,
+    "reach": 1e-4,
 }  # fmt: skip
 HEAT = {
     "factor": [1e-3, 2e-3], "velocity": [[1.0, 0.0], [0.5, 0.0]], "time": 1e-3, "reference": 0.5,
@@ -58,7 +59,7 @@ TUGGING = {
                 "cells_per_increment": 2, "increments": 12, "width": 1.7, "depth": 1.5},
     "body1": COLD, "body2": COLD, "relief1": DENT, "relief2": ROUGH,
     "contact": {k: CONTACT[k] for k in ("tol", "increment_tol", "on_border", "residual_stress",
-                                        "image_tol", "reach")},
+                                        "image_tol", "max_iterations", "reach")},
 }  # fmt: skip
 WEAR = {"threshold": 2e-3, "cycles": 3, "worn": [2], "window": [3, 5], "order": 1}
 KINDS = {

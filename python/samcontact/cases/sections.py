@@ -4,15 +4,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, create_model, model_validator
 
 from .. import surfaces
 from .._checks import FloatArray
+from .._settings import Allowed, Counted, Settings, Words
+from .._settings import allowed as allowed_of
 from ..heat import Heat
 from .base import (
     Count,
+    Finite,
     HeatFactor,
     HeightsFile,
     Length,
@@ -164,16 +167,34 @@ SurfaceSection = Annotated[
 ]
 
 
-class ContactSection(Section):
-    """[contact]: friction and solver settings."""
+def _annotation(allowed: Allowed) -> Any:
+    """What a setting may be, as a case file has it."""
+    if isinstance(allowed, Words):
+        return Literal[allowed.allowed]
+    if isinstance(allowed, Counted):
+        return Count
+    limits = Field(gt=allowed.gt, ge=allowed.ge, lt=allowed.lt, le=allowed.le)
+    return Annotated[(Finite, limits, in_unit(allowed.unit)) if allowed.unit else (Finite, limits)]
 
-    friction: NonNegative = 0.0
-    tol: Annotated[float, Field(ge=1e-11, lt=1.0)] = 1e-6
-    increment_tol: Annotated[float, Field(gt=0.0, lt=1.0)] | None = None
-    on_border: Literal["error", "warn"] = "error"
-    residual_stress: Literal["fast", "exact"] = "fast"
-    image_tol: Annotated[float, Field(ge=1e-6, le=0.1)] = 1e-3
-    reach: Annotated[NonNegative, in_unit("m")] | None = None
+
+def settings_section(name: str, without: tuple[str, ...] = (), **defaults: Any) -> Any:
+    """A section [contact] of the settings of a simulation; defaults: where they are others."""
+    fields: dict[str, Any] = {}
+    for setting, allowed in allowed_of(Settings).items():
+        if setting in without:
+            continue
+        default = defaults.get(setting, getattr(Settings, setting))
+        annotation = _annotation(allowed)
+        fields[setting] = (annotation | None if default is None else annotation, default)
+    return create_model(name, __base__=Section, __doc__="[contact]: solver settings.", **fields)
+
+
+if TYPE_CHECKING:
+
+    class ContactSection(Section):
+        friction: float = Settings.friction
+else:
+    ContactSection = settings_section("ContactSection")
 
 
 class HeatSection(Section):

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field, model_validator
 
@@ -15,15 +15,13 @@ from .base import (
     CaseFile,
     Count,
     Length,
-    NonNegative,
     OutputPlace,
     Positive,
     Section,
-    in_unit,
 )
 from .bodies import BodySection
 from .motion import ReliefSection
-from .sections import GridSection
+from .sections import GridSection, settings_section
 from .used import require_all_used_in_tugging
 
 
@@ -54,15 +52,11 @@ class TuggingSection(Section):
         return {n: getattr(self, n) for n in names if getattr(self, n) is not None}
 
 
-class TuggingSolver(Section):
-    """[contact]: solver settings."""
-
-    tol: Annotated[float, Field(ge=1e-11, lt=1.0)] | None = None
-    increment_tol: Annotated[float, Field(gt=0.0, lt=1.0)] | None = None
-    on_border: Literal["error", "warn"] = "error"
-    residual_stress: Literal["fast", "exact"] = "fast"
-    image_tol: Annotated[float, Field(ge=1e-6, le=0.1)] = 1e-3
-    reach: Annotated[NonNegative, in_unit("m")] | None = None
+if TYPE_CHECKING:
+    TuggingSolver = Section
+else:
+    # the spheres are smooth; without a tol it is that of `tug`
+    TuggingSolver = settings_section("TuggingSolver", without=("friction",), tol=None)
 
 
 class TuggingCase(CaseFile):

@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike
 
 from .._checks import FloatArray
 from .._expected import Expected
+from .._told import SMALL_STRAIN
 from .._verdict import Verdict
 from ..resolution import TOO_FEW
 from ..results.vtk import cell_size
-from ..simulation import SMALL_STRAIN
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, exactly_one, finite_array, integer, number, positive
+from .._told import SMALL_STRAIN
 from ..contact import ContactSolver, require_type
 from ..grid import Grid
 from ..material import Material
 from ..relief import Relief, relief_rows
-from ..simulation import SMALL_STRAIN
 from .steps import Gaussian, Polynomials, Window, window_and_order
 
 YIELD_STRAIN = 20e-6
