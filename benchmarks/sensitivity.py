@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import argparse
 import importlib
-import json
 import os
 import re
 import sys
@@ -99,7 +98,7 @@ def stated(task: tuple[str, str | None, bool]) -> dict[str, list[float]]:
         except Exception as error:  # told in the table: the others go on
             return {"(not computed)": [float("nan")], str(error)[:60]: []}
     return {
-        entry.quantity: [entry.ours]
+        entry.quantity: [float(entry.ours)]
         if hasattr(entry, "unit")
         else [float(number) for number in NUMBER.findall(entry.ours)]
         for entry in entries
@@ -112,6 +111,10 @@ def moved(before: list[float], after: list[float] | None) -> float:
         return float("nan")
     scale = max(map(abs, before)) or 1.0
     return 100 * max(abs(b - a) for a, b in zip(before, after, strict=True)) / scale
+
+
+def _numbers(text: str) -> list[float]:
+    return [float(number) for number in text.strip("[]").split(",") if number.strip()]
 
 
 def page(table: pd.DataFrame, quick: bool) -> str:
@@ -142,12 +145,12 @@ def main(given: list[str] | None = None) -> int:
     parser.add_argument("parts", nargs="*", default=PARTS)
     parser.add_argument("--quick", action="store_true", help="the coarse meshes of the tests")
     parser.add_argument("--processes", type=int, default=1)
-    output = ROOT / "results" / "benchmarks" / "sensitivity.csv"
+    output = ROOT / "benchmarks" / "sensitivity.csv"
     parser.add_argument("--output", type=Path, default=output)
     parser.add_argument("--docs", action="store_true", help=f"write {PAGE.relative_to(ROOT)} of it")
     chosen = parser.parse_args(given)
     if chosen.docs:
-        kept = pd.read_csv(chosen.output, converters={"values": json.loads})
+        kept = pd.read_csv(chosen.output, converters={"values": _numbers})
         PAGE.write_text(page(kept, chosen.quick), encoding="utf-8")
         return 0
     os.environ["OMP_NUM_THREADS"] = "1"
