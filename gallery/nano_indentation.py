@@ -6,11 +6,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from .bodies import RIGID
+from .drawing import gridded
 from .page import Number, Picture, Statement
 
 TITLE = "Nano-indentation"
@@ -52,7 +53,7 @@ class Results:
 
 def hertz(load: float) -> sc.hertz.PointContact:
     """Elastic contact of tip and steel."""
-    E_star = sc.hertz.effective_modulus(sc.Material.rigid(), STEEL)
+    E_star = sc.hertz.effective_modulus(RIGID, STEEL)
     return sc.hertz.point(R=TIP, E_star=E_star, load=load)
 
 
@@ -64,9 +65,9 @@ def compute(quick: bool) -> Results:
     grid = sc.Grid(*n, 0.6e-6 / finer, 1.2e-6 / finer, 44 * finer, 0.3e-6 / finer)
     gap = sc.surfaces.paraboloid(grid, TIP)
     count = 13 * finer
-    by_load = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap)
+    by_load = sc.Simulation(grid, RIGID, STEEL, gap)
     loaded = by_load.run(sc.paths.load_unload(load=LOAD, increments=count), progress=False)
-    by_approach = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap)
+    by_approach = sc.Simulation(grid, RIGID, STEEL, gap)
     # down to where the bodies part, as by load
     path = sc.paths.load_unload(
         approach=loaded[count - 1].approach, end=loaded[-1].approach, increments=count
@@ -177,15 +178,8 @@ def figures(results: Results) -> list[Picture]:
     ]
 
 
-def new_axes(width: float = 6.0, height: float = 4.2) -> tuple[Figure, Axes]:
-    figure = Figure(figsize=(width, height), layout="constrained")
-    ax = figure.subplots()
-    ax.grid(True, linewidth=0.4, alpha=0.5)
-    return figure, ax
-
-
 def print_figure(results: Results) -> Figure:
-    figure, ax = new_axes()
+    figure, ax = gridded()
     loading = results.by_load[: results.top + 1]
     _, load = curve(loading)
     ax.plot(
@@ -203,7 +197,7 @@ def print_figure(results: Results) -> Figure:
 
 
 def load_figure(results: Results) -> Figure:
-    figure, ax = new_axes()
+    figure, ax = gridded()
     w, load = (np.append(0.0, values) for values in curve(results.by_load))
     ax.plot(w * 1e9, load * 1e3, "-", label="given load")
     w, load = curve(results.by_approach)
@@ -221,7 +215,7 @@ def load_figure(results: Results) -> Figure:
 
 
 def pressure_figure(results: Results) -> Figure:
-    figure, ax = new_axes()
+    figure, ax = gridded()
     x, row = results.grid.x * 1e6, results.grid.ny // 2
     fine = np.linspace(x[0], x[-1], 400)
     count = results.top + 1

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What several parts do with stresses and profiles: invariants, signs, the looks of axes."""
+"""What several parts do with stresses, profiles and lists of numbers."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+
 import numpy as np
-from matplotlib.axes import Axes
 
 
 def von_mises(stress: np.ndarray) -> np.ndarray:
@@ -24,9 +25,30 @@ def succession(values: np.ndarray, negligible: float) -> list[str]:
     return found
 
 
-def finish(ax: Axes, xlabel: str = "", ylabel: str = "", legend: bool = True) -> None:
-    """Labels, grid and legend."""
-    ax.set(xlabel=xlabel, ylabel=ylabel)
-    ax.grid(True, linewidth=0.4, alpha=0.5)
-    if legend:
-        ax.legend(frameon=False, fontsize="small")
+def top(x: np.ndarray, values: np.ndarray) -> tuple[float, float]:
+    """Largest value and its position, by the parabola through the three largest samples."""
+    k = int(values.argmax())
+    if k in (0, len(values) - 1):
+        return float(values[k]), float(x[k])
+    c = np.polyfit(x[k - 1 : k + 2] - x[k], values[k - 1 : k + 2], 2)
+    at = -c[1] / (2 * c[0])
+    return float(np.polyval(c, at)), float(x[k] + at)
+
+
+def largest(plane: np.ndarray, x: np.ndarray, z: np.ndarray) -> tuple[float, float, float]:
+    """Largest value of a field in a plane (x, z), and where it is."""
+    i, k = np.unravel_index(int(plane.argmax()), plane.shape)
+    return float(plane[i, k]), float(x[i]), float(z[k])
+
+
+def each(values: Iterable[float], form: str = ".3g") -> str:
+    """Numbers of a sentence."""
+    return ", ".join(f"{value:{form}}" for value in values)
+
+
+def grows(values: Sequence[float] | np.ndarray) -> bool:
+    return bool(np.all(np.diff(values) > 0))
+
+
+def falls(values: Sequence[float] | np.ndarray) -> bool:
+    return bool(np.all(np.diff(values) < 0))

@@ -11,10 +11,12 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from .bodies import CERAMIC, STEEL_52100, STEEL_M50
+from .drawing import axes, finish
 from .limits import first_order
 from .page import Number, Picture, Statement
-from .profiles import finish, succession
-from .track import BALL, CERAMIC, RADIUS, STEEL_52100, STEEL_M50, Cycle, Mesh, Run, ellipse, roll
+from .profiles import succession
+from .track import BALL, RADIUS, Cycle, Mesh, Run, ellipse, roll
 
 TITLE = "Rolling, and its cycles"
 INTRODUCTION = """
@@ -242,8 +244,7 @@ def figures(results: Results) -> list[Picture]:
 
 
 def bearing(results: Results) -> Picture:
-    figure = Figure(figsize=(9.0, 3.4), layout="constrained")
-    left, right = figure.subplots(1, 2, sharey=True)
+    figure, (left, right) = axes(1, 2, (9.0, 3.4), sharey=True)
     for k, (name, run) in enumerate(results.bearing.items()):
         last = run.steady
         left.plot(last.y * 1e6, -last.across * 1e6, color=f"C{k}", label=name)
@@ -259,8 +260,7 @@ def bearing(results: Results) -> Picture:
 
 def prints(results: Results) -> Picture:
     a, run = BALL.a, results.rolled
-    figure = Figure(figsize=(9.0, 6.4), layout="constrained")
-    upper, lower = figure.subplots(2, 1)
+    figure, (upper, lower) = axes(2, 1, (9.0, 6.4))
     shown = run.vertical
     upper.plot(shown.x / a, -1e3 * shown.along / a, "ks", markersize=3, markerfacecolor="none",
                label="pressed and unloaded")  # fmt: skip

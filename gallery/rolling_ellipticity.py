@@ -8,11 +8,12 @@ from itertools import pairwise
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
+from .bodies import CERAMIC, STEEL_52100
+from .drawing import axes, finish, hertz_curve
 from .page import Number, Picture, Statement
-from .profiles import finish, succession
-from .track import BALL, CERAMIC, STEEL_52100, Mesh, Run, ellipse, roll, table_ellipse, top
+from .profiles import each, falls, grows, succession, top
+from .track import BALL, Mesh, Run, both_cycles, ellipse, roll, table_ellipse
 
 TITLE = "Rolling, effect of the ellipticity"
 INTRODUCTION = """
@@ -50,18 +51,6 @@ def compute(quick: bool) -> Results:
     runs = {k: roll(BODIES, table_ellipse(k, k * LOAD), table, way, 2) for k in kept}
     others = {k: roll(BODIES, ellipse(k), exact, way) for k in kept if k < 16 or not quick}
     return Results(runs, others, str(table), str(exact))
-
-
-def each(values: list[float], form: str = ".3g") -> str:
-    return ", ".join(f"{value:{form}}" for value in values)
-
-
-def grows(values: list[float]) -> bool:
-    return bool(np.all(np.diff(values) > 0))
-
-
-def falls(values: list[float]) -> bool:
-    return bool(np.all(np.diff(values) < 0))
 
 
 def stated(results: Results) -> list[Number | Statement]:
@@ -265,24 +254,26 @@ def figures(results: Results) -> list[Picture]:
 
 
 def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
-    """Profiles on the axis; dashed after the first cycle."""
-    for n, (k, run) in enumerate(results.runs.items()):
-        for cycle, style in zip(run.cycles, ("--", "-"), strict=True):
-            label = f"k = {k}" if style == "-" else None
-            values = scale * cycle.profile(name)
-            ax.plot(cycle.z / BALL.a, values, color=f"C{n}", linestyle=style, label=label)
+    """Profiles on the axis."""
+
+    def points(run: Run, n: int) -> tuple[np.ndarray, np.ndarray]:
+        return run.cycles[n].z / BALL.a, scale * run.cycles[n].profile(name)
+
+    both_cycles(ax, results.runs, "k = {}", points)
     ax.set_xlim(0, 2.2)
 
 
 def prints(results: Results) -> Picture:
     a = BALL.a
-    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
-    left, right = figure.subplots(1, 2, sharey=True)
-    for n, (k, run) in enumerate(results.runs.items()):
-        for cycle, style in zip(run.cycles, ("--", "-"), strict=True):
-            label = f"k = {k}" if style == "-" else None
-            left.plot(cycle.x / a, -1e3 * cycle.along / a, f"C{n}{style}", label=label)
-            right.plot(cycle.y / a, -1e3 * cycle.across / a, f"C{n}{style}", label=label)
+    figure, (left, right) = axes(sharey=True)
+    both_cycles(
+        left,
+        results.runs,
+        "k = {}",
+        lambda run, n: (run.cycles[n].x / a, -1e3 * run.cycles[n].along / a),
+    )
+    both_cycles(right, results.runs, "k = {}",
+                lambda run, n: (run.cycles[n].y / a, -1e3 * run.cycles[n].across / a))  # fmt: skip
     right.set_xlim(-15, 15)
     finish(left, "rolling direction x/a", "height of the surface [a/1000]")
     finish(right, "across the track y/a")
@@ -296,11 +287,9 @@ def prints(results: Results) -> Picture:
 
 def pressures(results: Results) -> Picture:
     a, p0 = BALL.a, BALL.p0
-    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
-    left, right = figure.subplots(1, 2, sharey=True)
-    fine = np.linspace(-1.6, 1.6, 321)
+    figure, (left, right) = axes(sharey=True)
     for ax, runs in ((left, results.runs), (right, results.exact)):
-        ax.plot(fine, BALL.pressure(fine * a) / p0, "k--", linewidth=1, label="Hertz, 5.7 GPa")
+        hertz_curve(ax, BALL, p0, 1.6, "Hertz, 5.7 GPa")
         for n, k in enumerate(results.runs):
             if k in runs:
                 run = runs[k]
@@ -319,13 +308,10 @@ def pressures(results: Results) -> Picture:
 
 
 def profiles(results: Results) -> Picture:
-    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
-    left, right = figure.subplots(1, 2)
+    figure, (left, right) = axes()
     curves(left, results, "gamma", 100.0)
-    for n, (k, run) in enumerate(results.runs.items()):
-        for values, style in zip(run.loaded_axis, ("--", "-"), strict=True):
-            label = f"k = {k}" if style == "-" else None
-            right.plot(run.z / BALL.a, values / BALL.p0, f"C{n}{style}", label=label)
+    both_cycles(right, results.runs, "k = {}",
+                lambda run, n: (run.z / BALL.a, run.loaded_axis[n] / BALL.p0))  # fmt: skip
     left.axvline(0.48, color="k", linestyle=":", linewidth=1)
     left.axvline(0.8, color="k", linestyle=":", linewidth=1)
     right.set_xlim(0, 2.2)
@@ -341,8 +327,7 @@ def profiles(results: Results) -> Picture:
 
 
 def stresses(results: Results) -> Picture:
-    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
-    left, right = figure.subplots(1, 2)
+    figure, (left, right) = axes()
     curves(left, results, "von_mises", 1 / BALL.p0)
     curves(right, results, "hydrostatic", 1 / BALL.p0)
     left.axhline(0.1, color="k", linestyle=":", linewidth=1, label="stated: 10 % for k = 1")

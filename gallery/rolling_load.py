@@ -7,13 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from .bodies import CERAMIC, ELASTIC, STEEL_52100
+from .drawing import axes, finish
 from .page import Number, Picture, Statement
-from .profiles import finish
-from .track import BALL, CERAMIC, ELASTIC, STEEL_52100, Mesh, Run, roll, table_ellipse
+from .profiles import each, grows
+from .track import BALL, Mesh, Run, both_cycles, roll, table_ellipse
 
 TITLE = "Rolling, effect of the load"
 INTRODUCTION = """
@@ -85,10 +86,6 @@ def compute(quick: bool) -> Results:
 
 def stated(results: Results) -> list[Number | Statement]:
     return [*contacts(results), *numbers(results), *trends(results), *hydrostatic_trends(results)]
-
-
-def each(values: list[float], form: str = ".3g") -> str:
-    return ", ".join(f"{value:{form}}" for value in values)
 
 
 def contacts(results: Results) -> list[Number | Statement]:
@@ -165,14 +162,14 @@ def trends(results: Results) -> list[Number | Statement]:
             "depth of the largest plastic strain, from 4.2 to 8 GPa",
             "increases with the load",
             f"{each(depths, '.0f')} µm",
-            bool(np.all(np.diff(depths) > 0)),
+            grows(depths),
             mesh,
         ),
         Statement(
             "plastic zone, from 4.2 to 8 GPa",
             "grows significantly with the load",
             f"{each(zones, '.0f')} µm high on the axis",
-            bool(np.all(np.diff(zones) > 0)) and zones[-1] > 2 * zones[0],
+            grows(zones) and zones[-1] > 2 * zones[0],
             mesh,
         ),
         Statement(
@@ -225,12 +222,12 @@ def figures(results: Results) -> list[Picture]:
 
 
 def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
-    """Profiles on the axis; dashed after the first cycle."""
-    for k, (pressure, run) in enumerate(results.runs.items()):
-        for cycle, style in zip(run.cycles, ("--", "-"), strict=True):
-            label = f"{pressure:g} GPa" if style == "-" else None
-            values = scale * cycle.profile(name)
-            ax.plot(1e6 * cycle.z, values, color=f"C{k}", linestyle=style, label=label)
+    """Profiles on the axis."""
+
+    def points(run: Run, n: int) -> tuple[np.ndarray, np.ndarray]:
+        return 1e6 * run.cycles[n].z, scale * run.cycles[n].profile(name)
+
+    both_cycles(ax, results.runs, "{:g} GPa", points)
     ax.set_xlim(0, 1400)
 
 
@@ -240,8 +237,7 @@ def marks(ax: Axes, stated: dict[float, float]) -> None:
 
 
 def strains(results: Results) -> Picture:
-    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
-    left, right = figure.subplots(1, 2)
+    figure, (left, right) = axes()
     curves(left, results, "gamma", 100.0)
     curves(right, results, "von_mises", 1e-6)
     marks(left, STRAIN)
@@ -257,8 +253,7 @@ def strains(results: Results) -> Picture:
 
 
 def hydrostatic(results: Results) -> Picture:
-    figure = Figure(figsize=(5.4, 3.8), layout="constrained")
-    ax = figure.subplots()
+    figure, ax = axes(1, 1, (5.4, 3.8))
     curves(ax, results, "hydrostatic", 1e-6)
     ax.axhline(0, color="k", linewidth=0.6)
     ax.axhspan(-390, 180, color="C3", alpha=0.08, label="stated range, 8 GPa")
@@ -271,13 +266,9 @@ def hydrostatic(results: Results) -> Picture:
 
 
 def prints(results: Results) -> Picture:
-    figure = Figure(figsize=(9.0, 3.6), layout="constrained")
-    ax = figure.subplots()
-    for k, (pressure, run) in enumerate(results.runs.items()):
-        for cycle, style in zip(run.cycles, ("--", "-"), strict=True):
-            label = f"{pressure:g} GPa" if style == "-" else None
-            x, height = 1e3 * cycle.x, -1e6 * cycle.along
-            ax.plot(x, height, color=f"C{k}", linestyle=style, label=label)
+    figure, ax = axes(1, 1, (9.0, 3.6))
+    both_cycles(ax, results.runs, "{:g} GPa",
+                lambda run, n: (1e3 * run.cycles[n].x, -1e6 * run.cycles[n].along))  # fmt: skip
     for depth in (6.93, 2.96):
         ax.axhline(-depth, color="k", linestyle=":", linewidth=1,
                    label="stated: 6.93 and 2.96 µm" if depth == 2.96 else None)  # fmt: skip

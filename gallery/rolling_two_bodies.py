@@ -6,13 +6,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from .bodies import CERAMIC, ELASTIC, MICRO_STRAIN, STEEL_52100
+from .drawing import axes, finish, hertz_curve
 from .page import Number, Picture, Statement
-from .profiles import finish
-from .track import BALL, CERAMIC, ELASTIC, STEEL_52100, Mesh, Run, ellipse, roll, top
+from .profiles import each, grows, top
+from .track import BALL, Mesh, Run, ellipse, roll
 
 TITLE = "Pressed and rolled"
 INTRODUCTION = """
@@ -25,7 +26,7 @@ flat with linear hardening, tangent modulus E_t over Young's modulus from 0 to 0
 and load are not stated: taken here are the micro-yield stress of 52100, 1477 MPa, and 5.7 GPa.
 """
 
-MICRO_YIELD = float(STEEL_52100.yield_stress(20e-6))
+MICRO_YIELD = float(STEEL_52100.yield_stress(MICRO_STRAIN))
 PAIRS = {"E_EP": (ELASTIC, STEEL_52100), "EP_EP": (STEEL_52100, STEEL_52100)}
 E_STAR = sc.hertz.effective_modulus(ELASTIC, STEEL_52100)
 SLOPES = (0.0, 0.2, 0.4, 0.6, 0.8)
@@ -93,13 +94,13 @@ def curves(runs: dict[float, Run]) -> Curves:
 
 
 def percents(values: np.ndarray) -> str:
-    return ", ".join(f"{100 * value:.3g}" for value in values) + " %"
+    return each(100 * values) + " %"
 
 
 def stated_pairs(results: Results) -> list[Number | Statement]:
     mesh = results.mesh
     found = {key: curves(runs) for key, runs in results.runs.items()}
-    loads = ", ".join(f"{pressure:g}" for pressure in next(iter(results.runs.values())))
+    loads = each(next(iter(results.runs.values())), "g")
     entries: list[Number | Statement] = []
     for (pair, k), c in found.items():
         entries.append(
@@ -183,19 +184,19 @@ def stated_hardening(results: Results) -> list[Number | Statement]:
         float(np.abs(run.vertical_pressure - run.vertical_pressure[::-1]).max()) / run.p0
         for run in runs.values()
     ]
-    name = ", ".join(f"{slope:g}" for slope in runs)
+    name = each(runs, "g")
     return [
         Statement(
             f"largest pressure, pressed, E_t / E = {name}",
             "curves, no numbers",
-            ", ".join(f"{value:.3g}" for value in pressed) + " GPa",
-            bool(np.all(np.diff(pressed) > 0)) and pressed[-1] < 5.7,
+            each(pressed) + " GPa",
+            grows(pressed) and pressed[-1] < 5.7,
             mesh,
         ),
         Statement(
             "the same, rolled",
             "another shape, higher than pressed",
-            ", ".join(f"{value:.3g}" for value in rolled) + " GPa",
+            each(rolled) + " GPa",
             all(r > p for r, p in zip(rolled, pressed, strict=True)),
             mesh,
         ),
@@ -209,7 +210,7 @@ def stated_hardening(results: Results) -> list[Number | Statement]:
         Statement(
             f"place of the largest pressure x/a, rolled to +x, E_t / E = {name}",
             "not symmetric, on the side of the rolling direction",
-            ", ".join(f"{value:+.3f}" for value in places),
+            each(places, "+.3f"),
             min(places) > 0 and max(skew) < 1e-6,
             mesh,
             remark="By a parabola through three cells. The resultant lies at "
@@ -234,8 +235,7 @@ def figures(results: Results) -> list[Picture]:
 
 
 def loads(results: Results) -> Picture:
-    figure = Figure(figsize=(9.0, 6.4), layout="constrained")
-    (first, second), (third, fourth) = figure.subplots(2, 2, sharex=True, sharey="row")
+    figure, ((first, second), (third, fourth)) = axes(2, 2, (9.0, 6.4), sharex=True, sharey="row")
     for n, (pair, k) in enumerate(results.runs):
         c, label = curves(results.runs[pair, k]), f"{pair}, k = {k}"
         x = c.p0 / MICRO_YIELD
@@ -258,8 +258,7 @@ def loads(results: Results) -> Picture:
 
 
 def laws() -> Picture:
-    figure = Figure(figsize=(5.0, 3.4), layout="constrained")
-    ax = figure.subplots()
+    figure, ax = axes(1, 1, (5.0, 3.4))
     strain = np.linspace(0.0, 0.02, 101)
     for slope in SLOPES:
         flat = sc.Material.linear_hardening(STEEL_52100.E, 0.3, MICRO_YIELD, slope * STEEL_52100.E)
@@ -272,11 +271,9 @@ def laws() -> Picture:
 
 
 def distributions(results: Results) -> Picture:
-    figure = Figure(figsize=(10.0, 3.8), layout="constrained")
-    left, middle, right = figure.subplots(1, 3, sharey=True)
-    fine = np.linspace(-1.6, 1.6, 321)
+    figure, (left, middle, right) = axes(1, 3, (10.0, 3.8), sharey=True)
     for ax in (left, middle, right):
-        ax.plot(fine, BALL.pressure(fine * BALL.a) * 1e-9, "k--", linewidth=1, label="Hertz")
+        hertz_curve(ax, BALL, reach=1.6)
         ax.set_xlim(-1.6, 1.6)
     for slope, run in results.hardening.items():
         label = f"E_t / E = {slope:g}"

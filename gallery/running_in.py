@@ -6,14 +6,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.figure import Figure
 
 import samcontact as sc
 from samcontact.plotting import wear
 
+from .bodies import ELASTIC
+from .drawing import axes, finish
 from .page import Number, Picture, Statement
-from .profiles import finish
-from .wear import E_STAR, ELASTIC, FRICTION, RADIUS, STEEL, THRESHOLD
+from .wear import E_STAR, FRICTION, RADIUS, STEEL, THRESHOLD
 from .wear import HERTZ as SMOOTH
 
 TITLE = "Running-in of a rough surface"
@@ -154,8 +154,7 @@ def figures(results: Results) -> list[Picture]:
 
 
 def surface(found: sc.wear.WearResult, cycle: int, name: str, caption: str) -> Picture:
-    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
-    left, right = figure.subplots(1, 2)
+    figure, (left, right) = axes()
     last = len(found.cycles)
     wear.surface_map(found, left, cycle=cycle)
     wear.worn_profile(found, right, position=CREST, cycles=(0,) if cycle == 0 else (0, 1, 2, last))
@@ -171,8 +170,7 @@ def panels(moments: tuple[sc.State, sc.State], name: str, caption: str) -> Pictu
 
 
 def history(found: sc.wear.WearResult) -> Picture:
-    figure = Figure(figsize=(9.0, 3.6), layout="constrained")
-    left, right = figure.subplots(1, 2)
+    figure, (left, right) = axes(1, 2, (9.0, 3.6))
     wear.wear_rate(found, left)
     left.axvline(STATED_CYCLES, color="k", linestyle="--", linewidth=1, label="stated: 7 cycles")
     finish(left, "cycle", "worn volume per cycle [µm³]")

@@ -3,19 +3,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from scipy.optimize import brentq
 
 import samcontact as sc
 
+from .bodies import CERAMIC, STEEL_52100
+from .profiles import top
+
 RADIUS = 4.7625e-3
-CERAMIC = sc.Material.elastic(310e9, 0.29)
-ELASTIC = sc.Material.elastic(210e9, 0.3)
-STEEL_52100 = sc.Material.swift(210e9, 0.3, B=945e6, C=20, n=0.121)
-STEEL_M50 = sc.Material.swift(210e9, 0.3, B=1280e6, C=4, n=0.095)
 BALL = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(CERAMIC, STEEL_52100), p0=5.7e9)
 """The reference: 5.7 GPa."""
 
@@ -169,16 +171,6 @@ class Run:
         return self.cycles[-1]
 
 
-def top(x: np.ndarray, values: np.ndarray) -> tuple[float, float]:
-    """Largest value and its position, by the parabola through the three largest samples."""
-    k = int(values.argmax())
-    if k in (0, len(values) - 1):
-        return float(values[k]), float(x[k])
-    c = np.polyfit(x[k - 1 : k + 2] - x[k], values[k - 1 : k + 2], 2)
-    at = -c[1] / (2 * c[0])
-    return float(np.polyval(c, at)), float(x[k] + at)
-
-
 def section(state: sc.State, steady: float, body: int = 2) -> Cycle:
     track = state.track(body)
     middle = len(track.y) // 2
@@ -249,3 +241,16 @@ def roll(
         done.increments += steps + 1
     done.counters = run.counters
     return done
+
+
+def both_cycles(
+    ax: Axes,
+    runs: Mapping[Any, Run],
+    name: str,
+    points: Callable[[Run, int], tuple[np.ndarray, np.ndarray]],
+) -> None:
+    """A curve of each run after one (dashed) and two cycles; `name` has a place for its key."""
+    for n, (key, run) in enumerate(runs.items()):
+        for cycle, style in enumerate(("--", "-")):
+            label = name.format(key) if cycle else None
+            ax.plot(*points(run, cycle), f"C{n}{style}", label=label)

@@ -14,9 +14,11 @@ from matplotlib.ticker import MaxNLocator
 
 import samcontact as sc
 
-from .heat import E_STAR, ELASTIC, STEEL, at_surface
+from .bodies import ELASTIC, square
+from .drawing import axes, finish
+from .heat.scenes import E_STAR, STEEL, at_surface
 from .page import Number, Picture, Statement
-from .profiles import finish, von_mises
+from .profiles import largest, von_mises
 
 TITLE = "Transient frictional heat"
 INTRODUCTION = """
@@ -99,15 +101,9 @@ class Results:
     mesh: dict[str, str]
 
 
-def largest(field: np.ndarray, x: np.ndarray, z: np.ndarray) -> tuple[float, float, float]:
-    i, k = np.unravel_index(int(field.argmax()), field.shape)
-    return float(field[i, k]), float(x[i]), float(z[k])
-
-
 def solver(cells: int, heat: sc.Heat) -> tuple[sc.ContactSolver, np.ndarray]:
     """Of an elastic flat, and its pressure."""
-    n, d = 2 * int(1.8 * cells) + 1, HERTZ.a / cells
-    grid = sc.Grid(n, n, d, d)
+    grid = square(HERTZ.a, cells, 1.8)
     found = sc.ContactSolver(grid, ELASTIC, STEEL, heat=heat)
     return found, found.solve(sc.surfaces.paraboloid(grid, RADIUS), load=LOAD).pressure
 
@@ -123,14 +119,13 @@ def elastic_case(cells: int, depths: int, heat: sc.Heat) -> Elastic:
 
 def plastic_case(kind: str, cells: int, per_cell: int) -> Plastic:
     width, depth = EXTENT[kind]
-    n, d = 2 * int(width * cells) + 1, HERTZ.a / cells
-    grid = sc.Grid(n, n, d, d, int(depth * cells * per_cell), d / per_cell)
+    grid = square(HERTZ.a, cells, width, depth, per_cell)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, heat=KINDS[kind])
     for load in np.linspace(0.0, LOAD, 11)[1:]:
         state = simulation.step(load=float(load))
     unloaded = simulation.step(load=0.0)
-    m = n // 2
+    m = grid.nx // 2
     stress, residual = state.von_mises()[:, m], unloaded.von_mises()
     return Plastic(
         grid.x, grid.z, stress, largest(stress, grid.x, grid.z),
@@ -177,18 +172,23 @@ def moving_source() -> float:
 
 
 def stated(results: Results) -> list[Number | Statement]:
-    a, mesh, plain = HERTZ.a, results.mesh["elastic"], results.elastic["no heat"]
-    case = results.elastic
-    rise = {kind: case[kind].hottest for kind in NAMES}
-    top = {kind: float(case[kind].pressure.max()) * 1e-9 for kind in KINDS}
+    return [*stated_steady(results), *stated_rise(results), *stated_stress(results)]
+
+
+def tops(results: Results) -> dict[str, float]:
+    """Largest elastic pressures [GPa]."""
+    return {kind: float(case.pressure.max()) * 1e-9 for kind, case in results.elastic.items()}
+
+
+def stated_steady(results: Results) -> list[Number | Statement]:
+    mesh, top = results.mesh["elastic"], tops(results)
+    rise = {kind: results.elastic[kind].hottest for kind in NAMES}
     steady, time = rise["(ii)"][0], float(results.times[-1])
     missing = (steady - results.rises[-1], still_missing(time))
     pressure_error = results.pressures[-1] * 1e-9 / top["(ii)"] - 1
-    estimate = moving_source()
-    settled = float(np.abs(results.steady.flash / case["(iii)"].flash - 1).max())
-    entries: list[Number | Statement] = [
+    return [
         Number("Hertz pressure", 6.5, HERTZ.p0 * 1e-9, "GPa", "closed form"),
-        Number("its contact radius", 332.0, a * 1e6, "µm", "closed form"),
+        Number("its contact radius", 332.0, HERTZ.a * 1e6, "µm", "closed form"),
         Number("largest pressure without heat", 6.5, top["no heat"], "GPa", mesh, tolerance=0.01),
         Statement(
             "time of observation set to infinity",
@@ -203,6 +203,15 @@ def stated(results: Results) -> list[Number | Statement]:
             remark="With the square root of time: after 23 ms "
             f"{100 * (1 - rise['(i)'][0] / steady):.0f} % of the rise is missing.",
         ),
+    ]
+
+
+def stated_rise(results: Results) -> list[Number | Statement]:
+    a, mesh, case = HERTZ.a, results.mesh["elastic"], results.elastic
+    rise = {kind: case[kind].hottest for kind in NAMES}
+    estimate = moving_source()
+    settled = float(np.abs(results.steady.flash / case["(iii)"].flash - 1).max())
+    return [
         Statement(
             "largest rise of temperature in (i), (ii), (iii)",
             "maps, no numbers",
@@ -235,6 +244,13 @@ def stated(results: Results) -> list[Number | Statement]:
             settled < 1e-3,
             mesh,
         ),
+    ]
+
+
+def stated_stress(results: Results) -> list[Number | Statement]:
+    a, mesh, top = HERTZ.a, results.mesh["elastic"], tops(results)
+    case, plastic = results.elastic, results.plastic
+    return [
         Statement(
             "largest pressure in (i), (ii), (iii)",
             "not stated",
@@ -249,13 +265,10 @@ def stated(results: Results) -> list[Number | Statement]:
             "thermo-elastic: largest von Mises stress in (i), (ii), (iii)",
             "maps, no numbers",
             "; ".join(where(case[kind].largest) for kind in NAMES)
-            + f"; without heat {where(plain.largest)}",
+            + f"; without heat {where(case['no heat'].largest)}",
             case["(i)"].largest[2] == case["(ii)"].largest[2] == 0 < case["(iii)"].largest[2],
             mesh,
         ),
-    ]
-    plastic = results.plastic
-    entries += [
         Statement(
             "elastic-plastic: the same",
             "maps, no numbers",
@@ -278,7 +291,6 @@ def stated(results: Results) -> list[Number | Statement]:
             "[frictional heat](heat.md).",
         ),
     ]
-    return entries
 
 
 def ahead(case: Elastic) -> float:
@@ -296,8 +308,7 @@ def figures(results: Results) -> list[Picture]:
 
 
 def flash(results: Results) -> Picture:
-    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
-    left, right = figure.subplots(1, 2)
+    figure, (left, right) = axes()
     for k, kind in enumerate(KINDS):
         case = results.elastic[kind]
         colour = "k" if kind == "no heat" else f"C{k - 1}"
@@ -345,8 +356,7 @@ def temperatures(results: Results) -> Picture:
 
 
 def stresses(results: Results) -> Picture:
-    figure = Figure(figsize=(10.0, 5.4), layout="compressed")
-    rows = figure.subplots(2, 3, sharex=True, sharey=True)
+    figure, rows = axes(2, 3, (10.0, 5.4), layout="compressed", sharex=True, sharey=True)
     both: tuple[dict[str, Any], ...] = (results.elastic, results.plastic)
     for row, cases, name in zip(rows, both, ("elastic", "elastic-plastic"), strict=True):
         for ax, kind in zip(row, NAMES, strict=True):
@@ -384,8 +394,7 @@ def panel(
 
 
 def approach(results: Results) -> Picture:
-    figure = Figure(figsize=(5.6, 3.8), layout="constrained")
-    ax = figure.subplots()
+    figure, ax = axes(1, 1, (5.6, 3.8))
     steady = results.elastic["(ii)"].hottest[0]
     top = float(results.elastic["(ii)"].pressure.max())
     ax.loglog(results.times, 1 - results.rises / steady, "o-", markersize=3, label="temperature")

@@ -14,6 +14,7 @@ from samcontact.plotting import tugging
 
 from .limits import first_order
 from .page import Number, Picture, Statement
+from .profiles import each, grows
 
 TITLE = "Tugging of two asperities"
 INTRODUCTION = """
@@ -87,13 +88,9 @@ def unlike(result: Tugging, name: str, sign: float) -> float:
     return float(np.abs(f - sign * np.interp(-x, x, f)).max() / np.abs(f).max())
 
 
-def listed(values: list[float], form: str = ".3g") -> str:
-    return ", ".join(f"{value:{form}}" for value in values)
-
-
 def forces(results: Results) -> list[Number | Statement]:
     runs, mesh = results.runs, results.mesh
-    name = "ω/ωc = " + listed(list(runs))
+    name = "ω/ωc = " + each(list(runs))
     odd = [unlike(run, "force_x", -1.0) for run in runs.values()]
     even = [unlike(run, "force_z", 1.0) for run in runs.values()]
     aligned = [float(np.interp(0.0, *curve(run, "force_x"))) for run in runs.values()]
@@ -107,23 +104,23 @@ def forces(results: Results) -> list[Number | Statement]:
         Statement(
             f"tangential force against its antisymmetric image, over its maximum, {name}",
             "antisymmetric for low interference, not for high",
-            f"{listed([100 * value for value in odd])} %",
-            max(odd[:2]) < 0.01 and odd[-1] > 0.5 and bool(np.all(np.diff(odd) > 0)),
+            f"{each([100 * value for value in odd])} %",
+            max(odd[:2]) < 0.01 and odd[-1] > 0.5 and grows(odd),
             mesh,
         ),
         Statement(
             f"normal force against its symmetric image, {name}",
             "symmetric for low, less asymmetric than the tangential one for high",
-            f"{listed([100 * value for value in even])} %",
+            f"{each([100 * value for value in even])} %",
             max(even[:2]) < 0.01 and all(e < o for e, o in zip(even, odd, strict=True))
-            and bool(np.all(np.diff(even[1:]) > 0)),
+            and grows(even[1:]),
             mesh,
         ),
         Statement(
             f"tangential force when aligned, over its maximum, {name}",
             "vanishes for low interference, does not for high",
-            f"{listed([100 * value for value in of_peak])} %",
-            abs(of_peak[0]) < 0.005 and of_peak[-1] > 0.2 and bool(np.all(np.diff(of_peak) > 0)),
+            f"{each([100 * value for value in of_peak])} %",
+            abs(of_peak[0]) < 0.005 and of_peak[-1] > 0.2 and grows(of_peak),
             mesh,
         ),
         Statement(
@@ -154,7 +151,7 @@ def at_exit(result: Tugging) -> float:
 
 def ratios(results: Results) -> list[Number | Statement]:
     runs, mesh = results.runs, results.mesh
-    name = "ω/ωc = " + listed(list(runs))
+    name = "ω/ωc = " + each(list(runs))
     high = [at_exit(run) for ratio, run in runs.items() if ratio >= 9]
     entry = [float(np.nanmax(curve(run, "load_ratio")[1])) for run in runs.values()]
     aligned = []
@@ -164,18 +161,18 @@ def ratios(results: Results) -> list[Number | Statement]:
         aligned.append(float(np.interp(0.0, x[touching], ratio[touching])))
     return [
         Statement(
-            "load ratio at the end of the contact, " + listed([r for r in runs if r >= 9]),
+            "load ratio at the end of the contact, " + each([r for r in runs if r >= 9]),
             "tends to 0.045",
-            listed(high, ".3f"),
+            each(high, ".3f"),
             all(-0.055 < value < -0.03 for value in high),
             mesh,
             remark=EXIT_NOTE,
         ),
         Statement(f"largest load ratio, at the start, {name}", "increases with the interference",
-                  listed(entry), bool(np.all(np.diff(entry) > 0)), mesh),
+                  each(entry), grows(entry), mesh),
         Statement(f"load ratio when aligned, {name}", "not nil, grows with the interference",
-                  listed(aligned, ".2g"),
-                  bool(np.all(np.diff(aligned) > 0)) and aligned[-1] > 3e-3, mesh),
+                  each(aligned, ".2g"),
+                  grows(aligned) and aligned[-1] > 3e-3, mesh),
     ]  # fmt: skip
 
 
@@ -196,7 +193,7 @@ AGAIN_NOTE = "What is left for the next passes is of the order of the error of t
 
 def energies(results: Results) -> list[Number | Statement]:
     runs, mesh = results.runs, results.mesh
-    name = "ω/ωc = " + listed(list(runs))
+    name = "ω/ωc = " + each(list(runs))
     net = [float(run.series.net_energy[0]) / CRITICAL.energy for run in runs.values()]
     missing = [
         abs(float(run.series.energy_imbalance[0] / run.series.net_energy[0]))
@@ -209,7 +206,7 @@ def energies(results: Results) -> list[Number | Statement]:
     again = results.again.series.net_energy.values / results.again.series.net_energy.values[0]
     return [
         Statement(f"net energy over the critical one, {name}", "grows with the interference",
-                  listed(net), bool(np.all(np.diff(net) > 0)), mesh, ENERGY_NOTE),
+                  each(net), grows(net), mesh, ENERGY_NOTE),
         Statement("net energy over the critical one, ω/ωc = 9, limit of small increments",
                   "not stated", f"{limit.value:.4g} ± {limit.error:.1g}, from {limit.text}",
                   limit.error < 0.03 * limit.value and abs(limit.value / 189.5 - 1) < 0.03,
@@ -218,11 +215,11 @@ def energies(results: Results) -> list[Number | Statement]:
                   "not stated", f"within {100 * max(missing):.1f} %", max(missing) < 0.03, mesh,
                   "First order in the increments."),
         Statement(f"largest residual displacement over the interference, {name}",
-                  "up to 25 %", f"{listed([100 * s for s in share])} %",
-                  bool(np.all(np.diff(share) > 0)) and 0.22 < share[list(runs).index(9.0)] < 0.27,
+                  "up to 25 %", f"{each([100 * s for s in share])} %",
+                  grows(share) and 0.22 < share[list(runs).index(9.0)] < 0.27,
                   mesh, DEPTH_NOTE),
         Statement("net energy of three passes over that of the first, highest interference",
-                  "not stated", f"{listed(list(again), '.2g')}", 0.2 > again[1] > again[2],
+                  "not stated", f"{each(list(again), '.2g')}", 0.2 > again[1] > again[2],
                   mesh, AGAIN_NOTE),
     ]  # fmt: skip
 

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from .bodies import ELASTIC, STEEL_52100, STEEL_M50, square
+from .drawing import axes, finish, hertz_curve
 from .page import Number, Picture, Statement
-from .profiles import finish, succession
+from .profiles import succession, top
 
 TITLE = "Two inelastic bodies"
 INTRODUCTION = """
@@ -26,9 +27,6 @@ RADIUS = 7.5e-3
 PEAK = 11179.0
 MICRO_YIELD = 1476.7e6  # at a plastic strain of 20e-6
 LC = {"E_EP": 1649.0, "EP_EP": 1743.0}  # as stated
-ELASTIC = sc.Material.elastic(210e9, 0.3)
-STEEL_52100 = sc.Material.swift(210e9, 0.3, B=945e6, C=20, n=0.121)
-STEEL_M50 = sc.Material.swift(210e9, 0.3, B=1280e6, C=4, n=0.095)
 PAIRS = {
     "E_EP": (ELASTIC, STEEL_52100),
     "EP_EP": (STEEL_52100, STEEL_52100),
@@ -81,8 +79,7 @@ def hertz(load: float) -> sc.hertz.PointContact:
 def simulation(
     pair: str, a: float, cells: int, width: float, depth: float, **options: Any
 ) -> tuple[sc.Grid, sc.Simulation]:
-    n, d = 2 * int(width * cells) + 1, a / cells
-    grid = sc.Grid(n, n, d, d, int(depth * cells), d)
+    grid = square(a, cells, width, depth)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     return grid, sc.Simulation(grid, *PAIRS[pair], gap, **options)
 
@@ -127,53 +124,49 @@ def compute(quick: bool) -> Results:
     )
 
 
-def lowest(z: np.ndarray, values: np.ndarray) -> tuple[float, float]:
-    """Depth and value of the minimum, by the parabola through the three smallest samples."""
-    k = int(values.argmin())
-    c = np.polyfit(z[k - 1 : k + 2], values[k - 1 : k + 2], 2)
-    z_min = -c[1] / (2 * c[0])
-    return float(z_min), float(np.polyval(c, z_min))
-
-
 def difference(results: Results, other: str) -> tuple[np.ndarray, np.ndarray]:
     """Loads, and by how much p_max of E_EP exceeds that of a pair [%], (2.168)."""
     one, two = results.cases["E_EP"], results.cases[other]
     return one.load, 100 * np.abs(one.p_max / two.p_max - 1)
 
 
+CRITICAL_NOTES = {
+    "E_EP": "Converged: 1571 N (16 and 32 cells per radius, 10 to 40 increments). The 0.18 % "
+    "that the thesis states for the same balls at 1500 N (Table 2.1) agrees with that: the "
+    "strain grows from 0.184 to 0.2 % between 1500 and 1571 N.",
+    "EP_EP": "Converged: 1685 N; see the remark before.",
+}
+
+
 def stated(results: Results) -> list[Number | Statement]:
-    one, two = results.cases["E_EP"], results.cases["EP_EP"]
-    a, p0 = results.peak.a, results.peak.p0
-    mesh, low_mesh = results.mesh, results.low_mesh
-    entries: list[Number | Statement] = [
-        Number("Hertz pressure at 11 179 N", 8.0, p0 * 1e-9, "GPa", "closed form"),
-        Number("its contact radius", 817.0, a * 1e6, "µm", "closed form"),
-    ]
-    notes = {
-        "E_EP": "Converged: 1571 N (16 and 32 cells per radius, 10 to 40 increments). The 0.18 % "
-        "that the thesis states for the same balls at 1500 N (Table 2.1) agrees with that: the "
-        "strain grows from 0.184 to 0.2 % between 1500 and 1571 N.",
-        "EP_EP": "Converged: 1685 N; see the remark before.",
-    }
-    for pair in ("E_EP", "EP_EP"):
-        ours = results.cases[pair].critical
-        entries.append(Number(f"L_c, {pair}", LC[pair], ours, "N", low_mesh, remark=notes[pair]))
+    peak, cases = results.peak, results.cases
+    return [
+        Number("Hertz pressure at 11 179 N", 8.0, peak.p0 * 1e-9, "GPa", "closed form"),
+        Number("its contact radius", 817.0, peak.a * 1e6, "µm", "closed form"),
+        *(
+            Number(f"L_c, {pair}", LC[pair], cases[pair].critical, "N", results.low_mesh,
+                   remark=CRITICAL_NOTES[pair])
+            for pair in LC
+        ),
+        *stated_pressure(results),
+        *stated_axis(results),
+        *stated_beyond(results),
+    ]  # fmt: skip
+
+
+def stated_pressure(results: Results) -> list[Number | Statement]:
+    two, mesh, low_mesh = results.cases["EP_EP"], results.mesh, results.low_mesh
     at_lc = two.at(LC["EP_EP"])[0] / hertz(LC["EP_EP"]).p0
-    entries.append(
+    load, percent = difference(results, "EP_EP")
+    below = float(percent[load <= LC["EP_EP"]].max())
+    other = float(difference(results, "M50 against 52100")[1][-1])
+    return [
         Number(
-            "p_max over Hertz pressure at 1743 N, EP_EP",
-            0.95,
-            at_lc,
-            "",
-            low_mesh,
+            "p_max over Hertz pressure at 1743 N, EP_EP", 0.95, at_lc, "", low_mesh,
             remark="In words, 5 % lower than Hertz; converged, it is 6.1 % at 1743 N and 5.9 % at "
             "the L_c computed here. For one inelastic body it is 3.5 % at 1743 N, and at 1500 N "
             "finite elements confirm the pressure to 0.02 % (docs/validation.md).",
-        )
-    )
-    load, percent = difference(results, "EP_EP")
-    below = float(percent[load <= LC["EP_EP"]].max())
-    entries += [
+        ),
         Statement(
             "p_max of E_EP above that of EP_EP, L/L_c < 1",
             "less than 3 %",
@@ -182,28 +175,33 @@ def stated(results: Results) -> list[Number | Statement]:
             low_mesh,
         ),
         Number(
-            "p_max of E_EP above that of EP_EP at 11 179 N",
-            11.0,
-            float(percent[-1]),
-            "%",
-            mesh,
+            "p_max of E_EP above that of EP_EP at 11 179 N", 11.0, float(percent[-1]), "%", mesh,
             remark="In words, up to 11 %. Converged: 10.6 %; 16 increments without error control "
             "give 10.4 %.",
         ),
-    ]
-    other = float(difference(results, "M50 against 52100")[1][-1])
-    entries.append(
         Statement(
             "the same with two hardening laws: 52100 against M50, M50 taken as elastic",
             "lower than for identical laws",
             f"{other:.1f} % against {percent[-1]:.1f} %",
             other < percent[-1],
             mesh,
-        )
-    )
-    depth, value = lowest(one.z / a, one.hydrostatic / p0)
-    depth2, value2 = lowest(two.z / a, two.hydrostatic / p0)
-    entries += [
+        ),
+    ]  # fmt: skip
+
+
+def stated_axis(results: Results) -> list[Number | Statement]:
+    """Residual hydrostatic stress on the axis."""
+    one, two = results.cases["E_EP"], results.cases["EP_EP"]
+    a, p0, mesh = results.peak.a, results.peak.p0, results.mesh
+    (low, depth), (low2, depth2) = (top(c.z / a, -c.hydrostatic / p0) for c in (one, two))
+    value, value2 = -low, -low2
+    signs = {pair: ", ".join(succession(results.cases[pair].hydrostatic, 1e-3 * p0)) for pair in LC}
+    wanted = "compressive, tensile, compressive, tensile"
+    gaps = [
+        abs(np.max(one.hydrostatic[part]) - np.max(two.hydrostatic[part])) / p0
+        for part in (one.z < 0.4 * a, one.z > a)
+    ]
+    return [
         Number("depth z/a of the largest residual compression, E_EP", 0.68, depth, "", mesh),
         Statement(
             "the same, E_EP and EP_EP",
@@ -219,61 +217,43 @@ def stated(results: Results) -> list[Number | Statement]:
             value < value2,
             mesh,
         ),
-    ]
-    signs = {pair: ", ".join(succession(results.cases[pair].hydrostatic, 1e-3 * p0)) for pair in LC}
-    wanted = "compressive, tensile, compressive, tensile"
-    entries.append(
         Statement(
             "residual hydrostatic stress on the axis, from the surface down",
             wanted,
             "; ".join(f"{pair}: {found}" for pair, found in signs.items()),
             all(found == wanted for found in signs.values()),
             mesh,
-        )
-    )
-    gaps = [
-        abs(np.max(one.hydrostatic[part]) - np.max(two.hydrostatic[part])) / p0
-        for part in (one.z < 0.4 * a, one.z > a)
-    ]
-    entries.append(
+        ),
         Statement(
             "difference between E_EP and EP_EP in the tensile zones",
             "almost none, important in the compressive zone",
             f"{max(gaps):.4f} p0 against {abs(value - value2):.4f} p0",
             max(gaps) < 0.25 * abs(value - value2),
             mesh,
-        )
-    )
-    pressures, strains = results.beyond
-    entries += [
-        Number(
-            "Hertz pressure at a plastic strain of 2 %, E_EP",
-            8.12,
-            float(np.interp(0.02, strains, pressures)) * 1e-9,
-            "GPa",
-            mesh,
-        ),
-        Number(
-            "the same over the micro-yield stress of 1477 MPa",
-            5.5,
-            float(np.interp(0.02, strains, pressures)) / MICRO_YIELD,
-            "",
-            mesh,
         ),
     ]
-    return entries
+
+
+def stated_beyond(results: Results) -> list[Number | Statement]:
+    pressures, strains = results.beyond
+    p0 = float(np.interp(0.02, strains, pressures))
+    return [
+        Number("Hertz pressure at a plastic strain of 2 %, E_EP", 8.12, p0 * 1e-9, "GPa",
+               results.mesh),
+        Number("the same over the micro-yield stress of 1477 MPa", 5.5, p0 / MICRO_YIELD, "",
+               results.mesh),
+    ]  # fmt: skip
 
 
 def figures(results: Results) -> list[Picture]:
-    a, p0 = results.peak.a, results.peak.p0
-    pair_labels = ("E_EP", "EP_EP")
-    pictures = []
+    return [fields(results), loads(results), differences(results)]
 
-    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
-    left, right = figure.subplots(1, 2)
-    fine = np.linspace(-1.5, 1.5, 301)
-    left.plot(fine, results.peak.pressure(fine * a) / p0, "k--", linewidth=1, label="Hertz")
-    for pair in pair_labels:
+
+def fields(results: Results) -> Picture:
+    a, p0 = results.peak.a, results.peak.p0
+    figure, (left, right) = axes()
+    hertz_curve(left, results.peak, p0)
+    for pair in LC:
         case = results.cases[pair]
         left.plot(case.x / a, case.pressure / p0, color=COLOURS[pair], label=pair)
         right.plot(case.z / a, case.hydrostatic / p0, color=COLOURS[pair], label=pair)
@@ -283,33 +263,28 @@ def figures(results: Results) -> list[Picture]:
     right.axhline(0, color="k", linewidth=0.6)
     finish(left, "x/a", "pressure / Hertz pressure")
     finish(right, "depth z/a", "residual hydrostatic stress / Hertz pressure")
-    pictures.append(
-        Picture(
-            "two_plastic_bodies_fields",
-            "Figures 2.16 and 2.17: pressure at 11 179 N (8 GPa) in the plane y = 0, and "
-            "hydrostatic stress on the axis after unloading.",
-            figure,
-        )
+    return Picture(
+        "two_plastic_bodies_fields",
+        "Figures 2.16 and 2.17: pressure at 11 179 N (8 GPa) in the plane y = 0, and "
+        "hydrostatic stress on the axis after unloading.",
+        figure,
     )
 
-    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
-    left, right = figure.subplots(1, 2)
+
+def loads(results: Results) -> Picture:
+    p0 = results.peak.p0
+    figure, (left, right) = axes()
     strain_axis = left.twinx()
-    loads = np.linspace(1.0, PEAK, 300)
-    elastic = np.array([hertz(w).p0 for w in loads])
-    left.plot(loads * 1e-3, elastic * 1e-9, "k--", linewidth=1, label="Hertz")
-    right.plot(loads / LC["EP_EP"], elastic / p0, "k--", linewidth=1, label="Hertz")
-    for pair in pair_labels:
-        case = results.cases[pair]
-        left.plot(case.load * 1e-3, case.p_max * 1e-9, color=COLOURS[pair], label=pair)
-        strain_axis.plot(case.load * 1e-3, 100 * case.gamma, color=COLOURS[pair], linestyle="-.")
-        strain_axis.plot(LC[pair] * 1e-3, 0.2, "o", color=COLOURS[pair], markerfacecolor="none")
-        right.plot(
-            case.load / LC["EP_EP"],
-            case.p_max / p0,
-            color=COLOURS[pair],
-            label=pair,
-        )
+    load = np.linspace(1.0, PEAK, 300)
+    elastic = np.array([hertz(w).p0 for w in load])
+    left.plot(load * 1e-3, elastic * 1e-9, "k--", linewidth=1, label="Hertz")
+    right.plot(load / LC["EP_EP"], elastic / p0, "k--", linewidth=1, label="Hertz")
+    for pair in LC:
+        case, colour = results.cases[pair], COLOURS[pair]
+        left.plot(case.load * 1e-3, case.p_max * 1e-9, color=colour, label=pair)
+        strain_axis.plot(case.load * 1e-3, 100 * case.gamma, color=colour, linestyle="-.")
+        strain_axis.plot(LC[pair] * 1e-3, 0.2, "o", color=colour, markerfacecolor="none")
+        right.plot(case.load / LC["EP_EP"], case.p_max / p0, color=colour, label=pair)
     strain_axis.axhline(0.2, color="k", linestyle=":", linewidth=1)
     strain_axis.set_ylabel("largest plastic strain [%], dash-dotted")
     strain_axis.set_ylim(0, 3)
@@ -319,29 +294,25 @@ def figures(results: Results) -> list[Picture]:
         label="stated: 5 % below Hertz",
     )  # fmt: skip
     finish(right, "L / L_c", "largest pressure / 8 GPa")
-    pictures.append(
-        Picture(
-            "two_plastic_bodies_load",
-            "Figures 2.18 and 2.19: largest pressure and plastic strain against the load. Circles "
-            "on the left: stated L_c at 0.2 %.",
-            figure,
-        )
+    return Picture(
+        "two_plastic_bodies_load",
+        "Figures 2.18 and 2.19: largest pressure and plastic strain against the load. Circles "
+        "on the left: stated L_c at 0.2 %.",
+        figure,
     )
 
-    figure = Figure(figsize=(5.0, 3.6), layout="constrained")
-    ax = figure.subplots()
+
+def differences(results: Results) -> Picture:
+    figure, ax = axes(1, 1, (5.0, 3.6))
     for pair, label in (("EP_EP", "identical laws"), ("M50 against 52100", "M50 against 52100")):
         load, percent = difference(results, pair)
         ax.plot(load / LC["EP_EP"], percent, color=COLOURS[pair], label=label)
     ax.plot([0, 1], [3, 3], "k--", linewidth=1, label="stated: below 3 % for L < L_c")
     ax.plot(PEAK / LC["EP_EP"], 11, "ko", markerfacecolor="none", label="stated: 11 %")
     finish(ax, "L / L_c", "p_max of E_EP above that of two\ninelastic bodies [%]")
-    pictures.append(
-        Picture(
-            "two_plastic_bodies_difference",
-            "Figure 2.20: error in the largest pressure when one of two inelastic bodies is taken "
-            "as elastic; with two hardening laws, the harder one.",
-            figure,
-        )
+    return Picture(
+        "two_plastic_bodies_difference",
+        "Figure 2.20: error in the largest pressure when one of two inelastic bodies is taken "
+        "as elastic; with two hardening laws, the harder one.",
+        figure,
     )
-    return pictures

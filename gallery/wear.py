@@ -7,13 +7,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 import samcontact as sc
 from samcontact.plotting import wear
 
+from .bodies import ELASTIC
+from .drawing import axes, finish
 from .page import Number, Picture, Statement
-from .profiles import finish
 
 TITLE = "Wear of a flat surface"
 INTRODUCTION = """
@@ -34,7 +34,6 @@ out. Plastic strains of the rim are several times those of a small-strain theory
 steep. Rates are therefore those of this model on this mesh, not of a steel.
 """
 
-ELASTIC = sc.Material.elastic(E=210e9, nu=0.3)
 STEEL = sc.Material.swift(E=210e9, nu=0.3, B=1735e6, C=16.0, n=0.067)
 RADIUS, LOAD, FRICTION, THRESHOLD, CYCLES = 7.5e-3, 2000.0, 0.4, 2e-3, 13
 E_STAR = sc.hertz.effective_modulus(ELASTIC, STEEL)
@@ -177,8 +176,7 @@ def stated(results: Results) -> list[Number | Statement]:
 
 
 def figures(results: Results) -> list[Picture]:
-    figure = Figure(figsize=(12.0, 3.8), layout="constrained")
-    left, middle, right = figure.subplots(1, 3)
+    figure, (left, middle, right) = axes(1, 3, (12.0, 3.8))
     runs = (results.exact, results.smoothed)
     for ax, found, title in zip((left, middle), runs, TITLES, strict=True):
         wear.worn_profile(found, ax)

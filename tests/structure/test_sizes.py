@@ -18,10 +18,6 @@ FILE, FUNCTION = 400, 60
 LONG_FILES = {
     "cpp/bindings/simulation.cpp",
     "cpp/src/simulation/simulation.cpp",
-    "gallery/flattening.py",
-    "gallery/friction.py",
-    "gallery/heat.py",
-    "gallery/transient_heat.py",
     "python/samcontact/simulation.py",
 }
 LONG_FUNCTIONS = {

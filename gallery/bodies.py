@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Materials and grids of several parts."""
+
+from __future__ import annotations
+
+import math
+
+import samcontact as sc
+
+RIGID = sc.Material.rigid()
+CERAMIC = sc.Material.elastic(310e9, 0.29)
+ELASTIC = sc.Material.elastic(210e9, 0.3)
+STEEL_52100 = sc.Material.swift(210e9, 0.3, B=945e6, C=20, n=0.121)
+STEEL_M50 = sc.Material.swift(210e9, 0.3, B=1280e6, C=4, n=0.095)
+MICRO_STRAIN = 20e-6
+"""Plastic strain at the micro-yield stress."""
+
+
+def square(
+    a: float,
+    cells: float,
+    width: float,
+    depth: float = 0.0,
+    per_cell: int = 1,
+    layer: float | None = None,
+) -> sc.Grid:
+    """Half as wide as `width` a, as deep as `depth` a (a surface without); a cell in the middle.
+
+    cells: in the length a [m]; per_cell: layers in the height of a cell, unless `layer` [m] says
+    how high they are.
+    """
+    n, d = 2 * int(width * cells) + 1, a / cells
+    if depth == 0.0:
+        return sc.Grid(n, n, d, d)
+    if layer is None:
+        return sc.Grid(n, n, d, d, int(depth * cells * per_cell), d / per_cell)
+    return sc.Grid(n, n, d, d, math.ceil(depth * a / layer), layer)

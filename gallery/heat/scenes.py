@@ -1,0 +1,283 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is computed: contacts heated by the flux Q_f p, elastic and elastic-plastic."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+import samcontact as sc
+
+from ..bodies import ELASTIC, MICRO_STRAIN, STEEL_52100, square
+from ..profiles import largest, von_mises
+
+RADIUS = 7.5e-3
+LOAD = 1500.0
+STEEL = STEEL_52100.with_thermal(conductivity=50.2, expansion=11.7e-6, diffusivity=1.367e-5)
+YIELD = float(STEEL.yield_stress(MICRO_STRAIN))
+E_STAR = sc.hertz.effective_modulus(ELASTIC, STEEL)
+HERTZ = sc.hertz.point(R=RADIUS, E_star=E_STAR, load=LOAD)
+FACTORS = (0.0, 0.05, 0.12, 0.20)
+HEATED = FACTORS[1:]
+THERMO_ELASTIC = {0.0: 2537.9, 0.05: 1971.4, 0.12: 3501.6, 0.20: 7343.3}
+PLASTIC = {0.0: 2349.1, 0.05: 1939.0, 0.12: 2654.4, 0.20: 3186.9}
+RESIDUAL = {0.0: 135.5, 0.05: 25.7, 0.12: 877.3, 0.20: 4219.6}
+ONSET = {0.0: 298.0, 0.05: 491.0, 0.12: 468.0, 0.20: 212.0}
+FINE_ONSET = {0.0: 296.0, 0.05: 497.0, 0.12: 472.0, 0.20: 209.0}
+FINE = {0.0: 2539.4, 0.05: 1961.9, 0.12: 3530.4, 0.20: 7391.6}
+"""Of a separate computation of the thermo-elastic contact on a fine grid."""
+REVERSED = 3160.0
+"""Residual stress at the surface for Q_f = 0.2 m/s in the limit of thin layers [MPa]."""
+SMALL_LOAD, LARGE_LOAD = 140.0, 7500.0
+SMALL_LOAD_FACTORS = (0.0, 0.075, 0.15, 0.225, 0.3)
+STEP = 20.0
+"""Of the depths of the thesis's tables [µm]."""
+
+
+@dataclass
+class Elastic:
+    """Thermo-elastic contact."""
+
+    x: np.ndarray
+    pressure: np.ndarray
+    z: np.ndarray
+    plane: np.ndarray
+    """Von Mises stress in the plane y = 0, the surface included."""
+    largest: tuple[float, float]
+    """Von Mises stress, and its depth."""
+
+
+@dataclass
+class Plastic:
+    """Thermo-elastic-plastic contact, under load and after unloading."""
+
+    x: np.ndarray
+    z: np.ndarray
+    pressure: np.ndarray
+    area: float
+    plane: np.ndarray
+    largest: tuple[float, float]
+    """Von Mises stress under load, and its depth."""
+    distance: float
+    """Distance of the largest von Mises stress from the axis."""
+    gamma: float
+    residual: np.ndarray
+    """Residual von Mises stress on the axis."""
+    residual_largest: tuple[float, float]
+    """Residual von Mises stress, and its depth."""
+    elastic_unloading: np.ndarray
+    """What `residual` would be without yielding during unloading."""
+
+
+@dataclass
+class Onset:
+    """Onset of yield against the heat factor."""
+
+    factor: np.ndarray
+    p0: np.ndarray
+    """Hertz pressure."""
+    radius: np.ndarray
+    depth: np.ndarray
+    """Where the body yields first, over the Hertz radius at that load."""
+
+    def load(self, factor: float) -> float:
+        p0 = float(np.interp(factor, self.factor, self.p0))
+        return sc.hertz.point(R=RADIUS, E_star=E_STAR, p0=p0).load
+
+    def leaves_axis(self) -> float:
+        return float(self.factor[np.flatnonzero(self.radius > 0)[0]])
+
+    def reaches_surface(self) -> float:
+        return float(self.factor[np.flatnonzero(self.depth > 0)[-1] + 1])
+
+
+@dataclass
+class Results:
+    elastic: dict[float, Elastic]
+    plastic: dict[float, list[Plastic]]
+    """Per heat factor, with thinner and thinner layers; the last counts."""
+    onset: Onset
+    curves: dict[str, tuple[float, list[tuple[str, np.ndarray, np.ndarray]]]]
+    """Figure 2.21: heat factor, and name, x and pressure."""
+    strain: tuple[np.ndarray, np.ndarray]
+    """Figure 2.22: Hertz pressure and largest plastic strain."""
+    small: dict[float, Plastic]
+    """Figure 2.26, per heat factor."""
+    mesh: dict[str, str] = field(default_factory=dict)
+
+    def last(self, factor: float) -> Plastic:
+        return self.plastic[factor][-1]
+
+
+def hertz(load: float) -> sc.hertz.PointContact:
+    return sc.hertz.point(R=RADIUS, E_star=E_STAR, load=load)
+
+
+def elastic_case(load: float, factor: float, cells: int, depths: np.ndarray) -> Elastic:
+    contact = hertz(load)
+    grid = square(contact.a, cells, 1.6)
+    solver = sc.ContactSolver(grid, ELASTIC, STEEL, heat=sc.Heat(factor))
+    pressure = solver.solve(sc.surfaces.paraboloid(grid, RADIUS), load=load).pressure
+    m = grid.nx // 2
+    plane = von_mises(solver.stress(pressure, depths)[:, :, m])
+    top, _, z = largest(plane, grid.x, depths)
+    return Elastic(grid.x, pressure[:, m], depths, plane, (top, z))
+
+
+def plastic_case(
+    load: float,
+    factor: float,
+    cells: int,
+    width: float,
+    layer: float,
+    depth: float,
+    increments: int = 10,
+) -> Plastic:
+    """`width` and `depth` of the grid over a, `layer` [m]."""
+    grid = square(hertz(load).a, cells, width, depth, layer=layer)
+    gap = sc.surfaces.paraboloid(grid, RADIUS)
+    simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, heat=sc.Heat(factor))
+    for value in load * np.arange(1, increments + 1) / increments:
+        state = simulation.step(load=float(value))
+    unloaded = simulation.step(load=0.0)
+    m = grid.nx // 2
+    stress, residual = state.von_mises(), unloaded.von_mises()
+    i, j, k = np.unravel_index(int(stress.argmax()), stress.shape)
+    return Plastic(
+        x=grid.x,
+        z=grid.z,
+        pressure=state.pressure[:, m].copy(),
+        area=state.contact_area,
+        plane=stress[:, m].copy(),
+        largest=(float(stress.max()), float(grid.z[k])),
+        distance=float(np.hypot(grid.x[i], grid.y[j])),
+        gamma=float(state.max_equivalent_plastic_strain()),
+        residual=residual[m, m].copy(),
+        residual_largest=(
+            float(residual.max()),
+            float(grid.z[int(residual.max(axis=(0, 1)).argmax())]),
+        ),
+        elastic_unloading=von_mises(state.residual_stress()[:, m, m]),
+    )
+
+
+def onset(cells: int, factors: np.ndarray) -> Onset:
+    """Onset of yield, from the case of 1500 N by similarity.
+
+    With lengths over a and stresses over p0, a thermo-elastic contact depends on Q_f a only, and a
+    is proportional to p0. Where the largest von Mises stress of a contact with p0 is s, one with
+    p0 Y/s yields first, at the same place over a, with the heat factor Q_f s/Y.
+    """
+    grid = square(HERTZ.a, cells, 1.15)
+    gap = sc.surfaces.paraboloid(grid, RADIUS)
+    z = np.linspace(0.0, 0.6, 97) * HERTZ.a
+    stress, place = [], []
+    pressure = None
+    for factor in factors:
+        solver = sc.ContactSolver(grid, ELASTIC, STEEL, heat=sc.Heat(float(factor)))
+        pressure = solver.solve(gap, load=LOAD, initial_pressure=pressure).pressure
+        found = von_mises(solver.stress(pressure, z))
+        i, j, k = np.unravel_index(int(found.argmax()), found.shape)
+        stress.append(float(found.max()))
+        place.append((np.hypot(grid.x[i], grid.y[j]) / HERTZ.a, z[k] / HERTZ.a))
+    s = np.array(stress)
+    radius, depth = np.array(place).T
+    return Onset(factors * s / YIELD, HERTZ.p0 * YIELD / s, radius, depth)
+
+
+def pressure_curves(
+    plastic: dict[float, list[Plastic]], cells: int, plastic_cells: int
+) -> dict[str, tuple[float, list[tuple[str, np.ndarray, np.ndarray]]]]:
+    """Figure 2.21, from cases of 1500 N that are there, and new ones."""
+    depths = np.linspace(0.0, 1.6, 65) * HERTZ.a
+    curves = {}
+    for load, factor, width, depth in ((LOAD, 0.20, 4.0, 1.6), (LARGE_LOAD, 0.05, 3.0, 1.6)):
+        a = hertz(load).a
+        found = []
+        for name, heat in (("", 0.0), ("thermo-", factor)):
+            case = elastic_case(load, heat, cells, depths)
+            found.append((f"{name}elastic", case.x, case.pressure))
+            if load == LOAD and heat > 0:
+                plastic_ = plastic[factor][0]
+            else:
+                deep = 2.6 if load > LOAD else depth
+                plastic_ = plastic_case(load, heat, plastic_cells, width, a / 20, deep)
+            found.append((f"{name}elastic-plastic", plastic_.x, plastic_.pressure))
+        curves[f"{load:.0f} N, Q_f = {factor:g} m/s"] = (load, found)
+    return curves
+
+
+def strain_curve(cells: int, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Figure 2.22: `count` Hertz pressures, and largest plastic strains."""
+    p0, gamma = [], []
+    largest = sc.hertz.point(R=RADIUS, E_star=E_STAR, p0=8.12e9)
+    grid = square(largest.a, cells, 1.9, 2.6, layer=largest.a / 20)
+    simulation = sc.Simulation(grid, ELASTIC, STEEL, sc.surfaces.paraboloid(grid, RADIUS))
+    for value in np.linspace(1.6e9, 8.12e9, count):
+        load = sc.hertz.point(R=RADIUS, E_star=E_STAR, p0=float(value)).load
+        state = simulation.step(load=load)
+        p0.append(float(value))
+        gamma.append(float(state.max_equivalent_plastic_strain()))
+    return np.array(p0), np.array(gamma)
+
+
+def compute(quick: bool) -> Results:
+    fine_depths = np.arange(0.0, 660e-6, 10e-6)
+    cells = 16 if quick else 32
+    elastic = {factor: elastic_case(LOAD, factor, cells, fine_depths) for factor in FACTORS}
+
+    small_cells = 12 if quick else 24
+    plastic = {
+        factor: [plastic_case(LOAD, factor, small_cells, 1.6, 10e-6, 1.7)] for factor in (0.0, 0.05)
+    }
+    # the heat alone makes the material flow far outside the contact
+    large_cells = 8 if quick else 12
+    layers = (10e-6, 5e-6) if quick else (20e-6, 10e-6, 5e-6, 2.5e-6)
+    for factor, width, depth in ((0.12, 2.6, 1.25), (0.20, 4.0, 1.6)):
+        plastic[factor] = [
+            plastic_case(LOAD, factor, large_cells, width, layer, depth) for layer in layers
+        ]
+
+    steps = np.linspace(0.0, 0.14, 29 if quick else 57)
+    near = [np.arange(0.057, 0.061, 0.0005), np.arange(0.0915, 0.0965, 0.0005)]
+    fine_cells = 24 if quick else 48
+    curve = onset(fine_cells, np.unique(np.concatenate([steps, *near]).round(6)))
+
+    small = {
+        factor: plastic_case(
+            SMALL_LOAD, factor, 8 if quick else 16, 3.0, hertz(SMALL_LOAD).a / 20, 1.7
+        )
+        for factor in SMALL_LOAD_FACTORS
+    }
+    return Results(
+        elastic,
+        plastic,
+        curve,
+        pressure_curves(plastic, cells, large_cells),
+        strain_curve(small_cells, 9 if quick else 25),
+        small,
+        {
+            "elastic": f"a/{cells}",
+            "onset": f"a/{fine_cells}",
+            "plastic": f"a/{small_cells}, layers of 10 µm",
+            "heated": f"a/{large_cells}, layers of {layers[-1] * 1e6:g} µm",
+            "small": f"a/{8 if quick else 16}, layers a/20",
+        },
+    )
+
+
+def mesh_of(results: Results, factor: float) -> str:
+    return results.mesh["plastic" if factor < 0.1 else "heated"]
+
+
+def at_surface(profile: np.ndarray) -> float:
+    """Extrapolated to z = 0 from the first two layers."""
+    return float(1.5 * profile[0] - 0.5 * profile[1])
+
+
+def largest_residual(case: Plastic) -> tuple[float, float]:
+    """Value and depth; where it is in the first layer, that at the surface."""
+    if case.residual_largest[1] > case.z[0]:
+        return case.residual_largest
+    return at_surface(case.residual), 0.0
