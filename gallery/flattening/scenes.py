@@ -22,11 +22,7 @@ RATIOS = np.array(
      20, 23, 26, 28, 30, 34, 40, 46, 52, 60, 70, 80, 95, 110]
 )  # fmt: skip
 RANGES = (1.0, 4.0, 14.0, 40.0, 110.0)
-SMALL, LARGE = (2.0, 4.0, 6.0, 8.0, 11.0), (12.0, 20.0, 40.0, 70.0, 110.0)
-COMPARED = (2.0, 4.0, 6.0, 10.0, 20.0, 30.0)
 FRICTION = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5)
-REACHED = 5.0
-"""Mesh study of the interference at which the zone reaches the surface, see `stated`."""
 
 
 @dataclass(frozen=True)

@@ -9,18 +9,11 @@ import samcontact as sc
 
 from ..page import Number, Statement
 from ..profiles import falls, grows
-from .scenes import (
-    COMPARED,
-    CRITICAL,
-    E_STAR,
-    FRICTION,
-    NU,
-    RADIUS,
-    REACHED,
-    YIELD,
-    Results,
-    models,
-)
+from .scenes import CRITICAL, E_STAR, FRICTION, NU, RADIUS, YIELD, Results, models
+
+COMPARED = (2.0, 4.0, 6.0, 10.0, 20.0, 30.0)
+REACHED = 5.0
+"""Mesh study of the interference at which the zone reaches the surface, see `stated`."""
 
 
 def stated(results: Results) -> list[Number | Statement]:

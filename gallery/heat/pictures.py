@@ -8,19 +8,8 @@ from matplotlib.figure import Figure
 
 from ..drawing import axes, finish
 from ..page import Picture
-from .scenes import (
-    FACTORS,
-    HERTZ,
-    ONSET,
-    PLASTIC,
-    RESIDUAL,
-    SMALL_LOAD,
-    SMALL_LOAD_FACTORS,
-    THERMO_ELASTIC,
-    YIELD,
-    Results,
-    hertz,
-)
+from .scenes import FACTORS, HERTZ, SMALL_LOAD, SMALL_LOAD_FACTORS, YIELD, Results, hertz
+from .statements import ONSET, PLASTIC, RESIDUAL, THERMO_ELASTIC
 
 
 def figures(results: Results) -> list[Picture]:

@@ -20,19 +20,8 @@ E_STAR = sc.hertz.effective_modulus(ELASTIC, STEEL)
 HERTZ = sc.hertz.point(R=RADIUS, E_star=E_STAR, load=LOAD)
 FACTORS = (0.0, 0.05, 0.12, 0.20)
 HEATED = FACTORS[1:]
-THERMO_ELASTIC = {0.0: 2537.9, 0.05: 1971.4, 0.12: 3501.6, 0.20: 7343.3}
-PLASTIC = {0.0: 2349.1, 0.05: 1939.0, 0.12: 2654.4, 0.20: 3186.9}
-RESIDUAL = {0.0: 135.5, 0.05: 25.7, 0.12: 877.3, 0.20: 4219.6}
-ONSET = {0.0: 298.0, 0.05: 491.0, 0.12: 468.0, 0.20: 212.0}
-FINE_ONSET = {0.0: 296.0, 0.05: 497.0, 0.12: 472.0, 0.20: 209.0}
-FINE = {0.0: 2539.4, 0.05: 1961.9, 0.12: 3530.4, 0.20: 7391.6}
-"""Of a separate computation of the thermo-elastic contact on a fine grid."""
-REVERSED = 3160.0
-"""Residual stress at the surface for Q_f = 0.2 m/s in the limit of thin layers [MPa]."""
 SMALL_LOAD, LARGE_LOAD = 140.0, 7500.0
 SMALL_LOAD_FACTORS = (0.0, 0.075, 0.15, 0.225, 0.3)
-STEP = 20.0
-"""Of the depths of the thesis's tables [µm]."""
 
 
 @dataclass
@@ -267,17 +256,6 @@ def compute(quick: bool) -> Results:
     )
 
 
-def mesh_of(results: Results, factor: float) -> str:
-    return results.mesh["plastic" if factor < 0.1 else "heated"]
-
-
 def at_surface(profile: np.ndarray) -> float:
     """Extrapolated to z = 0 from the first two layers."""
     return float(1.5 * profile[0] - 0.5 * profile[1])
-
-
-def largest_residual(case: Plastic) -> tuple[float, float]:
-    """Value and depth; where it is in the first layer, that at the surface."""
-    if case.residual_largest[1] > case.z[0]:
-        return case.residual_largest
-    return at_surface(case.residual), 0.0
