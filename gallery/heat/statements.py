@@ -103,17 +103,15 @@ def stated_onset(results: Results) -> list[Number | Statement]:
     k = int(curve.p0.argmax())
     rise = 100 * (curve.p0[k] / curve.p0[0] - 1)
     falling, later = slope(curve, 0.08, 0.145), slope(curve, 0.158, 0.25)
-    entries: list[Number | Statement] = [
-        Number(
-            f"load at the onset of yield, Q_f = {factor:g} m/s", ONSET[factor],
-            curve.load(factor), "N", mesh, tolerance=0.02,
-        )
-        for factor in FACTORS
-    ]  # fmt: skip
     depth = np.interp((0.0, 0.07), curve.factor, curve.depth)
     ring = (curve.factor > curve.leaves_axis()) & (curve.factor < curve.reaches_surface())
     above = curve.factor >= curve.reaches_surface()
-    entries += [
+    return [
+        *(
+            Number(f"load at the onset of yield, Q_f = {factor:g} m/s", ONSET[factor],
+                   curve.load(factor), "N", mesh, tolerance=0.02)
+            for factor in FACTORS
+        ),
         Number("largest rise of the Hertz pressure at the onset of yield", 38.0, rise, "%", mesh,
                remark="The thesis says nearly 38 %; on a fine grid it is 36.2 %."),
         Number("at Q_f", 0.075, float(curve.factor[k]), "m/s", mesh, tolerance=0.03),
@@ -158,7 +156,6 @@ def stated_onset(results: Results) -> list[Number | Statement]:
             mesh,
         ),
     ]  # fmt: skip
-    return entries
 
 
 def stated_stress(results: Results) -> list[Number | Statement]:
