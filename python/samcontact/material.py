@@ -36,7 +36,7 @@ class Material(Shown):
     Attributes
     ----------
     law : str
-        "elastic", "rigid", "perfect_plastic", "linear_hardening" or "swift".
+        The factory's name, e.g. "swift".
     parameters : mapping of str to float
         The factory's arguments, SI units; cannot be changed.
     kinematic : tuple of (float, float)
@@ -107,6 +107,24 @@ class Material(Shown):
         Boucly (2008), eq. (2.162), with the strain in microstrain as its numbers require.
         """
         return cls("swift", {"E": E, "nu": nu, "B": B, "C": C, "n": n})
+
+    @classmethod
+    def voce(
+        cls, E: float, nu: float, yield_stress: float, saturation_stress: float, rate: float
+    ) -> Material:
+        """Voce's law sigma_y(g) = s_inf - (s_inf - s_0) exp(-rate g), which saturates.
+
+        s_0 = yield_stress [Pa], s_inf = saturation_stress >= s_0 [Pa], rate > 0 [-]. Voce (1948),
+        J. Inst. Metals 74, 537-562.
+        """
+        parameters = {
+            "E": E,
+            "nu": nu,
+            "yield_stress": yield_stress,
+            "saturation_stress": saturation_stress,
+            "rate": rate,
+        }
+        return cls("voce", parameters)
 
     def with_kinematic_hardening(
         self, modulus: float | Sequence[float], recovery: float | Sequence[float] = 0.0

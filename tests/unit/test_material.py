@@ -26,6 +26,7 @@ FACTORIES = {
     "perfect_plastic": (E, NU, 1e9),
     "linear_hardening": (E, NU, 1e9, 0.1 * E),
     "swift": (E, NU, 945e6, 20.0, 0.121),
+    "voce": (E, NU, 900e6, 1500e6, 60.0),
 }
 
 

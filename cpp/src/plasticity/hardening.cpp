@@ -23,6 +23,17 @@ void check(const std::string& name, double value, const Allowed& allowed) {
   require(std::isfinite(value) && inside && value <= allowed.high, name, text(allowed), value);
 }
 
+/// x - 1 + e^-x for x >= 0, without cancellation where x is small.
+double rest_of_exponential(double x) {
+  if (x > 1) return x + std::expm1(-x);
+  double term = 0.5 * x * x, sum = 0.0;
+  for (int n = 3; std::fabs(term) > 1e-18 * sum; ++n) {
+    sum += term;
+    term *= -x / n;
+  }
+  return sum;
+}
+
 /// What `function` returns for each law, without values.
 template <class Function, std::size_t... n>
 void for_each_law(std::index_sequence<n...>, const Function& function) {
@@ -45,6 +56,16 @@ double Swift::work(double g) const {
   const double part = std::min(micro * g / s, 1 - 0x1p-53);  // 1: C is nothing beside the strain
   const double grown = -std::expm1(power * std::log1p(-part));
   return B * std::pow(s, n) * (s * grown / (micro * power));
+}
+
+void Voce::prepare(const Elastic&) {
+  require(saturation_stress >= yield_stress, "saturation_stress",
+          ">= yield_stress = " + to_text(yield_stress) + " Pa", saturation_stress);
+}
+
+double Voce::work(double g) const {
+  const double range = saturation_stress - yield_stress;
+  return yield_stress * g + range * (rest_of_exponential(rate * g) / rate);
 }
 
 Hardening::Hardening(Laws law, const Elastic& elastic) : law_(std::move(law)) {

@@ -97,6 +97,29 @@ struct Swift {
   bool operator==(const Swift&) const = default;
 };
 
+/// Voce's law: from yield_stress to saturation_stress, sigma_inf - (sigma_inf - sigma_0) e^(-rate
+/// g). Voce (1948), J. Inst. Metals 74, 537-562.
+struct Voce {
+  static constexpr auto name = "voce",
+                        says =
+                            "Voce hardening s_inf - (s_inf - s_0) exp(-rate g), which saturates.";
+  double yield_stress, saturation_stress, rate;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("yield_stress", law.yield_stress, Allowed::positive("Pa"));
+    visit("saturation_stress", law.saturation_stress, Allowed::positive("Pa"));
+    visit("rate", law.rate, Allowed::positive(""));
+  }
+  void prepare(const Elastic&);
+  Point at(double g) const {
+    const double range = saturation_stress - yield_stress, grown = -std::expm1(-rate * g);
+    return {yield_stress + range * grown, range * rate * (1 - grown)};
+  }
+  double work(double g) const;
+  bool operator==(const Voce&) const = default;
+};
+
 /// A law whose yield stress is `factor` times that of another, which must outlive it.
 template <class Law>
 struct Scaled {
@@ -124,7 +147,7 @@ struct LawDescription {
 /// One of the laws, its parameters checked.
 class Hardening {
  public:
-  using Laws = std::variant<NoYield, PerfectPlastic, LinearHardening, Swift>;
+  using Laws = std::variant<NoYield, PerfectPlastic, LinearHardening, Swift, Voce>;
   /// Parameters by name; one that is no list has one value.
   using Values = std::map<std::string, std::vector<double>>;
 
