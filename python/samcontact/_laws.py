@@ -12,20 +12,23 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from . import _core
-from ._checks import number
+from ._checks import number, real_array
 from ._frozen import FrozenDict
 
 
 @dataclass(frozen=True)
 class Constant:
-    """A parameter of a law: its unit, and its limits."""
+    """A parameter of a law: its unit, its limits, and whether it is a list of such numbers."""
 
     unit: str = ""
     gt: float | None = None
     ge: float | None = None
     lt: float | None = None
     le: float | None = None
+    many: bool = False
 
 
 @dataclass(frozen=True)
@@ -41,7 +44,9 @@ class Law:
 
 def _constant(told: _core.LawParameter) -> Constant:
     low = {"gt" if told.above_low else "ge": told.low}
-    return Constant(told.unit, **low, le=told.high if told.high < math.inf else None)
+    return Constant(
+        told.unit, **low, le=told.high if told.high < math.inf else None, many=told.many
+    )
 
 
 _E = {"E": Constant("Pa", gt=0.0), "nu": Constant(ge=0.0, lt=0.5)}
@@ -56,8 +61,15 @@ LAWS: Mapping[str, Law] = {
 }
 
 
-def checked_constants(law: str, given: Any) -> FrozenDict[float]:
-    """Numbers for all constants of a law, in its order; their ranges are checked by the core."""
+def _values(name: str, given: Any) -> tuple[float, ...]:
+    values = real_array(name, given)
+    if values.ndim != 1:
+        raise ValueError(f"{name} must be a list of numbers, got shape {values.shape}")
+    return tuple((values + 0.0).tolist())
+
+
+def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
+    """All constants of a law, in its order; their ranges are checked by the core."""
     if not isinstance(law, str) or law not in LAWS:
         raise ValueError(f"law must be one of {', '.join(LAWS)}, got {law!r}")
     if not isinstance(given, Mapping):
@@ -68,13 +80,18 @@ def checked_constants(law: str, given: Any) -> FrozenDict[float]:
             f"parameters of {law!r} must be {', '.join(names) or 'none'}, "
             f"got {', '.join(map(str, given)) or 'none'}: use Material.{law}(...)"
         )
-    return FrozenDict({name: number(name, given[name]) for name in names})
+    return FrozenDict(
+        {
+            name: (_values if constant.many else number)(name, given[name])
+            for name, constant in names.items()
+        }
+    )
 
 
-def core_material(law: str, constants: Mapping[str, float]) -> _core.Material:
+def core_material(law: str, constants: Mapping[str, Any]) -> _core.Material:
     """The core's material; raises ValueError naming a constant that is out of range."""
     if law == "rigid":
         return _core.Material.rigid()
-    values = {name: [value] for name, value in constants.items()}
+    values = {name: np.atleast_1d(value).tolist() for name, value in constants.items()}
     (E,), (nu,) = values.pop("E"), values.pop("nu")
     return _core.Material.with_law(E, nu, law, values)

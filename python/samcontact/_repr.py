@@ -138,8 +138,13 @@ def material_rows(material: Any) -> Rows:
     rows = [("law", material.law.replace("_", " "))]
     for name, value in material.parameters.items():
         unit = constants[name].unit
-        counted = f"{value:.4g} {unit}"  # without a prefix
-        rows.append((name, counted if unit == "microstrain" else quantity(value, unit)))
+        if constants[name].many:
+            span = f"{quantity(min(value), unit)} to {quantity(max(value), unit)}"
+            rows.append((name, f"{len(value)} values, {span}"))
+        elif unit == "microstrain":
+            rows.append((name, f"{value:.4g} {unit}"))  # without a prefix
+        else:
+            rows.append((name, quantity(value, unit)))
     for number, (modulus, recovery) in enumerate(material.kinematic, 1):
         text = f"modulus {quantity(modulus, 'Pa')}, recovery {recovery:.4g}"
         rows.append((f"backstress {number}", text))

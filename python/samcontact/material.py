@@ -37,7 +37,7 @@ class Material(Shown):
     ----------
     law : str
         The factory's name, e.g. "swift".
-    parameters : mapping of str to float
+    parameters : mapping of str to float or tuple of floats
         The factory's arguments, SI units; cannot be changed.
     kinematic : tuple of (float, float)
         Modulus [Pa] and recovery [-] of each backstress, see `with_kinematic_hardening`.
@@ -48,7 +48,7 @@ class Material(Shown):
     """
 
     law: str
-    parameters: Mapping[str, float]
+    parameters: Mapping[str, Any]
     kinematic: tuple[tuple[float, float], ...] = ()
     thermal: tuple[float, float, float] | None = None
     softening: Callable[[FloatArray], ArrayLike] | None = None
@@ -125,6 +125,37 @@ class Material(Shown):
             "rate": rate,
         }
         return cls("voce", parameters)
+
+    @classmethod
+    def tabulated(
+        cls, E: float, nu: float, plastic_strain: ArrayLike, stress: ArrayLike
+    ) -> Material:
+        """Points of a curve, as a test gives them: straight between them, constant beyond the last.
+
+        Parameters
+        ----------
+        E, nu : float
+            As of `elastic`.
+        plastic_strain : array_like, shape (n,)
+            Plastic strains [-] of a bar, total strain - true stress/E; the first 0, rising, at
+            most 4096.
+        stress : array_like, shape (n,)
+            True stress [Pa] at each, > 0; it must not fall.
+
+        Returns
+        -------
+        Material
+
+        Raises
+        ------
+        ValueError
+            The curve has another first strain, two stresses at a strain, or falls; a value is
+            outside its range, or the numbers of values differ.
+        TypeError
+            One is not a number.
+        """
+        parameters = {"E": E, "nu": nu, "plastic_strain": plastic_strain, "stress": stress}
+        return cls("tabulated", parameters)
 
     def with_kinematic_hardening(
         self, modulus: float | Sequence[float], recovery: float | Sequence[float] = 0.0

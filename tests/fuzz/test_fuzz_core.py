@@ -79,6 +79,8 @@ def test_small_things(count):
         "elastic": lambda n, x: sc.Material.elastic(x[0], x[1]),
         "linear": lambda n, x: sc.Material.linear_hardening(*x[:4]),
         "swift": lambda n, x: sc.Material.swift(*x[:5]),
+        "voce": lambda n, x: sc.Material.voce(*x[:5]).plastic_work(1e-3),
+        "tabulated": lambda n, x: sc.Material.tabulated(x[0], x[1], [0.0, x[2]], x[3:5]),
         "kinematic": lambda n, x: STEEL.with_kinematic_hardening(x[0], x[1]),
         "thermal": lambda n, x: STEEL.with_thermal(x[0], x[1], x[2]),
         "paraboloid": lambda n, x: surfaces.paraboloid(grid, x[0], x[1]),

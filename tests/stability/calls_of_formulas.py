@@ -50,6 +50,16 @@ CALLS = [
     ),
     ("Material.swift", sc.Material.swift, {**ELASTIC, "B": 945e6, "C": 20.0, "n": 0.12}),
     (
+        "Material.voce",
+        sc.Material.voce,
+        {**ELASTIC, "yield_stress": 1e9, "saturation_stress": 2e9, "rate": 50.0},
+    ),
+    (
+        "Material.tabulated",
+        sc.Material.tabulated,
+        {**ELASTIC, "plastic_strain": [0.0, 1e-3], "stress": [1e9, 2e9]},
+    ),
+    (
         "Material.with_kinematic_hardening",
         SOFT.with_kinematic_hardening,
         {"modulus": 1e9, "recovery": 2.0},

@@ -19,6 +19,14 @@ SWIFT = {
     "softening": {"kind": "johnson_cook", "melting": 1800.0, "m": 1.0, "reference": 300.0,
                   "ambient": 300.0, "floor": 0.1},
 }  # fmt: skip
+VOCE = {
+    "law": "voce", "E": 210e9, "nu": 0.3, "yield_stress": 1e9, "saturation_stress": 2e9,
+    "rate": 50.0, "thermal": SWIFT["thermal"],
+}  # fmt: skip
+TABULATED = {
+    "law": "tabulated", "E": 210e9, "nu": 0.3, "plastic_strain": [0.0, 1e-3], "stress": [1e9, 2e9],
+    "thermal": SWIFT["thermal"],
+}  # fmt: skip
 COLD = {name: value for name, value in SWIFT.items() if name not in ("thermal", "softening")}
 GRID = {"nx": 16, "ny": 14, "dx": 5e-6, "dy": 6e-6, "nz": 4, "dz": 5e-6}
 ROUGH = {
@@ -73,6 +81,8 @@ KINDS = {
     "file": BASE
     | {"surface": {"shape": "file", "Rx": 1e-3, "Ry": 2e-3} | MEASURED,
        "relief2": {"kind": "file", "periodic": True} | MEASURED},
+    "Voce": BASE | {"body1": VOCE},
+    "tabulated": BASE | {"body2": TABULATED},
     "rolling": BASE
     | {"path": [{"load": 2.0, "increments": 2, "heat_factor": 0.0, "roll": ROLL}]},
     "sliding": BASE
@@ -106,7 +116,7 @@ OTHER = {
     "advance": [[2e-5, 0.0]], "recovery": [[6.0]], "modulus": [[2e9]], "order": [2],
     "wavelength_min": [20e-6], "wavelength_max": [90e-6], "slide_to_roll": [-0.2],
     "step": [1e-5], "increments": [3, 13], "distance": [2e-5], "nz": [5], "ambient": [290.0],
-    "width": [1.4], "depth": [1.1],
+    "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
     "window": 3, "order": 1, "smoothing_length": 8e-6,

@@ -23,6 +23,16 @@ void check(const std::string& name, double value, const Allowed& allowed) {
   require(std::isfinite(value) && inside && value <= allowed.high, name, text(allowed), value);
 }
 
+std::string entry(const std::string& name, std::size_t n) {
+  return name + '[' + std::to_string(n) + ']';
+}
+
+void check(const std::string& name, const std::vector<double>& values, const Allowed& allowed) {
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    check(entry(name, n), values[n], allowed);
+  }
+}
+
 /// x - 1 + e^-x for x >= 0, without cancellation where x is small.
 double rest_of_exponential(double x) {
   if (x > 1) return x + std::expm1(-x);
@@ -68,10 +78,49 @@ double Voce::work(double g) const {
   return yield_stress * g + range * (rest_of_exponential(rate * g) / rate);
 }
 
+void Tabulated::prepare(const Elastic&) {
+  const std::size_t count = plastic_strain.size();
+  require(count >= 1 && count <= most, "number of values in plastic_strain",
+          "from 1 to " + std::to_string(most), static_cast<double>(count));
+  require(stress.size() == count, "number of values in stress",
+          "that of plastic_strain, " + std::to_string(count), static_cast<double>(stress.size()));
+  require(plastic_strain[0] == 0, "plastic_strain[0]",
+          "0, the strain at first yield (plastic strain is total strain - stress/E)",
+          plastic_strain[0]);
+  slopes.assign(count, 0.0);
+  works.assign(count, 0.0);
+  for (std::size_t n = 1; n < count; ++n) {
+    const std::string strain = entry("plastic_strain", n), last = entry("plastic_strain", n - 1);
+    const double step = plastic_strain[n] - plastic_strain[n - 1];
+    require(step > 0, strain,
+            "> " + last + " = " + to_text(plastic_strain[n - 1]) +
+                ", so that each strain has one stress",
+            plastic_strain[n]);
+    require(stress[n] >= stress[n - 1], entry("stress", n),
+            ">= " + entry("stress", n - 1) + " = " + to_text(stress[n - 1]) +
+                " Pa, for a curve that falls has no unique solution",
+            stress[n]);
+    slopes[n - 1] = (stress[n] - stress[n - 1]) / step;
+    require(std::isfinite(slopes[n - 1]), strain,
+            "further from " + last + ", for the slope is beyond the range of numbers",
+            plastic_strain[n]);
+    works[n] = works[n - 1] + 0.5 * (stress[n - 1] + stress[n]) * step;
+  }
+}
+
+double Tabulated::work(double g) const {
+  const std::size_t n = piece_at(g);
+  const double part = g - plastic_strain[n];
+  return works[n] + (stress[n] + 0.5 * slopes[n] * part) * part;
+}
+
 Hardening::Hardening(Laws law, const Elastic& elastic) : law_(std::move(law)) {
   std::visit(
       [&](auto& made) {
-        std::decay_t<decltype(made)>::parameters(made, &check);
+        std::decay_t<decltype(made)>::parameters(
+            made, [](const char* name, const auto& value, const Allowed& allowed) {
+              check(name, value, allowed);
+            });
         made.prepare(elastic);
       },
       law_);

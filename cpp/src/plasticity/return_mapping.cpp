@@ -25,6 +25,17 @@ Tensor plus(const Tensor& a, double factor, const Tensor& b) {
   return sum;
 }
 
+/// The law without kinks that holds where an increment from g ends: the law itself, or the piece of
+/// it that beyond(strain, stress) finds, which says whether the increment passes a kink.
+template <class Law, class Beyond>
+decltype(auto) smooth(const Law& law, double g, const Beyond& beyond) {
+  if constexpr (requires { law.piece(g, beyond); }) {
+    return law.piece(g, beyond);
+  } else {
+    return (law);
+  }
+}
+
 /// The scalar equation of the return with backstresses: what is left of the trial stress when they
 /// have recovered, |trial - sum X/(1 + recovery d)|, equals (stiffness + sum modulus/(1 + recovery
 /// d)) d + yield stress(g + d). The norm needs their inner products only.
@@ -74,9 +85,12 @@ class KinematicEquation {
   /// 0 inside the yield surface. The difference of the sides falls monotonically as long as no
   /// backstress exceeds its limit modulus/recovery: Newton between bounds.
   template <class Law>
-  double solve(const Law& law, double start) const {
+  double solve(const Law& whole, double start) const {
     double low = 0.0, high = left(0.0).value, d = start;
-    if (high <= law.at(g_).yield_stress) return 0.0;
+    if (high <= whole.at(g_).yield_stress) return 0.0;
+    const auto& law = smooth(whole, g_, [this](double strain, double stress) {
+      return left(strain - g_).value - taken_up(strain - g_) > stress;
+    });
     for (const Backstress& x : material_.backstresses) {
       if (x.recovery > 0) high += x.modulus / x.recovery;
     }
@@ -93,7 +107,8 @@ class KinematicEquation {
       }
       (difference > 0 ? low : high) = d;
       double next = d - difference / slope;
-      const bool newton = next >= low && next <= high;
+      // More than a few steps mean that they go to and fro: half of them then halve the bounds.
+      const bool newton = next >= low && next <= high && (n < 40 || n % 2 == 0);
       if (!newton) next = 0.5 * (low + high);
       const double step = std::fabs(next - d);
       d = next;
@@ -117,8 +132,11 @@ double inner(const Tensor& a, const Tensor& b) {
 
 /// Newton's method, see equivalent_increment.
 template <class Law>
-double solve(const Law& law, double trial, double g, double stiffness, double start) {
-  if (trial <= law.at(g).yield_stress) return 0.0;
+double solve(const Law& whole, double trial, double g, double stiffness, double start) {
+  if (trial <= whole.at(g).yield_stress) return 0.0;
+  const auto& law = smooth(whole, g, [=](double strain, double stress) {
+    return trial - stiffness * (strain - g) > stress;
+  });
   // The yield stress is concave in g: from an estimate that is too large Newton's first iterate is
   // too small, and from there they rise monotonically to the root.
   double d = start;

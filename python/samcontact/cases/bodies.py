@@ -104,9 +104,12 @@ class _PlasticBody(_ElasticBody):
 
 def _field(constant: Constant) -> Any:
     limits = Field(gt=constant.gt, ge=constant.ge, lt=constant.lt, le=constant.le)
-    if constant.unit in ("", "microstrain"):
-        return Annotated[Finite, limits]
-    return Annotated[Finite, limits, in_unit(constant.unit)]
+    value: Any = Annotated[Finite, limits]
+    if constant.many:
+        value = list[value]
+    return (
+        value if constant.unit in ("", "microstrain") else Annotated[value, in_unit(constant.unit)]
+    )
 
 
 def _model(name: str, law: Law) -> type[_Body]:

@@ -5,7 +5,9 @@
 // and what they may be; checks, bindings, case files and the radial return take it from there.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <string>
@@ -120,6 +122,47 @@ struct Voce {
   bool operator==(const Voce&) const = default;
 };
 
+/// A straight piece of a curve, which goes through a point.
+struct Line {
+  double strain, stress, slope;
+
+  Point at(double g) const { return {stress + slope * (g - strain), slope}; }
+};
+
+/// Points of a curve, straight between them and constant beyond the last.
+struct Tabulated {
+  static constexpr auto name = "tabulated",
+                        says = "Points of a curve, straight between them, constant beyond.";
+  static constexpr std::size_t most = 4096;  // points, which attributes of HDF5 files can hold
+  std::vector<double> plastic_strain, stress;
+  std::vector<double> slopes = {}, works = {};  // from a point on, up to it; made of the others
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("plastic_strain", law.plastic_strain, Allowed{""});
+    visit("stress", law.stress, Allowed::positive("Pa"));
+  }
+  void prepare(const Elastic&);
+  Point at(double g) const { return line(piece_at(g)).at(g); }
+  double work(double g) const;
+  /// The piece where an increment from g ends. beyond(strain, stress): whether it passes a kink.
+  template <class Beyond>
+  Line piece(double g, const Beyond& beyond) const {
+    const auto passed = [&](const double& strain) {
+      return beyond(strain, stress[&strain - plastic_strain.data()]);
+    };
+    const auto first = plastic_strain.begin() + static_cast<std::ptrdiff_t>(piece_at(g)) + 1;
+    const auto next = std::partition_point(first, plastic_strain.end(), passed);
+    return line(static_cast<std::size_t>(next - plastic_strain.begin()) - 1);
+  }
+  std::size_t piece_at(double g) const {
+    const auto next = std::upper_bound(plastic_strain.begin() + 1, plastic_strain.end(), g);
+    return static_cast<std::size_t>(next - plastic_strain.begin()) - 1;
+  }
+  Line line(std::size_t n) const { return {plastic_strain[n], stress[n], slopes[n]}; }
+  bool operator==(const Tabulated&) const = default;
+};
+
 /// A law whose yield stress is `factor` times that of another, which must outlive it.
 template <class Law>
 struct Scaled {
@@ -129,6 +172,14 @@ struct Scaled {
   Point at(double g) const {
     const Point point = law.at(g);
     return {factor * point.yield_stress, factor * point.slope};
+  }
+  template <class Beyond>
+  Line piece(double g, const Beyond& beyond) const
+    requires requires { law.piece(g, beyond); }
+  {
+    const Line line =
+        law.piece(g, [&](double strain, double stress) { return beyond(strain, factor * stress); });
+    return {line.strain, factor * line.stress, factor * line.slope};
   }
 };
 
@@ -147,7 +198,7 @@ struct LawDescription {
 /// One of the laws, its parameters checked.
 class Hardening {
  public:
-  using Laws = std::variant<NoYield, PerfectPlastic, LinearHardening, Swift, Voce>;
+  using Laws = std::variant<NoYield, PerfectPlastic, LinearHardening, Swift, Voce, Tabulated>;
   /// Parameters by name; one that is no list has one value.
   using Values = std::map<std::string, std::vector<double>>;
 
