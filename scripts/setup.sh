@@ -43,14 +43,16 @@ samcontact_fingerprint() {
 samcontact_setup() {
   local packages=(g++ libeigen3-dev libfftw3-dev) strict=OFF state
   [ "$1" = "" ] || strict=ON
-  # The browser shows reports to their test; clang brings the sanitizers and the fuzzer.
+  # The browser shows reports to their test; clang brings the sanitizers and the fuzzer; ccache
+  # keeps what was compiled, for each of the builds.
   [ "$1" = "" ] ||
-    packages+=(doctest-dev valgrind clang libomp-dev $(samcontact_browser_packages))
+    packages+=(doctest-dev valgrind clang libomp-dev ccache $(samcontact_browser_packages))
   # A Python from elsewhere brings these two itself.
   python3 -c 'import ensurepip' 2> /dev/null || packages+=(python3-venv)
   python3 -c 'import os, sysconfig as s, sys
 sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=(python3-dev)
   samcontact_system_packages "${packages[@]}"
+  if [ "$1" != "" ] && command -v ccache > /dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
   [ -x .venv/bin/python ] || python3 -m venv .venv
   mkdir -p build
   state=$(samcontact_fingerprint)

@@ -13,3 +13,22 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 # What a test asks for says how much is tried; no clock does.
 hypothesis.settings.register_profile("project", deadline=None, derandomize=True, database=None)
 hypothesis.settings.load_profile("project")
+
+# The longest files: begun first, so that no process is left alone with one at the end.
+LONG = (
+    "validation/test_gallery.py",
+    "structure/test_site.py",
+    "notebooks/test_notebooks.py",
+    "validation/",
+    "faults/",
+    "stability/",
+    "structure/",
+    "fuzz/",
+)
+
+
+def pytest_collection_modifyitems(items):
+    def place(item):
+        return next((n for n, name in enumerate(LONG) if f"tests/{name}" in item.nodeid), len(LONG))
+
+    items.sort(key=place)  # stable: files stay together

@@ -1,0 +1,94 @@
+#!/usr/bin/env python
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""clang-tidy over core, bindings and C++ tests; what passed and has not changed since is skipped.
+
+    python scripts/tidy.py [PATTERN ...]      e.g. src/contact; all files by default
+
+A file has passed for as long as every byte that it includes, the checks, and clang-tidy are the
+same; build/tidy/passed keeps a mark of each.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+BUILD = ROOT / "build" / "tidy"
+PASSED = BUILD / "passed"
+
+
+def output(*command: str) -> str:
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+
+
+@cache
+def digest(file: str) -> bytes:
+    return hashlib.sha256(Path(file).read_bytes()).digest()
+
+
+def fingerprint(entry: dict[str, str], checker: str) -> str:
+    """Of all that decides what clang-tidy says of a file."""
+    words = shlex.split(entry["command"])
+    del words[words.index("-o") : words.index("-o") + 2]
+    words.remove("-c")
+    rule = output(*words, "-M").replace("\\\n", " ")
+    files = shlex.split(rule.partition(":")[2])
+    above = Path(entry["file"]).relative_to(ROOT).parents
+    files += [str(ROOT / folder / ".clang-tidy") for folder in above]
+    found = hashlib.sha256(f"{checker} {entry['command']}".encode())
+    for file in files:
+        if (path := BUILD / file).exists():
+            found.update(path.name.encode() + digest(str(path)))
+    return found.hexdigest()
+
+
+def check(entry: dict[str, str], checker: str, extra: str) -> tuple[str, str] | None:
+    """What clang-tidy says of a file, and whether this is an error; None where nothing changed."""
+    mark = PASSED / fingerprint(entry, checker)
+    if mark.exists():
+        return None
+    command = ["clang-tidy", "-quiet", f"-p={BUILD}", f"-extra-arg={extra}", entry["file"]]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    if done.returncode == 0:
+        mark.touch()
+        return entry["file"], ""
+    return entry["file"], done.stdout + done.stderr
+
+
+def main(patterns: list[str]) -> int:
+    bindings = output(sys.executable, "-m", "pybind11", "--cmakedir").strip()
+    output("cmake", "--preset", "tidy", f"-DPython_EXECUTABLE={sys.executable}",
+           f"-Dpybind11_DIR={bindings}")  # fmt: skip
+    PASSED.mkdir(exist_ok=True)
+    # The package clang-tidy has the headers of its own compiler but OpenMP's, which are clang++'s;
+    # they come last, so that nothing else is found there.
+    extra = f"-idirafter{output('clang++', '-print-resource-dir').strip()}/include"
+    checker = output("clang-tidy", "--version")
+    entries = [
+        entry
+        for entry in json.loads((BUILD / "compile_commands.json").read_text())
+        if not patterns or any(re.search(pattern, entry["file"]) for pattern in patterns)
+    ]
+    # the longest first, so that no process is left alone with it at the end
+    entries.sort(key=lambda entry: (
+        "/bindings/" not in entry["file"], -Path(entry["file"]).stat().st_size))  # fmt: skip
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        results = list(pool.map(lambda entry: check(entry, checker, extra), entries))
+    said = [result for result in results if result is not None]
+    failed = [text for _, text in said if text]
+    print(*failed, sep="\n", end="")
+    print(f"clang-tidy: {len(said)} of {len(entries)} files are new or changed, {len(failed)} fail")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
