@@ -272,6 +272,13 @@ def test_folders_import_those_below_only():
     graphlib.TopologicalSorter(FOLDERS).prepare()
 
 
+def test_no_test_file_imports_another():
+    """What several share is a module."""
+    pattern = re.compile(r"^\s*(?:from|import) test_\w+", re.MULTILINE)
+    files = (ROOT / "tests").rglob("*.py")
+    assert [file.name for file in files if pattern.search(file.read_text())] == []
+
+
 def test_few_modules_talk_to_the_core():
     assert {name for name in NAMES if "_core" in all_imports(name)} == CORE_USERS
 

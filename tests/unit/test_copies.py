@@ -6,7 +6,7 @@ import pickle
 
 import numpy as np
 import pytest
-from test_checkpoint import GAP, GRID, LOAD, MATERIALS, assert_same, halved, simulation
+from checkpoint_scenes import GAP, GRID, LOAD, MATERIALS, assert_same, halved, simulation
 
 import samcontact as sc
 

@@ -5,7 +5,7 @@ import re
 
 import numpy as np
 import pytest
-from test_checkpoint import GAP, GRID, LOAD, MATERIALS, assert_same, simulation
+from checkpoint_scenes import GAP, GRID, LOAD, MATERIALS, assert_same, simulation
 
 import samcontact as sc
 from samcontact._journal import Journal, describe

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from distributed import Client, LocalCluster
+from sweep_cases import BASE, CASE
 
 import samcontact as sc
 from case_texts import MINIMAL
@@ -21,15 +22,6 @@ from samcontact import results
 from samcontact.cases import Case, CaseError, TuggingCase
 from samcontact.sweeps import run, worker
 
-BASE = {
-    "title": "ball on flat",
-    "grid": {"nx": 15, "ny": 13, "dx": 60e-6, "dy": 60e-6, "nz": 12, "dz": 60e-6},
-    "body1": {"law": "elastic", "E": 210e9, "nu": 0.3},
-    "body2": {"law": "perfect_plastic", "E": 210e9, "nu": 0.3, "yield_stress": 2e9},
-    "surface": {"shape": "paraboloid", "Rx": 7.5e-3},
-    "path": [{"load": 500.0, "increments": 2}],
-}
-CASE = Case.model_validate(BASE)
 # 24 cases with paths of one and of three increments; those of 9e4 N do not fit on the grid
 MANY = {
     "body2.yield_stress": [1.5e9, 2e9, 3e9, 1e10],

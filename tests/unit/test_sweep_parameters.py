@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from test_sweep import CASE
+from sweep_cases import CASE
 
 import samcontact as sc
 from samcontact.cases.field_units import field_unit
