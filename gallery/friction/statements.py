@@ -146,7 +146,7 @@ def bound(mu: float, pressure: float) -> float:
 
     The von Mises stress is at least sqrt(3) µp there, and must not exceed the yield stress.
     """
-    B, C, n = (STEEL_M50.parameters[name] for name in "BCn")
+    B, C, n = (float(STEEL_M50.parameters[name]) for name in "BCn")
     return max(0.0, float((math.sqrt(3) * mu * pressure / B) ** (1 / n)) - C) * 1e-6
 
 

@@ -312,7 +312,7 @@ def stated_residual(results: Results) -> list[Number | Statement]:
 
 def reversed_flow(results: Results) -> str:
     gamma = results.last(0.20).gamma
-    B, C, n = (STEEL.parameters[name] for name in "BCn")
+    B, C, n = (float(STEEL.parameters[name]) for name in "BCn")
     needed = ((RESIDUAL[0.20] * 1e6 / B) ** (1 / n) - C) * 1e-6
     return (
         "No residual stress can be larger than the yield stress, "
