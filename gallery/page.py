@@ -8,11 +8,18 @@ thesis says beside what was computed; `figures(results)` lists the figures.
 
 from __future__ import annotations
 
+import csv
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
 from matplotlib.figure import Figure
+
+SENSITIVITY = Path(__file__).parents[1] / "benchmarks" / "sensitivity.csv"
+MOVES = """Moves: by how much the numbers change at most when the cells, layers or increments of a
+mesh about half as fine as the page's are halved, or its window is made larger
+([sensitivity](../sensitivity.md)); about an upper bound of their error.
+"""
 
 
 @dataclass(frozen=True)
@@ -83,9 +90,25 @@ def digits(value: float) -> str:
     return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
 
 
-def table(entries: list[Number | Statement]) -> str:
+def moves(name: str) -> dict[str, float]:
+    """Of each value of a part, by how much it moves with its mesh [%]; where that was studied."""
+    found = {}
+    with SENSITIVITY.open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            given = [float(row[column]) for column in row if column.endswith("[%]") and row[column]]
+            if row["part"] == name and given:
+                found[row["quantity"]] = max(given)
+    return found
+
+
+def percent(share: float | None) -> str:
+    return "" if share is None else f"{share:.2g} %" if share < 100 else "> 100 %"
+
+
+def table(entries: list[Number | Statement], moved: dict[str, float]) -> str:
     """Markdown table of stated values."""
-    lines = ["| quantity | thesis | samcontact | difference | mesh |", "|---|---|---|---|---|"]
+    heads = ["quantity", "thesis", "samcontact", "difference", "mesh"] + ["moves"] * bool(moved)
+    lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
     remarks = []
     for entry in entries:
         note = ""
@@ -102,8 +125,15 @@ def table(entries: list[Number | Statement]) -> str:
         else:
             verdict = "agrees" if entry.holds and not entry.contradicted else "differs"
             cells = (entry.thesis, entry.ours, verdict)
-        lines.append(f"| {entry.quantity}{note} | {' | '.join(cells)} | {entry.mesh} |")
-    text = "\n".join(lines) + "\n"
+        cells = (*cells, entry.mesh)
+        if moved:
+            share = moved.get(entry.quantity)
+            cells = (
+                *cells,
+                "" if share is None else f"{share:.2g} %" if share < 100 else "> 100 %",
+            )
+        lines.append(f"| {entry.quantity}{note} | {' | '.join(cells)} |")
+    text = "\n".join(lines) + "\n" + ("\n" + MOVES) * bool(moved)
     if remarks:
         text += "\n" + "\n".join(f"{n}. {remark}" for n, remark in enumerate(remarks, 1)) + "\n"
     return text
@@ -118,7 +148,7 @@ def write(name: str, part: Part, results: Any, folder: Path) -> list[Number | St
         f"<!-- Written by: python -m gallery {name} -->",
         f"# {part.TITLE}\n",
         part.INTRODUCTION.strip() + "\n",
-        table(entries),
+        table(entries, moves(name)),
     ]
     for picture in part.figures(results):
         picture.figure.savefig(folder / f"{picture.name}.png", dpi=80, metadata={"Software": None})

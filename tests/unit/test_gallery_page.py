@@ -31,12 +31,21 @@ def test_a_mesh_study_replaces_the_thesis_in_the_judgement_only():
 
 
 def test_table():
-    text = page.table([NEAR, FAR, SAID, page.Number("cells", 23188, 23188, "", "")])
+    text = page.table([NEAR, FAR, SAID, page.Number("cells", 23188, 23188, "", "")], {})
     assert "| depth | 100 nm | 104 nm | +4.0 % | coarse |" in text
     assert "| depth [1] | 100 nm | 106 nm | +6.0 % | coarse |" in text
     assert "| curves | coincide | to 1 % | agrees | fine |" in text
     assert "| cells | 23188 | 23188 | +0.0 % |  |" in text
     assert text.endswith("\n1. why\n")
+
+
+def test_a_table_says_how_much_values_move_with_the_mesh():
+    text = page.table([NEAR, SAID], {"depth": 2.345, "other": 1.0})
+    assert "| depth | 100 nm | 104 nm | +4.0 % | coarse | 2.3 % |" in text
+    assert "| curves | coincide | to 1 % | agrees | fine |  |" in text
+    assert page.MOVES in text
+    assert page.moves("rolling")["largest plastic strain after two cycles"] < 5
+    assert page.moves("tugging") == {}  # states limits
 
 
 def test_a_page_has_its_table_and_figures(tmp_path):
