@@ -156,8 +156,9 @@ def figures(results: Results) -> list[Picture]:
 def surface(found: sc.wear.WearResult, cycle: int, name: str, caption: str) -> Picture:
     figure, (left, right) = axes()
     last = len(found.cycles)
-    wear.surface_map(found, left, cycle=cycle)
-    wear.worn_profile(found, right, position=CREST, cycles=(0,) if cycle == 0 else (0, 1, 2, last))
+    data, shown = found.to_dataset(), (0,) if cycle == 0 else (0, 1, 2, last)
+    wear.surface_map(data, left, cycle=cycle)
+    wear.worn_profile(data, right, position=CREST, cycles=shown)
     for ax in (left, right):
         ax.set_xlim(-150, 150)
     left.set_ylim(-150, 150)
@@ -171,7 +172,7 @@ def panels(moments: tuple[sc.State, sc.State], name: str, caption: str) -> Pictu
 
 def history(found: sc.wear.WearResult) -> Picture:
     figure, (left, right) = axes(1, 2, (9.0, 3.6))
-    wear.wear_rate(found, left)
+    wear.wear_rate(found.to_dataset(), left)
     left.axvline(STATED_CYCLES, color="k", linestyle="--", linewidth=1, label="stated: 7 cycles")
     finish(left, "cycle", "worn volume per cycle [µm³]")
     numbers = np.arange(1, len(found.cycles) + 1)

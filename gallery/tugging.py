@@ -225,7 +225,7 @@ def energies(results: Results) -> list[Number | Statement]:
 
 
 def figures(results: Results) -> list[Picture]:
-    shown = [run for ratio, run in results.runs.items() if ratio != 1.15]
+    shown = [run.series for ratio, run in results.runs.items() if ratio != 1.15]
     pictures = []
     for name, draw, caption in (
         ("x", tugging.force, "Figure 4.7: tangential force"),

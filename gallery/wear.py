@@ -179,7 +179,7 @@ def figures(results: Results) -> list[Picture]:
     figure, (left, middle, right) = axes(1, 3, (12.0, 3.8))
     runs = (results.exact, results.smoothed)
     for ax, found, title in zip((left, middle), runs, TITLES, strict=True):
-        wear.worn_profile(found, ax)
+        wear.worn_profile(found.to_dataset(), ax)
         ax.set_xlim(-1500, 1500)
         ax.set_title(title, fontsize="medium")
     volumes(results, right)
@@ -205,7 +205,7 @@ def panels(moments: tuple[sc.State, sc.State], name: str, caption: str) -> Pictu
 
 def volumes(results: Results, ax: Axes) -> None:
     for found, label in zip((results.exact, results.smoothed), TITLES, strict=True):
-        wear.wear_rate(found, ax)
+        wear.wear_rate(found.to_dataset(), ax)
         ax.get_lines()[-1].set_label(label)
     mean = float(np.mean(results.smoothed.rate[STEADY])) * 1e18
     ax.axhspan(0.85 * mean, 1.15 * mean, color="C1", alpha=0.15, label="mean of 4 to 13, ±15 %")

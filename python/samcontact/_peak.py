@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +11,6 @@ from numpy.typing import ArrayLike
 if TYPE_CHECKING:
     import xarray as xr
 
-    from .state import State
 
 _SAME_STRESS = 1e-3
 """Relative: flow without hardening holds the stress at the yield stress, to its tolerance."""
@@ -50,12 +48,3 @@ def peak_of_dataset(dataset: xr.Dataset) -> int:
     stress = [dataset[name].values for name in names if name in dataset]
     largest = np.max(stress, axis=0) if stress else None
     return peak(largest, dataset["max_pressure"].values, dataset["load"].values)
-
-
-def peak_of_states(states: Sequence[State], body: int) -> int:
-    """The same of states, with the stress of one body if they have any."""
-    stress = None
-    if states[0].grid.nz > 0:
-        stress = [float(np.max(state.von_mises(body=body))) for state in states]
-    pressure = [float(np.max(state.pressure)) for state in states]
-    return peak(stress, pressure, [float(state.load) for state in states])

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,6 +13,9 @@ from ._frozen import Fixed, read_only
 from ._kept import kept
 from ._tensors import von_mises
 from .grid import Grid
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 __all__ = ["Track"]
 
@@ -85,6 +88,19 @@ class Track(Fixed):
     def backstress(self) -> FloatArray:
         """Each backstress of kinematic hardening [Pa], shape (terms, 6, len(x), ny, nz)."""
         return self._field("backstress")
+
+    def to_dataset(self) -> xr.Dataset:
+        """Labelled fields with units, as figures of tracks take them.
+
+        Returns
+        -------
+        xarray.Dataset
+            Dimensions x, y and, with a volume, z and component; the variables are the methods
+            above but `backstress`, the attributes the body and the sizes of the cells [m].
+        """
+        from .results.motion import track_dataset  # importing the package should not load xarray
+
+        return track_dataset(self, volume=self.grid.nz > 0)
 
     def _field(self, name: str) -> FloatArray:
         return kept(self, name, lambda: self._of_core(name))

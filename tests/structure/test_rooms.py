@@ -40,13 +40,13 @@ FOLDERS = {
     "paths": set(),
     "measured": set(),
     "results": {"hertz"},
-    "plotting": {"hertz"},
-    "asperities": {"results"},
-    "wear": {"results"},
+    "plotting": {"hertz", "results"},
+    "asperities": set(),
+    "wear": set(),
     "cases": {"hertz", "paths", "measured", "asperities", "wear"},
     "sweeps": {"cases", "results"},
     "report": {"cases", "results", "plotting", "asperities"},
-    "commands": {"hertz", "cases", "results", "plotting", "sweeps", "report"},
+    "commands": {"hertz", "cases", "results", "plotting", "asperities", "sweeps", "report"},
 }  # fmt: skip
 # Modules that talk to the core; all others go through them.
 CORE_USERS = {

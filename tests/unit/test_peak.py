@@ -7,7 +7,7 @@ from core_fakes import ELASTIC, SWIFT
 
 import samcontact as sc
 from samcontact import report, results
-from samcontact._peak import peak, peak_of_states
+from samcontact._peak import peak, peak_of_dataset
 
 NONE = [np.nan] * 4
 
@@ -49,7 +49,7 @@ def test_rolling_over_a_dent(over_a_dent):
     simulation, states = over_a_dent
     dataset = results.to_dataset(simulation, states)
     stress = dataset["max_von_mises_body2"].values
-    expected = peak_of_states(states, body=2)
+    expected = peak_of_dataset(dataset)
     assert stress[expected] > 0.999 * stress.max()
     assert 0 < expected < len(states) - 2
     assert stress[expected] > 1.3 * stress[0]  # the first of the largest load tells nothing

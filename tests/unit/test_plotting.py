@@ -11,7 +11,9 @@ from core_fakes import FakeState, make_grid, make_simulation
 from matplotlib.figure import Figure
 
 from samcontact import hertz, plotting
+from samcontact._tensors import von_mises
 from samcontact.plotting.parts import new_figure, save
+from samcontact.results import to_dataset
 
 E_STAR = 115384615384.6154
 
@@ -43,7 +45,8 @@ def lines(ax):
 @pytest.mark.parametrize("axis", ["x", "y"])
 def test_pressure_profile_shows_the_central_row_and_hertz(state, simulation, ax, axis):
     contact = hertz.point(7.5e-3, E_STAR, load=1500.0)
-    assert plotting.pressure_profile(state, simulation.grid, ax, hertz=contact, axis=axis) is ax
+    shown = plotting.pressure_profile(state.pressure, simulation.grid, ax, hertz=contact, axis=axis)
+    assert shown is ax
     drawn = lines(ax)
     row = state.pressure[:, 4] if axis == "x" else state.pressure[5, :]
     coordinates = simulation.grid.x if axis == "x" else simulation.grid.y
@@ -116,8 +119,8 @@ def test_the_label_of_a_section_is_where_it_has_room(layers, ax):
     assert (ax.get_title(), beside)[layers < 5] == ""
 
 
-@pytest.mark.parametrize("source", ["state", "fields"])
-def test_maps_of_the_surface(simulation, source):
+@pytest.mark.parametrize("known", [True, False])
+def test_maps_of_the_surface(simulation, known):
     grid = simulation.grid
     state = FakeState(grid, 1500.0)
     touching = state.pressure > 0
@@ -130,20 +133,20 @@ def test_maps_of_the_surface(simulation, source):
         "print": printed * 1e6,
     }
     for quantity, field in fields.items():
-        given = state if source == "state" else field
-        ax = plotting.surface_map(given, grid, quantity=quantity)
+        contact = touching if known else None
+        ax = plotting.surface_map(field, grid, quantity=quantity, contact=contact)
         (mesh,) = ax.collections
         shown = np.ma.filled(mesh.get_array().astype(float), np.nan)
         np.testing.assert_allclose(shown, expected[quantity].T)
     assert ax.get_title() == "residual displacement [µm]"
     with pytest.raises(ValueError, match="quantity must be one of 'pressure', 'gap', 'print'"):
-        plotting.surface_map(state, grid, quantity="shear")
+        plotting.surface_map(state.gap, grid, quantity="shear")
 
 
 def test_load_approach(simulation, ax):
     states = [FakeState(simulation.grid, load) for load in (100.0, 800.0, 0.0)]
     contact = hertz.point(7.5e-3, E_STAR, load=123.0)
-    plotting.load_approach(states, ax, hertz=contact)
+    plotting.load_approach(to_dataset(simulation, states), ax, hertz=contact)
     drawn = lines(ax)
     np.testing.assert_allclose(drawn["increments"][:, 1], [100.0, 800.0, 0.0])
     np.testing.assert_allclose(drawn["increments"][:, 0], [s.approach * 1e6 for s in states])
@@ -154,8 +157,9 @@ def test_load_approach(simulation, ax):
     assert drawn["Hertz"][-1, 1] == pytest.approx(800.0, rel=1e-12)  # states are Hertz contacts
 
 
-def test_print_profile_in_either_input_form(state, simulation, ax):
-    plotting.print_profile(state, simulation.grid, ax, body=1, label="body 1")
+def test_print_profile(state, simulation, ax):
+    field = state.residual_displacement(body=1)
+    plotting.print_profile(field, simulation.grid, ax, label="body 1")
     field = state.residual_displacement(body=2)
     plotting.print_profile(field, simulation.grid, ax, label="body 2")
     drawn = lines(ax)
@@ -164,7 +168,7 @@ def test_print_profile_in_either_input_form(state, simulation, ax):
     assert ax.yaxis_inverted()
 
 
-def test_temperature_profile_in_either_input_form(state, simulation, ax):
+def test_temperature_profile(simulation, ax):
     field = np.add.outer(np.arange(11.0), 100.0 * np.arange(9.0))
     plotting.temperature_profile(field, simulation.grid, ax, label="along x")
     plotting.temperature_profile(field, simulation.grid, ax, axis="y", label="along y")
@@ -172,10 +176,6 @@ def test_temperature_profile_in_either_input_form(state, simulation, ax):
     np.testing.assert_allclose(drawn["along x"][:, 0], simulation.grid.x * 1e6)
     np.testing.assert_allclose(drawn["along x"][:, 1], field[:, 4])
     np.testing.assert_allclose(drawn["along y"][:, 1], field[5])
-    plotting.temperature_profile(state, simulation.grid, ax, body=1, label="of a state")
-    np.testing.assert_allclose(
-        lines(ax)["of a state"][:, 1], state.surface_temperature(body=1)[:, 4]
-    )
     assert ax.get_ylabel() == "rise of temperature [K]"
 
 
@@ -193,17 +193,21 @@ def test_section_of_temperature(simulation, ax):
 
 
 def test_axis_profile(state, simulation, ax):
-    plotting.axis_profile(state, simulation.grid, ax, components=("von_mises", "zz"))
-    first, second = ax.get_lines()
+    plotting.axis_profile(
+        state.stress(), simulation.grid, ax, components=("von_mises", "hydrostatic", "zz")
+    )
+    first, mean, second = ax.get_lines()
     np.testing.assert_allclose(first.get_ydata(), simulation.grid.z * 1e6)
-    np.testing.assert_allclose(first.get_xdata(), state.von_mises()[5, 4] * 1e-6)
+    stress = state.stress()[:, 5, 4]
+    np.testing.assert_allclose(first.get_xdata(), von_mises(stress) * 1e-6)
+    np.testing.assert_allclose(mean.get_xdata(), stress[:3].mean(axis=0) * 1e-6)
     np.testing.assert_allclose(second.get_xdata(), state.stress()[2, 5, 4] * 1e-6)
     assert ax.yaxis_inverted()
 
 
 def test_axis_profile_names_its_components(state, simulation, ax):
     names = ("xx", "yy", "zz", "yz", "xz", "xy")
-    plotting.axis_profile(state, simulation.grid, ax, components=names)
+    plotting.axis_profile(state.stress(), simulation.grid, ax, components=names)
     for index, (name, line) in enumerate(zip(names, ax.get_lines(), strict=True)):
         assert name in line.get_label()
         np.testing.assert_allclose(line.get_xdata(), state.stress()[index, 5, 4] * 1e-6)
@@ -219,11 +223,11 @@ def test_new_figure_without_pyplot():
 def test_new_axes_are_made_when_none_are_given(state, simulation):
     grid = simulation.grid
     for ax in (
-        plotting.pressure_profile(state, grid),
+        plotting.pressure_profile(state.pressure, grid),
         plotting.section(state.von_mises(), grid),
-        plotting.load_approach([state]),
-        plotting.print_profile(state, grid),
-        plotting.axis_profile(state, grid),
+        plotting.load_approach(to_dataset(simulation, [state])),
+        plotting.print_profile(state.gap, grid),
+        plotting.axis_profile(state.stress(), grid),
     ):
         assert ax.figure.get_layout_engine() is not None
 
@@ -233,15 +237,17 @@ def test_bad_input_is_named(state, simulation, ax):
     with pytest.raises(ValueError, match=r"pressure must have shape \(11, 9\), got \(3, 3\)"):
         plotting.pressure_profile(np.zeros((3, 3)), grid, ax)
     with pytest.raises(ValueError, match="axis must be one of 'x', 'y', got 'z'"):
-        plotting.print_profile(state, grid, ax, axis="z")
+        plotting.print_profile(state.gap, grid, ax, axis="z")
     with pytest.raises(ValueError, match=r"quantity must be one of 'von_mises', .* got 'heat'"):
         plotting.section(state.von_mises(), grid, ax, quantity="heat")
     with pytest.raises(ValueError, match="grid must have a volume"):
         plotting.section(state.von_mises(), make_grid(), ax)
     with pytest.raises(ValueError, match=r"components must be one of .* got 'rr'"):
-        plotting.axis_profile(state, grid, ax, components=("rr",))
-    with pytest.raises(ValueError, match="at least one state"):
-        plotting.load_approach([], ax)
+        plotting.axis_profile(state.stress(), grid, ax, components=("rr",))
+    with pytest.raises(ValueError, match=r"stress must have shape \(6, 11, 9, 4\)"):
+        plotting.axis_profile(state.von_mises(), grid, ax)
+    with pytest.raises(ValueError, match=r"contact must have shape \(11, 9\), got \(3,\)"):
+        plotting.surface_map(state.gap, grid, ax, contact=np.zeros(3, dtype=bool))
 
 
 def test_latex_that_is_not_installed_is_told(tmp_path, monkeypatch):

@@ -11,7 +11,9 @@ from core_fakes import ELASTIC, SWIFT, FakeState, make_grid, make_simulation
 import samcontact as sc
 from samcontact import plotting
 from samcontact.plotting import parts, summary
+from samcontact.results import to_dataset
 
+WARM = SWIFT.with_thermal(50.0, 1e-5, 1e-5)
 SURFACE = ["pressure.png", "pressure_map.png", "gap_map.png"]
 
 
@@ -71,12 +73,14 @@ def overlaps(figure):
 # cells along x and y, layers: flat, deep, long
 @pytest.mark.parametrize("cells", [(41, 9, 3), (11, 9, 20), (9, 41, 10)])
 def test_what_is_written_can_be_read(cells, tmp_path, drawn):
-    simulation = make_simulation()
+    simulation = make_simulation(body2=WARM)
     grid = simulation.grid = make_grid(nx=cells[0], ny=cells[1], nz=cells[2], dz=1e-4)
+    simulation.initial_gap = np.zeros(cells[:2])
     states = [FakeState(grid, load) for load in (1500.0, 0.0)]
     for state in states:
         state.gap = 1e-3 * np.abs(grid.x)[:, None] + 1e-3 * np.abs(grid.y)
-    written = plotting.summary_figures(simulation, states, tmp_path / "new" / "folder")
+    dataset = to_dataset(simulation, states)
+    written = plotting.summary_figures(dataset, tmp_path / "new" / "folder")
     assert [path.name for path in written] == [
         *SURFACE,
         "axis_stress.png",
@@ -97,9 +101,9 @@ def test_what_is_written_can_be_read(cells, tmp_path, drawn):
 
 
 def test_without_a_volume(tmp_path):
-    surface = make_simulation(nz=0, body2=ELASTIC)
+    surface = make_simulation(nz=0, body2=ELASTIC.with_thermal(50.0, 1e-5, 1e-5))
     states = [FakeState(surface.grid, 1500.0)]
-    written = plotting.summary_figures(surface, states, tmp_path)
+    written = plotting.summary_figures(to_dataset(surface, states), tmp_path)
     names = [*SURFACE, "load_approach.png", "flash_temperature.png"]
     assert [path.name for path in written] == names
 
@@ -110,7 +114,7 @@ def test_profiles_run_where_there_is_something(tmp_path, drawn):
     grid = simulation.grid
     state = FakeState(grid, 1500.0)
     state.pressure = np.roll(state.pressure, 3, axis=1)
-    plotting.summary_figures(simulation, [state], tmp_path)
+    plotting.summary_figures(to_dataset(simulation, [state]), tmp_path)
     row = int(np.argmax(state.pressure.max(axis=0)))
     ax = drawn["pressure"].axes[0]
     np.testing.assert_allclose(ax.get_lines()[0].get_ydata(), state.pressure[:, row] * 1e-9)
@@ -123,7 +127,7 @@ def test_of_what_moved_all_of_the_track_is_shown(tmp_path, drawn):
     simulation = sc.Simulation(grid, ELASTIC, SWIFT, sc.surfaces.paraboloid(grid, 7.5e-3))
     move = {"load": 700.0, "advance": (-2 * step, -2 * step)}
     states = simulation.run([{"load": 700.0}, *[move] * 5, {"load": 0.0}], progress=False)
-    plotting.summary_figures(simulation, states, tmp_path)
+    plotting.summary_figures(to_dataset(simulation, states), tmp_path)
     track = states[-1].track(2)
     depth = track.residual_displacement()
     ax = drawn["print"].axes[0]
@@ -140,9 +144,24 @@ def test_of_what_moved_all_of_the_track_is_shown(tmp_path, drawn):
         assert overlaps(figure) == [], name
 
 
+def test_the_increments_that_are_shown(tmp_path):
+    simulation = make_simulation(body2=WARM)
+    states = [FakeState(simulation.grid, load) for load in (1500.0, 700.0, 100.0)]
+    states[1].pressure = 3.0 * states[0].pressure  # warmest where the stress is not largest
+    stored = to_dataset(simulation, states)
+    shown = summary.increments_shown(stored, 2)
+    assert shown == {1, 2, 3}
+    assert stored["volume_increment"].values.tolist() == [1, 3]
+    assert "temperature" not in {path.stem for path in plotting.summary_figures(stored, tmp_path)}
+    whole = to_dataset(simulation, states, volume=sorted(shown))
+    assert whole["volume_increment"].values.tolist() == [1, 2, 3]
+    assert "temperature" in {path.stem for path in plotting.summary_figures(whole, tmp_path)}
+
+
 def test_bad_input_is_named(tmp_path):
     simulation = make_simulation()
-    with pytest.raises(ValueError, match="at least one state"):
-        plotting.summary_figures(simulation, [], tmp_path)
+    states = [FakeState(simulation.grid, 1.0)]
     with pytest.raises(ValueError, match="body must be one of 1, 2, got 3"):
-        plotting.summary_figures(simulation, [FakeState(simulation.grid, 1.0)], tmp_path, body=3)
+        plotting.summary_figures(to_dataset(simulation, states), tmp_path, body=3)
+    with pytest.raises(ValueError, match=r"volume .* got 2"):
+        to_dataset(simulation, states, volume=[2])

@@ -12,8 +12,10 @@ from hypothesis import strategies as st
 from rich.console import Console
 
 from samcontact import hertz
-from samcontact.commands import solve_contact, solve_sweep, solve_tugging, solve_wear, tables
+from samcontact.asperities.series import BY_INCREMENT, BY_PASS
+from samcontact.commands import solve_contact, solve_study, solve_sweep, tables
 from samcontact.commands.tables import NARROWEST, UNLIMITED, Sheet, new_console, numbers
+from samcontact.wear.results import PER_BODY, PER_CYCLE
 
 SIZES = (1e-12, 1e-6, 1.0, 1e6, 1e12)
 CASE = SimpleNamespace(output=SimpleNamespace(body=2))
@@ -25,8 +27,9 @@ def values(count, generator):
 
 
 def contact(generator, count=7):
-    names = [name for name, *_ in tables.contact_columns(2)]
-    names += ["travel_body2", "iterations", "contact_area"]
+    of_a_body = ("max_von_mises", "max_equivalent_plastic_strain", "max_temperature", "travel")
+    names = [name for name in tables.CONTACT_COLUMNS if name not in of_a_body]
+    names += [f"{name}_body2" for name in of_a_body] + ["iterations", "contact_area"]
     return xr.Dataset(
         {name: ("increment", values(count, generator)) for name in names},
         {"increment": np.arange(1, count + 1)},
@@ -35,24 +38,21 @@ def contact(generator, count=7):
 
 
 def tugging(generator, count=4):
-    by_pass = {"net_energy", "dissipation", "residual_energy"}
-    data = {name: ("pass", values(count, generator)) for name in by_pass}
-    for name in ("force_x", "force_z", "max_pressure"):
+    data = {name: ("pass", values(count, generator)) for name in BY_PASS}
+    for name in BY_INCREMENT:
         data[name] = (("pass", "increment"), values(2 * count, generator).reshape(count, 2))
     data["residual_displacement"] = (
         ("pass", "body"),
         values(2 * count, generator).reshape(count, 2),
     )
-    coordinates = {"pass": np.arange(1, count + 1), "body": [1, 2]}
-    return SimpleNamespace(series=xr.Dataset(data, coordinates))
+    return xr.Dataset(data, {"pass": np.arange(1, count + 1), "body": [1, 2]})
 
 
 def wear(generator, count=5):
-    cycles = []
-    for number in range(1, count + 1):
-        numbers = zip(solve_wear.COLUMNS, values(len(solve_wear.COLUMNS), generator), strict=True)
-        cycles.append(SimpleNamespace(number=number, **{column[0]: n for column, n in numbers}))
-    return SimpleNamespace(cycles=cycles)
+    shape = (count, 2)
+    data = {n: (("cycle", "body"), values(10, generator).reshape(shape)) for n in PER_BODY}
+    data |= {name: ("cycle", values(count, generator)) for name in PER_CYCLE}
+    return xr.Dataset(data, {"cycle": np.arange(1, count + 1), "body": [1, 2]})
 
 
 def sweep(generator):
@@ -70,8 +70,8 @@ def all_tables(seed):
     return [
         solve_contact._summary(contact(generator), 2),
         solve_contact._comparison(contact(generator), 3, reference, 2),
-        solve_tugging._table(tugging(generator)),
-        solve_wear._table(wear(generator)),
+        solve_study._passes_sheet(tugging(generator)),
+        solve_study._cycles_sheet(wear(generator)),
         sweep(generator),
     ]
 

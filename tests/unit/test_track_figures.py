@@ -4,12 +4,14 @@
 import matplotlib.animation
 import numpy as np
 import pytest
+import xarray as xr
 from matplotlib.figure import Figure
 from PIL import Image
 
 import samcontact as sc
-from samcontact import plotting
+from samcontact import plotting, results
 from samcontact.plotting.track import positions_on_body, track_summary
+from samcontact.results.motion import track_of
 
 SOFT = sc.Material.swift(210e9, 0.3, 945e6, 20, 0.121)
 STEP = 60e-6
@@ -31,6 +33,11 @@ def states():
 @pytest.fixture(scope="module")
 def track(states):
     return states[-1].track(2)
+
+
+@pytest.fixture(scope="module")
+def shown(track):
+    return track.to_dataset()
 
 
 @pytest.fixture
@@ -55,8 +62,15 @@ def test_places_of_cells_are_those_of_the_track():
             )
 
 
-def test_print_along_the_track(track, ax):
-    assert plotting.track_print(track, ax, positions=(0.0, 1.9 * STEP)) is ax
+def test_a_track_is_the_same_from_itself_and_from_results(states, shown):
+    dataset = results.to_dataset(states[-1]._simulation, states)
+    xr.testing.assert_identical(track_of(dataset, 2), shown)
+    assert track_of(dataset, 1) is None  # elastic
+    assert shown["residual_stress"].attrs["units"] == "Pa"
+
+
+def test_print_along_the_track(track, shown, ax):
+    assert plotting.track_print(shown, ax, positions=(0.0, 1.9 * STEP)) is ax
     u = track.residual_displacement() * 1e6
     for line, row, label in zip(ax.get_lines(), (6, 8), ("y = 0 µm", "y = 120 µm"), strict=True):
         np.testing.assert_allclose(line.get_xdata(), track.x * 1e6)
@@ -66,8 +80,8 @@ def test_print_along_the_track(track, ax):
     assert ax.get_xlabel() == "x on body 2 [µm]"
 
 
-def test_print_across_the_track(track, ax):
-    plotting.track_print(track, ax, axis="y", positions=(0.0, WAY * STEP))
+def test_print_across_the_track(track, shown, ax):
+    plotting.track_print(shown, ax, axis="y", positions=(0.0, WAY * STEP))
     u = track.residual_displacement() * 1e6
     rows = [int(np.argmin(np.abs(track.x - x))) for x in (0.0, WAY * STEP)]
     assert rows[1] - rows[0] == WAY
@@ -85,8 +99,8 @@ def test_print_across_the_track(track, ax):
         ("equivalent_plastic_strain", "equivalent_plastic_strain", 1e2),
     ],
 )
-def test_section_along_the_track(track, ax, quantity, method, factor):
-    assert plotting.track_section(track, ax, quantity=quantity) is ax
+def test_section_along_the_track(track, shown, ax, quantity, method, factor):
+    assert plotting.track_section(shown, ax, quantity=quantity) is ax
     (mesh,) = ax.collections
     values = getattr(track, method)()[:, 6, :]
     np.testing.assert_allclose(mesh.get_array(), values.T * factor)
@@ -99,8 +113,8 @@ def test_section_along_the_track(track, ax, quantity, method, factor):
     assert ax.get_title().endswith("[%]" if factor == 1e2 else "[MPa]")
 
 
-def test_section_across_the_track(track, ax):
-    plotting.track_section(track, ax, quantity="xx", plane="x", position=5.2 * STEP)
+def test_section_across_the_track(track, shown, ax):
+    plotting.track_section(shown, ax, quantity="xx", plane="x", position=5.2 * STEP)
     row = int(np.argmin(np.abs(track.x - 5 * STEP)))
     (mesh,) = ax.collections
     np.testing.assert_allclose(mesh.get_array(), track.residual_stress()[0, row].T * 1e-6)
@@ -122,8 +136,8 @@ def test_section_under_load_moves_with_the_contact(states, ax):
     np.testing.assert_allclose(across.collections[0].get_array(), state.stress()[2, row].T * 1e-6)
 
 
-def test_summary(states, track):
-    figures = track_summary(states, 2)
+def test_summary(states, track, shown):
+    figures = track_summary(shown, np.array([state.travel[1] for state in states]))
     assert list(figures) == ["track_print", "track_sections"]
     along, across = figures["track_print"].axes
     assert len(along.get_lines()) == 1
@@ -131,24 +145,24 @@ def test_summary(states, track):
     assert labels == ["x = 0 µm", "x = 300 µm", "x = 600 µm"]
     fields = ("residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain")
     for ax, name in zip(figures["track_sections"].axes, fields, strict=False):
-        shown = ax.collections[0].get_array() / (1e2 if "strain" in name else 1e-6)
-        np.testing.assert_allclose(shown, getattr(track, name)()[:, 6, :].T)
+        values = ax.collections[0].get_array() / (1e2 if "strain" in name else 1e-6)
+        np.testing.assert_allclose(values, getattr(track, name)()[:, 6, :].T)
     assert figures["track_sections"].axes[3].get_title().endswith("[MPa], x = 300 µm")
 
 
-def test_bad_input_is_named(states, track, ax):
+def test_bad_input_is_named(states, shown, ax):
     with pytest.raises(ValueError, match="axis must be one of 'x', 'y', got 'z'"):
-        plotting.track_print(track, ax, axis="z")
+        plotting.track_print(shown, ax, axis="z")
     with pytest.raises(ValueError, match="positions must hold at least one value"):
-        plotting.track_print(track, ax, positions=())
+        plotting.track_print(shown, ax, positions=())
     with pytest.raises(ValueError, match="positions must be a finite number, got nan"):
-        plotting.track_print(track, ax, positions=(np.nan,))
+        plotting.track_print(shown, ax, positions=(np.nan,))
     with pytest.raises(
         ValueError, match=r"quantity must be one of 'residual_von_mises', .* 'heat'"
     ):
-        plotting.track_section(track, ax, quantity="heat")
+        plotting.track_section(shown, ax, quantity="heat")
     with pytest.raises(ValueError, match="plane must be one of 'y', 'x', got 'z'"):
-        plotting.track_section(track, ax, plane="z")
+        plotting.track_section(shown, ax, plane="z")
     with pytest.raises(ValueError, match=r"quantity must be one of 'von_mises', .* got 'heat'"):
         plotting.loaded_section(states[0], ax, quantity="heat")
     with pytest.raises(ValueError, match="body must be one of 1, 2, got 3"):

@@ -18,7 +18,7 @@ def results():
     found = []
     for relative in (2.0, 4.0):
         which = Collision(1.0, 1.0, relative * CRITICAL.interference)
-        found.append(tug(which, ELASTIC, STEEL, which.grid(8), passes=2, progress=False))
+        found.append(tug(which, ELASTIC, STEEL, which.grid(8), passes=2, progress=False).series)
     return found
 
 
@@ -32,7 +32,7 @@ def test_force(results, component, number):
     ax = tugging_figures.force(results, component=component, number=number)
     assert len(lines(ax)) == 2
     for line, result in zip(lines(ax), results, strict=True):
-        series = result.series.sel({"pass": number})
+        series = result.sel({"pass": number})
         np.testing.assert_allclose(line.get_xdata(), series["offset"].values / 0.5)
         np.testing.assert_array_equal(line.get_ydata(), series[f"force_{component}"].values)
     assert "[N]" in ax.get_ylabel()
@@ -46,7 +46,7 @@ def test_force(results, component, number):
 def test_load_ratio(results):
     ax = tugging_figures.load_ratio(results)
     shown = lines(ax)[1].get_ydata()
-    np.testing.assert_array_equal(shown, results[1].series.load_ratio.values[0])
+    np.testing.assert_array_equal(shown, results[1].load_ratio.values[0])
     assert np.isnan(shown[0])
 
 
@@ -57,13 +57,13 @@ def test_energy_and_print_against_the_interference(results):
     ]  # fmt: skip
     first = lines(ax)[0]
     np.testing.assert_allclose(first.get_xdata(), [2, 4])
-    expected = [float(r.series.net_energy[0]) / CRITICAL.energy for r in results]
+    expected = [float(r.net_energy[0]) / CRITICAL.energy for r in results]
     np.testing.assert_allclose(first.get_ydata(), expected)
 
     ax = tugging_figures.residual_displacement(results)
     depths = {line.get_label(): line.get_ydata() for line in lines(ax)}
     assert not np.any(depths["body 1, pass 1"])  # elastic
-    expected = [float(r.series.residual_displacement[1, 1]) for r in results]
+    expected = [float(r.residual_displacement[1, 1]) for r in results]
     np.testing.assert_array_equal(depths["body 2, pass 2"], expected)
 
 

@@ -53,7 +53,7 @@ def test_tresca_does_not_depend_on_the_frame():
 
 
 def test_worn_profile(result, ax):
-    wear_figures.worn_profile(result, ax, cycles=(0, 2))
+    wear_figures.worn_profile(result.to_dataset(), ax, cycles=(0, 2))
     first, last = ax.get_lines()
     np.testing.assert_allclose(first.get_ydata(), 0.0)
     np.testing.assert_allclose(last.get_ydata(), result.profile(2)[:, 13] * 1e6)
@@ -61,20 +61,20 @@ def test_worn_profile(result, ax):
 
 
 def test_worn_profile_across(result, ax):
-    wear_figures.worn_profile(result, ax, axis="y", position=5e-6)
+    wear_figures.worn_profile(result.to_dataset(), ax, axis="y", position=5e-6)
     row = np.argmin(np.abs(result.x() - 5e-6))
     assert len(ax.get_lines()) == 3
     np.testing.assert_allclose(ax.get_lines()[1].get_ydata(), result.profile(1)[row] * 1e6)
 
 
 def test_surface_map(result, ax):
-    wear_figures.surface_map(result, ax, cycle=1)
+    wear_figures.surface_map(result.to_dataset(), ax, cycle=1)
     shown = ax.collections[0].get_array().reshape(27, -1)
     np.testing.assert_allclose(shown, result.profile(1).T * 1e6)
 
 
 def test_wear_rate(result, ax):
-    wear_figures.wear_rate(result, ax)
+    wear_figures.wear_rate(result.to_dataset(), ax)
     np.testing.assert_allclose(ax.get_lines()[0].get_ydata(), result.rate * 1e18)
 
 
@@ -94,8 +94,8 @@ def test_bad_input_is_named(result):
     with pytest.raises(ValueError, match=r"stress must have shape \(6, ...\), got \(3, 2\)"):
         wear_figures.tresca(np.zeros((3, 2)))
     with pytest.raises(ValueError, match="axis must be one of 'x', 'y', got 'z'"):
-        wear_figures.worn_profile(result, axis="z")
+        wear_figures.worn_profile(result.to_dataset(), axis="z")
     with pytest.raises(ValueError, match="cycle must be in"):
-        wear_figures.surface_map(result, cycle=3)
+        wear_figures.surface_map(result.to_dataset(), cycle=3)
     with pytest.raises(ValueError, match="body must be one of 2, got 1"):
-        wear_figures.surface_map(result, body=1)
+        wear_figures.surface_map(result.to_dataset(), body=1)

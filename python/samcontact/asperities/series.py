@@ -11,37 +11,21 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._checks import FloatArray
+from .._quantities import TUGGING
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from .collision import Collision
 
-# name: (unit, what it is)
-BY_INCREMENT = {
-    "offset": ("m", "horizontal distance of the centres"),
-    "angle": ("rad", "of the line of centres from the vertical"),
-    "approach": ("m", "along the line of centres"),
-    "normal_force": ("N", "along the line of centres"),
-    "force_x": ("N", "of sphere 1 on sphere 2 along X; what it takes to move sphere 1 along +X"),
-    "force_y": ("N", "of sphere 1 on sphere 2 along Y"),
-    "force_z": ("N", "of sphere 1 on sphere 2 downwards"),
-    "load_ratio": ("1", "force_x over force_z"),
-    "work": ("J", "of force_x since the start of the pass"),
-    "plastic_work": ("J", "of both bodies since the start of the first pass"),
-    "max_pressure": ("Pa", "largest pressure"),
-    "contact_area": ("m2", "area under pressure"),
-    "max_equivalent_plastic_strain": ("1", "largest equivalent plastic strain of a body"),
-    "contact_cells": ("1", "cells across the spot under the largest pressure"),
-    "plastic_layers": ("1", "layers from top to bottom of the plastic zone of a body"),
-}
-BY_PASS = {
-    "net_energy": ("J", "work of force_x over the pass"),
-    "dissipation": ("J", "plastic work of the pass in both bodies"),
-    "residual_energy": ("J", "elastic energy of the residual stress of both bodies after the pass"),
-    "energy_imbalance": ("J", "net energy not found as dissipation or more residual energy"),
-    "residual_displacement": ("m", "largest depth of the print of a body after the pass"),
-}
+BY_INCREMENT = (
+    "offset", "angle", "approach", "normal_force", "force_x", "force_y", "force_z", "load_ratio",
+    "work", "plastic_work", "max_pressure", "contact_area", "max_equivalent_plastic_strain",
+    "contact_cells", "plastic_layers",
+)  # fmt: skip
+BY_PASS = (
+    "net_energy", "dissipation", "residual_energy", "energy_imbalance", "residual_displacement",
+)  # fmt: skip
 
 
 @dataclass
@@ -84,7 +68,6 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Data
     import xarray as xr
 
     from .. import __version__
-    from ..results.motion import variable
 
     data = {name: _table(passes, name) for name in BY_INCREMENT if name != "load_ratio"}
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -105,9 +88,9 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Data
         by_pass = ("pass",) if name in BY_PASS else ("pass", "increment")
         return (*by_pass, "body") if data[name].ndim > len(by_pass) else by_pass
 
-    words = BY_INCREMENT | BY_PASS
+    names = (*BY_INCREMENT, *BY_PASS)
     return xr.Dataset(
-        {name: variable(dims(name), data[name], *words[name]) for name in words},
+        {name: TUGGING[name].variable(dims(name), data[name]) for name in names},
         coords={"pass": np.arange(1, len(passes) + 1), "body": [1, 2]},
         attrs={
             "title": "tugging of two spheres",
@@ -115,3 +98,17 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Data
             **asdict(collision),
         },
     )
+
+
+def of_passes(series: xr.Dataset) -> xr.Dataset:
+    """One value for each pass: those of its end, the largest and least forces, the resolution."""
+    under_load = series["normal_force"].fillna(0.0).argmax("increment")
+    passes: xr.Dataset = series[list(BY_PASS)].assign(
+        max_force_x=series["force_x"].max("increment"),
+        min_force_x=series["force_x"].min("increment"),
+        max_force_z=series["force_z"].max("increment"),
+        max_pressure=series["max_pressure"].max("increment"),
+        contact_cells=series["contact_cells"].isel(increment=under_load),
+        plastic_layers=series["plastic_layers"].max("increment"),
+    )
+    return passes

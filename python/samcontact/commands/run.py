@@ -72,11 +72,11 @@ def _solve(
     if animate and section is not None:
         raise ValueError(f"--animate is not for a case with [{section}]")
     if isinstance(case, TuggingCase):
-        from .solve_tugging import solve_tugging
+        from .solve_study import solve_tugging
 
         return solve_tugging(case, directory, console, figures=figures, resume=resume)
     if case.wear is not None:
-        from .solve_wear import solve_wear
+        from .solve_study import solve_wear
 
         return solve_wear(case, directory, console, figures=figures, resume=resume)
     from .solve_contact import solve_contact

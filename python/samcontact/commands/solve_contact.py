@@ -9,16 +9,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
 from rich.console import Console
 
 from .. import hertz, results
 from .._journal import describe
 from .._peak import peak_of_dataset
-from ..results.against_hertz import hertz_area, hertz_rows
+from ..results.against_hertz import hertz_rows
 from .errors import StoppedEarlyError, tell_partial
 from .folder import publish
 from .interrupted import checkpoints_of
-from .tables import Sheet, contact_columns, numbers
+from .tables import CONTACT_COLUMNS, Sheet, numbers, of_contact, values_sheet
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -92,12 +93,7 @@ class _Run:
             from ..plotting import summary_figures
 
             written += summary_figures(
-                self.simulation,
-                states,
-                self.directory,
-                body=body,
-                hertz=reference,
-                peak=states[peak],
+                self._shown(dataset), self.directory, body=body, hertz=reference
             )
         if animate:
             from ..plotting import rolling_animation, save_animation
@@ -106,6 +102,16 @@ class _Run:
             animation = rolling_animation(shown, body=body)
             written.append(save_animation(animation, self.directory / "rolling.gif"))
         return written
+
+    def _shown(self, dataset: xr.Dataset) -> xr.Dataset:
+        """With the volume fields that figures show, whatever the case stores."""
+        from ..plotting.summary import increments_shown
+
+        shown = increments_shown(dataset, self.case.output.body)
+        there = dataset.get("volume_increment", ())
+        if self.simulation.grid.nz == 0 or shown <= set(np.asarray(there).tolist()):
+            return dataset
+        return results.to_dataset(self.simulation, self.states, self.case, volume=sorted(shown))
 
     def partial(self, error: Exception, wanted: int, figures: bool) -> str:
         """Write what there is after an error; what is told of it."""
@@ -119,18 +125,10 @@ class _Run:
 
 def _summary(dataset: xr.Dataset, body: int) -> Sheet:
     """Table of all increments, in units that read well."""
-    wanted = [
-        *contact_columns(body),
-        (f"print_depth_body{body}", "print\n[µm]", 1e6, 5),
-        (f"travel_body{body}", "travel\n[µm]", 1e6, 6),
-        ("iterations", "iter.", 1.0, 6),
-    ]
-    sheet = Sheet("Increments")
-    sheet.add("", [str(number) for number in dataset["increment"].values])
-    for name, heading, factor, digits in wanted:
-        if name in dataset:
-            sheet.add(heading, numbers(dataset[name].values * factor, digits))
-    return sheet
+    names = (*CONTACT_COLUMNS, "print_depth", "travel", "iterations")
+    shown = of_contact(dataset, names, body)
+    columns = [(quantity, dataset[name].values, None) for name, quantity in shown.items()]
+    return values_sheet("Increments", dataset["increment"].values, columns)
 
 
 def _comparison(
@@ -141,17 +139,11 @@ def _comparison(
 ) -> Sheet:
     """Computed values at the peak next to those of elastic Hertz contact."""
     number = int(dataset["increment"][peak])
-    unit, factor = ("mm²", 1e6) if hertz_area(reference) > 1e-8 else ("µm²", 1e12)
-    shown = {
-        "maximum pressure": ("p_max [MPa]", 1e-6),
-        "approach": ("approach [µm]", 1e6),
-        "contact area": (f"contact area [{unit}]", factor),
-        "maximum von Mises stress": ("von Mises [MPa]", 1e-6),
-    }
     rows = []
-    for name, _, exact, here in hertz_rows(dataset, peak, reference, body):
-        label, factor = shown[name]
-        rows.append((label, *numbers([exact * factor, here * factor], 6)))
+    for quantity, exact, here in hertz_rows(dataset, peak, reference, body):
+        shown = quantity.fitting(exact)
+        label = shown.column().replace("\n", " ")
+        rows.append((label, *numbers([exact * shown.factor, here * shown.factor], 6)))
     labels, elastic, computed = zip(*rows, strict=True)
     sheet = Sheet(f"Increment {number} against elastic Hertz contact at {reference.load:.6g} N")
     sheet.add("", labels)

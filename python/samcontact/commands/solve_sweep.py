@@ -15,13 +15,14 @@ import click
 import numpy as np
 
 from .._peak import peak_of_dataset
+from .._quantities import TUGGING
 from ..cases import load_case
 from ..cases.tugging import TuggingCase
 from ..sweeps import SweepInterrupted, sweep
 from .errors import FAILED
 from .folder import locked
 from .signals import exit_code
-from .tables import Sheet, contact_columns, new_console, numbers
+from .tables import CONTACT_COLUMNS, Sheet, new_console, numbers, of_contact
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -34,14 +35,16 @@ if TYPE_CHECKING:
     from ..cases import Case
 
 MOST_ERRORS = 10  # printed
-# variable, heading, factor, digits
-_TUGGING = [
-    ("force_x", "F_x max\n[N]", 1.0, 5),
-    ("force_z", "F_z max\n[N]", 1.0, 5),
-    ("max_pressure", "p_max\n[MPa]", 1e-6, 5),
-    ("net_energy", "net energy\nmax [J]", 1.0, 5),
-    ("residual_displacement", "print max\n[µm]", 1e6, 5),
-]
+_TUGGING = {
+    name: TUGGING[row]
+    for name, row in (
+        ("force_x", "max_force_x"),
+        ("force_z", "max_force_z"),
+        ("max_pressure", "max_pressure"),
+        ("net_energy", "net_energy"),
+        ("residual_displacement", "residual_displacement"),
+    )
+}
 
 
 def run_sweep(
@@ -137,12 +140,6 @@ def _errors(dataset: xr.Dataset) -> list[str]:
     return texts
 
 
-def _columns(case: Case | TuggingCase) -> list[tuple[str, str, float, int]]:
-    if isinstance(case, TuggingCase):
-        return _TUGGING
-    return contact_columns(case.output.body)
-
-
 def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | TuggingCase) -> Sheet:
     """One row for each case: its values at the peak of stress; of a tugging, the largest ones."""
     status = dataset["status"]
@@ -152,10 +149,13 @@ def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | TuggingCase) 
     sheet.add("case", [str(number) for number in range(1, len(cases) + 1)])
     for name in names:
         sheet.add(name.replace(".", ".\n"), [str(one[name].item()) for one in cases])
-    for name, heading, factor, digits in _columns(case):
-        if name in dataset:
-            values = [_shown(one, name, case) * factor for one in cases]
-            sheet.add(heading, numbers(values, digits))
+    if isinstance(case, TuggingCase):
+        columns = {name: quantity for name, quantity in _TUGGING.items() if name in dataset}
+    else:
+        columns = of_contact(dataset, CONTACT_COLUMNS, case.output.body)
+    for name, quantity in columns.items():
+        values = [_shown(one, name, case) * quantity.factor for one in cases]
+        sheet.add(quantity.column(), numbers(values, quantity.digits))
     sheet.add("status", [one["status"].item() for one in cases])
     return sheet
 

@@ -4,14 +4,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 from rich.console import Console, ConsoleOptions
 from rich.table import Table
 from rich.text import Text
+
+from .._quantities import CONTACT, Quantity
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 UNLIMITED = 10_000
 """Columns of a file or a pipe, which has no width of its own."""
@@ -118,13 +124,27 @@ def _natural(heading: str, cells: Sequence[str]) -> int:
     return max(map(len, lines), default=0)
 
 
-def contact_columns(body: int) -> list[tuple[str, str, float, int]]:
-    """Variables of a contact that its tables show: name, heading, factor to its unit, digits."""
-    return [
-        ("load", "load\n[N]", 1.0, 6),
-        ("approach", "approach\n[µm]", 1e6, 6),
-        ("max_pressure", "p_max\n[MPa]", 1e-6, 5),
-        (f"max_von_mises_body{body}", "von Mises\n[MPa]", 1e-6, 5),
-        (f"max_equivalent_plastic_strain_body{body}", "plastic\nstrain [%]", 1e2, 4),
-        (f"max_temperature_body{body}", "heating\n[K]", 1.0, 5),
-    ]
+CONTACT_COLUMNS = (
+    "load", "approach", "max_pressure", "max_von_mises", "max_equivalent_plastic_strain",
+    "max_temperature",
+)  # fmt: skip
+"""What tables of a contact show."""
+
+
+def of_contact(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
+    """Those of a contact or of one of its bodies that results have, by the name of the variable."""
+    found = ((f"{name}_body{body}", name) for name in names)
+    variables = ((own if own in dataset else name, name) for own, name in found)
+    return {variable: CONTACT[name] for variable, name in variables if variable in dataset}
+
+
+def values_sheet(
+    title: str, rows: ArrayLike, columns: Iterable[tuple[Quantity, ArrayLike, int | None]]
+) -> Sheet:
+    """A row for each number, a column for each quantity (of a body)."""
+    sheet = Sheet(title)
+    sheet.add("", [str(number) for number in np.asarray(rows)])
+    for quantity, values, body in columns:
+        shown = np.asarray(values, dtype=np.float64) * quantity.factor
+        sheet.add(quantity.column(body), numbers(shown, quantity.digits))
+    return sheet

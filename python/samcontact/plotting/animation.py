@@ -11,7 +11,8 @@ import numpy as np
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, FuncAnimation, PillowWriter
 
 from .._checks import FloatArray, choice, positive
-from .parts import QUANTITIES, edges, finish, nearest, new_figure
+from .._quantities import CONTACT
+from .parts import edges, finish, nearest, new_figure
 from .track import positions_on_body
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ def rolling_animation(
     prints = [_print(state, body, row) for state in states]
     pressures = [state.pressure[:, row] * 1e-9 for state in states]
 
-    text, factor, unit, colours = QUANTITIES[quantity]
+    shown = CONTACT[quantity]
     across, depth = edges(x, grid.dx) * 1e6, edges(grid.z, grid.dz) * 1e6
     width = 8.0
     ratio = min(max(0.8 * width * depth[-1] / (across[-1] - across[0]), 1.4), 3.0)
@@ -81,14 +82,20 @@ def rolling_animation(
     (pressure_line,) = above.plot([], [], "-", linewidth=1.2, color="C3")
     above.set_ylim(0.0, 1.08 * max(float(np.max(p)) for p in pressures) or 1.0)
     above.set_ylabel("pressure [GPa]")
-    largest = factor * max(float(np.nanmax(s)) for s in sections)
+    largest = shown.factor * max(float(np.nanmax(s)) for s in sections)
     shape = (grid.nz, count)
     mesh = middle.pcolormesh(
-        across, depth, np.zeros(shape), cmap=colours, vmin=0.0, vmax=largest or 1.0, rasterized=True
+        across,
+        depth,
+        np.zeros(shape),
+        cmap=shown.colours,
+        vmin=0.0,
+        vmax=largest or 1.0,
+        rasterized=True,
     )
     figure.colorbar(mesh, ax=middle)
     grey = "" if quantity == "equivalent_plastic_strain" else ", grey: not computed"
-    middle.set_title(f"{text} [{unit}]{grey}", fontsize="medium")
+    middle.set_title(f"{shown.label}{grey}", fontsize="medium")
     middle.set_facecolor("0.85")
     framed = quantity == "von_mises"
     frame = [middle.axvline(color="C3", linestyle=":", linewidth=framed) for _ in range(2)]
@@ -108,7 +115,7 @@ def rolling_animation(
         state = states[number]
         place = -state.travel[body - 1]
         pressure_line.set_data((np.asarray(grid.x) - state.origin + place) * 1e6, pressures[number])
-        mesh.set_array(sections[number].T * factor)
+        mesh.set_array(sections[number].T * shown.factor)
         print_line.set_data(prints[number][0] * 1e6, prints[number][1] * 1e6)
         ends = edges(windows[number], grid.dx)[[0, -1]] * 1e6
         for line, end in zip(frame, ends, strict=True):

@@ -12,10 +12,12 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
 from .._checks import choice, finite, finite_array
+from .._quantities import CONTACT
+from .._tensors import von_mises
 from ..hertz import EllipticContact, PointContact
 from .parts import (
     COMPONENTS,
-    QUANTITIES,
+    SECTIONS,
     axes_or_new,
     edges,
     finish,
@@ -25,14 +27,15 @@ from .parts import (
 )
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from ..grid import Grid
-    from ..state import State
 
 HertzContact = PointContact | EllipticContact
 
 
 def pressure_profile(
-    state: State | ArrayLike,
+    field: ArrayLike,
     grid: Grid,
     ax: Axes | None = None,
     *,
@@ -45,8 +48,8 @@ def pressure_profile(
 
     Parameters
     ----------
-    state : State or array_like, shape (nx, ny)
-        A state, or a pressure field [Pa].
+    field : array_like, shape (nx, ny)
+        Pressure [Pa], e.g. of a state or of a dataset.
     grid : Grid
         Its grid.
     ax : matplotlib.axes.Axes, optional
@@ -69,20 +72,40 @@ def pressure_profile(
     ValueError
         Wrong shape of the field or unknown axis.
     """
-    field: Any = state
-    s, pressure = surface_line(getattr(field, "pressure", field), "pressure", grid, axis, position)
-    ax = axes_or_new(ax)
-    ax.plot(s * 1e6, pressure * 1e-9, "o-", markersize=3, linewidth=1.2, label=label)
+    style: dict[str, Any] = {"marker": "o", "markersize": 3}
+    ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
+    s = np.asarray(grid.x if axis == "x" else grid.y)
+    scale = CONTACT["pressure"].factor
     if hertz is not None:
         fine = np.linspace(s[0], s[-1], 801)
         if axis == "x":
             curve = hertz.pressure(fine, grid.y[nearest(grid.y, position)])
         else:
             curve = hertz.pressure(grid.x[nearest(grid.x, position)], fine)
-        ax.plot(fine * 1e6, curve * 1e-9, "k--", linewidth=1.0, label="Hertz")
-    ax.set_xlabel(f"{axis} [µm]")
-    ax.set_ylabel("pressure [GPa]")
+        ax.plot(fine * 1e6, curve * scale, "k--", linewidth=1.0, label="Hertz")
     ax.legend(frameon=False)
+    return ax
+
+
+def _profile(
+    field: ArrayLike,
+    quantity: str,
+    grid: Grid,
+    ax: Axes | None,
+    axis: str,
+    position: float,
+    label: str | None,
+    **style: Any,
+) -> Axes:
+    """A field of the surface along an axis."""
+    shown = CONTACT[quantity]
+    s, values = surface_line(field, shown.heading, grid, axis, position)
+    ax = axes_or_new(ax)
+    ax.plot(s * 1e6, values * shown.factor, "-", linewidth=1.2, label=label, **style)
+    ax.set_xlabel(f"{axis} [µm]")
+    ax.set_ylabel(shown.label)
+    if label is not None:
+        ax.legend(frameon=False)
     return finish(ax)
 
 
@@ -126,7 +149,7 @@ def section(
         No volume, wrong shape, or an unknown quantity or plane.
     """
     choice("plane", plane, ("y", "x"))
-    choice("quantity", quantity, tuple(QUANTITIES))
+    choice("quantity", quantity, SECTIONS)
     if grid.nz == 0 or grid.dz is None:
         raise ValueError("grid must have a volume (nz >= 1), got nz = 0")
     values = finite_array("field", field, (grid.nx, grid.ny, grid.nz))
@@ -141,7 +164,7 @@ def section(
 
 
 def load_approach(
-    states: Sequence[State], ax: Axes | None = None, *, hertz: HertzContact | None = None
+    dataset: xr.Dataset, ax: Axes | None = None, *, hertz: HertzContact | None = None
 ) -> Axes:
     """Load against approach, with that of Hertz (load ~ approach^1.5).
 
@@ -149,8 +172,8 @@ def load_approach(
 
     Parameters
     ----------
-    states : sequence of State
-        In the order of the path.
+    dataset : xarray.Dataset
+        Results, see `samcontact.results.to_dataset`.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     hertz : PointContact or EllipticContact, optional
@@ -159,17 +182,9 @@ def load_approach(
     Returns
     -------
     matplotlib.axes.Axes
-
-    Raises
-    ------
-    ValueError
-        No states.
     """
-    if len(states) == 0:
-        raise ValueError("states must hold at least one state, got none")
     ax = axes_or_new(ax)
-    approach = np.array([state.approach for state in states])
-    load = np.array([state.load for state in states])
+    load, approach = dataset["load"].values, dataset["approach"].values
     # between the increments nothing is known: the line tells their order only
     ax.plot(approach * 1e6, load, ":", color="C0", linewidth=0.8, label="_order")
     ax.plot(approach * 1e6, load, "o", color="C0", markersize=3, label="increments")
@@ -180,17 +195,16 @@ def load_approach(
         curve = hertz.load * (fine / hertz.approach) ** 1.5
         ax.plot(fine * 1e6, curve, "k--", linewidth=1.0, label="Hertz")
     ax.legend(frameon=False)
-    ax.set_xlabel("approach [µm]")
-    ax.set_ylabel("load [N]")
+    ax.set_xlabel(CONTACT["approach"].label)
+    ax.set_ylabel(CONTACT["load"].label)
     return finish(ax)
 
 
 def print_profile(
-    state: State | ArrayLike,
+    field: ArrayLike,
     grid: Grid,
     ax: Axes | None = None,
     *,
-    body: int = 2,
     axis: str = "x",
     position: float = 0.0,
     label: str | None = None,
@@ -199,14 +213,12 @@ def print_profile(
 
     Parameters
     ----------
-    state : State or array_like, shape (nx, ny)
-        A state, or a residual displacement [m], positive into the body.
+    field : array_like, shape (nx, ny)
+        Residual displacement [m], positive into the body.
     grid : Grid
         Its grid.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
-    body : {1, 2}
-        Whose print.
     axis : {"x", "y"}
         Direction of the profile.
     position : float
@@ -223,27 +235,17 @@ def print_profile(
     ValueError
         Wrong shape of the field or unknown axis.
     """
-    field: Any = state
-    if hasattr(field, "residual_displacement"):
-        field = field.residual_displacement(body=body)
-    s, depth = surface_line(field, "residual displacement", grid, axis, position)
-    ax = axes_or_new(ax)
-    ax.plot(s * 1e6, depth * 1e6, "-", linewidth=1.2, label=label)
+    ax = _profile(field, "residual_displacement", grid, ax, axis, position, label)
     if not ax.yaxis_inverted():
         ax.invert_yaxis()
-    ax.set_xlabel(f"{axis} [µm]")
-    ax.set_ylabel("residual displacement [µm]")
-    if label is not None:
-        ax.legend(frameon=False)
-    return finish(ax)
+    return ax
 
 
 def temperature_profile(
-    state: State | ArrayLike,
+    field: ArrayLike,
     grid: Grid,
     ax: Axes | None = None,
     *,
-    body: int = 2,
     axis: str = "x",
     position: float = 0.0,
     label: str | None = None,
@@ -252,14 +254,12 @@ def temperature_profile(
 
     Parameters
     ----------
-    state : State or array_like, shape (nx, ny)
-        A state, or a rise of temperature of the surface [K].
+    field : array_like, shape (nx, ny)
+        Rise of temperature of the surface [K].
     grid : Grid
         Its grid.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
-    body : {1, 2}
-        Whose surface.
     axis : {"x", "y"}
         Direction of the profile.
     position : float
@@ -276,39 +276,26 @@ def temperature_profile(
     ValueError
         Wrong shape of the field or unknown axis.
     """
-    field: Any = state
-    if hasattr(field, "surface_temperature"):
-        field = field.surface_temperature(body=body)
-    s, rise = surface_line(field, "temperature", grid, axis, position)
-    ax = axes_or_new(ax)
-    ax.plot(s * 1e6, rise, "-", linewidth=1.2, label=label)
-    ax.set_xlabel(f"{axis} [µm]")
-    ax.set_ylabel("rise of temperature [K]")
-    if label is not None:
-        ax.legend(frameon=False)
-    return finish(ax)
+    return _profile(field, "surface_temperature", grid, ax, axis, position, label)
 
 
 def axis_profile(
-    state: State,
+    stress: ArrayLike,
     grid: Grid,
     ax: Axes | None = None,
     *,
-    body: int = 2,
     components: Sequence[str] = ("von_mises", "hydrostatic", "xx", "zz"),
 ) -> Axes:
     """Stresses under the centre of the grid against depth.
 
     Parameters
     ----------
-    state : State
-        Read through ``stress``, ``von_mises`` and ``hydrostatic``.
+    stress : array_like, shape (6, nx, ny, nz)
+        Of a body [Pa].
     grid : Grid
         Its grid, with a volume.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
-    body : {1, 2}
-        Whose stresses.
     components : sequence of str
         From "von_mises", "hydrostatic", "xx", "yy", "zz", "yz", "xz", "xy".
 
@@ -319,23 +306,21 @@ def axis_profile(
     Raises
     ------
     ValueError
-        No volume, or an unknown component.
+        No volume, wrong shape, or an unknown component.
     """
     if grid.nz == 0:
         raise ValueError("grid must have a volume (nz >= 1), got nz = 0")
     for component in components:
         choice("components", component, ("von_mises", "hydrostatic", *COMPONENTS))
-    i, j = nearest(grid.x, 0.0), nearest(grid.y, 0.0)
-    tensor = state.stress(body=body) if set(components) & set(COMPONENTS) else None
+    tensor = finite_array("stress", stress, (6, grid.nx, grid.ny, grid.nz))
+    tensor = tensor[:, nearest(grid.x, 0.0), nearest(grid.y, 0.0)]
+    lines = dict(zip(COMPONENTS, tensor, strict=True))
+    lines |= {"von_mises": von_mises(tensor), "hydrostatic": tensor[:3].mean(axis=0)}
     ax = axes_or_new(ax)
-    for component in components:
-        if component in COMPONENTS:
-            assert tensor is not None
-            values, label = tensor[COMPONENTS[component], i, j, :], rf"$\sigma_{{{component}}}$"
-        else:
-            values = getattr(state, component)(body=body)[i, j, :]
-            label = QUANTITIES[component][0]
-        ax.plot(values * 1e-6, np.asarray(grid.z) * 1e6, linewidth=1.2, label=label)
+    for name in components:
+        label = rf"$\sigma_{{{name}}}$" if name in COMPONENTS else CONTACT[name].heading
+        values = lines[name] * CONTACT["stress"].factor
+        ax.plot(values, np.asarray(grid.z) * 1e6, linewidth=1.2, label=label)
     ax.set_ylim(float(np.max(grid.z)) * 1e6, 0.0)
     ax.xaxis.set_major_locator(
         MaxNLocator(5, steps=[1, 2, 5, 10])

@@ -3,47 +3,48 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from .._checks import choice, finite_array
+from ..results.reading import cell_size
 from .parts import SURFACES, edges, show_surface
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from ..grid import Grid
-    from ..state import State
-    from ..track import Track
 
 _BLANK = {"pressure": ", white: no contact", "gap": ", white: contact"}
 _CLOSED = 1e-6  # of the largest gap
 
 
 def surface_map(
-    state: State | ArrayLike,
+    field: ArrayLike,
     grid: Grid,
     ax: Axes | None = None,
     *,
     quantity: str = "pressure",
-    body: int = 2,
+    contact: ArrayLike | None = None,
 ) -> Axes:
     """Pressure, gap or print from above, with a colour bar.
 
     Parameters
     ----------
-    state : State or array_like, shape (nx, ny)
-        A state, or the field: pressure [Pa], gap or residual displacement [m]. A state tells where
-        the contact is; of a mere gap it is where the gap is less than 1e-6 of its maximum.
+    field : array_like, shape (nx, ny)
+        Pressure [Pa], gap or residual displacement [m].
     grid : Grid
         Its grid.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     quantity : {"pressure", "gap", "print"}
         What is shown. Where there is no pressure, or no gap, the map is white.
-    body : {1, 2}
-        Whose print.
+    contact : array_like of bool, shape (nx, ny), optional
+        Where the bodies touch; default where there is pressure, or the gap is less than 1e-6 of its
+        maximum.
 
     Returns
     -------
@@ -52,17 +53,13 @@ def surface_map(
     Raises
     ------
     ValueError
-        Wrong shape of the field, or an unknown quantity or body.
+        Wrong shape of the field, or an unknown quantity.
     """
     choice("quantity", quantity, tuple(SURFACES))
-    choice("body", body, (1, 2))
-    field: Any = state
-    touching = None
-    if hasattr(field, "pressure"):
-        touching = np.asarray(field.pressure) > 0
-        field = _of(field, quantity, body)
     values = finite_array(quantity, field, (grid.nx, grid.ny))
-    if touching is None:  # a gap is closed but for the tolerance of the contact
+    if contact is not None:
+        touching = finite_array("contact", np.asarray(contact, dtype=float), values.shape) > 0
+    else:  # a gap is closed but for the tolerance of the contact
         touching = values > 0 if quantity == "pressure" else values <= _CLOSED * values.max()
     note = ""
     if quantity in _BLANK and np.any(touching) and not np.all(touching):
@@ -72,19 +69,13 @@ def surface_map(
     return show_surface(ax, x, y, values, quantity, "x", note)
 
 
-def _of(state: Any, quantity: str, body: int) -> Any:
-    return (
-        state.residual_displacement(body=body) if quantity == "print" else getattr(state, quantity)
-    )
-
-
-def track_map(track: Track, ax: Axes | None = None) -> Axes:
+def track_map(track: xr.Dataset, ax: Axes | None = None) -> Axes:
     """The permanent print of a moving contact from above.
 
     Parameters
     ----------
-    track : Track
-        From `State.track`.
+    track : xarray.Dataset
+        From `Track.to_dataset`.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
 
@@ -92,6 +83,6 @@ def track_map(track: Track, ax: Axes | None = None) -> Axes:
     -------
     matplotlib.axes.Axes
     """
-    x, y = edges(track.x, track.grid.dx), edges(track.y, track.grid.dy)
-    name = f"x on body {track.body}"
-    return show_surface(ax, x, y, track.residual_displacement(), "print", name)
+    x, y = (edges(track[axis], cell_size(track, axis)) for axis in "xy")
+    name = f"x on body {track.attrs['body']}"
+    return show_surface(ax, x, y, track["residual_displacement"].values, "print", name)

@@ -16,26 +16,17 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, finite, finite_array
+from .._quantities import CONTACT, Quantity
 
 if TYPE_CHECKING:
     from ..grid import Grid
 
-# quantity: (label, factor to the displayed unit, unit, colour map)
-QUANTITIES = {
-    "von_mises": ("von Mises stress", 1e-6, "MPa", "viridis"),
-    "hydrostatic": ("hydrostatic stress", 1e-6, "MPa", "RdBu_r"),
-    "equivalent_plastic_strain": ("equivalent plastic strain", 1e2, "%", "magma_r"),
-    "residual_von_mises": ("residual von Mises stress", 1e-6, "MPa", "viridis"),
-    "residual_hydrostatic": ("residual hydrostatic stress", 1e-6, "MPa", "RdBu_r"),
-    "stress": ("stress", 1e-6, "MPa", "RdBu_r"),
-    "temperature": ("rise of temperature", 1.0, "K", "inferno"),
-}
-# of the surface
-SURFACES = {
-    "pressure": ("pressure", 1e-9, "GPa", "viridis"),
-    "gap": ("gap", 1e6, "µm", "cividis"),
-    "print": ("residual displacement", 1e6, "µm", "RdBu_r"),
-}
+SECTIONS = (
+    "von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises",
+    "residual_hydrostatic", "stress", "temperature",
+)  # fmt: skip
+SURFACES = {"pressure": "pressure", "gap": "gap", "print": "residual_displacement"}
+"""What is shown of the surface, and which quantity it is."""
 _FROM_ZERO = ("equivalent_plastic_strain", "temperature", "pressure", "gap")
 _FLAT = 0.45  # depth over width: a label beside such a section would be longer than it
 COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
@@ -140,13 +131,12 @@ def show_section(
     the title, as it is of sections that are too flat for it beside them. `equal`: as long and deep
     as it is.
     """
-    text, factor, unit, colours = QUANTITIES[quantity]
     ax = axes_or_new(ax)
     flat = depth[-1] - depth[0] < _FLAT * (across[-1] - across[0])
-    _mesh(
-        ax, across, depth, values * factor, quantity, colours, f"{label or text} [{unit}]",
-        titled=titled or flat, equal=equal,
-    )  # fmt: skip
+    shown = CONTACT[quantity]
+    if label is not None:
+        shown = shown._replace(heading=label)
+    _mesh(ax, across, depth, values, quantity, shown, titled=titled or flat, equal=equal)
     ax.set_xlabel(f"{name} [µm]")
     ax.set_ylabel("depth z [µm]")
     ax.invert_yaxis()
@@ -167,10 +157,8 @@ def show_surface(
     `x` and `y` are edges of cells [m], `name` that of the coordinate along x; a `note` follows the
     name of the quantity.
     """
-    text, factor, unit, colours = SURFACES[quantity]
     ax = axes_or_new(ax)
-    full = f"{text} [{unit}]{note}"
-    _mesh(ax, x, y, values * factor, quantity, colours, full, titled=True)
+    _mesh(ax, x, y, values, quantity, CONTACT[SURFACES[quantity]], note, titled=True)
     ax.set_xlabel(f"{name} [µm]")
     ax.set_ylabel("y [µm]")
     return ax
@@ -180,15 +168,16 @@ def _mesh(
     ax: Axes,
     across: FloatArray,
     down: FloatArray,
-    shown: FloatArray,
-    quantity: str,
-    colours: str,
-    label: str,
+    values: FloatArray,
+    name: str,
+    quantity: Quantity,
+    note: str = "",
     *,
     titled: bool,
     equal: bool = True,
 ) -> None:
     """Cells in their colours; a field that is zero has none, and says so instead."""
+    shown, colours, label = values * quantity.factor, quantity.colours, quantity.label + note
     zero = not np.any(np.nan_to_num(shown))
     ratio = float((down[-1] - down[0]) / (across[-1] - across[0]))
     options: dict[str, Any] = {}
@@ -197,7 +186,7 @@ def _mesh(
     elif colours == "RdBu_r":
         span = float(np.nanmax(np.abs(shown)))  # white is zero
         options["norm"] = TwoSlopeNorm(0.0, -span, span)
-    elif quantity in _FROM_ZERO:
+    elif name in _FROM_ZERO:
         options["vmin"] = 0.0
     mesh = ax.pcolormesh(
         across * 1e6, down * 1e6, shown.T, cmap=colours, rasterized=True, **options

@@ -14,6 +14,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from .._checks import FloatArray, choice, finite
+from .._quantities import CONTACT
+from ..results.reading import grid_of
 from .parts import (
     COMPONENTS,
     axes_or_new,
@@ -28,8 +30,10 @@ from .parts import (
 )
 
 if TYPE_CHECKING:
+    import xarray as xr
+
+    from ..grid import Grid
     from ..state import State
-    from ..track import Track
 
 _RESIDUAL = ("residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain")
 _LOADED = ("von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature")
@@ -42,14 +46,18 @@ def positions_on_body(state: State, body: int) -> FloatArray:
 
 
 def track_print(
-    track: Track, ax: Axes | None = None, *, axis: str = "x", positions: Sequence[float] = (0.0,)
+    track: xr.Dataset,
+    ax: Axes | None = None,
+    *,
+    axis: str = "x",
+    positions: Sequence[float] = (0.0,),
 ) -> Axes:
     """Permanent print along the track, or across it in several places; depth downward.
 
     Parameters
     ----------
-    track : Track
-        From `State.track`.
+    track : xarray.Dataset
+        From `Track.to_dataset`.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     axis : {"x", "y"}
@@ -69,24 +77,24 @@ def track_print(
     choice("axis", axis, ("x", "y"))
     if len(positions) == 0:
         raise ValueError("positions must hold at least one value, got none")
-    field = track.residual_displacement()
-    along, others, other = (track.x, track.y, "y") if axis == "x" else (track.y, track.x, "x")
+    field, other = track["residual_displacement"].values, "y" if axis == "x" else "x"
+    along, others = track[axis].values, track[other].values
     ax = axes_or_new(ax)
     for position in positions:
         index = nearest(others, finite("positions", position))
         profile = field[:, index] if axis == "x" else field[index, :]
-        label = f"{other} = {others[index] * 1e6 + 0.0:.4g} µm"
+        label = place(other, float(others[index]))
         ax.plot(along * 1e6, profile * 1e6, "-", linewidth=1.2, label=label)
     if not ax.yaxis_inverted():
         ax.invert_yaxis()
-    ax.set_xlabel(f"{axis} on body {track.body} [µm]")
-    ax.set_ylabel("residual displacement [µm]")
+    ax.set_xlabel(f"{axis} on body {track.attrs['body']} [µm]")
+    ax.set_ylabel(CONTACT["residual_displacement"].label)
     ax.legend(frameon=False)
     return finish(ax)
 
 
 def track_section(
-    track: Track,
+    track: xr.Dataset,
     ax: Axes | None = None,
     *,
     quantity: str = "residual_von_mises",
@@ -97,8 +105,8 @@ def track_section(
 
     Parameters
     ----------
-    track : Track
-        From `State.track`, of a grid with layers.
+    track : xarray.Dataset
+        From `Track.to_dataset`, of a grid with layers.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     quantity : {"residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain"}
@@ -118,13 +126,15 @@ def track_section(
         No volume, or an unknown quantity or plane.
     """
     choice("quantity", quantity, (*_RESIDUAL, *COMPONENTS))
-    _require_volume(track.grid.nz)
+    grid = grid_of(track)
+    _require_volume(grid.nz)
     if quantity in COMPONENTS:
-        field = track.residual_stress()[COMPONENTS[quantity]]
+        field = track["residual_stress"].sel(component=quantity).values
         name, label = "stress", rf"residual $\sigma_{{{quantity}}}$"
     else:
-        field, name, label = getattr(track, quantity)(), quantity, None
-    return _section(track, track.x, field, ax, name, plane, position, label)
+        field, name, label = track[quantity].values, quantity, None
+    along = f"x on body {track.attrs['body']}"
+    return _section(grid, track["x"].values, field, ax, name, plane, position, label, along)
 
 
 def loaded_section(
@@ -168,11 +178,8 @@ def loaded_section(
         name, label = "stress", rf"$\sigma_{{{quantity}}}$"
     else:
         field, name, label = getattr(state, quantity)(body=body), quantity, None
-    x = positions_on_body(state, body)
-    ax = _section(state, x, field, ax, name, plane, position, label)
-    if plane == "y":
-        ax.set_xlabel(f"x on body {body} [µm]")
-    return ax
+    x, along = positions_on_body(state, body), f"x on body {body}"
+    return _section(state.grid, x, field, ax, name, plane, position, label, along)
 
 
 def _require_volume(nz: int) -> None:
@@ -181,7 +188,7 @@ def _require_volume(nz: int) -> None:
 
 
 def _section(
-    source: Track | State,
+    grid: Grid,
     x: FloatArray,
     field: FloatArray,
     ax: Axes | None,
@@ -189,14 +196,14 @@ def _section(
     plane: str,
     position: float,
     label: str | None,
+    along: str,
 ) -> Axes:
     choice("plane", plane, ("y", "x"))
     finite("position", position)
-    grid = source.grid
     assert grid.dz is not None
     if plane == "y":
         values, across = field[:, nearest(grid.y, position), :], edges(x, grid.dx)
-        name = f"x on body {source.body}" if hasattr(source, "body") else "x"
+        name = along
     else:
         values, across, name = field[nearest(x, position)], edges(grid.y, grid.dy), "y"
     return show_section(
@@ -204,12 +211,13 @@ def _section(
     )
 
 
-def print_along(track: Track, ax: Axes) -> Axes:
+def print_along(track: xr.Dataset, ax: Axes) -> Axes:
     """The print along x through its deepest row, where it is."""
-    field = np.abs(track.residual_displacement())
-    row = row_of_interest(field.max(axis=0), track.y)
-    track_print(track, ax, positions=(float(track.y[row]),))
-    left, right = _extent(track.x, field.max(axis=1))
+    field, x, y = (track[name].values for name in ("residual_displacement", "x", "y"))
+    field = np.abs(field)
+    row = row_of_interest(field.max(axis=0), y)
+    track_print(track, ax, positions=(float(y[row]),))
+    left, right = _extent(x, field.max(axis=1))
     ax.set_xlim(left * 1e6, right * 1e6)
     return ax
 
@@ -221,26 +229,28 @@ def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
     return max(float(x[0]), float(there[0]) - margin), min(float(x[-1]), float(there[-1]) + margin)
 
 
-def track_summary(states: Sequence[State], body: int) -> dict[str, Figure]:
-    """Print and sections of the track at the end of a run, by name of the figure."""
-    track = states[-1].track(body=body)
-    places = [-state.travel[body - 1] for state in states]
-    start, end = min(places), max(places)
-    length = float(np.ptp(track.x))
-    depth = np.abs(track.residual_displacement()).max(axis=1)
-    strained = track.equivalent_plastic_strain().max(axis=(1, 2))
-    most = float(track.x[int(np.argmax(strained))])
+def track_summary(track: xr.Dataset, travel: FloatArray) -> dict[str, Figure]:
+    """Print and sections of a track, by name of the figure.
+
+    `travel` is how far the body had moved at the end of each increment [m].
+    """
+    x, places = track["x"].values, -travel
+    start, end = float(places.min()), float(places.max())
+    depth = np.abs(track["residual_displacement"].values).max(axis=1)
+    strained = track["equivalent_plastic_strain"].values.max(axis=(1, 2))
+    most = float(x[int(np.argmax(strained))])
 
     prints = new_figure(5.0, 6.0)
     along, across = prints.subplots(2, 1)
     print_along(track, along)
-    rows = {nearest(track.x, x) for x in (start, 0.5 * (start + end), end, most)}
+    rows = {nearest(x, place) for place in (start, 0.5 * (start + end), end, most)}
     shown = [row for row in sorted(rows) if depth[row] > 0.02 * depth.max()]
-    track_print(track, across, axis="y", positions=[float(track.x[row]) for row in shown or rows])
+    track_print(track, across, axis="y", positions=[float(x[row]) for row in shown or rows])
 
-    width, depth_of_grid = 7.0, track.grid.nz * (track.grid.dz or 0.0)
-    heights = [section_height(width, length, depth_of_grid)] * len(_RESIDUAL)
-    heights.append(min(section_height(width, track.grid.ny * track.grid.dy, depth_of_grid), 3.4))
+    grid, width = grid_of(track), 7.0
+    depth_of_grid = grid.nz * (grid.dz or 0.0)
+    heights = [section_height(width, float(np.ptp(x)), depth_of_grid)] * len(_RESIDUAL)
+    heights.append(min(section_height(width, grid.ny * grid.dy, depth_of_grid), 3.4))
     sections = new_figure(width, sum(heights))
     panels = sections.subplots(len(heights), 1, height_ratios=heights)
     for ax, quantity in zip(panels, _RESIDUAL, strict=False):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of asperities that tug at each other, for one or several results of `asperities.tug`.
+"""Figures of asperities that tug at each other, for the series of one or several tuggings.
 
 Each function takes an `ax` and returns it. Values are shown over those at the onset of yield where
 `critical` gives them (e.g. `samcontact.critical.green`). Boucly (2008), figures 4.7 to 4.11.
@@ -12,33 +12,40 @@ from typing import TYPE_CHECKING
 
 from matplotlib.axes import Axes
 
-from .._checks import choice
+from .._checks import FloatArray, choice
+from .._quantities import TUGGING
 from .parts import axes_or_new, finish
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..asperities import Tugging
     from ..critical import CriticalSphere
 
 __all__ = ["force", "load_ratio", "net_energy", "residual_displacement"]
 
-Results = Sequence["Tugging"]
+Results = Sequence["xr.Dataset"]
 
 
-def _label(result: Tugging, critical: CriticalSphere | None) -> str:
-    interference = result.collision.interference
+def _offset(series: xr.Dataset) -> FloatArray:
+    """Of the centres over the equivalent radius."""
+    first, second = (float(series.attrs[name]) for name in ("R1", "R2"))
+    offset: FloatArray = series["offset"].values / (first * second / (first + second))
+    return offset
+
+
+def _label(series: xr.Dataset, critical: CriticalSphere | None) -> str:
+    interference = series.attrs["interference"]
     if critical is None:
         return f"{interference * 1e6:.4g} µm"
     return f"ω/ωc = {interference / critical.interference:.3g}"
 
 
-def _one_pass(result: Tugging, number: int) -> xr.Dataset:
-    passes = result.series.sizes["pass"]
+def _one_pass(series: xr.Dataset, number: int) -> xr.Dataset:
+    passes = series.sizes["pass"]
     if not 1 <= number <= passes:
         raise ValueError(f"number must be that of a pass, 1 to {passes}, got {number!r}")
-    series: xr.Dataset = result.series.sel({"pass": number})
-    return series
+    one: xr.Dataset = series.sel({"pass": number})
+    return one
 
 
 def force(
@@ -53,8 +60,8 @@ def force(
 
     Parameters
     ----------
-    results : sequence of Tugging
-        A line for each.
+    results : sequence of xarray.Dataset
+        A line for each `Tugging.series`.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     component : {"x", "z"}
@@ -69,11 +76,11 @@ def force(
     ax = axes_or_new(ax)
     for result in results:
         series = _one_pass(result, number)
-        x = series["offset"].values / result.collision.R
+        x = _offset(series)
         force = series[f"force_{component}"].values / unit
         ax.plot(x, force, ".-", markersize=3, linewidth=1.0, label=_label(result, critical))
-    name = {"x": "tangential force", "z": "normal force"}[component]
-    ax.set_ylabel(f"{name} [N]" if critical is None else f"{name} / critical load")
+    shown = TUGGING[f"force_{component}"]
+    ax.set_ylabel(shown.label if critical is None else f"{shown.heading} / critical load")
     return _finished(ax, "offset X/R")
 
 
@@ -91,7 +98,7 @@ def load_ratio(
     ax = axes_or_new(ax)
     for result in results:
         series = _one_pass(result, number)
-        x = series["offset"].values / result.collision.R
+        x = _offset(series)
         ratio = series["load_ratio"].values
         ax.plot(x, ratio, ".-", markersize=3, linewidth=1.0, label=_label(result, critical))
     ax.set_ylabel("tangential / normal force")
@@ -105,8 +112,8 @@ def net_energy(
 
     Parameters
     ----------
-    results : sequence of Tugging
-        A point for each; with as many passes.
+    results : sequence of xarray.Dataset
+        A point for each `Tugging.series`; with as many passes.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     critical : CriticalSphere, optional
@@ -114,7 +121,7 @@ def net_energy(
     """
     unit = 1.0 if critical is None else critical.energy
     ax = axes_or_new(ax)
-    for number in results[0].series["pass"].values:
+    for number in results[0]["pass"].values:
         energies = [float(_one_pass(r, int(number))["net_energy"]) / unit for r in results]
         label = "net energy" if number == 1 else f"pass {number}"
         ax.plot(_interferences(results, critical), energies, "o-", markersize=3, label=label)
@@ -134,7 +141,7 @@ def residual_displacement(
     """
     unit = 1.0 if critical is None else critical.interference
     ax = axes_or_new(ax)
-    for number in results[0].series["pass"].values:
+    for number in results[0]["pass"].values:
         for body, style in ((1, "o-"), (2, "s--")):
             depths = [
                 float(_one_pass(r, int(number))["residual_displacement"].sel(body=body)) / unit
@@ -149,7 +156,7 @@ def residual_displacement(
 
 def _interferences(results: Results, critical: CriticalSphere | None) -> list[float]:
     unit = 1.0 if critical is None else critical.interference
-    return [result.collision.interference / unit for result in results]
+    return [result.attrs["interference"] / unit for result in results]
 
 
 def _interference_label(critical: CriticalSphere | None) -> str:

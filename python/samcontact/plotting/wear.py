@@ -15,6 +15,8 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, finite, integer
+from .._quantities import WEAR
+from ..results.reading import cell_size
 from .parts import (
     axes_or_new,
     counted,
@@ -28,8 +30,9 @@ from .parts import (
 )
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from ..state import State
-    from ..wear import WearResult
 
 __all__ = ["cycle_panels", "surface_map", "tresca", "wear_rate", "worn_profile"]
 
@@ -61,7 +64,7 @@ def tresca(stress: ArrayLike) -> FloatArray:
 
 
 def worn_profile(
-    result: WearResult,
+    dataset: xr.Dataset,
     ax: Axes | None = None,
     *,
     body: int | None = None,
@@ -73,7 +76,8 @@ def worn_profile(
 
     Parameters
     ----------
-    result : WearResult
+    dataset : xarray.Dataset
+        From `WearResult.to_dataset`.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     body : {1, 2}, optional
@@ -96,38 +100,40 @@ def worn_profile(
         Unknown axis, a body that is not worn, or a cycle that was not computed.
     """
     choice("axis", axis, ("x", "y"))
-    x, y = result.x(body), np.asarray(result.grid.y)
-    shown = range(len(result.cycles) + 1) if cycles is None else cycles
+    heights, x = _heights(dataset, body)
+    y, count = dataset["y"].values, dataset.sizes["cycle"]
+    shown = range(count + 1) if cycles is None else cycles
     ax = axes_or_new(ax)
-    last = max(len(result.cycles), 1)
+    last = max(count, 1)
     across = y if axis == "x" else x
     if position is None:
-        worn = result.profile(0, body) - result.profile(-1, body)
+        worn = heights[0] - heights[-1]
         index = row_of_interest(np.abs(worn).max(axis=0 if axis == "x" else 1), across)
     else:
         index = nearest(across, finite("position", position))
     for n in shown:
-        heights = result.profile(integer("cycles", n, 0), body)
-        line = heights[:, index] if axis == "x" else heights[index]
+        cycle = heights[_cycle(dataset, integer("cycles", n, 0))]
+        line = cycle[:, index] if axis == "x" else cycle[index]
         along = x if axis == "x" else y
         # light to dark: the colour tells the cycle where there are too many for a legend
         colour = (0.85 - 0.85 * n / last, 0.75 - 0.55 * n / last, 0.9 - 0.4 * n / last)
         ax.plot(along * 1e6, line * 1e6, linewidth=1.0, color=colour, label=f"{n}")
     ax.set_xlabel(f"{axis} [µm]")
-    ax.set_ylabel("height [µm]")
+    ax.set_ylabel(WEAR["heights"].label)
     ax.set_title(place("y" if axis == "x" else "x", float(across[index])), fontsize="medium")
     ax.legend(title="cycles", frameon=False, fontsize="small", ncols=2)
     return finish(ax)
 
 
 def surface_map(
-    result: WearResult, ax: Axes | None = None, *, body: int | None = None, cycle: int = -1
+    dataset: xr.Dataset, ax: Axes | None = None, *, body: int | None = None, cycle: int = -1
 ) -> Axes:
     """Heights of a worn body after a cycle (0: before the first) as a map.
 
     Parameters
     ----------
-    result : WearResult
+    dataset : xarray.Dataset
+        From `WearResult.to_dataset`.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     body : {1, 2}, optional
@@ -144,29 +150,44 @@ def surface_map(
     ValueError
         A body that is not worn, or a cycle that was not computed.
     """
-    heights = result.profile(cycle, body)
-    grid = result.grid
+    heights, x = _heights(dataset, body)
+    y, shown = dataset["y"].values, WEAR["heights"]
     ax = axes_or_new(ax)
     mesh = ax.pcolormesh(
-        edges(result.x(body), grid.dx) * 1e6,
-        edges(grid.y, grid.dy) * 1e6,
-        heights.T * 1e6,
-        cmap="viridis",
+        edges(x, x[1] - x[0]) * 1e6,
+        edges(y, cell_size(dataset, "y")) * 1e6,
+        heights[_cycle(dataset, cycle)].T * shown.factor,
+        cmap=shown.colours,
         rasterized=True,
     )
-    ax.figure.colorbar(mesh, ax=ax, label="height [µm]")
+    ax.figure.colorbar(mesh, ax=ax, label=shown.label)
     ax.set_aspect("equal")
     ax.set_xlabel("x [µm]")
     ax.set_ylabel("y [µm]")
     return ax
 
 
-def wear_rate(result: WearResult, ax: Axes | None = None) -> Axes:
+def _heights(dataset: xr.Dataset, body: int | None) -> tuple[FloatArray, FloatArray]:
+    """Of a worn body, after each cycle, and where they are along x."""
+    worn = tuple(dataset["body"].values.tolist())
+    chosen = choice("body", worn[-1] if body is None else body, worn)
+    return dataset[f"heights_body{chosen}"].values, dataset[f"x_body{chosen}"].values
+
+
+def _cycle(dataset: xr.Dataset, number: int) -> int:
+    count = dataset.sizes["cycle"]
+    if not -count - 1 <= integer("cycle", number) <= count:
+        raise ValueError(f"cycle must be in [0, {count}], got {number}")
+    return number
+
+
+def wear_rate(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     """Worn volume of each cycle.
 
     Parameters
     ----------
-    result : WearResult
+    dataset : xarray.Dataset
+        From `WearResult.to_dataset`.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
 
@@ -175,11 +196,11 @@ def wear_rate(result: WearResult, ax: Axes | None = None) -> Axes:
     matplotlib.axes.Axes
     """
     ax = axes_or_new(ax)
-    numbers = [cycle.number for cycle in result.cycles]
-    ax.plot(numbers, result.rate * 1e18, "o-", markersize=3, linewidth=1.2)
+    shown, rate = WEAR["wear_rate"], dataset["wear_rate"].values
+    ax.plot(dataset["cycle"].values, rate * shown.factor, "o-", markersize=3, linewidth=1.2)
     ax.set_ylim(bottom=0)
     ax.set_xlabel("cycle")
-    ax.set_ylabel("worn volume per cycle [µm³]")
+    ax.set_ylabel(shown.label)
     return finish(counted(ax))
 
 

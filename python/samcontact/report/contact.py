@@ -33,7 +33,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
         "hertz_increment": int(dataset["increment"][peak]),
         "values": [("increments", "Increments", tables.scalars_table(dataset))],
         "convergence": [("convergence", "Convergence", tables.convergence_table(dataset))],
-        "figures": contact_figures(dataset, body, peak, hertz),
+        "figures": contact_figures(dataset, body, hertz),
     }
 
 

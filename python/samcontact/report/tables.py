@@ -4,10 +4,13 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from .._checks import FloatArray
+from .._quantities import CONTACT, Quantity
 from .._repr import counts, lengths, quantity
 from ..cases.field_units import field_unit
 from ..results.against_hertz import hertz_rows
@@ -115,73 +118,53 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
     return rows
 
 
-# variable without its body: (heading, unit shown, factor)
-_SCALARS = {
-    "load": ("load", "N", 1.0),
-    "approach": ("approach", "µm", 1e6),
-    "max_pressure": ("maximum pressure", "MPa", 1e-6),
-    "contact_area": ("contact area", "mm²", 1e6),
-    "max_von_mises": ("maximum von Mises stress", "MPa", 1e-6),
-    "max_equivalent_plastic_strain": ("maximum equivalent plastic strain", "%", 1e2),
-    "print_depth": ("print depth", "µm", 1e6),
-    "max_temperature": ("maximum rise of temperature", "K", 1.0),
-    "travel": ("travel", "µm", 1e6),
-    "time": ("time", "s", 1.0),
-}
-_CONVERGENCE = {
-    "iterations": ("plastic iterations", "", 1.0),
-    "plastic_residual": ("plastic residual", "", 1.0),
-    "yield_excess": ("yield excess", "", 1.0),
-    "contact_iterations": ("contact iterations", "", 1.0),
-    "substeps": ("substeps", "", 1.0),
-    "contact_margin": ("contact to border", "cells", 1.0),
-    "contact_cells": ("across the contact", "cells", 1.0),
-    "plastic_layers": ("plastic zone", "layers", 1.0),
-    "plastic_margin": ("plastic zone to border", "cells", 1.0),
-}
+# without the body
+_SCALARS = (
+    "load", "approach", "max_pressure", "contact_area", "max_von_mises",
+    "max_equivalent_plastic_strain", "print_depth", "max_temperature", "travel", "time",
+)  # fmt: skip
+_CONVERGENCE = (
+    "iterations", "plastic_residual", "yield_excess", "contact_iterations", "substeps",
+    "contact_margin", "contact_cells", "plastic_layers", "plastic_margin",
+)  # fmt: skip
 
 
 def scalars_table(dataset: xr.Dataset) -> Table:
     """What has one value for each increment."""
-    return _table(dataset, _SCALARS)
+    return values_table(dataset, "increment", CONTACT, _SCALARS)
 
 
 def convergence_table(dataset: xr.Dataset) -> Table:
     """How each increment was solved."""
-    return _table(dataset, _CONVERGENCE)
+    return values_table(dataset, "increment", CONTACT, _CONVERGENCE)
 
 
-def _table(dataset: xr.Dataset, wanted: dict[str, tuple[str, str, float]]) -> Table:
-    columns: list[tuple[str, Any, float]] = []
-    for name, (heading, unit, factor) in wanted.items():
-        for variable, suffix in ((name, ""), *((f"{name}_body{b}", f", body {b}") for b in (1, 2))):
-            if variable in dataset:
-                if name == "contact_area" and float(dataset[variable].max()) < 1e-8:
-                    unit, factor = "µm²", 1e12
-                brackets = f" [{unit}]" if unit else ""
-                columns.append((heading + suffix + brackets, dataset[variable].values, factor))
-    rows = [
-        (str(number), [cell(values[index], factor) for _, values, factor in columns])
-        for index, number in enumerate(dataset["increment"].values)
-    ]
-    return Table([heading for heading, _, _ in columns], rows)
-
-
-def study_table(dataset: xr.Dataset, dim: str, wanted: dict[str, tuple[str, str, float]]) -> Table:
+def values_table(
+    dataset: xr.Dataset, dim: str, quantities: Mapping[str, Quantity], names: Sequence[str]
+) -> Table:
     """Variables along a dimension, those of two bodies with a column for each."""
-    columns: list[tuple[str, Any, float]] = []
-    for name, (heading, unit, factor) in wanted.items():
-        values = dataset[name]
-        bodies = values["body"].values.tolist() if "body" in values.dims else [None]
-        for body in bodies:
-            of = "" if body is None else f", body {body}"
-            column = values if body is None else values.sel(body=body)
-            columns.append((f"{heading}{of} [{unit}]", column.values, factor))
+    columns = []
+    for name in names:
+        for body, values in _of_bodies(dataset, name):
+            shown = quantities[name].fitting(float(values.max()))
+            columns.append((shown.of(body), values, shown.factor))
     rows = [
         (str(number), [cell(values[index], factor) for _, values, factor in columns])
         for index, number in enumerate(dataset[dim].values)
     ]
     return Table([heading for heading, _, _ in columns], rows, dim)
+
+
+def _of_bodies(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, FloatArray]]:
+    """Values of both bodies together, of each by its name, or by its place in the variable."""
+    if name in dataset and "body" not in dataset[name].dims:
+        yield None, dataset[name].values
+    elif name in dataset:
+        for body in dataset["body"].values.tolist():
+            yield body, dataset[name].sel(body=body).values
+    for body in (1, 2):
+        if f"{name}_body{body}" in dataset:
+            yield body, dataset[f"{name}_body{body}"].values
 
 
 def cell(value: Any, factor: float) -> Cell:
@@ -198,10 +181,10 @@ def hertz_table(
     """Rows of name, Hertz, computed, difference."""
     return [
         (
-            name,
-            quantity(exact, unit, 6),
-            quantity(here, unit, 6),
+            row.heading,
+            quantity(exact, row.unit.replace("2", "²"), 6),
+            quantity(here, row.unit.replace("2", "²"), 6),
             f"{100 * (here / exact - 1):+.3g} %",
         )
-        for name, unit, exact, here in hertz_rows(dataset, peak, reference, body)
+        for row, exact, here in hertz_rows(dataset, peak, reference, body)
     ]

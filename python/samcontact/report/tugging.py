@@ -4,17 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import plotting
+from .._quantities import TUGGING
 from .._verdict import Verdict
-from ..asperities import Collision
+from ..asperities.series import of_passes
 from ..plotting.parts import counted, finish, new_figure
 from .figures import ReportFigure, embedded
-from .tables import study_table
+from .tables import values_table
 from .verdicts import contact_cells, plastic_layers
 
 if TYPE_CHECKING:
@@ -28,45 +28,21 @@ EXCHANGED = 0.02
 """Part of the work within a pass, most of which it gives back, that may be missing in it."""
 RELEASED = 1e-6
 """Part of the largest force that may be left at the end of a pass."""
-# variable: (heading, unit shown, factor)
-_PASSES = {
-    "net_energy": ("net energy", "J", 1.0),
-    "dissipation": ("plastic work", "J", 1.0),
-    "residual_energy": ("energy of the residual stress", "J", 1.0),
-    "energy_imbalance": ("not found of the net energy", "J", 1.0),
-    "residual_displacement": ("largest print", "µm", 1e6),
-    "max_force_x": ("largest tangential force", "N", 1.0),
-    "min_force_x": ("least tangential force", "N", 1.0),
-    "max_force_z": ("largest normal force", "N", 1.0),
-    "max_pressure": ("maximum pressure", "MPa", 1e-6),
-    "contact_cells": ("across the contact", "cells", 1.0),
-    "plastic_layers": ("plastic zone", "layers", 1.0),
-}
+_PASSES = (
+    "net_energy", "dissipation", "residual_energy", "energy_imbalance", "residual_displacement",
+    "max_force_x", "min_force_x", "max_force_z", "max_pressure", "contact_cells", "plastic_layers",
+)  # fmt: skip
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
     """Its part of what the template names."""
-    extremes = dataset.drop_vars(["max_pressure", "contact_cells", "plastic_layers"]).assign(
-        max_force_x=dataset["force_x"].max("increment"),
-        min_force_x=dataset["force_x"].min("increment"),
-        max_force_z=dataset["force_z"].max("increment"),
-        max_pressure=dataset["max_pressure"].max("increment"),
-        contact_cells=_under_load(dataset),
-        plastic_layers=dataset["plastic_layers"].max("increment"),
-    )
+    table = values_table(of_passes(dataset), "pass", TUGGING, _PASSES)
     return {
         "file": "series.nc",
         "checks": list(_checks(dataset)),
-        "values": [("passes", "Passes", study_table(extremes, "pass", _PASSES))],
+        "values": [("passes", "Passes", table)],
         "figures": list(_figures(dataset)),
     }
-
-
-def _under_load(dataset: xr.Dataset) -> xr.DataArray:
-    """Cells across the contact of each pass under its largest load; NaN without contact."""
-    where = dataset["normal_force"].fillna(0.0).argmax("increment")
-    cells: xr.DataArray = dataset["contact_cells"].isel(increment=where)
-    return cells
 
 
 def _checks(dataset: xr.Dataset) -> Iterator[Verdict]:
@@ -89,24 +65,22 @@ def _checks(dataset: xr.Dataset) -> Iterator[Verdict]:
     if largest > 0:
         name = "normal force at the end of a pass over the largest"
         yield Verdict(name, float(np.max(end)) / largest, RELEASED)
-        yield contact_cells(float(_under_load(dataset).min()))
+        yield contact_cells(float(of_passes(dataset)["contact_cells"].min()))
     for body in (1, 2):
         yield from plastic_layers(dataset["plastic_layers"].sel(body=body), body)
 
 
 def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
-    shape = {name: float(dataset.attrs[name]) for name in ("R1", "R2", "interference")}
-    stored: Any = SimpleNamespace(series=dataset, collision=Collision(**shape))
     for number in dataset["pass"].values.tolist():
         for component, name in (("x", "Tangential force"), ("z", "Normal force")):
             figure = new_figure()
-            plotting.tugging.force([stored], figure.subplots(), component=component, number=number)
+            plotting.tugging.force([dataset], figure.subplots(), component=component, number=number)
             values = dataset[f"force_{component}"].sel({"pass": number})
             text = f"{name} against the offset of the spheres, from {float(values.min()):.4g} to "
             text += f"{float(values.max()):.4g} N."
             yield embedded(f"{name}, pass {number}", text, figure)
         figure = new_figure()
-        plotting.tugging.load_ratio([stored], figure.subplots(), number=number)
+        plotting.tugging.load_ratio([dataset], figure.subplots(), number=number)
         text = "Tangential over normal force against the offset of the spheres."
         yield embedded(f"Load ratio, pass {number}", text, figure)
     if dataset.sizes["pass"] > 1:

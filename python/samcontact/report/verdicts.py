@@ -14,7 +14,7 @@ from .._expected import Expected
 from .._told import SMALL_STRAIN
 from .._verdict import Verdict
 from ..resolution import TOO_FEW
-from ..results.vtk import cell_size
+from ..results.reading import cell_size
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from .._quantities import CONTACT, Quantity
 from ..hertz import EllipticContact, PointContact
 
 if TYPE_CHECKING:
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
 def hertz_rows(
     dataset: xr.Dataset, peak: int, reference: PointContact | EllipticContact, body: int
-) -> list[tuple[str, str, float, float]]:
+) -> list[tuple[Quantity, float, float]]:
     """Rows of a comparison.
 
     Parameters
@@ -30,22 +31,21 @@ def hertz_rows(
 
     Returns
     -------
-    list of (name, unit, Hertz, computed)
+    list of (quantity, Hertz, computed)
         SI units.
     """
-    rows = [
-        ("maximum pressure", "Pa", reference.p0, "max_pressure"),
-        ("approach", "m", reference.approach, "approach"),
-        ("contact area", "m²", hertz_area(reference), "contact_area"),
-    ]
+    exact = {
+        "max_pressure": reference.p0,
+        "approach": reference.approach,
+        "contact_area": hertz_area(reference),
+    }
     nu = dataset.attrs.get(f"body{body}_nu")
     if isinstance(reference, PointContact) and nu is not None:
-        stress, _ = reference.max_von_mises(float(nu))
-        rows.append(("maximum von Mises stress", "Pa", stress, f"max_von_mises_body{body}"))
+        exact[f"max_von_mises_body{body}"], _ = reference.max_von_mises(float(nu))
     return [
-        (name, unit, exact, float(dataset[variable].values[peak]))
-        for name, unit, exact, variable in rows
-        if variable in dataset
+        (CONTACT[name.removesuffix(f"_body{body}")], value, float(dataset[name].values[peak]))
+        for name, value in exact.items()
+        if name in dataset
     ]
 
 

@@ -11,7 +11,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ..resolution import cells_across, layers_across
-from .motion import variable
+from .motion import add
 
 if TYPE_CHECKING:
     from ..state import State
@@ -29,32 +29,24 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
         Bodies that can yield.
     """
 
-    def add(name: str, text: str, values: list[float]) -> None:
-        dataset[name] = variable("increment", values, "1", text)
-
     margins = [free_cells(np.asarray(state.pressure) != 0) for state in states]
-    add("contact_margin", "cells between contact and border, least", margins)
+    add(dataset, "contact_margin", "increment", margins)
     solved = [np.isfinite(state.approach) for state in states]  # else the tractions were given
     across = [
         cells_across(state.pressure) if found else np.nan
         for state, found in zip(states, solved, strict=True)
     ]
-    add("contact_cells", "cells across the spot under the largest pressure", across)
+    add(dataset, "contact_cells", "increment", across)
     if not inelastic:
         return
-    residuals = [float(state.plastic_residual) for state in states]
-    add("plastic_residual", "relative change of the plastic strain when accepted", residuals)
-    text = "(von Mises stress - yield stress)/yield stress when accepted, largest"
-    add("yield_excess", text, [float(state.yield_excess) for state in states])
+    for name in ("plastic_residual", "yield_excess"):
+        add(dataset, name, "increment", [float(getattr(state, name)) for state in states])
     for body in inelastic:
-        text = f"maximum of sqrt(2/3 e:e) of the plastic strain e, body {body}"
         strains = [float(state.max_plastic_strain(body=body)) for state in states]
-        add(f"max_plastic_strain_body{body}", text, strains)
-        text = f"cells between plastic strain and border of the volume, least, body {body}"
+        add(dataset, "max_plastic_strain", "increment", strains, body)
         margins, layers = _plastic_zones(states, body)
-        add(f"plastic_margin_body{body}", text, margins)
-        text = f"layers from top to bottom of the plastic zone, body {body}"
-        add(f"plastic_layers_body{body}", text, layers)
+        add(dataset, "plastic_margin", "increment", margins, body)
+        add(dataset, "plastic_layers", "increment", layers, body)
 
 
 def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], list[float]]:

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from .._checks import choice
+from .._checks import choice, integer
 from .._peak import peak_of_dataset
+from .._quantities import CONTACT
 from .convergence import add_convergence
-from .motion import COMPONENTS, add_motion
-from .motion import variable as _variable
+from .motion import COMPONENTS, add, add_motion
 
 if TYPE_CHECKING:
     from ..cases import Case
@@ -28,14 +28,28 @@ _SURFACE = ("increment", "x", "y")
 _VOLUME = ("volume_increment", "x", "y", "z")
 _TENSOR = ("volume_increment", "component", "x", "y", "z")
 
-# name: (dimensions, unit, description, only for inelastic bodies)
-_VOLUME_FIELDS: dict[str, tuple[tuple[str, ...], str, str, bool]] = {
-    "stress": (_TENSOR, "Pa", "stress, positive in tension", False),
-    "von_mises": (_VOLUME, "Pa", "von Mises stress", False),
-    "hydrostatic": (_VOLUME, "Pa", "mean normal stress", False),
-    "equivalent_plastic_strain": (_VOLUME, "1", "equivalent plastic strain", True),
-    "plastic_strain": (_TENSOR, "1", "plastic strain tensor", True),
-    "residual_stress": (_TENSOR, "Pa", "stress due to plastic strain alone", True),
+
+def _contact_area(state: State) -> float:
+    return float(state.grid.dx * state.grid.dy * np.count_nonzero(state.pressure))
+
+
+_SCALARS: dict[str, Callable[[State], float]] = {
+    "load": lambda state: float(state.load),
+    "approach": lambda state: float(state.approach),
+    "max_pressure": lambda state: float(np.max(state.pressure)),
+    "contact_area": _contact_area,
+    "iterations": lambda state: int(state.iterations),
+    "contact_iterations": lambda state: int(state.contact_iterations),
+    "substeps": lambda state: int(state.substeps),
+}
+# name: dimensions, and whether only inelastic bodies have it
+_VOLUME_FIELDS = {
+    "stress": (_TENSOR, False),
+    "von_mises": (_VOLUME, False),
+    "hydrostatic": (_VOLUME, False),
+    "equivalent_plastic_strain": (_VOLUME, True),
+    "plastic_strain": (_TENSOR, True),
+    "residual_stress": (_TENSOR, True),
 }
 
 
@@ -45,7 +59,7 @@ def to_dataset(
     case: Case | None = None,
     *,
     body: int | None = None,
-    volume: str | None = None,
+    volume: str | Sequence[int] | None = None,
     stopped_by: str = "",
 ) -> xr.Dataset:
     """Collect the states of a simulation in one labelled dataset.
@@ -61,10 +75,11 @@ def to_dataset(
     body : {1, 2}, optional
         Body whose stresses are stored even when it is elastic; from the case, or 2.
         Inelastic bodies are always stored.
-    volume : {"none", "last", "peak_and_last", "all"}, optional
-        Increments whose volume fields are stored; from the case, or "peak_and_last". The peak is
-        the increment of largest von Mises stress; of several with the same, to 0.1 %, that of
-        largest pressure, then of largest load.
+    volume : {"none", "last", "peak_and_last", "all"} or sequence of int, optional
+        Increments whose volume fields are stored, by their numbers if not by a word; from the case,
+        or "peak_and_last". The peak is the increment of largest von Mises stress; of several with
+        the same, to 0.1 %, that of largest pressure, then of
+        largest load.
     stopped_by : str, optional
         Of a run that did not reach the end of its path: why, e.g. the text of the error whose
         attribute `states` the states are. The attribute ``complete`` is then 0.
@@ -88,19 +103,19 @@ def to_dataset(
     if volume is None:
         volume = case.output.volume if case is not None else "peak_and_last"
     choice("body", body, (1, 2))
-    choice("volume", volume, VOLUME_CHOICES)
+    if isinstance(volume, str):
+        choice("volume", volume, VOLUME_CHOICES)
 
     dataset = xr.Dataset(coords=_coordinates(simulation))
-    _add_scalars(dataset, simulation, states)
+    _add_scalars(dataset, states)
     _add_surface(dataset, simulation, states)
     heated = _add_temperatures(dataset, simulation, states)
     if simulation.grid.nz > 0:
         bodies = _stored_bodies(simulation, body)
         _add_maxima(dataset, states, bodies)
-        chosen = _chosen_increments(dataset, volume)
+        chosen = _chosen(dataset, volume)
         if chosen:
-            _add_volume(dataset, states, bodies, chosen)
-            _add_volume_temperatures(dataset, states, heated, chosen)
+            _add_volume(dataset, states, bodies, heated, chosen)
     inelastic = _inelastic(simulation)
     add_convergence(dataset, states, inelastic)
     add_motion(dataset, states, inelastic, volume != "none")
@@ -114,58 +129,29 @@ def completeness(stopped_by: str) -> dict[str, int | str]:
 
 
 def _coordinates(simulation: Simulation) -> dict[str, xr.Variable]:
-    grid = simulation.grid
-    coordinates = {
-        "x": _variable("x", np.asarray(grid.x), "m", "cell centres along x"),
-        "y": _variable("y", np.asarray(grid.y), "m", "cell centres along y"),
-    }
-    if grid.nz > 0:
-        text = "depths of the layer centres, into the body"
-        coordinates["z"] = _variable("z", np.asarray(grid.z), "m", text)
-    return coordinates
+    axes = "xyz" if simulation.grid.nz > 0 else "xy"
+    return {n: CONTACT[n].variable(n, np.asarray(getattr(simulation.grid, n))) for n in axes}
 
 
-def _add_scalars(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
-    cell = simulation.grid.dx * simulation.grid.dy
-
-    def contact_area(state: State) -> float:
-        return float(cell * np.count_nonzero(state.pressure))
-
-    def add(name: str, units: str, text: str, value: Callable[[State], float]) -> None:
-        values = np.array([value(state) for state in states])
-        dataset[name] = _variable("increment", values, units, text)
-
-    dataset.coords["increment"] = _variable(
-        "increment", np.arange(1, len(states) + 1), "1", "number of the load increment"
-    )
-    add("load", "N", "normal load", lambda s: float(s.load))
-    add("approach", "m", "rigid-body approach", lambda s: float(s.approach))
-    add("max_pressure", "Pa", "maximum pressure", lambda s: float(np.max(s.pressure)))
-    add("contact_area", "m2", "area under pressure", contact_area)
-    add("iterations", "1", "plastic iterations", lambda s: int(s.iterations))
-    add("contact_iterations", "1", "contact iterations", lambda s: int(s.contact_iterations))
-    add("substeps", "1", "steps the increment was split into", lambda s: int(s.substeps))
+def _add_scalars(dataset: xr.Dataset, states: Sequence[State]) -> None:
+    numbers = np.arange(1, len(states) + 1)
+    dataset.coords["increment"] = CONTACT["increment"].variable("increment", numbers)
+    for name, value in _SCALARS.items():
+        add(dataset, name, "increment", np.array([value(state) for state in states]))
 
 
 def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
-    def add(name: str, units: str, text: str, fields: list[Any]) -> None:
-        dataset[name] = _variable(_SURFACE, np.stack(fields), units, text)
-
-    add("pressure", "Pa", "contact pressure", [s.pressure for s in states])
-    add("gap", "m", "gap under load", [s.gap for s in states])
+    add(dataset, "pressure", _SURFACE, np.stack([s.pressure for s in states]))
+    add(dataset, "gap", _SURFACE, np.stack([s.gap for s in states]))
     shear = np.stack([s.shear for s in states], axis=1)  # (2, increment, x, y)
     for direction, fields in zip("xy", shear, strict=True):
         if np.any(fields):
-            add(f"shear_{direction}", "Pa", f"shear along +{direction} on body 2", list(fields))
+            add(dataset, f"shear_{direction}", _SURFACE, fields)
     for body in _inelastic(simulation):
-        prints = [s.residual_displacement(body=body) for s in states]
-        text = f"normal surface displacement by plastic strain, body {body}, into the body"
-        add(f"residual_displacement_body{body}", "m", text, prints)
-        depths = [float(np.max(field)) for field in prints]
-        text = f"deepest point of the print within the grid, body {body}"
-        dataset[f"print_depth_body{body}"] = _variable("increment", depths, "m", text)
-    initial = np.asarray(simulation.initial_gap)
-    dataset["initial_gap"] = _variable(("x", "y"), initial, "m", "gap of the unloaded bodies")
+        prints = np.stack([s.residual_displacement(body=body) for s in states])
+        add(dataset, "residual_displacement", _SURFACE, prints, body)
+        add(dataset, "print_depth", "increment", prints.max(axis=(1, 2)), body)
+    add(dataset, "initial_gap", ("x", "y"), np.asarray(simulation.initial_gap))
 
 
 def _add_temperatures(
@@ -173,14 +159,12 @@ def _add_temperatures(
 ) -> list[int]:
     """Time and surface temperatures; returns the bodies that get warm."""
     if any(state.time for state in states):
-        time = [state.time for state in states]
-        dataset["time"] = _variable("increment", time, "s", "time since the start")
+        add(dataset, "time", "increment", [state.time for state in states])
     bodies = (simulation.body1, simulation.body2)
     if any(material.thermal is not None for material in bodies):
         factors = [state.heat_factor for state in states]
-        text = "heat flux into body 1 and 2 over pressure"
-        dataset["heat_factor"] = _variable(("increment", "body"), factors, "m/s", text)
-        dataset.coords["body"] = _variable("body", [1, 2], "1", "number of the body")
+        add(dataset, "heat_factor", ("increment", "body"), factors)
+        dataset.coords["body"] = CONTACT["body"].variable("body", [1, 2])
     heated = []
     for body in (1, 2):
         if _material(simulation, body).thermal is None:
@@ -189,21 +173,9 @@ def _add_temperatures(
         if not np.any(rise):
             continue
         heated.append(body)
-        text = f"rise of temperature of the surface, body {body}"
-        dataset[f"surface_temperature_body{body}"] = _variable(_SURFACE, rise, "K", text)
-        largest = rise.max(axis=(1, 2))
-        text = f"maximum rise of temperature, body {body}"
-        dataset[f"max_temperature_body{body}"] = _variable("increment", largest, "K", text)
+        add(dataset, "surface_temperature", _SURFACE, rise, body)
+        add(dataset, "max_temperature", "increment", rise.max(axis=(1, 2)), body)
     return heated
-
-
-def _add_volume_temperatures(
-    dataset: xr.Dataset, states: Sequence[State], heated: list[int], chosen: list[int]
-) -> None:
-    for body in heated:
-        rise = np.stack([states[i].temperature(body=body) for i in chosen])
-        text = f"rise of temperature, body {body}"
-        dataset[f"temperature_body{body}"] = _variable(_VOLUME, rise, "K", text)
 
 
 def _material(simulation: Simulation, body: int) -> Material:
@@ -225,39 +197,44 @@ def _stored_bodies(simulation: Simulation, body: int) -> dict[int, bool]:
 def _add_maxima(dataset: xr.Dataset, states: Sequence[State], bodies: dict[int, bool]) -> None:
     for body, inelastic in bodies.items():
         stress = [float(np.max(s.von_mises(body=body))) for s in states]
-        text = f"maximum von Mises stress, body {body}"
-        dataset[f"max_von_mises_body{body}"] = _variable("increment", stress, "Pa", text)
+        add(dataset, "max_von_mises", "increment", stress, body)
         if inelastic:
             strain = [float(np.max(s.equivalent_plastic_strain(body=body))) for s in states]
-            text = f"maximum equivalent plastic strain, body {body}"
-            name = f"max_equivalent_plastic_strain_body{body}"
-            dataset[name] = _variable("increment", strain, "1", text)
+            add(dataset, "max_equivalent_plastic_strain", "increment", strain, body)
 
 
-def _chosen_increments(dataset: xr.Dataset, volume: str) -> list[int]:
-    last = dataset.sizes["increment"] - 1
+def _chosen(dataset: xr.Dataset, volume: str | Sequence[int]) -> list[int]:
+    """Positions of the increments whose volume fields are stored."""
+    count = dataset.sizes["increment"]
+    if not isinstance(volume, str):
+        return sorted({integer("volume", number, 1, count) - 1 for number in volume})
+    if volume == "all":
+        return list(range(count))
     if volume == "none":
         return []
-    if volume == "all":
-        return list(range(last + 1))
-    if volume == "last":
-        return [last]
-    return sorted({peak_of_dataset(dataset), last})
+    return sorted({peak_of_dataset(dataset), count - 1} if "peak" in volume else {count - 1})
 
 
 def _add_volume(
-    dataset: xr.Dataset, states: Sequence[State], bodies: dict[int, bool], chosen: list[int]
+    dataset: xr.Dataset,
+    states: Sequence[State],
+    bodies: dict[int, bool],
+    heated: list[int],
+    chosen: list[int],
 ) -> None:
     dataset.coords["component"] = ("component", list(COMPONENTS))
-    dataset.coords["volume_increment"] = _variable(
-        "volume_increment", np.array(chosen) + 1, "1", "increments with volume fields"
+    dataset.coords["volume_increment"] = CONTACT["volume_increment"].variable(
+        "volume_increment", np.array(chosen) + 1
     )
-    for body, inelastic in bodies.items():
-        for name, (dims, units, text, needs_plasticity) in _VOLUME_FIELDS.items():
-            if needs_plasticity and not inelastic:
-                continue
-            fields = np.stack([getattr(states[i], name)(body=body) for i in chosen])
-            dataset[f"{name}_body{body}"] = _variable(dims, fields, units, f"{text}, body {body}")
+    wanted = [
+        (name, dims, body)
+        for body, inelastic in bodies.items()
+        for name, (dims, needs_plasticity) in _VOLUME_FIELDS.items()
+        if inelastic or not needs_plasticity
+    ]
+    for name, dims, body in [*wanted, *(("temperature", _VOLUME, body) for body in heated)]:
+        fields = np.stack([getattr(states[i], name)(body=body) for i in chosen])
+        add(dataset, name, dims, fields, body)
 
 
 def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[str, Any]:

@@ -6,11 +6,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 import xarray as xr
+
+from .._quantities import CONTACT, TRACK
 
 if TYPE_CHECKING:
     from ..state import State
+    from ..track import Track
 
 COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
 
@@ -20,9 +22,10 @@ def moving_bodies(states: Sequence[State]) -> list[int]:
     return [body for body in (1, 2) if any(state.travel[body - 1] for state in states)]
 
 
-def variable(dims: Any, data: Any, units: str, long_name: str) -> xr.Variable:
-    """A variable with the attributes that each has."""
-    return xr.Variable(dims, data, {"units": units, "long_name": long_name})
+def add(dataset: xr.Dataset, name: str, dims: Any, data: Any, body: int | None = None) -> None:
+    """Add a variable of the table of quantities, or that of a body."""
+    suffix = "" if body is None else f"_body{body}"
+    dataset[name + suffix] = CONTACT[name].variable(dims, data, body)
 
 
 def add_motion(
@@ -36,45 +39,54 @@ def add_motion(
     if not moved:
         return
     for body in (1, 2):
-        travel = [state.travel[body - 1] for state in states]
-        text = f"way of the surface of body {body} through the contact, towards +x"
-        dataset[f"travel_body{body}"] = variable("increment", travel, "m", text)
-    origin = [state.origin for state in states]
-    text = "place of the contact's x = 0 in the grid"
-    dataset["contact_origin"] = variable("increment", origin, "m", text)
+        add(dataset, "travel", "increment", [state.travel[body - 1] for state in states], body)
+    add(dataset, "contact_origin", "increment", [state.origin for state in states])
     for body in inelastic:
         offset = [state.offset(body=body) for state in states]
         if any(offset):
-            text = f"place of volume fields of body {body} past the cells of the grid, along x"
-            dataset[f"offset_body{body}"] = variable("increment", offset, "m", text)
+            add(dataset, "offset", "increment", offset, body)
         # the largest may have left the grid
         largest = [state.max_equivalent_plastic_strain(body=body) for state in states]
         dataset[f"max_equivalent_plastic_strain_body{body}"].values[:] = largest
         if body in moved:
-            _add_track(dataset, states[-1], body, volume)
+            track = track_dataset(states[-1].track(body=body), volume=volume)
+            names = {name: f"track_{name}_body{body}" for name in TRACK if name in track.variables}
+            dataset.update(track.rename(names))
 
 
-def _add_track(dataset: xr.Dataset, last: State, body: int, volume: bool) -> None:
-    track, x = last.track(body=body), f"track_x_body{body}"
-    text = f"cell centres along x on body {body}, 0 where the contact stood at the start"
-    dataset.coords[x] = variable(x, track.x, "m", text)
+def track_dataset(track: Track, *, volume: bool = True) -> xr.Dataset:
+    """What the contact left along a track; without `volume` the print only."""
+    fields: dict[str, tuple[str, ...]] = {"residual_displacement": ("x", "y")}
+    coordinates = {"x": TRACK["x"].variable("x", track.x, track.body)}
+    axes = ["y"]
+    if volume:
+        fields |= {
+            "residual_stress": ("component", "x", "y", "z"),
+            "residual_von_mises": ("x", "y", "z"),
+            "residual_hydrostatic": ("x", "y", "z"),
+            "plastic_strain": ("component", "x", "y", "z"),
+            "equivalent_plastic_strain": ("x", "y", "z"),
+        }
+        axes.append("z")
+    coordinates |= {axis: CONTACT[axis].variable(axis, getattr(track, axis)) for axis in axes}
+    if volume:
+        coordinates["component"] = xr.Variable("component", list(COMPONENTS))
+    data = {
+        name: TRACK[name].variable(dims, getattr(track, name)(), track.body)
+        for name, dims in fields.items()
+    }
+    sizes = {f"d{axis}": getattr(track.grid, f"d{axis}") for axis in ("x", *axes)}
+    return xr.Dataset(data, coordinates, {"body": track.body, **sizes})
 
-    def add(name: str, dims: tuple[str, ...], data: Any, units: str, text: str) -> None:
-        long_name = f"{text} along the track, body {body}, unloaded"
-        dataset[f"track_{name}_body{body}"] = variable(dims, data, units, long_name)
 
-    depth = "normal surface displacement by plastic strain, into the body,"
-    add("residual_displacement", (x, "y"), track.residual_displacement(), "m", depth)
-    if not volume:
-        return
-    if "component" not in dataset.coords:
-        dataset.coords["component"] = ("component", list(COMPONENTS))
-    field, tensor = (x, "y", "z"), ("component", x, "y", "z")
-    stress = track.residual_stress()
-    mean = np.mean(stress[:3], axis=0)
-    add("residual_stress", tensor, stress, "Pa", "stress due to plastic strain")
-    add("residual_von_mises", field, track.residual_von_mises(), "Pa", "von Mises stress")
-    add("residual_hydrostatic", field, mean, "Pa", "mean normal stress")
-    strain = track.equivalent_plastic_strain()
-    add("plastic_strain", tensor, track.plastic_strain(), "1", "plastic strain tensor")
-    add("equivalent_plastic_strain", field, strain, "1", "equivalent plastic strain")
+def track_of(dataset: xr.Dataset, body: int) -> xr.Dataset | None:
+    """The track of a body that is in the results of a run, as `Track.to_dataset` gives it."""
+    suffix = f"_body{body}"
+    if f"track_x{suffix}" not in dataset.coords:
+        return None
+    stored = {f"track_{name}{suffix}": name for name in TRACK}
+    short = {name: own for name, own in stored.items() if name in dataset.variables}
+    track: xr.Dataset = dataset[[name for name in short if name in dataset.data_vars]].rename(short)
+    sizes = {name: dataset.attrs[name] for name in ("dx", "dy", "dz") if name in dataset.attrs}
+    track.attrs = {"body": body, **sizes}
+    return track

@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is told of a dataset whose parts are not those that this package writes."""
+"""What results say beside their fields, and what is told of those that are not of this package."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from ..grid import Grid
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 @contextmanager
@@ -17,3 +23,24 @@ def parts_of_a_run() -> Iterator[None]:
             "dataset must be that of a run, but some part of it is missing or of another kind: "
             f"{type(error).__name__}: {error}"
         ) from error
+
+
+def cell_size(dataset: xr.Dataset, axis: str) -> float:
+    """Size of the cells along "x", "y" or "z" [m]; from the centres where a file does not tell."""
+    given = dataset.attrs.get(f"d{axis}")
+    if given is not None:
+        return float(given)
+    centres = dataset[axis].values
+    if axis == "z":
+        return 2.0 * float(centres[0])
+    return float(centres[1] - centres[0])
+
+
+def grid_of(dataset: xr.Dataset) -> Grid:
+    """The grid of results, or of a track."""
+    axes = [axis for axis in "xyz" if axis in dataset.sizes]
+    cells = [dataset.sizes[axis] for axis in axes]
+    sizes = [cell_size(dataset, axis) for axis in axes]
+    if "z" not in axes:
+        return Grid(cells[0], cells[1], sizes[0], sizes[1])
+    return Grid(cells[0], cells[1], sizes[0], sizes[1], cells[2], sizes[2])

@@ -13,7 +13,8 @@ import numpy as np
 
 from .._atomic import replacing
 from .._checks import FloatArray, choice, integer
-from .reading import parts_of_a_run
+from .motion import track_of
+from .reading import cell_size, parts_of_a_run
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -96,12 +97,9 @@ def write_surface(dataset: xr.Dataset, target: Path, number: int, body: int) -> 
 
 def write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
     """What is left in a body that has moved, if it is inelastic."""
-    x = f"track_x_body{body}"
-    if x not in dataset.coords:
+    track = track_of(dataset, body)
+    if track is None:
         return []
-    names = [str(name) for name, field in dataset.data_vars.items() if x in field.dims]
-    track = dataset[names].rename({name: name.removeprefix("track_") for name in names} | {x: "x"})
-    track.attrs = dataset.attrs
     volume = [name for name in track.data_vars if "z" in track[name].dims]
     surface = [name for name in track.data_vars if "z" not in track[name].dims]
     last = int(dataset["increment"][-1])
@@ -141,17 +139,6 @@ def _number(dataset: xr.Dataset, increment: int, volume: bool) -> int:
         listed = ", ".join(str(number) for number in stored)
         raise ValueError(f"increment must be one of those {what}, {listed}, got {increment}")
     return increment
-
-
-def cell_size(dataset: xr.Dataset, axis: str) -> float:
-    """Size of the cells along "x", "y" or "z" [m]; from the centres where a file does not tell."""
-    given = dataset.attrs.get(f"d{axis}")
-    if given is not None:
-        return float(given)
-    centres = dataset[axis].values
-    if axis == "z":
-        return 2.0 * float(centres[0])
-    return float(centres[1] - centres[0])
 
 
 def _edges(dataset: xr.Dataset, axis: str) -> FloatArray:

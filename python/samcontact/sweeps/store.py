@@ -12,6 +12,7 @@ import numpy as np
 import xarray as xr
 
 from .. import results
+from .._quantities import CONTACT, TUGGING, Quantity
 
 if TYPE_CHECKING:
     from ..cases.base import CaseFile
@@ -20,11 +21,11 @@ if TYPE_CHECKING:
 
 CANCELLED = "cancelled"
 _INNER = ("pass", "increment", "body")  # dimensions of a case, in their order
-_WORDS = {
-    "increment": "number of the load increment",
-    "pass": "number of the pass",
-    "body": "number of the body",
-    "case": "number of the case",
+_COUNTED = {
+    "increment": CONTACT["increment"],
+    "pass": TUGGING["pass"],
+    "body": CONTACT["body"],
+    "case": Quantity("1", "number of the case"),
 }
 
 
@@ -115,8 +116,7 @@ def _coordinates(plan: Plan, inner: Mapping[str, int]) -> dict[str, Any]:
     counted = {dim: size for dim, size in plan.dims.items() if dim == "case"}
     counted |= {dim: inner[dim] for dim in _INNER if dim in inner}
     coordinates: dict[str, Any] = {
-        dim: (dim, np.arange(1, size + 1), {"units": "1", "long_name": _WORDS[dim]})
-        for dim, size in counted.items()
+        dim: _COUNTED[dim].variable(dim, np.arange(1, size + 1)) for dim, size in counted.items()
     }
     return coordinates | plan.coordinates
 

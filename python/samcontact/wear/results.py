@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._checks import FloatArray, choice, integer
+from .._quantities import WEAR
 from .._repr import Brief
 from ..grid import Grid
 from ..relief import Relief
@@ -53,6 +54,8 @@ class Cycle:
 
 PER_BODY = ("volume", "lost", "depth", "surface_strain", "max_plastic_strain", "plastic_layers")
 """Those of a cycle that have one value for each worn body."""
+PER_CYCLE = ("max_pressure", "max_von_mises", "contact_area", "contact_cells")
+"""The others."""
 
 
 @dataclass(eq=False, repr=False)
@@ -118,47 +121,26 @@ class WearResult(Brief):
         import xarray as xr  # here, since importing the package should not load it
 
         from .. import __version__
-        from ..results.motion import variable
 
         numbers = [cycle.number for cycle in self.cycles]
-        dataset = xr.Dataset(
-            coords={
-                "cycle": variable("cycle", numbers, "1", "number of the cycle"),
-                "body": variable("body", list(self.worn), "1", "worn body"),
-                "state": variable("state", [0, *numbers], "1", "cycles that were worn"),
-                "y": variable("y", np.asarray(self.grid.y), "m", "cell centres along y"),
-            }
-        )
-        for name, units, text in _PER_BODY:
+        coordinates = {
+            "cycle": numbers,
+            "body": list(self.worn),
+            "state": [0, *numbers],
+            "y": np.asarray(self.grid.y),
+        }
+        dataset = xr.Dataset(coords={n: WEAR[n].variable(n, v) for n, v in coordinates.items()})
+        for name in (*PER_BODY, *PER_CYCLE):
+            dims = ("cycle", "body") if name in PER_BODY else "cycle"
             values = np.array([getattr(cycle, name) for cycle in self.cycles])
-            dataset[name] = variable(("cycle", "body"), values, units, text)
-        for name, units, text in _PER_CYCLE:
-            values = np.array([getattr(cycle, name) for cycle in self.cycles])
-            dataset[name] = variable("cycle", values, units, text)
-        dataset["wear_rate"] = variable("cycle", self.rate, "m3", "worn volume per cycle")
-        total = np.cumsum(self.rate)
-        dataset["worn_volume"] = variable("cycle", total, "m3", "worn volume so far")
+            dataset[name] = WEAR[name].variable(dims, values)
+        dataset["wear_rate"] = WEAR["wear_rate"].variable("cycle", self.rate)
+        dataset["worn_volume"] = WEAR["worn_volume"].variable("cycle", np.cumsum(self.rate))
         for body in self.worn:
-            name, text = f"x_body{body}", f"positions on body {body}"
-            dataset.coords[name] = variable(name, self.x(body), "m", text)
-            dataset[f"heights_body{body}"] = variable(
-                ("state", name, "y"), self.heights[body], "m", f"heights of body {body}, outwards"
+            x = f"x_body{body}"
+            dataset.coords[x] = WEAR["x"].variable(x, self.x(body), body)
+            dataset[f"heights_body{body}"] = WEAR["heights"].variable(
+                ("state", x, "y"), self.heights[body], body
             )
         dataset.attrs = {"samcontact_version": __version__, "stopped": int(self.stopped)}
         return dataset
-
-
-_PER_BODY = (
-    ("volume", "m3", "volume of the removed material"),
-    ("lost", "m3", "volume lost by the surface"),
-    ("depth", "m", "largest wear depth of the cycle"),
-    ("surface_strain", "1", "largest plastic strain of the first layer before removal"),
-    ("max_plastic_strain", "1", "largest equivalent plastic strain before removal"),
-    ("plastic_layers", "1", "layers from top to bottom of the plastic zone before removal"),
-)
-_PER_CYCLE = (
-    ("max_pressure", "Pa", "largest pressure"),
-    ("max_von_mises", "Pa", "largest von Mises stress under load"),
-    ("contact_area", "m2", "area under pressure at the largest load"),
-    ("contact_cells", "1", "cells across the spot under the largest pressure"),
-)

@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What results, tables, figures and reports call each quantity, and in which units they give it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+_FACTORS = {"µm": 1e6, "µm²": 1e12, "mm²": 1e6, "µm³": 1e18, "MPa": 1e-6, "GPa": 1e-9, "%": 1e2}
+"""From SI to the unit shown, where that is another one."""
+_SMALL_AREA = 1e-8  # [m^2]
+
+
+class Quantity(NamedTuple):
+    """One quantity; what the last fields do not tell is not shown there."""
+
+    unit: str
+    """Of values in files and in Python: SI, "1" for a pure number."""
+    long_name: str
+    """Of files. The body is named where it has "{body}", else at its end."""
+    shown: str = ""
+    """Unit in tables, reports and figures."""
+    heading: str = ""
+    """Of its column in a report, and its name in figures."""
+    short: str = ""
+    """Of its column on a terminal."""
+    digits: int = 5
+    """Of the largest value on a terminal."""
+    colours: str = ""
+    """Colour map; RdBu_r is for values of both signs."""
+
+    @property
+    def factor(self) -> float:
+        """From SI to the unit shown."""
+        return _FACTORS.get(self.shown, 1.0)
+
+    @property
+    def label(self) -> str:
+        """Of an axis, or of a column of a report."""
+        return self.of()
+
+    def of(self, body: int | None = None) -> str:
+        """The same with a body."""
+        name = self.heading if body is None else f"{self.heading}, body {body}"
+        return f"{name} [{self.shown}]" if self.shown else name
+
+    def column(self, body: int | None = None) -> str:
+        """Heading on a terminal, in two lines."""
+        name = self.short if body is None else f"{self.short} {body}"
+        if not self.shown:
+            return name
+        return f"{name} [{self.shown}]" if "\n" in name else f"{name}\n[{self.shown}]"
+
+    def fitting(self, largest: float) -> Quantity:
+        """With the unit in which an area of this size [m^2] reads well."""
+        small = self.unit == "m2" and largest < _SMALL_AREA
+        return self._replace(shown="µm²") if small else self
+
+    def variable(self, dims: Any, data: Any, body: int | None = None) -> xr.Variable:
+        """A variable of a dataset with its unit and name."""
+        import xarray as xr  # here, since importing the package should not load it
+
+        text = self.long_name
+        if body is not None:
+            text = text.format(body=body) if "{body}" in text else f"{text}, body {body}"
+        return xr.Variable(dims, data, {"units": self.unit, "long_name": text})
+
+
+Q = Quantity
+_TRACK = "along the track, body {body}, unloaded"
+
+CONTACT = {
+    "x": Q("m", "cell centres along x"),
+    "y": Q("m", "cell centres along y"),
+    "z": Q("m", "depths of the layer centres, into the body"),
+    "increment": Q("1", "number of the load increment"),
+    "volume_increment": Q("1", "increments with volume fields"),
+    "body": Q("1", "number of the body"),
+    # of each increment
+    "load": Q("N", "normal load", "N", "load", "load", 6),
+    "approach": Q("m", "rigid-body approach", "µm", "approach", "approach", 6),
+    "max_pressure": Q("Pa", "maximum pressure", "MPa", "maximum pressure", "p_max"),
+    "contact_area": Q("m2", "area under pressure", "mm²", "contact area", "contact area"),
+    "max_von_mises": Q(
+        "Pa", "maximum von Mises stress", "MPa", "maximum von Mises stress", "von Mises"
+    ),
+    "max_equivalent_plastic_strain": Q(
+        "1", "maximum equivalent plastic strain", "%", "maximum equivalent plastic strain",
+        "plastic\nstrain", 4,
+    ),
+    "print_depth": Q(
+        "m", "deepest point of the print within the grid", "µm", "print depth", "print"
+    ),
+    "max_temperature": Q(
+        "K", "maximum rise of temperature", "K", "maximum rise of temperature", "heating"
+    ),
+    "travel": Q(
+        "m", "way of the surface of body {body} through the contact, towards +x", "µm", "travel",
+        "travel", 6,
+    ),
+    "contact_origin": Q("m", "place of the contact's x = 0 in the grid"),
+    "offset": Q("m", "place of volume fields of body {body} past the cells of the grid, along x"),
+    "time": Q("s", "time since the start", "s", "time"),
+    "heat_factor": Q("m/s", "heat flux into body 1 and 2 over pressure"),
+    # how it was solved
+    "iterations": Q("1", "plastic iterations", "", "plastic iterations", "iter.", 6),
+    "contact_iterations": Q("1", "contact iterations", "", "contact iterations"),
+    "substeps": Q("1", "steps the increment was split into", "", "substeps"),
+    "contact_margin": Q(
+        "1", "cells between contact and border, least", "cells", "contact to border"
+    ),
+    "contact_cells": Q(
+        "1", "cells across the spot under the largest pressure", "cells", "across the contact"
+    ),
+    "plastic_residual": Q(
+        "1", "relative change of the plastic strain when accepted", "", "plastic residual"
+    ),
+    "yield_excess": Q(
+        "1", "(von Mises stress - yield stress)/yield stress when accepted, largest", "",
+        "yield excess",
+    ),
+    "max_plastic_strain": Q("1", "maximum of sqrt(2/3 e:e) of the plastic strain e"),
+    "plastic_margin": Q(
+        "1", "cells between plastic strain and border of the volume, least", "cells",
+        "plastic zone to border",
+    ),
+    "plastic_layers": Q(
+        "1", "layers from top to bottom of the plastic zone", "layers", "plastic zone"
+    ),
+    # of the surface
+    "pressure": Q("Pa", "contact pressure", "GPa", "pressure", colours="viridis"),
+    "gap": Q("m", "gap under load", "µm", "gap", colours="cividis"),
+    "shear_x": Q("Pa", "shear along +x on body 2"),
+    "shear_y": Q("Pa", "shear along +y on body 2"),
+    "residual_displacement": Q(
+        "m", "normal surface displacement by plastic strain, body {body}, into the body", "µm",
+        "residual displacement", colours="RdBu_r",
+    ),
+    "initial_gap": Q("m", "gap of the unloaded bodies"),
+    "surface_temperature": Q("K", "rise of temperature of the surface", "K", "rise of temperature"),
+    # of the volume
+    "stress": Q("Pa", "stress, positive in tension", "MPa", "stress", colours="RdBu_r"),
+    "von_mises": Q("Pa", "von Mises stress", "MPa", "von Mises stress", colours="viridis"),
+    "hydrostatic": Q("Pa", "mean normal stress", "MPa", "hydrostatic stress", colours="RdBu_r"),
+    "equivalent_plastic_strain": Q(
+        "1", "equivalent plastic strain", "%", "equivalent plastic strain", colours="magma_r"
+    ),
+    "plastic_strain": Q("1", "plastic strain tensor"),
+    "residual_stress": Q("Pa", "stress due to plastic strain alone"),
+    "residual_von_mises": Q(
+        "Pa", "von Mises stress due to plastic strain alone", "MPa", "residual von Mises stress",
+        colours="viridis",
+    ),
+    "residual_hydrostatic": Q(
+        "Pa", "mean normal stress due to plastic strain alone", "MPa",
+        "residual hydrostatic stress", colours="RdBu_r",
+    ),
+    "temperature": Q(
+        "K", "rise of temperature", "K", "rise of temperature", colours="inferno"
+    ),
+}  # fmt: skip
+
+TRACK = {
+    "x": Q("m", "cell centres along x on body {body}, 0 where the contact stood at the start"),
+    "residual_displacement": Q(
+        "m", f"normal surface displacement by plastic strain, into the body, {_TRACK}"
+    ),
+    "residual_stress": Q("Pa", f"stress due to plastic strain {_TRACK}"),
+    "residual_von_mises": Q("Pa", f"von Mises stress {_TRACK}"),
+    "residual_hydrostatic": Q("Pa", f"mean normal stress {_TRACK}"),
+    "plastic_strain": Q("1", f"plastic strain tensor {_TRACK}"),
+    "equivalent_plastic_strain": Q("1", f"equivalent plastic strain {_TRACK}"),
+}
+
+TUGGING = {
+    # of each increment
+    "offset": Q("m", "horizontal distance of the centres"),
+    "angle": Q("rad", "of the line of centres from the vertical"),
+    "approach": Q("m", "along the line of centres"),
+    "normal_force": Q("N", "along the line of centres"),
+    "force_x": Q(
+        "N", "of sphere 1 on sphere 2 along X; what it takes to move sphere 1 along +X", "N",
+        "tangential force", "F_x",
+    ),
+    "force_y": Q("N", "of sphere 1 on sphere 2 along Y"),
+    "force_z": Q("N", "of sphere 1 on sphere 2 downwards", "N", "normal force", "F_z"),
+    "load_ratio": Q("1", "force_x over force_z"),
+    "work": Q("J", "of force_x since the start of the pass"),
+    "plastic_work": Q("J", "of both bodies since the start of the first pass"),
+    "max_pressure": CONTACT["max_pressure"]._replace(long_name="largest pressure"),
+    "contact_area": CONTACT["contact_area"],
+    "max_equivalent_plastic_strain": Q("1", "largest equivalent plastic strain of a body"),
+    "contact_cells": CONTACT["contact_cells"],
+    "plastic_layers": CONTACT["plastic_layers"]._replace(
+        long_name="layers from top to bottom of the plastic zone of a body"
+    ),
+    # of each pass
+    "pass": Q("1", "number of the pass"),
+    "net_energy": Q("J", "work of force_x over the pass", "J", "net energy", "net energy"),
+    "dissipation": Q(
+        "J", "plastic work of the pass in both bodies", "J", "plastic work", "dissipated"
+    ),
+    "residual_energy": Q(
+        "J", "elastic energy of the residual stress of both bodies after the pass", "J",
+        "energy of the residual stress", "stored",
+    ),
+    "energy_imbalance": Q(
+        "J", "net energy not found as dissipation or more residual energy", "J",
+        "not found of the net energy",
+    ),
+    "residual_displacement": Q(
+        "m", "largest depth of the print of a body after the pass", "µm", "largest print", "print"
+    ),
+    "max_force_x": Q(
+        "N", "largest force_x of the pass", "N", "largest tangential force", "F_x max"
+    ),
+    "min_force_x": Q("N", "least force_x of the pass", "N", "least tangential force", "F_x min"),
+    "max_force_z": Q("N", "largest force_z of the pass", "N", "largest normal force", "F_z max"),
+}  # fmt: skip
+
+WEAR = {
+    "cycle": Q("1", "number of the cycle"),
+    "body": Q("1", "worn body"),
+    "state": Q("1", "cycles that were worn"),
+    "y": CONTACT["y"],
+    # of each cycle and body
+    "volume": Q("m3", "volume of the removed material", "µm³", "removed volume", "worn"),
+    "lost": Q("m3", "volume lost by the surface"),
+    "depth": Q("m", "largest wear depth of the cycle", "µm", "wear depth", "depth"),
+    "surface_strain": Q(
+        "1", "largest plastic strain of the first layer before removal", "%",
+        "plastic strain of the first layer",
+    ),
+    "max_plastic_strain": Q(
+        "1", "largest equivalent plastic strain before removal", "%", "largest plastic strain",
+        "plastic\nstrain",
+    ),
+    "plastic_layers": CONTACT["plastic_layers"]._replace(
+        long_name="layers from top to bottom of the plastic zone before removal"
+    ),
+    # of each cycle
+    "max_pressure": CONTACT["max_pressure"]._replace(long_name="largest pressure"),
+    "max_von_mises": CONTACT["max_von_mises"]._replace(
+        long_name="largest von Mises stress under load"
+    ),
+    "contact_area": CONTACT["contact_area"]._replace(
+        long_name="area under pressure at the largest load", shown="µm²"
+    ),
+    "contact_cells": CONTACT["contact_cells"],
+    "wear_rate": Q("m3", "worn volume per cycle", "µm³", "worn volume per cycle"),
+    "worn_volume": Q("m3", "worn volume so far"),
+    "x": Q("m", "positions on body {body}"),
+    "heights": Q("m", "heights of body {body}, outwards", "µm", "height", colours="viridis"),
+}  # fmt: skip

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the command does with a case of tugging or of wear: solve it, print and write its results.
+
+Each increment of tugging, each cycle of wear leaves a checkpoint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from rich.console import Console
+
+from .._quantities import TUGGING, WEAR
+from ..asperities.series import of_passes
+from ..plotting import tugging, wear
+from ..plotting.parts import save as save_figure
+from ..results.dataset import completeness
+from .errors import StoppedEarlyError, tell_partial
+from .folder import publish
+from .interrupted import checkpoints_of
+from .tables import Sheet, values_sheet
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+    from ..asperities import Tugging
+    from ..cases import Case
+    from ..cases.tugging import TuggingCase
+    from ..wear import WearResult
+
+_OF_PASSES = (
+    "max_force_x", "min_force_x", "max_force_z", "net_energy", "dissipation", "residual_energy",
+)  # fmt: skip
+_OF_CYCLES = ("volume", "depth", "max_pressure", "max_von_mises", "max_plastic_strain")
+
+
+class _Kind(NamedTuple):
+    """What differs between tugging and wear."""
+
+    file: str
+    solve: Callable[[Path], Any]
+    """From the folder of its checkpoints."""
+    dataset: Callable[[Any], xr.Dataset]
+    amount: Callable[[Any], str]
+    """How much there is of a run that has stopped early."""
+    sheet: Callable[[xr.Dataset], Sheet]
+    rows: Callable[[xr.Dataset], pd.DataFrame]
+    """What goes into the .csv."""
+    draw: Callable[[Any, xr.Dataset], dict[str, Figure]]
+
+
+def solve_tugging(
+    case: TuggingCase, directory: Path, console: Console, *, figures: bool, resume: bool
+) -> list[Path]:
+    """Write series.nc, series.csv and figures of the first pass; the files."""
+
+    def amount(result: Tugging) -> str:
+        passes = result.series.sizes["pass"]
+        return f"{passes} of {case.tugging.passes} passes, the last in part,"
+
+    kind = _Kind(
+        "series",
+        lambda folder: case.solve(progress=not console.quiet, checkpoint=folder),
+        lambda result: result.series,
+        amount,
+        _passes_sheet,
+        _increments,
+        _draw_tugging,
+    )
+    return _solve(case, kind, directory, console, figures=figures, resume=resume)
+
+
+def solve_wear(
+    case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
+) -> list[Path]:
+    """Write wear.nc, wear.csv and figures; the files."""
+    simulation, cycle = case.build()
+    settings = case.wear
+    assert settings is not None
+
+    kind = _Kind(
+        "wear",
+        lambda folder: settings.solve(simulation, cycle, folder / "cycle.h5", not console.quiet),
+        lambda result: result.to_dataset(),
+        lambda result: f"{len(result.cycles)} of up to {settings.cycles} cycles",
+        _cycles_sheet,
+        _cycles,
+        _draw_wear,
+    )
+    return _solve(case, kind, directory, console, figures=figures, resume=resume)
+
+
+def _solve(
+    case: Case | TuggingCase,
+    kind: _Kind,
+    directory: Path,
+    console: Console,
+    *,
+    figures: bool,
+    resume: bool,
+) -> list[Path]:
+    def write(result: Any, stopped_by: str = "") -> list[Path]:
+        attributes = {"title": case.title, "case": case.text, **completeness(stopped_by)}
+        dataset = kind.dataset(result).assign_attrs(attributes)
+        written = [publish(dataset, directory / f"{kind.file}.nc"), directory / f"{kind.file}.csv"]
+        console.print(kind.sheet(dataset))
+        if dataset.attrs.get("stopped", 1) == 0 and not stopped_by:
+            console.print(f"still wearing after {dataset.sizes['cycle']} cycles", highlight=False)
+        kind.rows(dataset).to_csv(written[-1])
+        if case.output.figures and figures:
+            drawn = kind.draw(result, dataset)
+            written += [save_figure(drawn[name], directory / f"{name}.png") for name in drawn]
+        return written
+
+    with checkpoints_of(directory, case) as checkpoints:
+        checkpoints.claim(resume)
+        console.print(case.title, style="bold", markup=False, highlight=False)
+        try:
+            with checkpoints.used() as folder:
+                result = kind.solve(folder)
+        except Exception as error:
+            done = getattr(error, "result", None)
+            if done is None:
+                raise
+            what = kind.amount(done)
+            told = tell_partial(lambda reason: write(done, reason), error, what, directory)
+            raise StoppedEarlyError(told) from error
+        return write(result)
+
+
+def _increments(series: xr.Dataset) -> pd.DataFrame:
+    of_a_pass = [name for name, field in series.data_vars.items() if field.dims == ("pass",)]
+    by_increment = series.drop_dims("body").drop_vars(of_a_pass)
+    return by_increment.to_dataframe().dropna(how="all")
+
+
+def _passes_sheet(series: xr.Dataset) -> Sheet:
+    passes = of_passes(series)
+    columns = [(TUGGING[name], passes[name].values, None) for name in _OF_PASSES]
+    name = "residual_displacement"
+    prints = [(TUGGING[name], passes[name].sel(body=b).values, b) for b in (1, 2)]
+    return values_sheet("Passes", passes["pass"].values, [*columns, *prints])
+
+
+def _draw_tugging(_: Tugging, series: xr.Dataset) -> dict[str, Figure]:
+    """Forces and their ratio in the first pass."""
+    return {
+        "force_x": _figure(tugging.force([series], component="x")),
+        "force_z": _figure(tugging.force([series], component="z")),
+        "load_ratio": _figure(tugging.load_ratio([series])),
+    }
+
+
+def _cycles(dataset: xr.Dataset) -> pd.DataFrame:
+    return dataset[[n for n, field in dataset.items() if field.dims == ("cycle",)]].to_dataframe()
+
+
+def _cycles_sheet(dataset: xr.Dataset) -> Sheet:
+    """The largest of all worn bodies, or the sum of their volumes."""
+    columns = []
+    for name in _OF_CYCLES:
+        values = dataset[name]
+        if "body" in values.dims:
+            values = values.sum("body") if name == "volume" else values.max("body")
+        columns.append((WEAR[name], values.values, None))
+    return values_sheet("Cycles", dataset["cycle"].values, columns)
+
+
+def _draw_wear(result: WearResult, dataset: xr.Dataset) -> dict[str, Figure]:
+    figures = {}
+    for body in result.worn:
+        figures[f"profile_body{body}"] = _figure(wear.worn_profile(dataset, body=body))
+        figures[f"surface_body{body}"] = _figure(wear.surface_map(dataset, body=body))
+        for name, moments in (("first", result.first), ("last", result.last)):
+            figures[f"{name}_cycle_body{body}"] = wear.cycle_panels(moments, body=body)
+    figures["wear_rate"] = _figure(wear.wear_rate(dataset))
+    return figures
+
+
+def _figure(ax: Axes) -> Figure:
+    figure = ax.get_figure(root=True)
+    assert figure is not None
+    return figure

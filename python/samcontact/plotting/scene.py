@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the figures of a run are drawn from: its results, for the eyes of one body."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._checks import FloatArray
+from .._peak import peak_of_dataset
+from .._tensors import von_mises
+from ..grid import Grid
+from ..results.motion import track_of
+from ..results.reading import grid_of
+from .contact import HertzContact
+from .parts import row_of_interest, section_height
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+@dataclass
+class Scene:
+    """Results of a contact, one of its bodies, and the Hertz contact at the load of the peak."""
+
+    dataset: xr.Dataset
+    body: int
+    hertz: HertzContact | None
+
+    @cached_property
+    def grid(self) -> Grid:
+        return grid_of(self.dataset)
+
+    @cached_property
+    def peak(self) -> int:
+        """Position of the increment with the largest stress."""
+        return peak_of_dataset(self.dataset)
+
+    @cached_property
+    def hottest(self) -> int | None:
+        """Position of the increment with the warmest surface; None where it is not heated."""
+        rise = self.dataset.get(f"surface_temperature_body{self.body}")
+        return None if rise is None else int(np.argmax(rise.values.max(axis=(1, 2))))
+
+    @cached_property
+    def track(self) -> xr.Dataset | None:
+        """Of an inelastic body that moved."""
+        return track_of(self.dataset, self.body)
+
+    def number(self, position: int) -> int:
+        """Of an increment, from 1."""
+        return int(self.dataset["increment"].values[position])
+
+    def surface(self, name: str, position: int) -> FloatArray:
+        """A field of the contact, or of the surface of the body."""
+        own = f"{name}_body{self.body}"
+        field: FloatArray = self.dataset[own if own in self.dataset else name].values[position]
+        return field
+
+    def has(self, name: str, number: int) -> bool:
+        """Whether a volume field of the body is stored for the increment of this number."""
+        there = f"{name}_body{self.body}" in self.dataset
+        return there and number in self.dataset["volume_increment"].values
+
+    def field(self, name: str, number: int) -> FloatArray:
+        """A volume field of the body at an increment that has one."""
+        if name == "residual_von_mises":
+            return von_mises(self.field("residual_stress", number))
+        stored = self.dataset[f"{name}_body{self.body}"].sel(volume_increment=number)
+        axes = [axis for axis in ("component", "x", "y", "z") if axis in stored.dims]
+        field: FloatArray = stored.transpose(*axes).values
+        return field
+
+    def row(self, field: FloatArray, across: str = "y") -> float:
+        """Where there is most to see [m]: the place of a line or plane through a field."""
+        axis = "xy".index(across)
+        others = tuple(n for n in range(field.ndim) if n != axis)
+        centres = getattr(self.grid, across)
+        return float(centres[row_of_interest(np.abs(field).max(axis=others), centres)])
+
+    @property
+    def section_height(self) -> float:
+        """Of the figure of a section of the grid [in], 5 in wide."""
+        grid = self.grid
+        return section_height(5.0, grid.nx * grid.dx, grid.nz * (grid.dz or 0.0))
