@@ -41,15 +41,16 @@ py::array residual_displacement(const Grid& grid, const Array& strain, double nu
   return surface_array(std::move(out), grid);
 }
 
+/// Along x, y or z: axis 0, 1 or 2.
 py::array surface_displacement(const Grid& grid, const Elastic& elastic, const Array& pressure,
-                               const py::object& shear_x, const py::object& shear_y) {
+                               const py::object& shear_x, const py::object& shear_y, int axis) {
   const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
                                        to_field_or_empty(shear_y)};
   Field out;
   {
     const py::gil_scoped_release release;
     out = operators::surface_displacement(grid, *operators::half_space(elastic), {}, tractions, 1.0,
-                                          operators::Axis::z);
+                                          static_cast<operators::Axis>(axis));
   }
   return surface_array(std::move(out), grid);
 }
@@ -183,7 +184,7 @@ void bind_operators(py::module_& parent) {
   m.def("residual_displacement", &residual_displacement, py::arg("grid"), py::arg("strain"),
         py::arg("nu"));
   m.def("surface_displacement", &surface_displacement, py::arg("grid"), py::arg("elastic"),
-        py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"));
+        py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"), py::arg("axis"));
   m.def("temperature", &temperature, py::arg("grid"), py::arg("heating"), py::arg("z"),
         py::arg("pressure"));
   m.def("surface_stress", &surface_stress, py::arg("grid"), py::arg("elastic"), py::arg("heating"),

@@ -316,6 +316,7 @@ class operators:
         pressure: FloatArray,
         shear_x: FloatArray | None,
         shear_y: FloatArray | None,
+        axis: int,
     ) -> FloatArray: ...
     @staticmethod
     def surface_stress(

@@ -260,23 +260,64 @@ class ContactSolver(Configured):
         layers = np.size(z)
         needed = _memory.volume(self.grid, _memory.STRESS_OF_TRACTIONS, layers)
         _memory.require_for_grid(f"the stress at {layers} depths", self.grid, needed)
-        p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
-        if shear is None:
-            shear = self._core.shear(p)
-        parts = [s for s in shear_components(self.grid, shear) if s is not None]
-        sign = 1.0 if body == 2 else -1.0
-        reversed_or_not = np.stack([sign * s for s in parts]) if parts else None
-        if reversed_or_not is not None and len(parts) == 1:
-            reversed_or_not = reversed_or_not[0]
         stress: FloatArray = _core.operators.surface_stress(
             self.grid._core,
             material._core.elastic_constants,
             self._heating[body - 1],
             depths_of(z).tolist(),
-            p,
-            *shear_components(self.grid, reversed_or_not),
+            *self._tractions_on(body, pressure, shear),
         )
         return stress
+
+    def displacement(
+        self, pressure: ArrayLike, shear: ArrayLike | None = None, body: int = 2
+    ) -> FloatArray:
+        """Elastic displacement of a body's surface under tractions, along x, y and z.
+
+        Parameters
+        ----------
+        pressure : array_like, shape (nx, ny)
+            [Pa], positive in compression.
+        shear : array_like, shape (nx, ny) or (2, nx, ny), optional
+            Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction times
+            pressure.
+        body : {1, 2}, optional
+
+        Returns
+        -------
+        ndarray, shape (3, nx, ny)
+            u_x, u_y, u_z [m] at the cell centres, zero far away: u_x and u_y along the x and y that
+            both bodies share, u_z positive into the body. Shear s_x > 0 on body 2 moves its surface
+            to +x; pressure draws the surface around it towards itself. Without thermal expansion;
+            zero for a rigid body.
+
+        Raises
+        ------
+        ValueError, TypeError
+            An argument out of range or of the wrong kind.
+
+        Notes
+        -----
+        Boussinesq's and Cerruti's point forces (Johnson 1985, sections 3.2 and 3.6), integrated
+        over each cell in closed form. The relative displacement along the surface is that of body 2
+        less that of body 1; the approach of the surfaces is the sum of u_z.
+        """
+        material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
+        needed = 3 * _memory.surface(self.grid, _memory.DISPLACEMENT)
+        _memory.require_for_grid("a displacement", self.grid, needed)
+        loads = self._tractions_on(body, pressure, shear)
+        elastic = material._core.elastic_constants
+        along = _core.operators.surface_displacement
+        return np.stack([along(self.grid._core, elastic, *loads, axis) for axis in range(3)])
+
+    def _tractions_on(
+        self, body: int, pressure: ArrayLike, shear: ArrayLike | None
+    ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
+        """Pressure, s_x and s_y on a body, of those on body 2; without shear that of friction."""
+        p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
+        parts = shear_components(self.grid, self._core.shear(p) if shear is None else shear)
+        s_x, s_y = parts if body == 2 else (None if s is None else -s for s in parts)
+        return p, s_x, s_y
 
     def temperature(self, pressure: ArrayLike, z: ArrayLike = 0.0, body: int = 2) -> FloatArray:
         """Rise of temperature in a body at any depths.

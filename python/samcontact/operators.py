@@ -72,7 +72,7 @@ def surface_displacement(
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     elastic = _core.Elastic.isotropic(E, nu)
     field: FloatArray = _core.operators.surface_displacement(
-        grid._core, elastic, p, *shear_components(grid, shear)
+        grid._core, elastic, p, *shear_components(grid, shear), 2
     )
     return field
 

@@ -116,6 +116,11 @@ CALLS = [
         SOLVER.stress,
         {"pressure": PATCH, "z": [0.0, 1e-5], "body": 2, "shear": PATCH},
     ),
+    (
+        "ContactSolver.displacement",
+        SOLVER.displacement,
+        {"pressure": PATCH, "shear": PATCH, "body": 2},
+    ),
     ("ContactSolver.temperature", SOLVER.temperature, {"pressure": PATCH, "z": 1e-5, "body": 2}),
     (
         "Simulation",
