@@ -93,10 +93,11 @@ BLOCK = re.compile(
 )
 FIGURE = "<!-- figure -->\n"
 COMMAND = """
-import pathlib, subprocess, sys
+import os, pathlib, subprocess, sys
 pathlib.Path({file!r}).write_text({case!r})
 command = [sys.executable, "-m", "samcontact", *{words!r}.split()]
-print(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+plain = {{**os.environ, "FORCE_COLOR": "", "CLICOLOR_FORCE": ""}}  # kernels ask for colours
+print(subprocess.run(command, check=True, capture_output=True, text=True, env=plain).stdout)
 """
 # Of the figures of a command one is enough.
 SAVED = """

@@ -93,6 +93,7 @@ def test_notebooks_and_tutorial_come_with_what_they_print_and_draw(site):
     tutorial = (site / "tutorial.html").read_text()
     assert re.search(r"largest pressure \d\.\d\d GPa", tutorial)
     assert "results/ball/results.nc" in tutorial  # from the command below the case file
+    assert "[1m" not in tutorial  # nor codes for a terminal
     assert tutorial.count("data:image/png;base64,") == 2
     assert "data:image/png;base64," in (site / "index.html").read_text()
 
