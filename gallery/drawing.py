@@ -36,7 +36,7 @@ def finish(ax: Axes, xlabel: str = "", ylabel: str = "", legend: bool = True) ->
     ax.set(xlabel=xlabel, ylabel=ylabel)
     ax.grid(True, linewidth=0.4, alpha=0.5)
     if legend:
-        ax.legend(frameon=False, fontsize="small")
+        ax.legend(fontsize="small", framealpha=1.0, edgecolor="none")  # lines end beside it
 
 
 def hertz_curve(

@@ -15,6 +15,9 @@ from typing import Any, Protocol
 
 from matplotlib.figure import Figure
 
+_IMAGE: dict[str, Any] = {
+    "dpi": 80, "metadata": {"Software": None}, "bbox_inches": "tight", "pad_inches": 0.08
+}  # fmt: skip
 SENSITIVITY = Path(__file__).parents[1] / "benchmarks" / "sensitivity.csv"
 MOVES = """Moves: by how much the numbers change at most when the cells, layers or increments of a
 mesh about half as fine as the page's are halved, or its window is made larger
@@ -125,14 +128,8 @@ def table(entries: list[Number | Statement], moved: dict[str, float]) -> str:
         else:
             verdict = "agrees" if entry.holds and not entry.contradicted else "differs"
             cells = (entry.thesis, entry.ours, verdict)
-        cells = (*cells, entry.mesh)
-        if moved:
-            share = moved.get(entry.quantity)
-            cells = (
-                *cells,
-                "" if share is None else f"{share:.2g} %" if share < 100 else "> 100 %",
-            )
-        lines.append(f"| {entry.quantity}{note} | {' | '.join(cells)} |")
+        moves_by = [percent(moved.get(entry.quantity))] * bool(moved)
+        lines.append(f"| {' | '.join([entry.quantity + note, *cells, entry.mesh, *moves_by])} |")
     text = "\n".join(lines) + "\n" + ("\n" + MOVES) * bool(moved)
     if remarks:
         text += "\n" + "\n".join(f"{n}. {remark}" for n, remark in enumerate(remarks, 1)) + "\n"
@@ -151,7 +148,7 @@ def write(name: str, part: Part, results: Any, folder: Path) -> list[Number | St
         table(entries, moves(name)),
     ]
     for picture in part.figures(results):
-        picture.figure.savefig(folder / f"{picture.name}.png", dpi=80, metadata={"Software": None})
+        picture.figure.savefig(folder / f"{picture.name}.png", **_IMAGE)
         text.append(f"![{picture.caption}]({picture.name}.png)\n\n{picture.caption}\n")
     (folder / f"{name}.md").write_text("\n".join(text), encoding="utf-8")
     return entries

@@ -177,5 +177,5 @@ def model_figure(results: Results) -> Figure:
         strict=True,
     ):  # fmt: skip
         ax.set_ylabel(label)
-    panels[0].legend(frameon=False, fontsize=8)
+    panels[0].legend(fontsize=8, framealpha=1.0, edgecolor="none")
     return figure

@@ -111,9 +111,11 @@ def onset_and_strain(results: Results) -> Picture:
             pressure[positive], 100 * case.gamma_max[positive], color=f"C{k}",
             label=f"µ = {friction:g}",
         )  # fmt: skip
-    end = ball.p0 / MICRO_YIELD
-    for value, label in ((0.34, "stated: 0.34 and 5.34 %"), (5.34, None)):
-        right.plot(end, value, "ko", markerfacecolor="none", label=label)
+    end, told = ball.p0 / MICRO_YIELD, [0.34, 5.34]
+    (marks,) = right.plot([end, end], told, "ko", markerfacecolor="none")
+    stated = right.legend([marks], ["stated: 0.34 and 5.34 %"], loc="lower right", fontsize="small",
+                          frameon=False)  # fmt: skip
+    right.add_artist(stated)
     right.set_ylim(1e-3, 20)
     finish(right, "Hertz pressure / micro-yield stress", "largest plastic strain [%]")
     return Picture(

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from ..drawing import axes, finish
 from ..page import Picture
@@ -120,7 +121,7 @@ def sections(results: Results) -> list[Picture]:
             case = cases[factor]
             x, z, plane = case.x / HERTZ.a, case.z / HERTZ.a, case.plane * 1e-6
             filled = ax.contourf(x, z, plane.T, levels=12, cmap="viridis")
-            figure.colorbar(filled, ax=ax, label="MPa", shrink=0.7)
+            figure.colorbar(filled, ax=ax, label="MPa", shrink=0.7, ticks=MaxNLocator(5))
             i, k = np.unravel_index(int(plane.argmax()), plane.shape)
             ax.plot(x[i], z[k], "wx", markersize=7, clip_on=False, zorder=4)
             ax.set_title(
