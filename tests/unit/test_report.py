@@ -111,7 +111,7 @@ def test_increments_equal_the_dataset(page, data):
             "max_equivalent_plastic_strain_body2",
             1e2,
         ),
-        "print depth, body 2 [µm]": ("print_depth_body2", 1e6),
+        "print depth in the grid, body 2 [µm]": ("print_depth_body2", 1e6),
     }
     assert headings == list(columns)
     assert [row[0] for row in rows] == ["1", "2", "3"]
@@ -190,6 +190,10 @@ def test_no_number_is_broken(page, width):
         assert page.driver.execute_script(script) == []
         wider = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
         assert page.driver.execute_script(wider) <= 0
+        moved = """return [...document.querySelectorAll('.wide')].filter(
+            box => box.scrollWidth > box.clientWidth).map(box => box.firstElementChild.id)"""
+        long = {"increments-table", "convergence-table"} if width < 800 else set()
+        assert set(page.driver.execute_script(moved)) <= long
     finally:
         page.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 DOTS_PER_INCH = 120
+_ABOVE: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "ncols": 3, "frameon": False}
+"""Of a legend that would hide points."""
 
 
 class ReportFigure(NamedTuple):
@@ -183,7 +185,7 @@ def _track(scene: Scene) -> Iterator[Made]:
 def _convergence(scene: Scene) -> Iterator[Made]:
     data = scene.dataset
     number = data["increment"].values
-    figure = new_figure(5.6, 4.6 if "plastic_residual" in data else 2.4)
+    figure = new_figure(5.6, 5.2 if "plastic_residual" in data else 2.7)
     if "plastic_residual" in data:
         upper, lower = figure.subplots(2, 1, sharex=True)
         for name in ("plastic_residual", "yield_excess"):
@@ -195,7 +197,7 @@ def _convergence(scene: Scene) -> Iterator[Made]:
             upper.axhline(data.attrs["tol"], color="k", linestyle="--", linewidth=1, label="tol")
         upper.set_yscale("log")
         upper.set_ylabel("relative [-]")
-        upper.legend(frameon=False)
+        upper.legend(**_ABOVE)
         finish(upper)
     else:
         lower = figure.subplots()
@@ -204,7 +206,7 @@ def _convergence(scene: Scene) -> Iterator[Made]:
         lower.plot(number, data[name].values, marker, markersize=3, label=label)
     lower.set_xlabel("increment")
     lower.set_ylabel("count")
-    lower.legend(frameon=False)
+    lower.legend(**_ABOVE)
     finish(counted(lower))
     text = "Residuals against the tolerance, and iterations, of each increment; see the table."
     yield "Convergence", text, figure

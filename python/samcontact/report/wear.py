@@ -66,11 +66,9 @@ def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
         for axis in ("x", "y"):
             figure = new_figure()
             options: dict[str, Any] = {"body": body, "axis": axis, "cycles": shown}
-            plotting.wear.worn_profile(dataset, figure.subplots(), **options)
+            where = plotting.wear.worn_profile(dataset, figure.subplots(), **options).get_title()
             caption = f"Heights of body {body} along {axis}, after several cycles"
-            yield embedded(
-                caption, f"Heights through the middle of the worn surface, {text}", figure
-            )
+            yield embedded(caption, f"Heights of the worn surface at {where}, {text}", figure)
         figure = new_figure()
         plotting.wear.surface_map(dataset, figure.subplots(), body=body)
         caption = f"Heights of body {body} after cycle {count}"
