@@ -91,7 +91,7 @@ CONTACT = {
         "plastic\nstrain", 4,
     ),
     "print_depth": Q(
-        "m", "deepest point of the print within the grid", "µm", "print depth", "print"
+        "m", "deepest point of the print within the grid", "µm", "print depth in the grid", "print"
     ),
     "max_temperature": Q(
         "K", "maximum rise of temperature", "K", "maximum rise of temperature", "heating"
