@@ -232,20 +232,16 @@ def test_modules_have_no_cycle():
 
 # Modules that name a type, or import when called, of one that imports them: to be cut.
 BACKWARDS = {
-    ("_copies", "simulation"),
-    ("_copies", "state"),
-    ("_journal", "simulation"),
     ("_journal", "state"),
     ("_memory", "_kept"),
     ("_overlap", "contact"),
     ("_overlap", "state"),
     ("cases.used", "cases.case"),
     ("cases.used", "cases.tugging"),
-    ("checkpoint", "simulation"),
-    ("checkpoint", "state"),
     ("resolution", "contact"),
     ("resolution", "state"),
-    ("state", "simulation"),
+    ("results.motion", "state"),
+    ("results.motion", "track"),
 }
 
 
