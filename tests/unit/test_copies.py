@@ -25,7 +25,7 @@ def moving():
     dent = sc.dents.spherical(GRID, 1e-7, 3 * GRID.dx)
     return sc.Simulation(
         GRID, MATERIALS["linear"], steel, GAP, 0.1, heat=heat, relief2=dent,
-        on_border="warn", **heat,
+        on_border="warn",
     )  # fmt: skip
 
 

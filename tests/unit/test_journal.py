@@ -68,7 +68,7 @@ def test_states_that_are_kept_later_go_on_with_their_own_heat(tmp_path):
     journal.add(expected[0])  # the run was interrupted here
     again = scene().run(path, progress=False, checkpoint=tmp_path)
     for one, other in zip(again, expected, strict=True):
-        assert one.heat == other.heat
+        assert one.heat_factor == other.heat_factor
         assert_same(one, other)
         np.testing.assert_array_equal(one.surface_temperature(2), other.surface_temperature(2))
     assert expected[1].surface_temperature(2).max() > 0
