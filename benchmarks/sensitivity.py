@@ -35,19 +35,20 @@ HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.sensitivity --docs -->
 # What the gallery's numbers depend on
 
-Every number that a page of the [gallery](gallery.md) states, on {mesh}: how much it
-moves [%] when the cells are halved in both directions, the layers are halved, the increments of the
-load are halved, or the window and its depth are made a quarter larger, one at a time. Where a
-quantity is a list of numbers it is the largest move over the largest number. A dash: the scene has
-nothing of that kind to change, or gives another number of values. Tugging and running-in are not in
-the table: they state [limits](gallery/tugging.md) and have a [convergence](wear_convergence.md)
-page of their own.
+By how much each number that a page of the [gallery](gallery.md) states moves [%] when the cells are
+halved in both directions, the layers are halved, the increments of the load are halved, or the
+window and its depth are made a quarter larger, one at a time. {mesh}
+
+Of a list of numbers it is the largest move over the largest number. Numbers in a text are those it
+shows, with their last digit. A dash: the scene has nothing of that kind to change, or gives another
+number of values. Tugging and running-in are not here: they state [limits](gallery/tugging.md) and
+have a page of their [convergence](wear_convergence.md).
 """
 MESHES = {
-    True: "the coarse meshes of the tests, with half as many cells, layers and increments as the "
-    "page's or fewer: what a number moves when these are halved is about what the page's mesh is "
-    "better by, and an upper bound of what it is still off by",
-    False: "the meshes of the pages",
+    True: """The meshes are the
+coarse ones of the tests, about half as fine as the page's: the moves are about what a page is
+better by, and about an upper bound of what it is still off by.""",
+    False: "The meshes are the pages'.",
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 

@@ -93,14 +93,20 @@ def digits(value: float) -> str:
     return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
 
 
+def words(quantity: str) -> str:
+    """A quantity without its numbers, of which coarse meshes have fewer."""
+    return "".join(letter for letter in quantity if letter.isalpha())
+
+
 def moves(name: str) -> dict[str, float]:
-    """Of each value of a part, by how much it moves with its mesh [%]; where that was studied."""
-    found = {}
+    """By how much the values of a part move with their mesh [%], by their `words`."""
+    found: dict[str, float] = {}
     with SENSITIVITY.open(encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
             given = [float(row[column]) for column in row if column.endswith("[%]") and row[column]]
             if row["part"] == name and given:
-                found[row["quantity"]] = max(given)
+                key = words(row["quantity"])
+                found[key] = max(*given, found.get(key, 0.0))
     return found
 
 
@@ -128,7 +134,7 @@ def table(entries: list[Number | Statement], moved: dict[str, float]) -> str:
         else:
             verdict = "agrees" if entry.holds and not entry.contradicted else "differs"
             cells = (entry.thesis, entry.ours, verdict)
-        moves_by = [percent(moved.get(entry.quantity))] * bool(moved)
+        moves_by = [percent(moved.get(words(entry.quantity)))] * bool(moved)
         lines.append(f"| {' | '.join([entry.quantity + note, *cells, entry.mesh, *moves_by])} |")
     text = "\n".join(lines) + "\n" + ("\n" + MOVES) * bool(moved)
     if remarks:
