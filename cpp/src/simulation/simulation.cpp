@@ -9,6 +9,7 @@
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
+#include "samcontact/simulation/division.hpp"
 #include "samcontact/simulation/fixed_point.hpp"
 
 namespace samcontact::simulation {
@@ -72,74 +73,6 @@ void check_backstress(const std::vector<plasticity::Backstress>& laws, const Fie
   }
 }
 
-/// Largest difference between two solutions of one increment: of the pressure relative to its
-/// maximum, and of the equivalent plastic strain relative to its maximum or the strain at yield.
-double increment_error(const State& one, const State& two) {
-  const auto largest = [](const Field& f) { return *std::max_element(f.begin(), f.end()); };
-  const auto difference = [](const Field& a, const Field& b) {
-    double d = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) d = std::max(d, std::fabs(a[i] - b[i]));
-    return d;
-  };
-  const double p_max = largest(two.tractions.pressure);
-  double error =
-      p_max > 0 ? difference(one.tractions.pressure, two.tractions.pressure) / p_max : 0.0;
-  for (int b = 0; b < 2; ++b) {
-    if (!one.plastic[b] || !two.plastic[b]) continue;
-    const auto& material = two.scene().materials[b];
-    const double yield_strain =
-        material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
-    const Box box = one.flow_box[b].united(two.flow_box[b]);
-    const Field g = two.equivalent_plastic_strain(b, box);
-    error = std::max(error, difference(one.equivalent_plastic_strain(b, box), g) /
-                                std::max(largest(g), yield_strain));
-  }
-  return error;
-}
-
-/// The difference of one and two parts that is allowed for an error `tol` of the extrapolated
-/// result: that error is of second order where the difference is of first, and was found to be up
-/// to 1100 times its square (largest pressure and plastic strain, point by point; two balls to 8
-/// GPa, 3 to 20 cells per radius).
-double allowed_difference(double tol) { return 0.03 * std::sqrt(tol); }
-
-/// Second order from two solutions of first order, of an increment in one and in two parts
-/// (Richardson): plastic strain 2 twice - once. Where a cell flows in one of them only, `twice`.
-/// start: with the bodies where they come to.
-State extrapolated(const State& start, const State& once, const State& twice) {
-  State state = twice;
-  for (int b = 0; b < 2; ++b) {
-    const bool shared =
-        b == 1 && once.plastic[0] == once.plastic[1] && twice.plastic[0] == twice.plastic[1];
-    if (shared) state.plastic[1] = state.plastic[0];
-    if (shared || !once.flowed[b] || !twice.flowed[b]) continue;
-    const Grid& grid = start.scene().grid;
-    const PlasticState& last = *twice.plastic[b];
-    const Box box = part_of(once.flow_box[b].united(twice.flow_box[b]), grid, last.symmetry());
-    const std::size_t cells = box.volume_size();
-    Field before(cells, 0.0);
-    if (const auto earlier = unfolded(start.plastic[b], grid, last.symmetry())) {
-      before = earlier->equivalent(box);
-    }
-    const PlasticFields one = unfolded(once.plastic[b], grid, last.symmetry())->fields(box);
-    PlasticFields two = last.fields(box);
-    for (std::size_t i = 0; i < cells; ++i) {
-      const double correction = two.equivalent[i] - one.equivalent[i];
-      if (std::fabs(correction) > 0.5 * (two.equivalent[i] - before[i])) continue;
-      two.equivalent[i] += correction;
-      for (std::size_t n = i; n < two.strain.size(); n += cells) {
-        two.strain[n] += two.strain[n] - one.strain[n];
-      }
-      for (std::size_t n = i; n < two.backstress.size(); n += cells) {
-        two.backstress[n] += two.backstress[n] - one.backstress[n];
-      }
-    }
-    state.plastic[b] =
-        std::make_shared<const PlasticState>(&last, last.symmetry(), last.tensor(), two);
-  }
-  return state;
-}
-
 }  // namespace
 
 Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
@@ -179,118 +112,6 @@ void Simulation::check(const Target& target) const {
   }
 }
 
-Target Simulation::between(const State& from, const Target& target, double fraction) const {
-  Target part = target;
-  if (fraction == 1.0) return part;
-  const auto mix = [fraction](double a, double b) { return a + fraction * (b - a); };
-  double& normal = part.drive.normal.value;
-  if (target.is_load()) {
-    normal = mix(from.load, normal);
-  } else if (target.is_approach()) {
-    normal = mix(from.approach, normal);
-  } else {
-    const auto mix_field = [&](const Field& a, Field& b) {
-      if (a.empty() && b.empty()) return;
-      b.resize(scene_->grid.surface_size(), 0.0);
-      for (std::size_t i = 0; i < b.size(); ++i) b[i] = mix(a.empty() ? 0.0 : a[i], b[i]);
-    };
-    mix_field(from.tractions.pressure, part.tractions.pressure);
-    mix_field(from.tractions.shear_x, part.tractions.shear_x);
-    mix_field(from.tractions.shear_y, part.tractions.shear_y);
-  }
-  return part;
-}
-
-State Simulation::walk(const Target& target) {
-  const double least = std::ldexp(1.0, -settings_.max_halvings);
-  State moment = state_;
-  int iterations = 0, substeps = 0;
-  const bool marches = scene_->march.is_on();
-  const auto travel = [&](double way) {
-    return advanced(state_.travel, {way * target.advance[0], way * target.advance[1]});
-  };
-  const auto part_of = [&](const State& from, double start, double end) {
-    // The remaining way from the moment reached: (end - start) of (1 - start).
-    Target part = between(from, target, end == 1.0 ? 1.0 : (end - start) / (1.0 - start));
-    if (!marches) return part;
-    part.duration *= end - start;
-    for (auto& heat : part.heating) heat.age = part.duration;
-    part.past = from.heat_so_far();
-    part.past_symmetry = from.heat_symmetry_so_far();
-    return part;
-  };
-  const auto moved_to = [&](const State& from, double end) {
-    const Travel to = travel(end);
-    return from.travel == to ? from : from.moved(to);
-  };
-  const auto solve = [&](const State& from, double start, double end) {
-    const Target part = part_of(from, start, end);
-    State state =
-        solve_increment(moved_to(from, end), part, scans(part.heating), settings_, counters_);
-    state.duration = part.duration;
-    if (marches) state.time = from.time + part.duration;
-    iterations += state.plastic_iterations;
-    return state;
-  };
-  // Flow of an earlier part of the increment.
-  const auto add_flow = [](const State& earlier, State& state) {
-    for (int b = 0; b < 2; ++b) {
-      state.flowed[b] |= earlier.flowed[b];
-      state.border_flow[b] = state.border_flow[b].united(earlier.border_flow[b]);
-    }
-  };
-  moment.flowed = {};
-  moment.border_flow = {};
-  double done = 0.0, part = 1.0;
-  while (done < 1.0) {
-    const double goal = std::min(1.0, done + part);
-    try {
-      State next = solve(moment, done, goal);
-      double factor = 2.0;  // by which the next part may be longer
-      if (settings_.increment_tol > 0 && (next.flowed[0] || next.flowed[1])) {
-        const double middle = done + 0.5 * (goal - done);
-        const State half = solve(moment, done, middle);
-        State twice = solve(half, middle, goal);
-        add_flow(half, twice);
-        const double allowed = allowed_difference(settings_.increment_tol);
-        const double error = increment_error(next, twice);
-        // The difference is of second order in the part.
-        factor = std::clamp(0.9 * std::sqrt(allowed / std::max(error, 1e-300)), 0.2, 4.0);
-        if (error > allowed) {
-          part = factor * (goal - done);
-          if (part < least) {
-            throw std::invalid_argument("increment_tol " + to_text(settings_.increment_tol) +
-                                        " asks for parts smaller than " + to_text(least) +
-                                        " of the increment to " + describe(target) +
-                                        ": take smaller increments or a larger tolerance");
-          }
-          continue;
-        }
-        // What the extrapolation leaves above the yield stress flows.
-        const State sum = extrapolated(moved_to(moment, goal), next, twice);
-        const Target all = part_of(moment, done, goal);
-        next = solve_increment(sum, all, scans(all.heating), settings_, counters_);
-        next.duration = all.duration;
-        add_flow(twice, next);
-        iterations += next.plastic_iterations;
-      }
-      add_flow(moment, next);
-      moment = std::move(next);
-      ++substeps;
-      part = std::min(factor * (goal - done), 1.0 - goal);
-      done = goal;
-    } catch (const ConvergenceError&) {
-      part = 0.5 * (goal - done);
-      ++counters_.halvings;
-      const bool no_start = target.is_approach() && !std::isfinite(moment.approach);
-      if (part < least || no_start) throw;
-    }
-  }
-  moment.plastic_iterations = iterations;
-  moment.substeps = substeps;
-  return moment;
-}
-
 std::vector<std::string> Simulation::border_complaints(const State& reached,
                                                        const Target& target) const {
   std::vector<std::string> complaints;
@@ -317,7 +138,8 @@ const State& Simulation::step(const Target& target) {
   Target whole = target;
   const auto& [pressure, shear_x, shear_y] = target.tractions;
   if (shear_x.empty() && shear_y.empty()) whole.tractions = scene_->sliding.tractions(pressure);
-  State reached = walk(whole);
+  const auto scans_of = [this](const auto& heating) -> const Scans& { return scans(heating); };
+  State reached = Division(state_, whole, settings_, counters_, scans_of).walk();
   reached.contact_iterations = static_cast<int>(counters_.contact_iterations - contact_before);
   reached.warnings = border_complaints(reached, target);
   state_ = std::move(reached);

@@ -93,13 +93,9 @@ class Simulation {
 
  private:
   void check(const Target& target) const;
-  /// Walks from the present state to the target in as many parts as convergence and the increment
-  /// tolerance ask for.
-  State walk(const Target& target);
   /// With the heat of a target.
   const Scans& scans(const operators::HeatingPair& heating);
   std::vector<std::string> border_complaints(const State& reached, const Target& target) const;
-  Target between(const State& from, const Target& target, double fraction) const;
 
   std::shared_ptr<const Scene> scene_;
   Scans scans_;
