@@ -112,6 +112,15 @@ TEST_CASE("media are equal when their coefficients are") {
   }
   CHECK(equal.rest(1.0, 1.0, 2, 2).empty());
   CHECK(unequal.rest(1.0, 1.0, 2, 2).size() == 1);
+  // One table for both bodies gives what one for each gives.
+  const auto offsets = CellOffsets::lattice(3, 2);
+  const Field both = unequal.elastic(1.0, 1.0, offsets);
+  const Field first = steel->compliance(Traction::pressure, Axis::z, 1.0, 1.0, offsets);
+  const Field second =
+      half_space({0.5 * E, nu})->compliance(Traction::pressure, Axis::z, 1.0, 1.0, offsets);
+  for (std::size_t n = 0; n < both.size(); ++n) {
+    CHECK(both[n] == doctest::Approx(first[n] + second[n]).epsilon(1e-14));
+  }
   // u_z = 2 p/(E* q) of a wave.
   CHECK(steel->wave_compliance(3.0) == doctest::Approx(2 * (1 - nu * nu) / (E * 3.0)));
 }

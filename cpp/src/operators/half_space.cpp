@@ -132,6 +132,15 @@ class HalfSpace : public Medium {
     return 2 * elastic_.normal_compliance() / wavenumber;
   }
 
+  std::optional<double> normal_ratio(Traction traction, const Medium& other) const override {
+    const auto* half_space = dynamic_cast<const HalfSpace*>(&other);
+    if (half_space == nullptr || half_space->is_rigid()) return std::nullopt;
+    const auto factor = [traction](const Elastic& e) {
+      return traction == Traction::pressure ? e.normal_compliance() : e.coupling_compliance();
+    };
+    return factor(elastic_) / factor(half_space->elastic_);
+  }
+
   Field stress(Traction traction, const Grid& grid, double z, Tensor tensor) const override {
     const CornerLattice lattice{grid.nx, grid.ny, grid.dy / grid.dx};
     const std::size_t plane = grid.surface_size();

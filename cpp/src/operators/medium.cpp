@@ -17,6 +17,10 @@ Offsets CellOffsets::in_metres(double dx, double dy) const {
   return offsets;
 }
 
+std::optional<double> Medium::normal_ratio(Traction, const Medium& other) const {
+  return *this == other ? std::optional(1.0) : std::nullopt;
+}
+
 kernels::Parity compliance_parity(Traction traction, Axis axis) {
   return {(traction == Traction::shear_x) != (axis == Axis::x),
           (traction == Traction::shear_y) != (axis == Axis::y), false};

@@ -8,11 +8,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// to += factor from; an empty `to` is zero.
-void add_table(Field from, double factor, Field& to) {
-  if (factor != 1.0) {
-    for (double& value : from) value *= factor;
-  }
+void add_table(Field from, Field& to) {
   if (to.empty()) {
     to = std::move(from);
   } else {
@@ -29,44 +25,56 @@ std::vector<int> ascending(std::vector<int> values) {
 }  // namespace
 
 void SurfaceInfluence::add(const SharedMedium& medium, double shear_x, const Heating& heating) {
-  if (heating.is_on()) heated_.push_back({medium, heating});
-  for (Body& body : bodies_) {
-    if (*body.medium != *medium) continue;
-    ++body.count;
-    body.shear_x += shear_x;
-    return;
-  }
-  bodies_.push_back({medium, 1, shear_x});
+  if (!medium->is_rigid()) bodies_.push_back({medium, shear_x, heating});
 }
 
-bool SurfaceInfluence::is_heated() const { return !heated_.empty(); }
+bool SurfaceInfluence::is_heated() const {
+  return std::any_of(bodies_.begin(), bodies_.end(),
+                     [](const Body& body) { return body.heating.is_on(); });
+}
+
+template <class Weight>
+Field SurfaceInfluence::sum(Traction traction, double dx, double dy, const CellOffsets& offsets,
+                            const Weight& weight) const {
+  Field sum;
+  std::vector<const Body*> left;
+  for (const Body& body : bodies_) left.push_back(&body);
+  while (!left.empty()) {
+    const Medium& medium = *left.front()->medium;
+    double factor = 0.0;
+    std::erase_if(left, [&](const Body* body) {
+      const auto ratio = body->medium->normal_ratio(traction, medium);
+      if (ratio) factor += weight(*body) * *ratio;
+      return ratio.has_value();
+    });
+    if (factor == 0) continue;
+    Field table = medium.compliance(traction, Axis::z, dx, dy, offsets);
+    for (double& value : table) value *= factor;
+    add_table(std::move(table), sum);
+  }
+  return sum;
+}
 
 Field SurfaceInfluence::elastic(double dx, double dy, const CellOffsets& offsets) const {
-  Field table;
-  for (const auto& [medium, count, shear_x] : bodies_) {
-    if (medium->is_rigid()) continue;
-    add_table(medium->compliance(Traction::pressure, Axis::z, dx, dy, offsets), count, table);
-  }
-  return table;
+  return sum(Traction::pressure, dx, dy, offsets, [](const Body&) { return 1.0; });
 }
 
 double SurfaceInfluence::wave_compliance(double wavenumber) const {
   double sum = 0.0;
-  for (const auto& [medium, count, shear_x] : bodies_) {
-    sum += count * medium->wave_compliance(wavenumber);
-  }
+  for (const Body& body : bodies_) sum += body.medium->wave_compliance(wavenumber);
   return sum;
 }
 
 Field SurfaceInfluence::even(double dx, double dy, const CellOffsets& offsets) const {
   Field table = elastic(dx, dy, offsets);
-  if (heated_.empty()) return table;
+  if (!is_heated()) return table;
   // Tables of heat ascend.
   const CellOffsets sorted{ascending(offsets.x), ascending(offsets.y)};
   const auto place = [](const std::vector<int>& values, int n) {
     return std::lower_bound(values.begin(), values.end(), n) - values.begin();
   };
-  for (const auto& [medium, heating] : heated_) {
+  for (const auto& [medium, shear_x, heating] : bodies_) {
+    if (!heating.is_on()) continue;
     const Field heat = medium->heat_displacement(heating, dx, dy, sorted.in_metres(dx, dy)).front();
     std::size_t at = 0;
     for (const int y : offsets.y) {
@@ -79,18 +87,13 @@ Field SurfaceInfluence::even(double dx, double dy, const CellOffsets& offsets) c
 
 std::vector<ParityKernel> SurfaceInfluence::rest(double dx, double dy, int nx, int ny) const {
   std::array<Field, 4> sums;
-  for (const auto& [medium, count, shear_x] : bodies_) {
-    if (shear_x == 0 || medium->is_rigid()) continue;
-    const auto offsets = CellOffsets::lattice(nx, ny);
-    add_table(medium->compliance(Traction::shear_x, Axis::z, dx, dy, offsets), shear_x, sums[1]);
-  }
-  // Bodies of different media may cancel each other all the same.
-  if (std::all_of(sums[1].begin(), sums[1].end(), [](double v) { return v == 0; })) sums[1].clear();
-  for (const auto& [medium, heating] : heated_) {
-    if (!heating.is_moving()) continue;
+  sums[1] = sum(Traction::shear_x, dx, dy, CellOffsets::lattice(nx, ny),
+                [](const Body& body) { return body.shear_x; });
+  for (const auto& [medium, shear_x, heating] : bodies_) {
+    if (!heating.is_on() || !heating.is_moving()) continue;
     auto parts = medium->heat_displacement(heating, dx, dy, Offsets::lattice(dx, dy, nx, ny));
     for (int flip = 1; flip < 4; ++flip) {
-      if (!parts[flip].empty()) add_table(std::move(parts[flip]), 1.0, sums[flip]);
+      if (!parts[flip].empty()) add_table(std::move(parts[flip]), sums[flip]);
     }
   }
   std::vector<ParityKernel> rest;

@@ -12,12 +12,10 @@
 namespace samcontact::operators {
 namespace {
 
-/// Adds a table [j][i] of the grid's offsets to a wider quarter.
-void add_table(const double* table, const Grid& grid, double* quarter, int hx) {
-  for (int j = 0; j < grid.ny; ++j) {
-    double* row = quarter + static_cast<std::size_t>(j) * hx;
-    for (int i = 0; i < grid.nx; ++i) row[i] += *table++;
-  }
+/// Rows of a table [j][i] of the grid's offsets to those of a wider quarter.
+template <class Put>
+void for_rows(const double* table, const Grid& grid, double* quarter, int hx, const Put& put) {
+  for (int j = 0; j < grid.ny; ++j, table += grid.nx, quarter += hx) put(table, quarter);
 }
 
 }  // namespace
@@ -105,11 +103,17 @@ Field TractionStress::build(Part part, const std::vector<HeatTables>& heat) cons
       for (int c = 0; c < count; ++c) {
         std::fill(quarter.begin(), quarter.end(), 0.0);
         if (elastic) {
-          add_table(table.data() + c * grid_.surface_size(), grid_, quarter.data(), hx);
+          for_rows(table.data() + c * grid_.surface_size(), grid_, quarter.data(), hx,
+                   [n = grid_.nx](const double* from, double* to) { std::copy_n(from, n, to); });
         }
         if (!heat.empty()) {
           const Field& heated = heat[k][c][static_cast<int>(part)];
-          if (!heated.empty()) add_table(heated.data(), grid_, quarter.data(), hx);
+          if (!heated.empty()) {
+            for_rows(heated.data(), grid_, quarter.data(), hx,
+                     [n = grid_.nx](const double* from, double* to) {
+                       for (int i = 0; i < n; ++i) to[i] += from[i];
+                     });
+          }
         }
         const auto p = parity(part, places[c]);
         parity_spectrum.transform(quarter.data(), p.odd_x, p.odd_y);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "samcontact/base/grid.hpp"
@@ -65,6 +66,10 @@ class Medium {
   /// An empty history of heat that enters as told.
   virtual HeatHistory heat_history(const Grid& grid, const Heating& heating,
                                    const HeatHistorySettings& settings) const = 0;
+
+  /// u_z under a traction over that of another medium, where it is the same at all offsets; one
+  /// table then serves both.
+  virtual std::optional<double> normal_ratio(Traction traction, const Medium& other) const;
 
  protected:
   Medium() = default;

@@ -31,15 +31,15 @@ class SurfaceInfluence {
  private:
   struct Body {
     SharedMedium medium;
-    int count;       // bodies of this medium
-    double shear_x;  // sum over them
-  };
-  struct Heated {
-    SharedMedium medium;
+    double shear_x;
     Heating heating;
   };
-  std::vector<Body> bodies_;
-  std::vector<Heated> heated_;
+  /// u_z of a traction on all bodies, that on a body times its weight; empty: zero.
+  template <class Weight>
+  Field sum(Traction traction, double dx, double dy, const CellOffsets& offsets,
+            const Weight& weight) const;
+
+  std::vector<Body> bodies_;  // those that are not rigid
 };
 
 }  // namespace samcontact::operators
