@@ -19,7 +19,7 @@ ROOT = Path(__file__).parents[2]
 INCLUDE = ROOT / "cpp" / "include"
 HEADERS = sorted(INCLUDE.rglob("*.hpp"))
 SOURCES = sorted((ROOT / "cpp" / "src").rglob("*.cpp"))
-BINDINGS = sorted((ROOT / "cpp" / "bindings").iterdir())
+BINDINGS = sorted((ROOT / "cpp" / "bindings").glob("*.?pp"))
 PACKAGE = ROOT / "python" / "samcontact"
 MODULES = sorted(PACKAGE.rglob("*.py"))
 
@@ -112,8 +112,10 @@ def test_headers_have_no_cycle():
 
 
 def test_sources_include_their_header_first():
-    for file in SOURCES:
-        assert includes(file)[0] == f"samcontact/{room(file)}/{file.stem}.hpp"
+    for file in SOURCES:  # long ones are divided: heat_history_fields.cpp
+        first = Path(includes(file)[0])
+        assert str(first.parent) == f"samcontact/{room(file)}"
+        assert file.stem == first.stem or file.stem.startswith(f"{first.stem}_")
 
 
 def test_the_core_knows_neither_python_nor_printing():
