@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Invariants of stress tensors."""
+"""Components and invariants of tensors."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ._checks import FloatArray
+
+COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
 
 
 def von_mises(stress: FloatArray) -> FloatArray:

@@ -11,7 +11,8 @@ from . import _memory
 from ._checks import FloatArray
 from ._frozen import Fixed, read_only
 from ._kept import kept
-from ._tensors import von_mises
+from ._quantities import CONTACT, TRACK
+from ._tensors import COMPONENTS, von_mises
 from .grid import Grid
 
 if TYPE_CHECKING:
@@ -89,8 +90,13 @@ class Track(Fixed):
         """Each backstress of kinematic hardening [Pa], shape (terms, 6, len(x), ny, nz)."""
         return self._field("backstress")
 
-    def to_dataset(self) -> xr.Dataset:
+    def to_dataset(self, *, volume: bool = True) -> xr.Dataset:
         """Labelled fields with units, as figures of tracks take them.
+
+        Parameters
+        ----------
+        volume : bool, optional
+            Whether fields of the volume are wanted, where the grid has layers, or the print only.
 
         Returns
         -------
@@ -98,9 +104,29 @@ class Track(Fixed):
             Dimensions x, y and, with a volume, z and component; the variables are the methods
             above but `backstress`, the attributes the body and the sizes of the cells [m].
         """
-        from .results.motion import track_dataset  # importing the package should not load xarray
+        import xarray as xr  # importing the package should not load it
 
-        return track_dataset(self, volume=self.grid.nz > 0)
+        plane, tensor = ("x", "y"), ("component", "x", "y", "z")
+        fields: dict[str, tuple[str, ...]] = {"residual_displacement": plane}
+        coordinates = {"x": TRACK["x"].variable("x", self.x, self.body)}
+        layered = volume and self.grid.nz > 0
+        if layered:
+            fields |= {
+                "residual_stress": tensor,
+                "residual_von_mises": (*plane, "z"),
+                "residual_hydrostatic": (*plane, "z"),
+                "plastic_strain": tensor,
+                "equivalent_plastic_strain": (*plane, "z"),
+            }
+            coordinates["component"] = xr.Variable("component", list(COMPONENTS))
+        axes = ("y", "z") if layered else ("y",)
+        coordinates |= {axis: CONTACT[axis].variable(axis, getattr(self, axis)) for axis in axes}
+        data = {
+            name: TRACK[name].variable(dims, getattr(self, name)(), self.body)
+            for name, dims in fields.items()
+        }
+        sizes = {f"d{axis}": getattr(self.grid, f"d{axis}") for axis in ("x", *axes)}
+        return xr.Dataset(data, coordinates, {"body": self.body, **sizes})
 
     def _field(self, name: str) -> FloatArray:
         return kept(self, name, lambda: self._of_core(name))

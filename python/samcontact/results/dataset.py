@@ -13,8 +13,9 @@ import xarray as xr
 from .._checks import choice, integer
 from .._peak import peak_of_dataset
 from .._quantities import CONTACT
+from .._tensors import COMPONENTS
 from .convergence import add_convergence
-from .motion import COMPONENTS, add, add_motion
+from .motion import add, add_motion
 
 if TYPE_CHECKING:
     from ..cases import Case

@@ -12,9 +12,6 @@ from .._quantities import CONTACT, TRACK
 
 if TYPE_CHECKING:
     from ..state import State
-    from ..track import Track
-
-COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
 
 
 def moving_bodies(states: Sequence[State]) -> list[int]:
@@ -49,34 +46,9 @@ def add_motion(
         largest = [state.max_equivalent_plastic_strain(body=body) for state in states]
         dataset[f"max_equivalent_plastic_strain_body{body}"].values[:] = largest
         if body in moved:
-            track = track_dataset(states[-1].track(body=body), volume=volume)
+            track = states[-1].track(body=body).to_dataset(volume=volume)
             names = {name: f"track_{name}_body{body}" for name in TRACK if name in track.variables}
             dataset.update(track.rename(names))
-
-
-def track_dataset(track: Track, *, volume: bool = True) -> xr.Dataset:
-    """What the contact left along a track; without `volume` the print only."""
-    fields: dict[str, tuple[str, ...]] = {"residual_displacement": ("x", "y")}
-    coordinates = {"x": TRACK["x"].variable("x", track.x, track.body)}
-    axes = ["y"]
-    if volume:
-        fields |= {
-            "residual_stress": ("component", "x", "y", "z"),
-            "residual_von_mises": ("x", "y", "z"),
-            "residual_hydrostatic": ("x", "y", "z"),
-            "plastic_strain": ("component", "x", "y", "z"),
-            "equivalent_plastic_strain": ("x", "y", "z"),
-        }
-        axes.append("z")
-    coordinates |= {axis: CONTACT[axis].variable(axis, getattr(track, axis)) for axis in axes}
-    if volume:
-        coordinates["component"] = xr.Variable("component", list(COMPONENTS))
-    data = {
-        name: TRACK[name].variable(dims, getattr(track, name)(), track.body)
-        for name, dims in fields.items()
-    }
-    sizes = {f"d{axis}": getattr(track.grid, f"d{axis}") for axis in ("x", *axes)}
-    return xr.Dataset(data, coordinates, {"body": track.body, **sizes})
 
 
 def track_of(dataset: xr.Dataset, body: int) -> xr.Dataset | None:
