@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <utility>
 
 #include "samcontact/kernels/corners.hpp"
 #include "samcontact/kernels/far_displacement.hpp"
@@ -36,6 +35,7 @@ Field corner_sums(const CellOffsets& offsets, double aspect, const Corner& corne
   // The upper edge follows the lower one.
   const auto lower_edges = [](const std::vector<int>& cells, const std::vector<int>& edges) {
     std::vector<std::size_t> places;
+    places.reserve(cells.size());
     for (const int n : cells) {
       places.push_back(std::lower_bound(edges.begin(), edges.end(), 2 * n - 1) - edges.begin());
     }

@@ -38,6 +38,7 @@ Field SurfaceInfluence::sum(Traction traction, double dx, double dy, const CellO
                             const Weight& weight) const {
   Field sum;
   std::vector<const Body*> left;
+  left.reserve(bodies_.size());
   for (const Body& body : bodies_) left.push_back(&body);
   while (!left.empty()) {
     const Medium& medium = *left.front()->medium;

@@ -68,7 +68,7 @@ double Swift::work(double g) const {
   return B * std::pow(s, n) * (s * grown / (micro * power));
 }
 
-void Voce::prepare(const Elastic&) {
+void Voce::prepare(const Elastic&) const {
   require(saturation_stress >= yield_stress, "saturation_stress",
           ">= yield_stress = " + to_text(yield_stress) + " Pa", saturation_stress);
 }

@@ -40,8 +40,8 @@ struct NoYield {
   template <class Self, class Visit>
   static void parameters(Self&, const Visit&) {}
   void prepare(const Elastic&) {}
-  Point at(double) const { return {std::numeric_limits<double>::infinity(), 0.0}; }
-  double work(double) const { return 0.0; }
+  static Point at(double) { return {std::numeric_limits<double>::infinity(), 0.0}; }
+  static double work(double) { return 0.0; }
   bool operator==(const NoYield&) const = default;
 };
 
@@ -113,7 +113,7 @@ struct Voce {
     visit("saturation_stress", law.saturation_stress, Allowed::positive("Pa"));
     visit("rate", law.rate, Allowed::positive(""));
   }
-  void prepare(const Elastic&);
+  void prepare(const Elastic&) const;
   Point at(double g) const {
     const double range = saturation_stress - yield_stress, grown = -std::expm1(-rate * g);
     return {yield_stress + range * grown, range * rate * (1 - grown)};
