@@ -100,15 +100,21 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Data
     )
 
 
+def cells_under_load(series: xr.Dataset) -> xr.DataArray:
+    """Cells across the contact of each pass under its largest load; NaN without contact."""
+    where = series["normal_force"].fillna(0.0).argmax("increment")
+    cells: xr.DataArray = series["contact_cells"].isel(increment=where)
+    return cells
+
+
 def of_passes(series: xr.Dataset) -> xr.Dataset:
     """One value for each pass: those of its end, the largest and least forces, the resolution."""
-    under_load = series["normal_force"].fillna(0.0).argmax("increment")
     passes: xr.Dataset = series[list(BY_PASS)].assign(
         max_force_x=series["force_x"].max("increment"),
         min_force_x=series["force_x"].min("increment"),
         max_force_z=series["force_z"].max("increment"),
         max_pressure=series["max_pressure"].max("increment"),
-        contact_cells=series["contact_cells"].isel(increment=under_load),
+        contact_cells=cells_under_load(series),
         plastic_layers=series["plastic_layers"].max("increment"),
     )
     return passes

@@ -11,7 +11,7 @@ import numpy as np
 from .. import plotting
 from .._quantities import TUGGING
 from .._verdict import Verdict
-from ..asperities.series import of_passes
+from ..asperities.series import cells_under_load, of_passes
 from ..plotting.parts import counted, finish, new_figure
 from .figures import ReportFigure, embedded
 from .tables import values_table
@@ -65,7 +65,7 @@ def _checks(dataset: xr.Dataset) -> Iterator[Verdict]:
     if largest > 0:
         name = "normal force at the end of a pass over the largest"
         yield Verdict(name, float(np.max(end)) / largest, RELEASED)
-        yield contact_cells(float(of_passes(dataset)["contact_cells"].min()))
+        yield contact_cells(float(cells_under_load(dataset).min()))
     for body in (1, 2):
         yield from plastic_layers(dataset["plastic_layers"].sel(body=body), body)
 
