@@ -192,7 +192,7 @@ def test_no_number_is_broken(page, width):
         assert page.driver.execute_script(wider) <= 0
         moved = """return [...document.querySelectorAll('.wide')].filter(
             box => box.scrollWidth > box.clientWidth).map(box => box.firstElementChild.id)"""
-        long = {"increments-table", "convergence-table"} if width < 800 else set()
+        long = {"increments-table", "convergence-table"} if width < 1280 else set()
         assert set(page.driver.execute_script(moved)) <= long
     finally:
         page.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})

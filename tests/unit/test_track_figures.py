@@ -141,6 +141,7 @@ def test_summary(states, track, shown):
     assert list(figures) == ["track_print", "track_sections"]
     along, across = figures["track_print"].axes
     assert len(along.get_lines()) == 1
+    assert (along.get_title(), along.get_legend()) == ("y = 0 µm", None)
     labels = [line.get_label() for line in across.get_lines()]
     assert labels == ["x = 0 µm", "x = 300 µm", "x = 600 µm"]
     fields = ("residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain")
@@ -148,6 +149,18 @@ def test_summary(states, track, shown):
         values = ax.collections[0].get_array() / (1e2 if "strain" in name else 1e-6)
         np.testing.assert_allclose(values, getattr(track, name)()[:, 6, :].T)
     assert figures["track_sections"].axes[3].get_title().endswith("[MPa], x = 300 µm")
+
+
+def test_summary_runs_where_there_is_something(states, shown):
+    moved = shown.copy(deep=True)
+    values = shown["residual_von_mises"].values
+    moved["residual_von_mises"].values[:] = np.roll(values, 3, axis=1)
+    row = int(np.argmax(moved["residual_von_mises"].values.max(axis=(0, 2))))
+    figures = track_summary(moved, np.array([state.travel[1] for state in states]))
+    first = figures["track_sections"].axes[0]
+    expected = moved["residual_von_mises"].values[:, row].T * 1e-6
+    np.testing.assert_allclose(first.collections[0].get_array(), expected)
+    assert first.get_title().endswith(f"y = {float(moved['y'][row]) * 1e6:.4g} µm")
 
 
 def test_bad_input_is_named(states, shown, ax):

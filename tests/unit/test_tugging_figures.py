@@ -27,18 +27,22 @@ def lines(ax):
     return [line for line in ax.lines if not line.get_label().startswith("_")]
 
 
-@pytest.mark.parametrize(("component", "number"), [("x", 1), ("z", 2)])
-def test_force(results, component, number):
+@pytest.mark.parametrize(
+    ("component", "number", "scale", "unit"), [("x", 1, 1e3, "kN"), ("z", 2, 1e6, "MN")]
+)
+def test_force(results, component, number, scale, unit):
     ax = tugging_figures.force(results, component=component, number=number)
     assert len(lines(ax)) == 2
     for line, result in zip(lines(ax), results, strict=True):
         series = result.sel({"pass": number})
         np.testing.assert_allclose(line.get_xdata(), series["offset"].values / 0.5)
-        np.testing.assert_array_equal(line.get_ydata(), series[f"force_{component}"].values)
-    assert "[N]" in ax.get_ylabel()
+        np.testing.assert_allclose(line.get_ydata() * scale, series[f"force_{component}"].values)
+    assert f"[{unit}]" in ax.get_ylabel()
+    assert ax.get_legend().get_title().get_text() == "interference"
     over = tugging_figures.force(results, component=component, number=number, critical=CRITICAL)
     scaled = lines(over)[0]
-    np.testing.assert_allclose(scaled.get_ydata() * CRITICAL.load, lines(ax)[0].get_ydata())
+    force = results[0][f"force_{component}"].sel({"pass": number}).values
+    np.testing.assert_allclose(scaled.get_ydata() * CRITICAL.load, force)
     assert scaled.get_label() == "ω/ωc = 2"
     assert lines(ax)[0].get_label() == f"{2e6 * CRITICAL.interference:.4g} µm"
 

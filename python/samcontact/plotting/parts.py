@@ -29,6 +29,7 @@ SURFACES = {"pressure": "pressure", "gap": "gap", "print": "residual_displacemen
 """What is shown of the surface, and which quantity it is."""
 _FROM_ZERO = ("equivalent_plastic_strain", "temperature", "pressure", "gap")
 _FLAT = 0.45  # depth over width: a label beside such a section would be longer than it
+_SHORT = 0.22  # here so would the whole label of the depth
 COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
 
 
@@ -95,6 +96,21 @@ def place(name: str, value: float) -> str:
     return f"{name} = {value * 1e6 + 0.0:.4g} µm"
 
 
+def elsewhere(name: str, value: float, cell: float) -> str:
+    """The same of a row that is not in the middle."""
+    return "" if abs(value) <= 0.5 * cell else place(name, value)
+
+
+def add_to_title(ax: Axes, *texts: str) -> None:
+    ax.set_title(", ".join(text for text in (ax.get_title(), *texts) if text), fontsize="medium")
+
+
+def prefixed(largest: float, unit: str) -> tuple[float, str]:
+    """Factor to the unit with the prefix by which values up to the largest read well, and it."""
+    place = int(np.clip(np.floor(np.log10(largest) / 3), -4, 3)) if largest > 0 else 0
+    return 10.0 ** (-3 * place), "pnµm kMG"[place + 4].strip() + unit
+
+
 def edges(centres: ArrayLike, step: float) -> FloatArray:
     centres = np.asarray(centres, dtype=np.float64)
     return np.append(centres - 0.5 * step, centres[-1] + 0.5 * step)
@@ -138,7 +154,8 @@ def show_section(
         shown = shown._replace(heading=label)
     _mesh(ax, across, depth, values, quantity, shown, titled=titled or flat, equal=equal)
     ax.set_xlabel(f"{name} [µm]")
-    ax.set_ylabel("depth z [µm]")
+    short = equal and depth[-1] - depth[0] < _SHORT * (across[-1] - across[0])
+    ax.set_ylabel("z [µm]" if short else "depth z [µm]")
     ax.invert_yaxis()
     return ax
 

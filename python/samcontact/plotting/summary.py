@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from .._checks import choice
@@ -22,7 +21,7 @@ from .contact import (
     temperature_profile,
 )
 from .maps import surface_map, track_map
-from .parts import new_figure, place, row_of_interest, save, section_height
+from .parts import add_to_title, elsewhere, new_figure, row_of_interest, save, section_height
 from .scene import Scene
 from .track import print_along, track_section, track_summary
 
@@ -106,16 +105,6 @@ def _moment(scene: Scene, position: int) -> str:
     return f"load {float(scene.dataset['load'].values[position]):.6g} N"
 
 
-def _titled(ax: Axes, *texts: str) -> None:
-    """Add to the title of an axes."""
-    ax.set_title(", ".join(text for text in (ax.get_title(), *texts) if text), fontsize="medium")
-
-
-def _where(y: float, cell: float) -> str:
-    """Of a row that is not in the middle."""
-    return "" if abs(y) <= 0.5 * cell else place("y", y)
-
-
 def _of_the_peak(scene: Scene) -> dict[str, Figure]:
     """Pressure and gap, and stresses where there is a volume."""
     grid, number = scene.grid, scene.number(scene.peak)
@@ -124,7 +113,7 @@ def _of_the_peak(scene: Scene) -> dict[str, Figure]:
     y = scene.row(pressure)
     ax = figures["pressure"].axes[0]
     pressure_profile(pressure, grid, ax, hertz=scene.hertz, position=y)
-    _titled(ax, _moment(scene, scene.peak), _where(y, grid.dy))
+    add_to_title(ax, _moment(scene, scene.peak), elsewhere("y", y, grid.dy))
     for name in ("pressure", "gap"):
         ax, field = figures[f"{name}_map"].axes[0], scene.surface(name, scene.peak)
         surface_map(field, grid, ax, quantity=name, contact=pressure > 0)
@@ -143,7 +132,7 @@ def _sections(scene: Scene, number: int) -> Figure:
     panels = np.ravel(figure.subplots(len(fields), 1))
     for ax, (name, field) in zip(panels, fields.items(), strict=True):
         section(field, scene.grid, ax, quantity=name, position=y)
-    _titled(panels[0], _where(y, scene.grid.dy))
+    add_to_title(panels[0], elsewhere("y", y, scene.grid.dy))
     return figure
 
 
@@ -155,7 +144,7 @@ def _of_the_hottest(scene: Scene) -> dict[str, Figure]:
     figures = {"flash_temperature": _panel()}
     y = scene.row(rise)
     ax = temperature_profile(rise, grid, figures["flash_temperature"].axes[0], position=y)
-    _titled(ax, _moment(scene, scene.hottest), _where(y, grid.dy))
+    add_to_title(ax, _moment(scene, scene.hottest), elsewhere("y", y, grid.dy))
     if scene.has("temperature", number := scene.number(scene.hottest)):
         figures["temperature"] = _panel(_WIDTH, scene.section_height)
         field, ax = scene.field("temperature", number), figures["temperature"].axes[0]
@@ -169,7 +158,7 @@ def _of_the_print(scene: Scene) -> dict[str, Figure]:
     figures = {name: _panel() for name in ("print", "print_map")}
     y = scene.row(depth)
     ax = print_profile(depth, grid, figures["print"].axes[0], position=y)
-    _titled(ax, _moment(scene, -1), _where(y, grid.dy))
+    add_to_title(ax, _moment(scene, -1), elsewhere("y", y, grid.dy))
     surface_map(depth, grid, figures["print_map"].axes[0], quantity="print")
     if scene.has("residual_stress", number := scene.number(-1)):
         residual = scene.field("residual_von_mises", number)
@@ -177,7 +166,7 @@ def _of_the_print(scene: Scene) -> dict[str, Figure]:
         figures["residual"] = _panel(_WIDTH, scene.section_height)
         ax = figures["residual"].axes[0]
         section(residual, grid, ax, quantity="residual_von_mises", position=y)
-        _titled(ax, _where(y, grid.dy))
+        add_to_title(ax, elsewhere("y", y, grid.dy))
     return figures
 
 
@@ -195,5 +184,5 @@ def _of_the_track(track: xr.Dataset) -> dict[str, Figure]:
     residual, y = track["residual_von_mises"].values, track["y"].values
     row = float(y[row_of_interest(residual.max(axis=(0, 2)), y)])
     ax = track_section(track, figures["residual"].axes[0], position=row)
-    _titled(ax, _where(row, grid.dy))
+    add_to_title(ax, elsewhere("y", row, grid.dy))
     return figures

@@ -18,8 +18,10 @@ from .._quantities import CONTACT
 from ..results.reading import grid_of
 from .parts import (
     COMPONENTS,
+    add_to_title,
     axes_or_new,
     edges,
+    elsewhere,
     finish,
     nearest,
     new_figure,
@@ -89,7 +91,10 @@ def track_print(
         ax.invert_yaxis()
     ax.set_xlabel(f"{axis} on body {track.attrs['body']} [µm]")
     ax.set_ylabel(CONTACT["residual_displacement"].label)
-    ax.legend(frameon=False)
+    if len(positions) == 1:
+        ax.set_title(label, fontsize="medium")
+    else:
+        ax.legend(frameon=False)
     return finish(ax)
 
 
@@ -253,9 +258,11 @@ def track_summary(track: xr.Dataset, travel: FloatArray) -> dict[str, Figure]:
     heights.append(min(section_height(width, grid.ny * grid.dy, depth_of_grid), 3.4))
     sections = new_figure(width, sum(heights))
     panels = sections.subplots(len(heights), 1, height_ratios=heights)
+    residual, across_track = track["residual_von_mises"].values, track["y"].values
+    y = float(across_track[row_of_interest(residual.max(axis=(0, 2)), across_track)])
     for ax, quantity in zip(panels, _RESIDUAL, strict=False):
-        track_section(track, ax, quantity=quantity)
+        track_section(track, ax, quantity=quantity, position=y)
+        add_to_title(ax, elsewhere("y", y, grid.dy))
     track_section(track, panels[-1], plane="x", position=most)
-    title = panels[-1].get_title()
-    panels[-1].set_title(f"{title}, {place('x', most)}", fontsize="medium")
+    add_to_title(panels[-1], place("x", most))
     return {"track_print": prints, "track_sections": sections}

@@ -10,11 +10,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
 from matplotlib.axes import Axes
 
 from .._checks import FloatArray, choice
 from .._quantities import TUGGING
-from .parts import axes_or_new, finish
+from .._repr import quantity
+from .parts import axes_or_new, finish, prefixed
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,7 +38,7 @@ def _offset(series: xr.Dataset) -> FloatArray:
 def _label(series: xr.Dataset, critical: CriticalSphere | None) -> str:
     interference = series.attrs["interference"]
     if critical is None:
-        return f"{interference * 1e6:.4g} µm"
+        return quantity(interference, "m")
     return f"ω/ωc = {interference / critical.interference:.3g}"
 
 
@@ -69,19 +71,21 @@ def force(
     number : int
         Of the pass, from 1.
     critical : CriticalSphere, optional
-        Show force over its load, else [N].
+        Show force over its load, else in N, kN, or what reads well.
     """
     choice("component", component, ("x", "z"))
-    unit = 1.0 if critical is None else critical.load
+    name = f"force_{component}"
+    passes = [_one_pass(result, number) for result in results]
+    # without contact there is no force
+    largest = max((float(np.abs(np.nan_to_num(s[name])).max()) for s in passes), default=0.0)
+    factor, unit = prefixed(largest, "N") if critical is None else (1.0 / critical.load, "")
     ax = axes_or_new(ax)
-    for result in results:
-        series = _one_pass(result, number)
-        x = _offset(series)
-        force = series[f"force_{component}"].values / unit
-        ax.plot(x, force, ".-", markersize=3, linewidth=1.0, label=_label(result, critical))
-    shown = TUGGING[f"force_{component}"]
-    ax.set_ylabel(shown.label if critical is None else f"{shown.heading} / critical load")
-    return _finished(ax, "offset X/R")
+    for series in passes:
+        force, label = series[name].values * factor, _label(series, critical)
+        ax.plot(_offset(series), force, ".-", markersize=3, linewidth=1.0, label=label)
+    beside = f"[{unit}]" if critical is None else "/ critical load"
+    ax.set_ylabel(f"{TUGGING[name].heading} {beside}")
+    return _against_offset(ax, critical)
 
 
 def load_ratio(
@@ -102,7 +106,7 @@ def load_ratio(
         ratio = series["load_ratio"].values
         ax.plot(x, ratio, ".-", markersize=3, linewidth=1.0, label=_label(result, critical))
     ax.set_ylabel("tangential / normal force")
-    return _finished(ax, "offset X/R")
+    return _against_offset(ax, critical)
 
 
 def net_energy(
@@ -163,8 +167,12 @@ def _interference_label(critical: CriticalSphere | None) -> str:
     return "interference [m]" if critical is None else "interference / critical interference"
 
 
-def _finished(ax: Axes, label: str) -> Axes:
+def _against_offset(ax: Axes, critical: CriticalSphere | None) -> Axes:
+    return _finished(ax, "offset X/R", "interference" if critical is None else None)
+
+
+def _finished(ax: Axes, label: str, title: str | None = None) -> Axes:
     ax.axhline(0.0, color="k", linewidth=0.6)
     ax.set_xlabel(label)
-    ax.legend(fontsize="small")
+    ax.legend(title=title, fontsize="small", title_fontsize="small")
     return finish(ax)

@@ -121,7 +121,9 @@ def worn_profile(
     ax.set_xlabel(f"{axis} [µm]")
     ax.set_ylabel(WEAR["heights"].label)
     ax.set_title(place("y" if axis == "x" else "x", float(across[index])), fontsize="medium")
-    ax.legend(title="cycles", frameon=False, fontsize="small", ncols=2)
+    if len(shown) > 1:
+        beside = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5), "ncols": 1 + len(shown) // 16}
+        ax.legend(title="cycles", frameon=False, fontsize="small", **beside)
     return finish(ax)
 
 
