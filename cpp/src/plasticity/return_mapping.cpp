@@ -227,8 +227,9 @@ Return radial_return(const Tensor& stress, const Tensor& guess, double g, const 
                ? isotropic_return(stress, guess, g, material.elastic.shear_modulus(), law)
                : kinematic_return(stress, guess, g, material, law, before);
   };
-  return material.hardening.visit(
-      [&](const auto& law) { return softening == 1 ? with(law) : with(Scaled{law, softening}); });
+  return material.hardening.visit([&]<class Law>(const Law& law) {
+    return softening == 1 ? with(law) : with(Scaled<Law>{law, softening});
+  });
 }
 
 std::vector<double> uniaxial_stress(const Material& material, std::span<const double> strain) {
