@@ -27,12 +27,17 @@ class Range:
     unit: str = ""
 
     def __str__(self) -> str:
-        least = self.ge if self.gt is None else self.gt
-        most = self.le if self.lt is None else self.lt
+        least, most = (
+            None if limit is None else f"{limit:g}".replace("e-0", "e-")
+            for limit in (
+                self.ge if self.gt is None else self.gt,
+                self.le if self.lt is None else self.lt,
+            )
+        )
         if most is None:
-            return f"a finite number {'>=' if self.gt is None else '>'} {least:g}"
+            return f"a finite number {'>=' if self.gt is None else '>'} {least}"
         ends = "[" if self.gt is None else "(", "]" if self.lt is None else ")"
-        return f"in {ends[0]}{least:g}, {most:g}{ends[1]}"
+        return f"in {ends[0]}{least}, {most}{ends[1]}"
 
     def check(self, name: str, value: Any) -> float:
         """The value as a float within the limits."""

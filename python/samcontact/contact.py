@@ -178,7 +178,8 @@ class ContactSolver(Configured):
             Rigid-body approach [m]; exactly one of the two.
         initial_pressure : array_like, shape (nx, ny), optional
             Start of the iteration [Pa]; a good one, such as the solution for a similar gap or load,
-            saves the coarser grids and most steps.
+            saves the coarser grids and most steps; where one leads nowhere, there is another try
+            without.
 
         Raises
         ------
@@ -209,24 +210,32 @@ class ContactSolver(Configured):
         checked_gap = np.ascontiguousarray(finite_array("gap", gap, shape))
         bodies = (self.body1, self.body2)
         scene = _expected.Scene(self.grid, checked_gap, bodies)
+        given = checked_gap, driver == "load", value
         with scene.beside(load=load, approach=approach):
-            found = self._core.solve(
-                checked_gap,
-                driver == "load",
-                value,
-                start,
-                self.tol,
-                self.max_iterations,
-                self.on_border == "error",
-            )
-        complaint = found.pop("border_complaint")
+            try:
+                solution, complaint = self._solved(*given, start)
+            except _core.ConvergenceError:
+                if start is None:
+                    raise
+                solution, complaint = self._solved(*given, None)  # a wild start led it astray
         if complaint:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=2)
-        solution = ContactSolution(**found)
-        require_apart(solution, self.grid.cell_area, bodies, self.friction, self.tol)
         resolution.warn_of_contact(solution, scene, stacklevel=2)
         resolution.warn_of_strain(solution.pressure, scene, stacklevel=2)
         return solution
+
+    def _solved(
+        self, gap: FloatArray, is_load: bool, value: float, start: FloatArray | None
+    ) -> tuple[ContactSolution, str]:
+        """The solution, and what is to be said of the border."""
+        found = self._core.solve(
+            gap, is_load, value, start, self.tol, self.max_iterations, self.on_border == "error"
+        )
+        complaint = found.pop("border_complaint")
+        solution = ContactSolution(**found)
+        bodies = (self.body1, self.body2)
+        require_apart(solution, self.grid.cell_area, bodies, self.friction, self.tol)
+        return solution, complaint
 
     def stress(
         self,

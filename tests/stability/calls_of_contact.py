@@ -162,6 +162,15 @@ CALLS = [
     ("State.plastic_cells", STATE.plastic_cells, {}),
     *((f"State.{name}", getattr(STATE, name), {"body": 2}) for name in BODY_FIELDS),
     *((f"Track.{name}", getattr(TRACK, name), {}) for name in TRACK_FIELDS),
+    ("Track.to_dataset", TRACK.to_dataset, {"volume": True}),
+    (
+        "Heat",
+        sc.Heat,
+        {
+            "factor": (0.0, 0.01), "velocity": ((0.1, 0.0), (0.2, 0.1)), "time": 1.0,
+            "history": None, "reference": 1.0,
+        },
+    ),
     (
         "asperities.tug",
         sc.asperities.tug,

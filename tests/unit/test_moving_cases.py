@@ -244,7 +244,7 @@ def test_cases_that_come_with_the_package(name):
 
 def test_the_path_that_the_documentation_shows(write):
     page = (CASES.parent / "docs" / "case_files.md").read_text(encoding="utf-8")
-    (block,) = re.findall(r"^```toml\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    (block,) = re.findall(r"^```toml\n(\[\[path\]\]\n.*?)^```$", page, re.MULTILINE | re.DOTALL)
     case = load_case(write(("[[path]]\nload = 600.0\nincrements = 2\n" + ROLL, block)))
     assert case.steps() == paths.rolling(
         load=1000.0, distance=1e-3, step=25e-6, passes=3, increments=10

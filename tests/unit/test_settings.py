@@ -51,7 +51,7 @@ def test_numbers_within_their_range(kind, name, limits):
 def test_ranges_in_words():
     assert str(Range(ge=0.0)) == "a finite number >= 0"
     assert str(Range(gt=0.0, lt=1.0)) == "in (0, 1)"
-    assert str(Range(ge=1e-6, le=0.1)) == "in [1e-06, 0.1]"
+    assert str(Range(ge=1e-6, le=0.1)) == "in [1e-6, 0.1]"
 
 
 def test_words_counts_and_what_goes_together():

@@ -214,7 +214,7 @@ class TestBadInput:
             ({"tol": 2.0}, ValueError, "tol must be in [1e-11, 1), got 2"),
             ({"tol": math.nan}, ValueError, "tol must be in [1e-11, 1), got nan"),
             ({"increment_tol": 5e-6}, ValueError, "increment_tol must be in [10 tol, 1) with tol"),
-            ({"increment_tol": 1.0}, ValueError, "increment_tol must be in [10 tol, 1) with tol"),
+            ({"increment_tol": 1.0}, ValueError, "increment_tol must be in (0, 1), got 1.0"),
             ({"increment_tol": "1 %"}, TypeError, "increment_tol must be a number, got '1 %'"),
             ({"on_border": "stop"}, ValueError, "on_border must be one of 'error', 'warn', got 's"),
             ({"max_iterations": 0}, ValueError, "max_iterations must be an integer >= 1, got 0"),

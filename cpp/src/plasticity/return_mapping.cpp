@@ -32,7 +32,7 @@ decltype(auto) smooth(const Law& law, double g, const Beyond& beyond) {
   if constexpr (requires { law.piece(g, beyond); }) {
     return law.piece(g, beyond);
   } else {
-    return (law);
+    return static_cast<const Law&>(law);
   }
 }
 

@@ -10,7 +10,9 @@ import stat
 import warnings
 from itertools import takewhile
 from pathlib import Path
+from tokenize import TokenError
 from typing import Any
+from zipfile import BadZipFile
 
 import numpy as np
 from numpy.lib.format import MAGIC_PREFIX
@@ -171,7 +173,10 @@ def _array(path: Path) -> Any:
     # others would be taken for pickles, and the user be told to load them without safety
     if not start.startswith((b"\x93NUMPY", b"PK")):
         raise ValueError(f"it begins with {start!r}, is no file of numpy.save")
-    return np.load(path, allow_pickle=False)
+    try:
+        return np.load(path, allow_pickle=False)
+    except (SyntaxError, TokenError, BadZipFile, EOFError, KeyError, NotImplementedError) as error:
+        raise ValueError(f"it is damaged: {error}") from error
 
 
 def _rows(lines: list[str], is_csv: bool) -> FloatArray:

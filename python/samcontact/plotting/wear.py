@@ -122,7 +122,11 @@ def worn_profile(
     ax.set_ylabel(WEAR["heights"].label)
     ax.set_title(place("y" if axis == "x" else "x", float(across[index])), fontsize="medium")
     if len(shown) > 1:
-        beside = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5), "ncols": 1 + len(shown) // 16}
+        beside: dict[str, Any] = {
+            "loc": "center left",
+            "bbox_to_anchor": (1.0, 0.5),
+            "ncols": 1 + len(shown) // 16,
+        }
         ax.legend(title="cycles", frameon=False, fontsize="small", **beside)
     return finish(ax)
 
