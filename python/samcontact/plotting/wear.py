@@ -7,7 +7,7 @@ Like `samcontact.plotting`: no pyplot, lengths in micrometres, depth downward.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
