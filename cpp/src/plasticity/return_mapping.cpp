@@ -32,7 +32,8 @@ decltype(auto) smooth(const Law& law, double g, const Beyond& beyond) {
   if constexpr (requires { law.piece(g, beyond); }) {
     return law.piece(g, beyond);
   } else {
-    return static_cast<const Law&>(law);
+    // NOLINTNEXTLINE(readability-redundant-parentheses): they make it a reference
+    return (law);
   }
 }
 
