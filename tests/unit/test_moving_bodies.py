@@ -56,7 +56,10 @@ def test_relief_of_two_bodies_between_each_others_cells():
     # Waves long enough for the mean of two neighbours.
     cells = sc.Grid(33, 21, CELL, CELL)
     rows = np.arange(-40, 80)
-    wave = lambda shift: 1e-6 * np.sin(2 * np.pi * (rows[:, None] - shift) / 30) * np.ones(21)  # noqa: E731
+
+    def wave(shift):
+        return 1e-6 * np.sin(2 * np.pi * (rows[:, None] - shift) / 30) * np.ones(21)
+
     moved = ball(
         CERAMIC,
         CERAMIC,

@@ -22,7 +22,11 @@ from .surface import TRENDS, MeasuredSurface, library
 
 PLAIN_FORMATS = (".npy", ".txt", ".dat", ".asc", ".csv")
 _FIRST = (None, 0, "Default")  # channel of a file with one map
-_DAMAGED = (OSError, ValueError, EOFError, TypeError, ArithmeticError, MemoryError)
+# what np.load and the readers of instruments raise; the last of headers and archives of numpy.save
+_DAMAGED = (
+    OSError, ValueError, EOFError, TypeError, ArithmeticError, MemoryError,
+    SyntaxError, TokenError, BadZipFile, KeyError, NotImplementedError,
+)  # fmt: skip
 
 
 def read(
@@ -173,10 +177,7 @@ def _array(path: Path) -> Any:
     # others would be taken for pickles, and the user be told to load them without safety
     if not start.startswith((b"\x93NUMPY", b"PK")):
         raise ValueError(f"it begins with {start!r}, is no file of numpy.save")
-    try:
-        return np.load(path, allow_pickle=False)
-    except (SyntaxError, TokenError, BadZipFile, EOFError, KeyError, NotImplementedError) as error:
-        raise ValueError(f"it is damaged: {error}") from error
+    return np.load(path, allow_pickle=False)
 
 
 def _rows(lines: list[str], is_csv: bool) -> FloatArray:
