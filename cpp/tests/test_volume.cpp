@@ -115,7 +115,7 @@ TEST_CASE("mirrored operators give the stored part of what whole ones give") {
 TEST_CASE("a transform and its inverse give the planes back") {
   const int nx = 9, ny = 14;
   for (const Symmetry symmetry : {Symmetry::none, Symmetry::y, Symmetry::xy}) {
-    const VolumeTransform transform(nx, ny, symmetry);
+    const VolumeTransform transform(Grid(nx, ny, 1.0, 1.0), symmetry);
     const Grid grid(nx, ny, 1.0, 1.0, 3, 1.0);
     const Field start = stored(symmetric_strain(grid, symmetry, Tensor::full), grid, transform);
     VolumeSpectrum spectrum(transform, grid.nz, Tensor::full);

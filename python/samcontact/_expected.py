@@ -87,7 +87,9 @@ class Scene:
         bodies: tuple[Material, Material],
         relieved: bool = False,
     ) -> None:
-        self.grid, self.gap, self.bodies, self.relieved = grid, gap, bodies, relieved
+        self.grid, self.gap, self.bodies = grid, gap, bodies
+        # the neighbours of a contact that repeats itself press as well
+        self.relieved = relieved or bool(grid.periodic)
 
     @cached_property
     def radii(self) -> tuple[float, float] | None:

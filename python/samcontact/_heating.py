@@ -33,6 +33,12 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     entries = []
     for n, (body, factor, v) in enumerate(zip(bodies, heat.factor, heat.velocity, strict=True), 1):
         if factor > 0:
+            if grid.periodic:
+                raise ValueError(
+                    f"heat.factor of body{n} must be 0 on a periodic grid, got {factor!r} with "
+                    f"grid.periodic = {grid.periodic!r}: heat that enters all of a half-space has no "
+                    "steady state"
+                )
             if body.is_rigid:
                 raise ValueError(f"heat.factor of body{n} is {factor!r}, but the body is rigid")
             if body.thermal is None:

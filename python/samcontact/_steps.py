@@ -82,6 +82,11 @@ def checked_step(
         value = number(kind, load if kind == "load" else approach)
     ways = finite_array("advance", advance, (2,))
     first, second = (in_cells("advance", float(way), grid.dx) for way in ways)
+    if grid.along_x and (first, second) != (0.0, 0.0):
+        raise ValueError(
+            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got {advance!r}: a body "
+            "that repeats itself along x does not leave the grid"
+        )
     lasts = _duration(heat, duration)
     if heat_factor is not None:
         heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))

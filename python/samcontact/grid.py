@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._checks import MOST_CELLS, FloatArray, integer, number
+from ._checks import MOST_CELLS, FloatArray, choice, integer, number
 from ._frozen import read_only
 from ._repr import Rows, Shown, counts, lengths
 
@@ -32,12 +32,24 @@ class Grid(Shown):
         Layers; 0 (the default) is a surface-only grid.
     dz : float, optional
         Layer thickness [m]; needed when nz > 0.
+    periodic : {"", "x", "y", "xy"}, optional
+        Directions in which bodies, tractions and strains repeat themselves for ever, with the
+        period nx dx, or ny dy, of the grid; default none: beyond it the surfaces are free. Along
+        such a direction there are an even number of cells, or one: "y" with ny = 1 is a line
+        contact, in plane strain.
 
     Raises
     ------
     ValueError, TypeError
-        A count or size that is not positive, a size below 1e-75 or above 1e75 m, or dz without nz
-        or nz without dz.
+        A count or size that is not positive, a size below 1e-75 or above 1e75 m, dz without nz or
+        nz without dz, or an odd number of cells, other than one, along a periodic direction.
+
+    Notes
+    -----
+    The displacement of a surface that is periodic in both directions is that against its mean
+    plane, and the approach that of the mean planes of the undeformed gap. Where one direction is
+    periodic, displacement has no limit far away; it is counted from the distance of nx dx (ny dy
+    with periodic="x"), at which a line load displaces nothing. docs/theory.md, "Periodic surfaces".
     """
 
     nx: int
@@ -46,6 +58,7 @@ class Grid(Shown):
     dy: float
     nz: int = 0
     dz: float | None = None
+    periodic: str = ""
 
     def __post_init__(self) -> None:
         for name, minimum in (("nx", 1), ("ny", 1), ("nz", 0)):
@@ -61,12 +74,20 @@ class Grid(Shown):
             raise ValueError(f"nz must be an integer > 0 when dz = {self.dz!r} is given, got 0")
         if self.dz is not None:
             object.__setattr__(self, "dz", number("dz", self.dz))
+        choice("periodic", self.periodic, ("", "x", "y", "xy"))
+        for name in self.periodic:
+            if (cells := getattr(self, f"n{name}")) > 1 and cells % 2 == 1:
+                raise ValueError(
+                    f"n{name} must be even, or 1, where the grid is periodic along {name}, got {cells}"
+                )
+        if self.periodic == "xy" and self.nx == self.ny == 1:
+            raise ValueError('nx or ny must be larger than 1 with periodic="xy", got 1 and 1')
         _ = self._core
 
     @cached_property
     def _core(self) -> Any:
         dz = 0.0 if self.dz is None else self.dz
-        return _core.Grid(self.nx, self.ny, self.dx, self.dy, self.nz, dz)
+        return _core.Grid(self.nx, self.ny, self.dx, self.dy, self.nz, dz, self.along_x, self.along_y)
 
     @cached_property
     def x(self) -> FloatArray:
@@ -82,6 +103,16 @@ class Grid(Shown):
     def z(self) -> FloatArray:
         """Mid-depths of the layers [m], shape (nz,)."""
         return read_only(np.array(self._core.z()))
+
+    @property
+    def along_x(self) -> bool:
+        """Whether the surfaces repeat themselves along x."""
+        return "x" in self.periodic
+
+    @property
+    def along_y(self) -> bool:
+        """Whether the surfaces repeat themselves along y."""
+        return "y" in self.periodic
 
     @property
     def surface_shape(self) -> tuple[int, int]:
@@ -107,7 +138,10 @@ class Grid(Shown):
                 ("cell size", lengths(self.dx, self.dy, self.dz)),
             ]
             extent.append(self.nz * self.dz)
-        return [*rows, ("extent", lengths(*extent))]
+        rows.append(("extent", lengths(*extent)))
+        if self.periodic:
+            rows.append(("periodic along", " and ".join(self.periodic)))
+        return rows
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: getattr(self, name) for name in self.__dataclass_fields__}

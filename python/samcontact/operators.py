@@ -109,6 +109,15 @@ def surface_stress(
     return field
 
 
+def require_fast(name: str, method: str, grid: Grid) -> None:
+    """Raise ValueError for the exact residual stress on a periodic grid."""
+    if method == "exact" and grid.periodic:
+        raise ValueError(
+            f'{name} must be "fast" with grid.periodic = {grid.periodic!r}, got "exact": there are '
+            "no closed forms of its lattice sums"
+        )
+
+
 def residual_stress(
     grid: Grid,
     strain: ArrayLike,
@@ -137,6 +146,7 @@ def residual_stress(
     _require_volume(grid)
     elastic = _core.Elastic.isotropic(E, nu)
     exact = choice("method", method, ("exact", "fast")) == "exact"
+    require_fast("method", method, grid)
     images = Settings.checked("image_tol", image_tol)
     cell = _memory.EXACT_RESIDUAL if exact else _memory.FAST_RESIDUAL
     _memory.require_for_grid(f"the {method} stress", grid, _memory.volume(grid, cell))

@@ -77,6 +77,17 @@ def main_spot(pressure: ArrayLike) -> tuple[slice, slice] | None:
     return rows, columns
 
 
+def _centred(pressure: FloatArray, grid: Grid) -> FloatArray:
+    """The same with the largest pressure away from the ends that a periodic grid does not have."""
+    if not grid.periodic:
+        return pressure
+    peak = np.unravel_index(int(pressure.argmax()), pressure.shape)
+    along = (grid.along_x, grid.along_y)
+    shifts = [n // 2 - at if is_joined else 0
+              for at, n, is_joined in zip(peak, pressure.shape, along, strict=True)]
+    return np.roll(pressure, shifts, (0, 1))
+
+
 def cells_across(pressure: ArrayLike) -> float:
     """Cells across the contact: along the shorter side of the spot under the largest pressure.
 
@@ -135,7 +146,8 @@ def warn_of_contact(
     solution: ContactSolution | State, scene: Scene, few: int = FEW, *, stacklevel: int
 ) -> bool:
     """Warn when fewer than `few` cells lie across a contact; whether it did."""
-    pressure, grid = solution.pressure, scene.grid
+    grid = scene.grid
+    pressure = _centred(solution.pressure, grid)
     if _is_wide(pressure) or not (cells := cells_across(pressure)) < few:
         return False
     text = (

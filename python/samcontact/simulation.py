@@ -28,6 +28,7 @@ from .contact import require_type
 from .grid import Grid
 from .heat import Heat
 from .material import Material
+from .operators import require_fast
 from .relief import Relief, relief_rows
 from .state import State
 
@@ -132,6 +133,7 @@ class Simulation(Configured, Shown):
             reach=grid.nx * grid.dx if reach is None else reach,
         )
         self._configure(settings)
+        require_fast("residual_stress", self.residual_stress, grid)
         self._heat = COLD if heat is None else heat
         require_type("heat", self._heat, Heat)
         heating(self._heat, (body1, body2), grid)  # checks it against the bodies

@@ -2,6 +2,7 @@
 #include "samcontact/base/grid.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "samcontact/base/errors.hpp"
 
@@ -29,6 +30,27 @@ Grid::Grid(int nx_, int ny_, double dx_, double dy_, int nz_, double dz_)
   require_size("dx", dx);
   require_size("dy", dy);
   if (nz > 0) require_size("dz", dz);
+}
+
+Grid Grid::joined(bool along_x, bool along_y) const {
+  const auto require_even = [](const char* name, int cells) {
+    require(cells == 1 || cells % 2 == 0, name,
+            "even, or 1, along a direction in which the grid is periodic", cells);
+  };
+  if (along_x) require_even("nx", nx);
+  if (along_y) require_even("ny", ny);
+  if (along_x && along_y && nx == 1 && ny == 1) {
+    throw std::invalid_argument("nx and ny are both 1: a periodic grid has more than one cell");
+  }
+  Grid grid = *this;
+  grid.period = {along_x ? nx : 0, along_y ? ny : 0, 0.0};
+  if (along_x != along_y) grid.period.reference = along_x ? ny * dy : nx * dx;
+  return grid;
+}
+
+bool Grid::can_be_coarsened(int factor) const {
+  const auto fits = [factor](int cells) { return cells % (2 * factor) == 0; };
+  return fits(period.x) && fits(period.y);
 }
 
 std::vector<double> Grid::x() const { return centres(nx, dx); }

@@ -15,7 +15,9 @@ int neighbour(int i, int n) { return std::clamp(i / 2 + (i % 2 == 0 ? -1 : 1), 0
 }  // namespace
 
 Grid coarsened(const Grid& grid) {
-  return Grid(half(grid.nx), half(grid.ny), 2 * grid.dx, 2 * grid.dy);
+  Grid coarse(half(grid.nx), half(grid.ny), 2 * grid.dx, 2 * grid.dy);
+  coarse.period = {grid.period.x / 2, grid.period.y / 2, grid.period.reference};
+  return coarse;
 }
 
 Field coarsened(const Grid& grid, const Field& field) {

@@ -24,8 +24,8 @@ std::array<double, 2> border_pressure(const Grid& grid, const Field& pressure) {
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
       const double p = pressure[static_cast<std::size_t>(i) * grid.ny + j];
-      if (i == 0 || i == grid.nx - 1) largest[0] = std::max(largest[0], p);
-      if (j == 0 || j == grid.ny - 1) largest[1] = std::max(largest[1], p);
+      if (grid.period.x == 0 && (i == 0 || i == grid.nx - 1)) largest[0] = std::max(largest[0], p);
+      if (grid.period.y == 0 && (j == 0 || j == grid.ny - 1)) largest[1] = std::max(largest[1], p);
     }
   }
   return largest;
@@ -44,11 +44,15 @@ double change_in_contact(const Field& a, const Field& b, const Field& pressure, 
   return load_driven ? highest - lowest : std::max(std::fabs(lowest), std::fabs(highest));
 }
 
-operators::SurfaceInfluence influence_of(const std::array<operators::SharedMedium, 2>& bodies,
+operators::SurfaceInfluence influence_of(const Grid& grid,
+                                         const std::array<operators::SharedMedium, 2>& bodies,
                                          const GrossSliding& sliding,
                                          const operators::HeatingPair& heating) {
   if (bodies[0]->is_rigid() && bodies[1]->is_rigid()) {
     throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
+  }
+  if (grid.period.is_on() && (heating[0].is_on() || heating[1].is_on())) {
+    throw std::invalid_argument("heat cannot enter periodic surfaces: it has no steady state");
   }
   operators::SurfaceInfluence influence;
   for (int b = 0; b < 2; ++b) {
@@ -59,6 +63,17 @@ operators::SurfaceInfluence influence_of(const std::array<operators::SharedMediu
     influence.add(bodies[b], sliding.shear_over_pressure(b), heating[b]);
   }
   return influence;
+}
+
+/// Between mean planes the surfaces touch everywhere when they have met.
+void require_below_mean(const Grid& grid, const Field& gap, Given normal) {
+  if (grid.period.x == 0 || grid.period.y == 0 || normal.is_force()) return;
+  const double mean = ordered_sum(gap.size(), [&](std::size_t i) { return gap[i]; }) / gap.size();
+  require(normal.value < mean, "approach",
+          "less than the mean of the gap, " + to_text(mean) +
+              " m, at which periodic surfaces touch everywhere and any larger load is possible: "
+              "give the load",
+          normal.value);
 }
 
 }  // namespace
@@ -89,7 +104,7 @@ GridTooSmallError too_small(const std::string& complaint) {
 ContactSolver::ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
                              const operators::SharedMedium& body2, const GrossSliding& sliding,
                              const operators::HeatingPair& heating)
-    : ContactSolver(grid, influence_of({body1, body2}, sliding, heating), sliding) {}
+    : ContactSolver(grid, influence_of(grid, {body1, body2}, sliding, heating), sliding) {}
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence,
                              const GrossSliding& sliding)
@@ -139,6 +154,7 @@ Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field&
   require_surface(gap, grid_, "gap");
   if (!initial_pressure.empty()) require_surface(initial_pressure, grid_, "initial_pressure");
   require_valid(drive);
+  require_below_mean(grid_, gap, drive.normal);
   require(settings.tol >= 1e-13 && settings.tol < 1, "tol", "in [1e-13, 1)", settings.tol);
   require(settings.max_iterations > 0, "max_iterations", "an integer > 0", settings.max_iterations);
   Field pressure = initial_pressure;

@@ -191,7 +191,7 @@ class Rounds {
 std::shared_ptr<const NearOperators> Multilevel::Level::near(int nx, int ny) const {
   const std::lock_guard lock(mutex_);
   if (!near_ || near_->displacement.nx() != nx || near_->displacement.ny() != ny) {
-    near_ = std::make_shared<const NearOperators>(nx, ny, grid_.dx, grid_.dy, influence_);
+    near_ = std::make_shared<const NearOperators>(Box{0, 0, nx, ny, 0}.grid(grid_), influence_);
   }
   return near_;
 }
@@ -224,7 +224,7 @@ Solution Multilevel::Level::solve(const Field& initial_gap, Given normal, Field 
   }
   double work = 0.0;
   const bool warm = !is_zero(pressure);
-  if (!warm && std::min(grid_.nx, grid_.ny) >= coarsest_side) {
+  if (!warm && std::min(grid_.nx, grid_.ny) >= coarsest_side && grid_.can_be_coarsened()) {
     pressure = coarse_start(initial_gap, normal, max_iterations, work);
   }
   const auto near_of = [this](int nx, int ny) { return near(nx, ny); };

@@ -19,17 +19,16 @@ double shortest_wavenumber(double dx, double dy) {
 
 }  // namespace
 
-Preconditioner::Preconditioner(int nx, int ny, double dx, double dy,
-                               const operators::SurfaceInfluence& influence,
+Preconditioner::Preconditioner(const Grid& box, const operators::SurfaceInfluence& influence,
                                const operators::NearDisplacement& near)
-    : transform_(nx, ny, operators::short_period_x(nx), operators::short_period_y(ny)),
+    : transform_(box.nx, box.ny, operators::short_period_x(box), operators::short_period_y(box)),
       inverse_(near.is_exact() || influence.is_heated()
-                   ? operators::periodic_spectrum(
-                         transform_, influence.elastic(dx, dy,
-                                                       operators::CellOffsets::lattice(
-                                                           transform_.hx(), transform_.hy())))
+                   ? operators::periodic_spectrum(transform_, box,
+                                                  [&](const operators::CellOffsets& offsets) {
+                                                    return influence.elastic(box, offsets);
+                                                  })
                    : near.spectrum()) {
-  const double floor = smallest_share * influence.wave_compliance(shortest_wavenumber(dx, dy));
+  const double floor = smallest_share * influence.wave_compliance(shortest_wavenumber(box.dx, box.dy));
   // The spectrum carries 1/(mx my) of the two transforms; so must the inverse.
   const double points = static_cast<double>(transform_.mx()) * transform_.my();
   for (double& value : inverse_) value = 1.0 / (std::max(value * points, floor) * points);

@@ -7,11 +7,11 @@
 
 namespace samcontact::fft {
 
-PaddedTransform::PaddedTransform(int nx, int ny, int least_mx, int least_my)
+PaddedTransform::PaddedTransform(int nx, int ny, int mx, int my)
     : nx_(nx),
       ny_(ny),
-      mx_(good_even_size(std::max(2 * nx - 1, least_mx))),
-      my_(good_even_size(std::max(2 * ny - 1, least_my))),
+      mx_(mx),
+      my_(my),
       rows_(ny_, my_),
       column_forward_(plan_line(mx_, FFTW_FORWARD)),
       column_inverse_(plan_line(mx_, FFTW_BACKWARD)) {}

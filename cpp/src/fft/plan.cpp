@@ -56,6 +56,11 @@ int odd_part(int n) {
 
 }  // namespace
 
+int convolution_size(int n, int period, int least) {
+  const int size = good_even_size(std::max(2 * n - 1, least));
+  return period > 0 && period % 2 == 0 && period <= size ? period : size;
+}
+
 int fast_line_size(int n) {
   for (int m = n + n % 2; m <= n + n / 5; m += 2) {
     const int odd = odd_part(m);

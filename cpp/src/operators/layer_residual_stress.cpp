@@ -7,7 +7,9 @@
 
 #include "samcontact/base/flush_denormals.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
+#include "samcontact/operators/image_correction.hpp"
 #include "samcontact/operators/layer_sweep.hpp"
+#include "samcontact/operators/line_images.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -53,11 +55,22 @@ layers::Layout block_layout(const layers::Layout& of, int parts) {
 
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
                                          const Elastic& elastic, double image_tol)
+    : LayerResidualStress(grid, transform, elastic) {
+  const bool along_x = grid.period.x > 0, along_y = grid.period.y > 0;
+  if (along_x && along_y) return;
+  if (along_x || along_y) {
+    images_ = std::make_unique<LineImages>(grid, transform, elastic, image_tol);
+  } else {
+    images_ = std::make_unique<ImageCorrection>(grid, transform, elastic, image_tol);
+  }
+}
+
+LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
+                                         const Elastic& elastic)
     : nz_(grid.nz),
       nu_(elastic.nu),
       lame_(2 * elastic.shear_modulus() * elastic.nu / (1 - 2 * elastic.nu)),
-      shear_modulus_(elastic.shear_modulus()),
-      images_(grid, transform, elastic, image_tol) {
+      shear_modulus_(elastic.shear_modulus()) {
   for (int ky = 0; ky < transform.mh(); ++ky) {
     std::vector<Pass>& passes = passes_.emplace_back();
     for (const bool alias_y : {false, true}) {
@@ -75,6 +88,9 @@ LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
   // mx and my are even
   const int mx = transform.mx(), my = transform.my();
   const auto wavenumber = [&](int i) { return i <= mx / 2 ? i : i - mx; };
+  // A single cell that repeats itself knows uniform fields only.
+  const bool varies_x = grid.period.x != 1, varies_y = grid.period.y != 1;
+  if ((alias_x && !varies_x) || (alias_y && !varies_y)) return {};
   int first = transform.modes(), last = 0;
   for (int i = 0; i < transform.modes(); ++i) {
     if (alias_x && 2 * std::abs(wavenumber(i)) <= blended_from * mx) continue;
@@ -87,8 +103,9 @@ LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
   found.modes.assign(static_cast<std::size_t>(step) * layers::coefficients, 0.0);
   const double two_pi = 2 * std::numbers::pi;
   for (int i = found.first; i < std::min(found.last, transform.modes()); ++i) {
-    const int own = wavenumber(i);
-    const int x = alias_x ? own - (own > 0 ? mx : -mx) : own, y = alias_y ? ky - my : ky;
+    const int own = varies_x ? wavenumber(i) : 0;
+    const int x = alias_x ? own - (own > 0 ? mx : -mx) : own;
+    const int y = !varies_y ? 0 : alias_y ? ky - my : ky;
     double* mode = found.modes.data() + (i - found.first);
     const double weight = share(std::abs(2.0 * x / mx)) * share(std::abs(2.0 * y / my));
     layers::fill_mode(two_pi * x / (mx * grid.dx), two_pi * y / (my * grid.dy), grid.dz, weight,
@@ -131,12 +148,12 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
 }
 
 Field LayerResidualStress::far_field(Tensor tensor, const double* strain) const {
-  return images_.stress(tensor, strain);
+  return images_ ? images_->stress(tensor, strain) : Field();
 }
 
 void LayerResidualStress::correct(Tensor tensor, const Field& far_field, int layer,
                                   double* stress) const {
-  images_.subtract(tensor, far_field, layer, stress);
+  if (images_) images_->subtract(tensor, far_field, layer, stress);
 }
 
 std::size_t LayerResidualStress::bytes() const {
@@ -144,7 +161,7 @@ std::size_t LayerResidualStress::bytes() const {
   for (const auto& passes : passes_) {
     for (const Pass& pass : passes) numbers += pass.modes.size();
   }
-  return numbers * sizeof(double) + images_.bytes();
+  return numbers * sizeof(double) + (images_ ? images_->bytes() : 0);
 }
 
 }  // namespace samcontact::operators

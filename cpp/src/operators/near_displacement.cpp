@@ -2,6 +2,7 @@
 #include "samcontact/operators/near_displacement.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "samcontact/base/threads.hpp"
 
@@ -17,22 +18,47 @@ bool padded_in_full(int nx, int ny) { return std::min(nx, ny) < shortest_side; }
 
 int with_margin(int cells) { return cells + (cells + 7) / 8; }
 
-fft::PeriodicTransform transform_for(int nx, int ny) {
-  if (!padded_in_full(nx, ny)) return {nx, ny, short_period_x(nx), short_period_y(ny)};
-  return {nx, ny, fft::good_even_size(2 * nx - 1), fft::good_even_size(2 * ny - 1)};
+fft::PeriodicTransform transform_for(const Grid& box) {
+  const auto [nx, ny] = std::array{box.nx, box.ny};
+  if (!padded_in_full(nx, ny)) return {nx, ny, short_period_x(box), short_period_y(box)};
+  return {nx, ny, fft::convolution_size(nx, box.period.x),
+          fft::convolution_size(ny, box.period.y)};
+}
+
+/// Whether a period of so many points is one of the surface, or longer than any distance.
+bool is_exact_period(int size, int cells, int period) {
+  return size == period || size >= 2 * cells - 1;
+}
+
+/// A period that the surface has is best, where it is not too long.
+int choose_period(int size, int period) {
+  return period > 0 && period % 2 == 0 && period <= size ? period : size;
 }
 
 int coarse_factor(int cells) { return std::max(2, cells / coarse_count); }
 
 }  // namespace
 
-int short_period_x(int cells) { return fft::fast_line_size(with_margin(cells)); }
+int short_period_x(const Grid& box) {
+  return choose_period(fft::fast_line_size(with_margin(box.nx)), box.period.x);
+}
 
-int short_period_y(int cells) { return fft::fast_row_size(with_margin(cells)); }
+int short_period_y(const Grid& box) {
+  return choose_period(fft::fast_row_size(with_margin(box.ny)), box.period.y);
+}
 
-Field periodic_spectrum(const fft::PeriodicTransform& transform, Field table) {
-  transform.spectrum(table.data());
-  return table;
+Field periodic_spectrum(const fft::PeriodicTransform& transform, const Grid& box,
+                        const std::function<Field(const CellOffsets&)>& influence) {
+  // A single cell that repeats itself has one offset, and empty cells beside it.
+  const int nx = box.period.x == 1 ? 1 : transform.hx(), ny = box.period.y == 1 ? 1 : transform.hy();
+  const Field table = influence(CellOffsets::lattice(nx, ny));
+  Field quarter(transform.quarter_size(), 0.0);
+  for (int j = 0; j < ny; ++j) {
+    std::copy_n(table.data() + static_cast<std::size_t>(j) * nx, nx,
+                quarter.data() + static_cast<std::size_t>(j) * transform.hx());
+  }
+  transform.spectrum(quarter.data());
+  return quarter;
 }
 
 int CoarseAxis::lower(int i) const {
@@ -48,15 +74,18 @@ int CoarseAxis::begin(int I) const { return std::max((I - 1) * factor, 0); }
 
 int CoarseAxis::end(int I) const { return std::min((I + 2) * factor, cells); }
 
-NearDisplacement::NearDisplacement(int nx, int ny, double dx, double dy,
-                                   const SurfaceInfluence& influence)
-    : transform_(transform_for(nx, ny)),
+NearDisplacement::NearDisplacement(const Grid& box, const SurfaceInfluence& influence)
+    : transform_(transform_for(box)),
       near_(periodic_spectrum(
-          transform_,
-          influence.even(dx, dy, CellOffsets::lattice(transform_.hx(), transform_.hy())))),
-      x_{nx, coarse_factor(nx)},
-      y_{ny, coarse_factor(ny)} {
-  if (padded_in_full(nx, ny)) return;
+          transform_, box,
+          [&](const CellOffsets& offsets) { return influence.even(box, offsets); })),
+      x_{box.nx, coarse_factor(box.nx)},
+      y_{box.ny, coarse_factor(box.ny)} {
+  const int nx = box.nx, ny = box.ny;
+  if (is_exact_period(transform_.mx(), nx, box.period.x) &&
+      is_exact_period(transform_.my(), ny, box.period.y)) {
+    return;
+  }
 
   y_begin_.assign(y_.coarse_cells(), ny);
   for (int j = ny - 1; j >= 0; --j) y_begin_[y_.lower(j)] = j;
@@ -77,7 +106,7 @@ NearDisplacement::NearDisplacement(int nx, int ny, double dx, double dy,
     direct.y.push_back(y);
     nearest.y.push_back(std::min(y, transform_.my() - y));
   }
-  const Field exact = influence.even(dx, dy, direct), periodic = influence.even(dx, dy, nearest);
+  const Field exact = influence.even(box, direct), periodic = influence.even(box, nearest);
   for (int J = 0; J < cy; ++J) {
     for (int I = 0; I < cx; ++I) {
       if (nearest.x[I] == direct.x[I] && nearest.y[J] == direct.y[J]) continue;

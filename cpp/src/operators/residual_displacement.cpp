@@ -10,43 +10,80 @@
 #include "samcontact/operators/influence_lattice.hpp"
 #include "samcontact/operators/layer_differences.hpp"
 #include "samcontact/operators/parity_product.hpp"
+#include "samcontact/operators/surface_convolution.hpp"
 
 namespace samcontact::operators {
 
 ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
-                                           double nu, Tensor tensor)
+                                           Tensor tensor)
     : transform_(&transform), nz_(grid.nz), tensor_(tensor) {
   const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
-  const CornerLattice lattice{grid.nx, grid.ny, grid.dy / grid.dx};
+  spectra_.resize(spectrum.size() * count(tensor) * nz_);
+}
+
+void ResidualDisplacement::store(const fft::ParitySpectrum& spectrum, int component, int layer,
+                                 double* quarter) {
+  const auto places = components(tensor_);
+  const auto parity = kernels::component_parity(places[component]);
   const int hx = spectrum.hx(), hy = spectrum.hy();
+  spectrum.transform(quarter, parity.odd_x, parity.odd_y);
+  for (int ky = 0; ky < hy; ++ky) {
+    const std::size_t row = static_cast<std::size_t>(ky) * places.size() + component;
+    std::copy_n(quarter + static_cast<std::size_t>(ky) * hx, hx,
+                spectra_.data() + (row * nz_ + layer) * hx);
+  }
+}
+
+ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
+                                           double nu, Tensor tensor)
+    : ResidualDisplacement(grid, transform, tensor) {
+  const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
+  const CornerLattice lattice{grid.nx, grid.ny, grid.dy / grid.dx};
   const double dz = grid.dz / grid.dx;
   // Lengths are in units of dx, so the displacement is too.
   const double factor = grid.dx / (2 * std::numbers::pi);
-  const auto places = components(tensor);
-  const int count = static_cast<int>(places.size());
   // A deviator's zz is -(xx + yy).
   const auto corner = [nu, tensor](double x, double y, double z) -> std::array<double, 6> {
     const auto d = kernels::eigenstrain_displacement(x, y, z, nu);
     if (tensor == Tensor::full) return d;
     return {d[0] - d[2], d[1] - d[2], d[3], d[4], d[5], 0.0};
   };
-  spectra_.resize(spectrum.size() * count * nz_);
   for_each_layer_difference<6>(
       lattice, nz_, [dz](int level) { return level * dz; }, corner,
       [&](int k, const double* differences) {
         Field quarter(spectrum.size());
-        for (int c = 0; c < count; ++c) {
-          lattice.corner_sums(differences + c * lattice.size(), quarter.data(), hx, hy);
-          const auto parity = kernels::component_parity(places[c]);
-          spectrum.transform(quarter.data(), parity.odd_x, parity.odd_y);
-          for (int ky = 0; ky < hy; ++ky) {
-            double* to =
-                spectra_.data() + ((static_cast<std::size_t>(ky) * count + c) * nz_ + k) * hx;
-            const double* from = quarter.data() + static_cast<std::size_t>(ky) * hx;
-            std::transform(from, from + hx, to, [factor](double v) { return factor * v; });
-          }
+        for (int c = 0; c < count(tensor); ++c) {
+          lattice.corner_sums(differences + c * lattice.size(), quarter.data(), spectrum.hx(),
+                              spectrum.hy());
+          for (double& value : quarter) value *= factor;
+          store(spectrum, c, k, quarter.data());
         }
       });
+}
+
+ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
+                                           const std::function<Field(int layer)>& tables,
+                                           Tensor tensor)
+    : ResidualDisplacement(grid, transform, tensor) {
+  const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
+  const KernelOffsets offsets(grid, transform.mx(), transform.my());
+  const std::size_t plane = static_cast<std::size_t>(offsets.nx) * offsets.ny;
+  const auto places = components(tensor);
+#pragma omp parallel for schedule(dynamic)
+  for (int k = 0; k < nz_; ++k) {
+    const Field table = tables(k);
+    for (std::size_t c = 0; c < places.size(); ++c) {
+      const double* from = table.data() + places[c] * plane;
+      // A deviator's zz is -(xx + yy).
+      const double* less = tensor == Tensor::deviator && places[c] < 2 ? &table[2 * plane] : nullptr;
+      Field quarter(spectrum.size(), 0.0);
+      for (std::size_t n = 0; n < plane; ++n) {
+        quarter[n / offsets.nx * spectrum.hx() + n % offsets.nx] =
+            from[n] - (less != nullptr ? less[n] : 0.0);
+      }
+      store(spectrum, static_cast<int>(c), k, quarter.data());
+    }
+  }
 }
 
 void ResidualDisplacement::apply(const VolumeSpectrum& strain, double* displacement) const {

@@ -10,10 +10,26 @@
 #include "samcontact/operators/parity_product.hpp"
 
 namespace samcontact::operators {
+namespace {
+
+/// Around a period half of it to each side; a single cell that repeats itself has one offset.
+int offsets_of(int cells, int period, int size) {
+  return size == period && period > 1 ? period / 2 + 1 : cells;
+}
+
+}  // namespace
+
+KernelOffsets::KernelOffsets(const Grid& grid, int mx, int my)
+    : nx(offsets_of(grid.nx, grid.period.x, mx)), ny(offsets_of(grid.ny, grid.period.y, my)) {}
+
+SurfaceConvolution::SurfaceConvolution(const Grid& grid)
+    : transform_(grid.nx, grid.ny, fft::convolution_size(grid.nx, grid.period.x),
+                 fft::convolution_size(grid.ny, grid.period.y)),
+      offsets_(grid, transform_.mx(), transform_.my()) {}
 
 void SurfaceConvolution::transform(ParityKernel& kernel) const {
   const fft::ParitySpectrum spectrum(transform_);
-  const int nx = transform_.nx(), ny = transform_.ny();
+  const auto [nx, ny] = offsets_;
   Field quarter(spectrum.size(), 0.0);
   for (int j = 0; j < ny; ++j) {
     std::copy_n(kernel.quarter.data() + static_cast<std::size_t>(j) * nx, nx,

@@ -7,10 +7,10 @@ namespace samcontact::operators {
 
 SurfaceDisplacement::SurfaceDisplacement(const Grid& grid, const SurfaceInfluence& influence)
     : convolution_(grid),
-      rest_(influence.rest(grid.dx, grid.dy, grid.nx, grid.ny)),
-      self_influence_(influence.elastic(grid.dx, grid.dy, CellOffsets::lattice(1, 1))[0]) {
+      rest_(influence.rest(grid, convolution_.offsets())),
+      self_influence_(influence.elastic(grid, CellOffsets::lattice(1, 1))[0]) {
   even_.push_back({compliance_parity(Traction::pressure, Axis::z),
-                   influence.even(grid.dx, grid.dy, CellOffsets::lattice(grid.nx, grid.ny))});
+                   influence.even(grid, CellOffsets::lattice(convolution_.offsets().nx, convolution_.offsets().ny))});
   convolution_.transform(even_[0]);
   for (ParityKernel& kernel : rest_) convolution_.transform(kernel);
 }
@@ -30,14 +30,14 @@ Field surface_displacement(const Grid& grid, const Medium& medium, const Heating
   Field total(grid.surface_size(), 0.0), part(grid.surface_size());
   if (medium.is_rigid()) return total;
   const SurfaceConvolution convolution(grid);
-  const auto offsets = CellOffsets::lattice(grid.nx, grid.ny);
+  const auto offsets = CellOffsets::lattice(convolution.offsets().nx, convolution.offsets().ny);
   ComplexField work;
   for (const Traction kind : all_tractions) {
     const Field& field = tractions.of(kind);
     if (field.empty()) continue;
     std::vector<ParityKernel> kernels;
     kernels.push_back(
-        {compliance_parity(kind, axis), medium.compliance(kind, axis, grid.dx, grid.dy, offsets)});
+        {compliance_parity(kind, axis), medium.compliance(kind, axis, grid, offsets)});
     if (kind == Traction::pressure && axis == Axis::z && heating.is_on()) {
       auto parts =
           medium.heat_displacement(heating, grid.dx, grid.dy, offsets.in_metres(grid.dx, grid.dy));

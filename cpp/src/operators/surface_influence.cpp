@@ -34,7 +34,7 @@ bool SurfaceInfluence::is_heated() const {
 }
 
 template <class Weight>
-Field SurfaceInfluence::sum(Traction traction, double dx, double dy, const CellOffsets& offsets,
+Field SurfaceInfluence::sum(Traction traction, const Grid& grid, const CellOffsets& offsets,
                             const Weight& weight) const {
   Field sum;
   std::vector<const Body*> left;
@@ -49,15 +49,15 @@ Field SurfaceInfluence::sum(Traction traction, double dx, double dy, const CellO
       return ratio.has_value();
     });
     if (factor == 0) continue;
-    Field table = medium.compliance(traction, Axis::z, dx, dy, offsets);
+    Field table = medium.compliance(traction, Axis::z, grid, offsets);
     for (double& value : table) value *= factor;
     add_table(std::move(table), sum);
   }
   return sum;
 }
 
-Field SurfaceInfluence::elastic(double dx, double dy, const CellOffsets& offsets) const {
-  return sum(Traction::pressure, dx, dy, offsets, [](const Body&) { return 1.0; });
+Field SurfaceInfluence::elastic(const Grid& grid, const CellOffsets& offsets) const {
+  return sum(Traction::pressure, grid, offsets, [](const Body&) { return 1.0; });
 }
 
 double SurfaceInfluence::wave_compliance(double wavenumber) const {
@@ -66,8 +66,8 @@ double SurfaceInfluence::wave_compliance(double wavenumber) const {
   return sum;
 }
 
-Field SurfaceInfluence::even(double dx, double dy, const CellOffsets& offsets) const {
-  Field table = elastic(dx, dy, offsets);
+Field SurfaceInfluence::even(const Grid& grid, const CellOffsets& offsets) const {
+  Field table = elastic(grid, offsets);
   if (!is_heated()) return table;
   // Tables of heat ascend.
   const CellOffsets sorted{ascending(offsets.x), ascending(offsets.y)};
@@ -76,7 +76,7 @@ Field SurfaceInfluence::even(double dx, double dy, const CellOffsets& offsets) c
   };
   for (const auto& [medium, shear_x, heating] : bodies_) {
     if (!heating.is_on()) continue;
-    const Field heat = medium->heat_displacement(heating, dx, dy, sorted.in_metres(dx, dy)).front();
+    const Field heat = medium->heat_displacement(heating, grid.dx, grid.dy, sorted.in_metres(grid.dx, grid.dy)).front();
     std::size_t at = 0;
     for (const int y : offsets.y) {
       const double* row = heat.data() + place(sorted.y, y) * sorted.x.size();
@@ -86,13 +86,13 @@ Field SurfaceInfluence::even(double dx, double dy, const CellOffsets& offsets) c
   return table;
 }
 
-std::vector<ParityKernel> SurfaceInfluence::rest(double dx, double dy, int nx, int ny) const {
+std::vector<ParityKernel> SurfaceInfluence::rest(const Grid& grid, const KernelOffsets& offsets) const {
   std::array<Field, 4> sums;
-  sums[1] = sum(Traction::shear_x, dx, dy, CellOffsets::lattice(nx, ny),
+  sums[1] = sum(Traction::shear_x, grid, CellOffsets::lattice(offsets.nx, offsets.ny),
                 [](const Body& body) { return body.shear_x; });
   for (const auto& [medium, shear_x, heating] : bodies_) {
     if (!heating.is_on() || !heating.is_moving()) continue;
-    auto parts = medium->heat_displacement(heating, dx, dy, Offsets::lattice(dx, dy, nx, ny));
+    auto parts = medium->heat_displacement(heating, grid.dx, grid.dy, Offsets::lattice(grid.dx, grid.dy, offsets.nx, offsets.ny));
     for (int flip = 1; flip < 4; ++flip) {
       if (!parts[flip].empty()) add_table(std::move(parts[flip]), sums[flip]);
     }

@@ -12,10 +12,11 @@
 namespace samcontact::operators {
 namespace {
 
-/// Rows of a table [j][i] of the grid's offsets to those of a wider quarter.
+/// Rows of a table [j][i] to those of a wider quarter.
 template <class Put>
-void for_rows(const double* table, const Grid& grid, double* quarter, int hx, const Put& put) {
-  for (int j = 0; j < grid.ny; ++j, table += grid.nx, quarter += hx) put(table, quarter);
+void for_rows(const double* table, const KernelOffsets& of, double* quarter, int hx,
+              const Put& put) {
+  for (int j = 0; j < of.ny; ++j, table += of.nx, quarter += hx) put(table, quarter);
 }
 
 }  // namespace
@@ -86,6 +87,8 @@ void TractionStress::prepare(Traction traction) const {
 Field TractionStress::build(Part part, const std::vector<HeatTables>& heat) const {
   const fft::ParitySpectrum parity_spectrum(transform_->mx(), transform_->my());
   const int nz = layers(), hx = parity_spectrum.hx(), hy = parity_spectrum.hy();
+  const KernelOffsets offsets(grid_, transform_->mx(), transform_->my());
+  const std::size_t plane = static_cast<std::size_t>(offsets.nx) * offsets.ny;
   const auto places = components(tensor_);
   const int count = static_cast<int>(places.size());
   const bool elastic = part == Part::pressure || part == Part::shear_x || part == Part::shear_y;
@@ -99,18 +102,18 @@ Field TractionStress::build(Part part, const std::vector<HeatTables>& heat) cons
     Field quarter(parity_spectrum.size());
 #pragma omp for schedule(dynamic)
     for (int k = 0; k < nz; ++k) {
-      const Field table = elastic ? medium_->stress(traction, grid_, depths_[k], tensor_) : Field{};
+      const Field table = elastic ? medium_->stress(traction, grid_, offsets, depths_[k], tensor_) : Field{};
       for (int c = 0; c < count; ++c) {
         std::fill(quarter.begin(), quarter.end(), 0.0);
         if (elastic) {
-          for_rows(table.data() + c * grid_.surface_size(), grid_, quarter.data(), hx,
-                   [n = grid_.nx](const double* from, double* to) { std::copy_n(from, n, to); });
+          for_rows(table.data() + c * plane, offsets, quarter.data(), hx,
+                   [n = offsets.nx](const double* from, double* to) { std::copy_n(from, n, to); });
         }
         if (!heat.empty()) {
           const Field& heated = heat[k][c][static_cast<int>(part)];
           if (!heated.empty()) {
-            for_rows(heated.data(), grid_, quarter.data(), hx,
-                     [n = grid_.nx](const double* from, double* to) {
+            for_rows(heated.data(), offsets, quarter.data(), hx,
+                     [n = offsets.nx](const double* from, double* to) {
                        for (int i = 0; i < n; ++i) to[i] += from[i];
                      });
           }
@@ -166,7 +169,7 @@ std::size_t TractionStress::bytes() const {
 
 Field traction_stress(const Grid& grid, const SharedMedium& medium, const Heating& heating,
                       std::span<const double> depths, const Tractions& tractions) {
-  const VolumeTransform transform(grid.nx, grid.ny, Symmetry::none);
+  const VolumeTransform transform(grid, Symmetry::none);
   const auto heat =
       heating.is_on() ? std::make_shared<const HeatStress>(grid, medium, heating) : nullptr;
   const std::size_t plane = grid.surface_size();

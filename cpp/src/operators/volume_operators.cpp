@@ -13,14 +13,20 @@ namespace {
 /// The images of a long narrow box would come too near to its ends: the short period is at least
 /// this part of the long one.
 constexpr double shortest_period = 0.25;
+/// Beside a surface that is periodic in one direction, what is not uniform along it dies out as
+/// exp(-2 pi x) with the distance in periods.
+constexpr double clear_periods = 2.0;
 
 VolumeTransform make_transform(const Grid& grid, const VolumeOptions& options) {
   int mx = 0, my = 0;
-  if (options.method == ResidualMethod::fast) {
+  if (grid.period.is_on()) {
+    mx = grid.nx + static_cast<int>(std::ceil(clear_periods * grid.period.y * grid.dy / grid.dx));
+    my = grid.ny + static_cast<int>(std::ceil(clear_periods * grid.period.x * grid.dx / grid.dy));
+  } else if (options.method == ResidualMethod::fast) {
     mx = static_cast<int>(std::ceil(shortest_period * (2 * grid.ny - 1) * grid.dy / grid.dx));
     my = static_cast<int>(std::ceil(shortest_period * (2 * grid.nx - 1) * grid.dx / grid.dy));
   }
-  return {grid.nx, grid.ny, options.symmetry, mx, my};
+  return {grid, options.symmetry, mx, my};
 }
 
 }  // namespace

@@ -18,16 +18,17 @@ ComplexField& plane_buffer(const fft::PaddedTransform& transform) {
 
 }  // namespace
 
-VolumeTransform::VolumeTransform(int nx, int ny, Symmetry symmetry, int least_mx, int least_my)
-    : nx_(nx),
-      ny_(ny),
+VolumeTransform::VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx, int least_my)
+    : nx_(grid.nx),
+      ny_(grid.ny),
       symmetry_(symmetry),
-      whole_(nx, ny, least_mx, least_my),
+      whole_(nx_, ny_, fft::convolution_size(nx_, grid.period.x, least_mx),
+             fft::convolution_size(ny_, grid.period.y, least_my)),
       mx_(whole_.mx()),
       my_(whole_.my()) {
   if (symmetry != Symmetry::none) {
     mirrored_ =
-        std::make_unique<fft::MirroredTransform>(nx, ny, mx_, my_, symmetry == Symmetry::xy);
+        std::make_unique<fft::MirroredTransform>(nx_, ny_, mx_, my_, symmetry == Symmetry::xy);
   }
 }
 

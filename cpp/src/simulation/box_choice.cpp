@@ -31,8 +31,19 @@ void fit_extent(int n, int before, bool mirrored, int& begin, int& end) {
 Box BoxChoice::fitted(const Box& needed, const Box& before) const {
   const Box old = before.empty() ? Box{} : whole(before);
   int i0 = needed.i0, i1 = needed.i0 + needed.nx, j0 = needed.j0, j1 = needed.j0 + needed.ny;
-  fit_extent(grid_.nx, old.nx, mirrors_x(), i0, i1);
-  fit_extent(grid_.ny, old.ny, mirrors_y(), j0, j1);
+  // A box has no ends where the surface has none.
+  if (grid_.period.x > 0) {
+    i0 = 0;
+    i1 = grid_.nx;
+  } else {
+    fit_extent(grid_.nx, old.nx, mirrors_x(), i0, i1);
+  }
+  if (grid_.period.y > 0) {
+    j0 = 0;
+    j1 = grid_.ny;
+  } else {
+    fit_extent(grid_.ny, old.ny, mirrors_y(), j0, j1);
+  }
   int nz = needed.nz;
   if (before.nz > 0 && nz > before.nz) nz = std::max(nz, before.nz + before.nz / 4);
   nz = std::min(nz, grid_.nz);

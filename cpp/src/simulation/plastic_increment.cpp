@@ -24,7 +24,8 @@ BorderFlow flow_at_border(const Grid& grid, std::size_t cell, double share) {
   const int j = static_cast<int>(cell % grid.ny), i = static_cast<int>(cell / grid.ny % grid.nx);
   const int k = static_cast<int>(cell / grid.ny / grid.nx);
   if (k == grid.nz - 1) return {.bottom = share};
-  const bool at_x = i == 0 || i == grid.nx - 1, at_y = j == 0 || j == grid.ny - 1;
+  const bool at_x = grid.period.x == 0 && (i == 0 || i == grid.nx - 1);
+  const bool at_y = grid.period.y == 0 && (j == 0 || j == grid.ny - 1);
   return {0.0, at_x ? share : 0.0, at_y ? share : 0.0};
 }
 

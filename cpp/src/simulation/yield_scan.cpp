@@ -17,7 +17,9 @@ constexpr double depth_step = 0.125;
 
 Grid coarsened(const Grid& grid, int factor) {
   const auto cells = [factor](int n) { return (n + factor - 1) / factor; };
-  return {cells(grid.nx), cells(grid.ny), factor * grid.dx, factor * grid.dy, 0, 0.0};
+  Grid coarse(cells(grid.nx), cells(grid.ny), factor * grid.dx, factor * grid.dy);
+  coarse.period = {grid.period.x / factor, grid.period.y / factor, grid.period.reference};
+  return coarse;
 }
 
 std::vector<double> depths(const Grid& grid, const std::vector<int>& layers) {
@@ -49,7 +51,7 @@ YieldScan::Level::Level(const Grid& fine, int factor_, std::vector<int> layers_,
     : factor(factor_),
       grid(coarsened(fine, factor_)),
       layers(std::move(layers_)),
-      transform(grid.nx, grid.ny, operators::Symmetry::none),
+      transform(grid, operators::Symmetry::none),
       stress(grid, transform, medium, heat, depths(fine, layers), Tensor::deviator) {}
 
 YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& heating)
@@ -70,7 +72,8 @@ YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& hea
     const double z = (k + 0.5) * grid_.dz;
     if (z < next && k + 1 < grid_.nz) continue;
     next = z + std::max(half, depth_step * z);
-    if (z >= 2 * factor * cell * cells_per_depth && 4 * factor <= widest) {
+    if (z >= 2 * factor * cell * cells_per_depth && 4 * factor <= widest &&
+        grid_.can_be_coarsened(2 * factor)) {
       flush();
       factor *= 2;
     }

@@ -22,7 +22,11 @@ struct Box {
   std::size_t surface_size() const { return static_cast<std::size_t>(nx) * ny; }
   std::size_t volume_size() const { return surface_size() * nz; }
   /// The box as a grid of its own.
-  Grid grid(const Grid& of) const { return {nx, ny, of.dx, of.dy, nz, of.dz}; }
+  Grid grid(const Grid& of) const {
+    Grid part{nx, ny, of.dx, of.dy, nz, of.dz};
+    part.period = of.period;
+    return part;
+  }
 
   bool contains(const Box& other) const;
   /// What both contain; empty when nothing.

@@ -7,12 +7,12 @@
 
 namespace samcontact::contact {
 
-/// On boxes of nx x ny cells with little padding. None at all costs a quarter more steps where
+/// On boxes with little padding. None at all costs a quarter more steps where
 /// contact touches opposite borders.
 class Preconditioner {
  public:
   /// near: the cheap operator of the same box, whose spectrum is taken where it is the one wanted.
-  Preconditioner(int nx, int ny, double dx, double dy, const operators::SurfaceInfluence& influence,
+  Preconditioner(const Grid& box, const operators::SurfaceInfluence& influence,
                  const operators::NearDisplacement& near);
 
   /// z = F^-1 (1/K^) F r; the caller restricts r and z to the working set. `work` is scratch.
@@ -30,9 +30,8 @@ struct NearOperators {
   operators::NearDisplacement displacement;
   Preconditioner preconditioner;
 
-  NearOperators(int nx, int ny, double dx, double dy, const operators::SurfaceInfluence& influence)
-      : displacement(nx, ny, dx, dy, influence),
-        preconditioner(nx, ny, dx, dy, influence, displacement) {}
+  NearOperators(const Grid& box, const operators::SurfaceInfluence& influence)
+      : displacement(box, influence), preconditioner(box, influence, displacement) {}
 };
 
 }  // namespace samcontact::contact

@@ -17,8 +17,11 @@ namespace samcontact::fft {
 /// then repeats the same digits in every process. Thread-safe after construction.
 class PaddedTransform {
  public:
-  /// Pads to the next good sizes >= 2n - 1, enough for a linear convolution, and >= the least ones.
-  PaddedTransform(int nx, int ny, int least_mx = 0, int least_my = 0);
+  /// mx >= nx, my >= ny, both even.
+  PaddedTransform(int nx, int ny, int mx, int my);
+  /// Pads enough for a linear convolution.
+  PaddedTransform(int nx, int ny)
+      : PaddedTransform(nx, ny, convolution_size(nx, 0), convolution_size(ny, 0)) {}
 
   int nx() const { return nx_; }
   int ny() const { return ny_; }

@@ -39,6 +39,10 @@ Plan plan_lines_side_by_side(int m, int count, int sign);
 /// even so that a symmetric sequence has a self-mirrored middle.
 int good_even_size(int n);
 
+/// Length for a convolution on n cells without wrap-around, at least `least`; where the surface
+/// repeats itself after an even number of cells not longer than that (period 0: never).
+int convolution_size(int n, int period, int least = 0);
+
 /// A length >= n for complex lines, at most a fifth longer, for which estimated plans are fast:
 /// they take twice the time per point when 9 divides the length.
 int fast_line_size(int n);

@@ -9,23 +9,22 @@
 
 #include "samcontact/base/elastic.hpp"
 #include "samcontact/base/grid.hpp"
-#include "samcontact/operators/volume_spectrum.hpp"
+#include "samcontact/operators/layer_residual_stress.hpp"
 
 namespace samcontact::operators {
 
-class ImageCorrection {
+class ImageCorrection : public Images {
  public:
   /// transform: gives the period, at least twice the box less one cell, and the cells that are
   /// stored; grid: the whole box. tol: the error that is allowed, relative to the largest stress.
   ImageCorrection(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
                   double tol);
 
-  /// Stress of the images of `strain` [component][k][i][j] on the coarse cells.
-  Field stress(Tensor tensor, const double* strain) const;
-  /// Takes it from one layer of the stress, [component][i][j].
-  void subtract(Tensor tensor, const Field& images, int layer, double* stress) const;
+  /// On the coarse cells.
+  Field stress(Tensor tensor, const double* strain) const override;
+  void subtract(Tensor tensor, const Field& images, int layer, double* stress) const override;
 
-  std::size_t bytes() const { return influence_.size() * sizeof(double); }
+  std::size_t bytes() const override { return influence_.size() * sizeof(double); }
 
  private:
   /// Coarse cells along one axis and the polynomials through them.

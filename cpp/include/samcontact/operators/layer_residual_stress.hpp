@@ -7,17 +7,31 @@
 // The eigenstrain is band-limited in the plane and constant in each layer; the stress is its mean
 // over each layer. Near the highest wavenumber a mode and its alias go over into each other, so
 // that the symbol has no jump and the stress decays as it should. The operator is symmetric and
-// never feeds energy into a strain pattern. It is periodic: ImageCorrection removes the images.
+// never feeds energy into a strain pattern. It is periodic: where the surface is not, Images takes
+// away what is too much.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "samcontact/base/elastic.hpp"
 #include "samcontact/base/grid.hpp"
-#include "samcontact/operators/image_correction.hpp"
 #include "samcontact/operators/residual_stress.hpp"
 
 namespace samcontact::operators {
+
+/// Stress of the images that a periodic operator sees and the surface does not have, of `strain`
+/// [component][k][i][j] of the whole box.
+class Images {
+ public:
+  virtual ~Images() = default;
+
+  /// Opaque data for subtract().
+  virtual Field stress(Tensor tensor, const double* strain) const = 0;
+  /// Takes it from one layer of the stress, [component][i][j].
+  virtual void subtract(Tensor tensor, const Field& images, int layer, double* stress) const = 0;
+  virtual std::size_t bytes() const = 0;
+};
 
 class LayerResidualStress : public ResidualStress {
  public:
@@ -25,6 +39,8 @@ class LayerResidualStress : public ResidualStress {
   /// images that is allowed, relative to the largest stress.
   LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
                       double image_tol);
+  /// With all images of the transform's period.
+  LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic);
 
   void apply(VolumeSpectrum& spectrum) const override;
   Field far_field(Tensor tensor, const double* strain) const override;
@@ -45,7 +61,7 @@ class LayerResidualStress : public ResidualStress {
   int nz_;
   double nu_, lame_, shear_modulus_;
   std::vector<std::vector<Pass>> passes_;  // of each ky, first its own wavenumbers
-  ImageCorrection images_;
+  std::unique_ptr<const Images> images_;  // null where the surface has all of them
 };
 
 }  // namespace samcontact::operators

@@ -11,23 +11,15 @@
 
 #include "samcontact/base/grid.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
+#include "samcontact/operators/cell_influence.hpp"
 #include "samcontact/operators/heat_history.hpp"
 #include "samcontact/operators/heating.hpp"
 #include "samcontact/operators/residual_displacement.hpp"
 #include "samcontact/operators/residual_stress.hpp"
+#include "samcontact/operators/surface_convolution.hpp"
 #include "samcontact/operators/tractions.hpp"
 
 namespace samcontact::operators {
-
-enum class Axis { x, y, z };
-
-/// Offsets of a table in cells of the grid, not negative, in any order; they may skip cells.
-struct CellOffsets {
-  std::vector<int> x, y;
-
-  static CellOffsets lattice(int nx, int ny);
-  Offsets in_metres(double dx, double dy) const;
-};
 
 /// Immutable and thread-safe. Frame: z into the body, x and y in its surface.
 class Medium {
@@ -38,16 +30,17 @@ class Medium {
   /// Whether all coefficients are the same.
   virtual bool operator==(const Medium& other) const = 0;
 
-  /// Displacement of the surface along `axis` at offsets from a cell of dx by dy [m] under a unit
+  /// Displacement of the surface along `axis` at offsets from a cell of the grid under a unit
   /// traction, [j][i] [m/Pa]. Its parity is that of compliance_parity().
-  virtual Field compliance(Traction traction, Axis axis, double dx, double dy,
+  virtual Field compliance(Traction traction, Axis axis, const Grid& grid,
                            const CellOffsets& offsets) const = 0;
   /// u_z over the pressure of a wave [m/Pa], wavenumber > 0 [1/m].
   virtual double wave_compliance(double wavenumber) const = 0;
 
-  /// Stress at a depth z >= 0 [m] on the offsets of a grid under a unit traction on one cell,
-  /// [component of tensor][j][i] [-].
-  virtual Field stress(Traction traction, const Grid& grid, double z, Tensor tensor) const = 0;
+  /// Stress at a depth z >= 0 [m] under a unit traction on one cell of the grid, [component of
+  /// tensor][j][i] [-].
+  virtual Field stress(Traction traction, const Grid& grid, const KernelOffsets& offsets, double z,
+                       Tensor tensor) const = 0;
 
   /// Operators of eigenstrain in the layers of a grid, the first of which starts at the surface.
   /// image_tol: see LayerResidualStress.
@@ -79,8 +72,5 @@ class Medium {
 
 /// Bodies of one scene whose media are equal share one object: it is the key of what is kept.
 using SharedMedium = std::shared_ptr<const Medium>;
-
-/// In x and y: odd in a direction that one of traction and displacement has and the other not.
-kernels::Parity compliance_parity(Traction traction, Axis axis);
 
 }  // namespace samcontact::operators

@@ -3,6 +3,7 @@
 // little padding, and the error of the periodicity, which is smooth, on a coarse grid.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -12,13 +13,15 @@
 
 namespace samcontact::operators {
 
-/// Periods longer than the cells by an eighth at least, for lines along x and rows along y.
-int short_period_x(int cells);
-int short_period_y(int cells);
+/// For lines along x and rows along y of a box: periods longer than it by an eighth at least, or
+/// that of the surface where it is not longer.
+int short_period_x(const Grid& box);
+int short_period_y(const Grid& box);
 
-/// Real quarter spectrum [ky][kx] of the displacement due to pressure on a periodic grid, at the
-/// distance of the nearest image. table: influence [j][i] on hx x hy offsets.
-Field periodic_spectrum(const fft::PeriodicTransform& transform, Field table);
+/// Real quarter spectrum [ky][kx] of a displacement due to pressure on a periodic grid, at the
+/// distance of the nearest image. influence: SurfaceInfluence::even or elastic.
+Field periodic_spectrum(const fft::PeriodicTransform& transform, const Grid& box,
+                        const std::function<Field(const CellOffsets&)>& influence);
 
 /// Linear interpolation along one axis between centres of coarse cells, each `factor` cells long,
 /// and centres of cells; extrapolation half a coarse cell at the ends.
@@ -41,8 +44,8 @@ struct CoarseAxis {
 /// periodic kernel is summed on coarse cells. Small boxes are padded in full instead: exact.
 class NearDisplacement {
  public:
-  /// Of the even part of the influence. dx, dy: sides of a cell [m].
-  NearDisplacement(int nx, int ny, double dx, double dy, const SurfaceInfluence& influence);
+  /// Of the even part of the influence. box: as a grid of its own.
+  NearDisplacement(const Grid& box, const SurfaceInfluence& influence);
 
   int nx() const { return transform_.nx(); }
   int ny() const { return transform_.ny(); }

@@ -3,7 +3,10 @@
 // convolution per layer, summed over the layers in wavenumber space.
 #pragma once
 
+#include <functional>
+
 #include "samcontact/base/grid.hpp"
+#include "samcontact/fft/parity_spectrum.hpp"
 #include "samcontact/operators/volume_spectrum.hpp"
 
 namespace samcontact::operators {
@@ -14,12 +17,21 @@ class ResidualDisplacement {
   ResidualDisplacement(const Grid& grid, const VolumeTransform& transform, double nu,
                        Tensor tensor);
 
+  /// The same from tables of a layer under the full tensor, [component][j][i] [m], on the offsets of
+  /// KernelOffsets.
+  ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
+                       const std::function<Field(int layer)>& tables, Tensor tensor);
+
   /// displacement [i][j] [m] of the eigenstrain whose spectrum is given.
   void apply(const VolumeSpectrum& strain, double* displacement) const;
 
   std::size_t bytes() const { return spectra_.size() * sizeof(double); }
 
  private:
+  ResidualDisplacement(const Grid& grid, const VolumeTransform& transform, Tensor tensor);
+  /// Puts the table of a component on one layer, [j][i] on the quarter plane, into its place.
+  void store(const fft::ParitySpectrum& spectrum, int component, int layer, double* quarter);
+
   const VolumeTransform* transform_;
   int nz_;
   Tensor tensor_;

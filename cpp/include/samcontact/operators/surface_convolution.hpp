@@ -11,6 +11,13 @@
 
 namespace samcontact::operators {
 
+/// Offsets 0..nx-1, 0..ny-1 that a convolution asks of its kernels.
+struct KernelOffsets {
+  int nx, ny;
+  /// For planes of a grid, transformed on mx x my points.
+  KernelOffsets(const Grid& grid, int mx, int my);
+};
+
 /// A kernel that is even or odd in x and in y: table [j][i] of offsets >= 0, or its spectrum.
 struct ParityKernel {
   kernels::Parity parity;
@@ -19,9 +26,11 @@ struct ParityKernel {
 
 class SurfaceConvolution {
  public:
-  explicit SurfaceConvolution(const Grid& grid) : transform_(grid.nx, grid.ny) {}
+  explicit SurfaceConvolution(const Grid& grid);
 
-  /// Replaces the table of the grid's offsets by its real quarter spectrum.
+  const KernelOffsets& offsets() const { return offsets_; }
+
+  /// Replaces the table of offsets() by its real quarter spectrum.
   void transform(ParityKernel& kernel) const;
 
   /// out = convolution of `in` with the sum of transformed kernels, both [i][j]; may be the same
@@ -34,6 +43,7 @@ class SurfaceConvolution {
 
  private:
   fft::PaddedTransform transform_;
+  KernelOffsets offsets_;
 };
 
 }  // namespace samcontact::operators

@@ -17,14 +17,14 @@ class SurfaceInfluence {
   void add(const SharedMedium& medium, double shear_x = 0.0, const Heating& heating = {});
 
   /// The part that is even in x and y, [j][i] [m/Pa].
-  Field even(double dx, double dy, const CellOffsets& offsets) const;
+  Field even(const Grid& grid, const CellOffsets& offsets) const;
   /// The elastic part of it, which is positive definite.
-  Field elastic(double dx, double dy, const CellOffsets& offsets) const;
+  Field elastic(const Grid& grid, const CellOffsets& offsets) const;
   /// u_z over the pressure of a wave [m/Pa], elastic and even; wavenumber > 0 [1/m].
   double wave_compliance(double wavenumber) const;
 
-  /// All that is not even, on the offsets of a grid.
-  std::vector<ParityKernel> rest(double dx, double dy, int nx, int ny) const;
+  /// All that is not even.
+  std::vector<ParityKernel> rest(const Grid& grid, const KernelOffsets& offsets) const;
   /// Whether heat enters a body: the operator may then be indefinite.
   bool is_heated() const;
 
@@ -36,7 +36,7 @@ class SurfaceInfluence {
   };
   /// u_z of a traction on all bodies, that on a body times its weight; empty: zero.
   template <class Weight>
-  Field sum(Traction traction, double dx, double dy, const CellOffsets& offsets,
+  Field sum(Traction traction, const Grid& grid, const CellOffsets& offsets,
             const Weight& weight) const;
 
   std::vector<Body> bodies_;  // those that are not rigid

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "samcontact/base/grid.hpp"
 #include "samcontact/fft/mirrored_transform.hpp"
 #include "samcontact/fft/padded_transform.hpp"
 
@@ -14,9 +15,9 @@ using fft::Symmetry;
 
 class VolumeTransform {
  public:
-  /// nx, ny: cells of the whole plane, also where only a part is stored; padded sizes are at least
-  /// the given ones.
-  VolumeTransform(int nx, int ny, Symmetry symmetry, int least_mx = 0, int least_my = 0);
+  /// Of the whole planes of a grid, also where only a part is stored; padded sizes are at least the
+  /// given ones.
+  VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx = 0, int least_my = 0);
 
   Symmetry symmetry() const { return symmetry_; }
   /// Stored cells of a plane.

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/kernels/wave.hpp"
+
+#include <cmath>
+
+namespace samcontact::kernels {
+namespace {
+
+struct Direction {
+  double q, c, s;
+  Direction(double kx, double ky) : q(std::hypot(kx, ky)), c(kx / q), s(ky / q) {}
+};
+
+/// Of unit pressure, from exp(-y) and y exp(-y) at y = q z.
+Stress pressure_stress_of(const Direction& k, double e, double ye, double nu) {
+  const double along = ye - e, across = -2 * nu * e;
+  const auto [q, c, s] = k;
+  return {c * c * along + s * s * across,
+          s * s * along + c * c * across,
+          -e - ye,
+          -s * ye,
+          -c * ye,
+          -c * s * (along - across)};
+}
+
+/// ln of the distance, of which only differences count.
+double log_distance(double x, double z) {
+  return 0.5 * std::log(std::fmax(x * x + z * z, 1e-280));
+}
+
+/// atan2(x, z), the angle from the z axis; on it 0 at z = 0 too.
+double angle(double x, double z) { return x == 0 ? 0.0 : std::atan2(x, z); }
+
+/// x/(x^2 + z^2) times a length of first order that goes to 0 with it.
+double ratio(double numerator, double x, double z) {
+  const double square = x * x + z * z;
+  return square > 0 ? numerator / square : 0.0;
+}
+
+}  // namespace
+
+std::array<double, 3> pressure_wave_displacement(double kx, double ky, double nu) {
+  const Direction k(kx, ky);
+  const double along = -0.5 * (1 - 2 * nu) / k.q;
+  return {k.c * along, k.s * along, (1 - nu) / k.q};
+}
+
+std::array<double, 3> shear_wave_displacement(double kx, double ky, double nu) {
+  const Direction k(kx, ky);
+  return {((1 - nu) * k.c * k.c + k.s * k.s) / k.q, nu * k.c * k.s / k.q,
+          0.5 * (1 - 2 * nu) * k.c / k.q};
+}
+
+Stress pressure_wave_stress(double kx, double ky, double z, double nu) {
+  const Direction k(kx, ky);
+  const double e = std::exp(-k.q * z);
+  return pressure_stress_of(k, e, k.q * z * e, nu);
+}
+
+Stress shear_wave_stress(double kx, double ky, double z, double nu) {
+  const Direction k(kx, ky);
+  const auto [q, c, s] = k;
+  const double y = q * z, e = std::exp(-y), cc = c * c, ss = s * s;
+  return {-c * e * (cc * (2 - y) + 2 * (1 + nu) * ss),
+          -c * e * (2 * nu * cc - ss * y),
+          -c * e * y,
+          -c * s * e * y,
+          e * (cc * y - 1),
+          -s * e * (cc * (2 - y - 2 * nu) - cc + ss)};
+}
+
+Stress pressure_wave_mean(double kx, double ky, double z0, double z1, double nu) {
+  const Direction k(kx, ky);
+  const double h = k.q * (z1 - z0), e0 = std::exp(-k.q * z0), lost = -std::expm1(-h);
+  // Means of exp(-y) and of y exp(-y).
+  const double e = e0 * lost / h;
+  const double ye = e0 * (k.q * z0 * lost + lost - h * std::exp(-h)) / h;
+  return pressure_stress_of(k, e, ye, nu);
+}
+
+Stress strip_pressure_stress(double x, double z, double nu) {
+  const double turn = angle(x, z), xz = ratio(x * z, x, z), zz = ratio(z * z, x, z);
+  return {xz - turn, -2 * nu * turn, -turn - xz, 0.0, zz, 0.0};
+}
+
+Stress strip_shear_stress(double x, double z, double nu) {
+  const double turn = angle(x, z), xz = ratio(x * z, x, z), zz = ratio(z * z, x, z);
+  const double log = log_distance(x, z);
+  return {-2 * log - zz, -2 * nu * log, zz, 0.0, xz - turn, 0.0};
+}
+
+Stress strip_antiplane_stress(double x, double z) {
+  return {0.0, 0.0, 0.0, -angle(x, z), 0.0, -log_distance(x, z)};
+}
+
+std::array<double, 6> bar_displacement(double x, double z, double nu) {
+  const double log = x * log_distance(x, z), turn = z * angle(x, z);
+  const double trace = -2 * nu * (log + turn);
+  const double shear = x == 0 ? 0.0 : 2 * x * std::atan(z / x);
+  return {2 * nu * log - (1 - 2 * nu) * turn + trace,
+          trace,
+          -2 * (1 - nu) * log - (1 - 2 * nu) * turn + trace,
+          0.0,
+          shear,
+          0.0};
+}
+
+}  // namespace samcontact::kernels

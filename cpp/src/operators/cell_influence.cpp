@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/cell_influence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "samcontact/kernels/corners.hpp"
+#include "samcontact/kernels/far_displacement.hpp"
+#include "samcontact/kernels/surface_traction.hpp"
+#include "samcontact/kernels/wave.hpp"
+#include "samcontact/operators/influence_lattice.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// The edges of cells at offsets, in half cells from the centre of the source, each once.
+std::vector<int> edges_of(const std::vector<int>& offsets) {
+  std::vector<int> edges;
+  for (const int n : offsets) edges.insert(edges.end(), {2 * n - 1, 2 * n + 1});
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+/// Corner sums of a cell of 1 by `aspect`, each corner evaluated once however many cells share it.
+template <class Corner>
+Field corner_sums(const CellOffsets& offsets, double aspect, const Corner& corner) {
+  const std::vector<int> at_x = edges_of(offsets.x), at_y = edges_of(offsets.y);
+  Field corners;
+  corners.reserve(at_x.size() * at_y.size());
+  for (const int y : at_y) {
+    for (const int x : at_x) corners.push_back(corner(0.5 * x, 0.5 * y * aspect));
+  }
+  // The upper edge follows the lower one.
+  const auto lower_edges = [](const std::vector<int>& cells, const std::vector<int>& edges) {
+    std::vector<std::size_t> places;
+    places.reserve(cells.size());
+    for (const int n : cells) {
+      places.push_back(std::lower_bound(edges.begin(), edges.end(), 2 * n - 1) - edges.begin());
+    }
+    return places;
+  };
+  const auto from_x = lower_edges(offsets.x, at_x), from_y = lower_edges(offsets.y, at_y);
+  Field sums;
+  sums.reserve(from_x.size() * from_y.size());
+  for (const std::size_t j : from_y) {
+    const double *lower = corners.data() + j * at_x.size(), *upper = lower + at_x.size();
+    for (const std::size_t i : from_x) {
+      sums.push_back((upper[i + 1] - upper[i]) - (lower[i + 1] - lower[i]));
+    }
+  }
+  return sums;
+}
+
+/// u_z of pressure: by its moments far away.
+Field pressure_sums(const CellOffsets& offsets, double aspect) {
+  const auto& [x, y] = offsets.in_metres(1.0, aspect);
+  const kernels::FarDisplacement far(1.0, aspect);
+  Field sums(x.size() * y.size());
+  for (std::size_t j = 0; j < y.size(); ++j) {
+    double* row = sums.data() + j * x.size();
+    far.evaluate(x.data(), y[j], x.size(), row);
+    if (y[j] >= far.begin()) continue;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (x[i] >= far.begin()) continue;
+      row[i] = kernels::corner_sum_2d<1>(x[i], y[j], 0.5, 0.5 * aspect, [](double s, double t) {
+        return std::array{kernels::pressure_displacement(s, t)};
+      })[0];
+    }
+  }
+  return sums;
+}
+
+kernels::Stress corner_stress(Traction traction, double x, double y, double z, double nu) {
+  if (traction == Traction::pressure) return kernels::pressure_stress(x, y, z, nu);
+  if (traction == Traction::shear_x) return kernels::shear_stress(x, y, z, nu);
+  const auto s = kernels::shear_stress(y, x, z, nu);
+  return {s[1], s[0], s[2], s[4], s[3], s[5]};
+}
+
+/// The components of the field that are asked for come first.
+kernels::Stress select(kernels::Stress s, Tensor tensor) {
+  if (tensor == Tensor::full) return s;
+  const double mean = (s[0] + s[1] + s[2]) / 3;
+  return {s[0] - mean, s[1] - mean, s[3], s[4], s[5], 0.0};
+}
+
+
+/// Corner sums of a row of cells without end, of the functions of a strip: [component][i].
+template <class Function>
+Field strip_sums(int nx, double d, const Function& function) {
+  Field sums(6 * static_cast<std::size_t>(nx));
+  for (int i = 0; i < nx; ++i) {
+    const auto upper = function((i + 0.5) * d), lower = function((i - 0.5) * d);
+    for (int c = 0; c < 6; ++c) sums[c * nx + i] = (upper[c] - lower[c]) / pi;
+  }
+  return sums;
+}
+
+std::vector<kernels::Parity> stress_parities(Traction traction) {
+  std::vector<kernels::Parity> parities;
+  for (int c = 0; c < 6; ++c) {
+    auto parity = kernels::component_parity(c);
+    parity.odd_x ^= traction == Traction::shear_x;
+    parity.odd_y ^= traction == Traction::shear_y;
+    parities.push_back(parity);
+  }
+  return parities;
+}
+
+kernels::Stress wave_stress(Traction traction, double kx, double ky, double z, double nu) {
+  if (traction == Traction::pressure) return kernels::pressure_wave_stress(kx, ky, z, nu);
+  if (traction == Traction::shear_x) return kernels::shear_wave_stress(kx, ky, z, nu);
+  const auto s = kernels::shear_wave_stress(ky, kx, z, nu);
+  return {s[1], s[0], s[2], s[4], s[3], s[5]};
+}
+
+kernels::Stress strip_stress(Traction traction, double x, double z, double nu) {
+  if (traction == Traction::pressure) return kernels::strip_pressure_stress(x, z, nu);
+  if (traction == Traction::shear_x) return kernels::strip_shear_stress(x, z, nu);
+  return kernels::strip_antiplane_stress(x, z);
+}
+
+/// Stress below a uniform load: the body cannot stretch in its plane.
+std::vector<double> uniform_stress(Traction traction, double nu) {
+  if (traction == Traction::pressure) {
+    const double along = -nu / (1 - nu);
+    return {along, along, -1.0, 0.0, 0.0, 0.0};
+  }
+  if (traction == Traction::shear_x) return {0.0, 0.0, 0.0, 0.0, -1.0, 0.0};
+  return {0.0, 0.0, 0.0, -1.0, 0.0, 0.0};
+}
+
+/// Displacement along an axis under a wave, times the shear modulus.
+double wave_displacement(Traction traction, Axis axis, double kx, double ky, double nu) {
+  if (traction == Traction::shear_y) {
+    return wave_displacement(Traction::shear_x, exchanged(axis), ky, kx, nu);
+  }
+  const auto u = traction == Traction::pressure ? kernels::pressure_wave_displacement(kx, ky, nu)
+                                                : kernels::shear_wave_displacement(kx, ky, nu);
+  return u[static_cast<int>(axis)];
+}
+
+/// Primitive of what a line load at x = 0 does whose wave has the displacement 1/k: even, with
+/// ln(reference/x), or odd, a step.
+double line_primitive(double x, bool odd, double reference) {
+  if (odd) return 0.5 * std::fabs(x);
+  return x == 0 ? 0.0 : -(x * std::log(std::fabs(x) / reference) - x) / pi;
+}
+
+}  // namespace
+
+kernels::Parity compliance_parity(Traction traction, Axis axis) {
+  return {(traction == Traction::shear_x) != (axis == Axis::x),
+          (traction == Traction::shear_y) != (axis == Axis::y), false};
+}
+
+Field cell_compliance(const Elastic& elastic, Traction traction, Axis axis, const Grid& grid,
+                      const CellOffsets& offsets) {
+  const double aspect = grid.dy / grid.dx;
+  double factor = 0.0;
+  Field table;
+  if (traction == Traction::pressure && axis == Axis::z) {
+    table = pressure_sums(offsets, aspect);
+    factor = elastic.normal_compliance();
+  } else if (traction == Traction::pressure || axis == Axis::z) {
+    const bool along_x = traction == Traction::shear_x || axis == Axis::x;
+    table = corner_sums(offsets, aspect, [along_x](double x, double y) {
+      return along_x ? kernels::shear_displacement(x, y) : kernels::shear_displacement(y, x);
+    });
+    // Betti: what pressure does to the side is what shear does downwards, seen from the other.
+    factor = (axis == Axis::z ? 0.5 : -0.5) * elastic.coupling_compliance();
+  } else {
+    const double nu = elastic.nu;
+    const bool across = (traction == Traction::shear_x) != (axis == Axis::x);
+    const bool along_x = traction == Traction::shear_x;
+    table = corner_sums(offsets, aspect, [nu, across, along_x](double x, double y) {
+      if (across) return kernels::cross_displacement(x, y, nu);
+      return along_x ? kernels::along_displacement(x, y, nu)
+                     : kernels::along_displacement(y, x, nu);
+    });
+    factor = 0.5 / elastic.shear_modulus();
+  }
+  factor *= grid.dx / std::numbers::pi;
+  for (double& value : table) value *= factor;
+  return table;
+}
+
+CellInfluence compliance_of_cell(const Elastic& elastic, Traction traction, Axis axis,
+                                 const Grid& grid) {
+  const auto parity = compliance_parity(traction, axis);
+  const double nu = elastic.nu, softness = 1 / elastic.shear_modulus();
+  CellInfluence influence;
+  influence.parities = {parity};
+  influence.uniform = {0.0};
+  influence.cell = [=](int nx, int ny) {
+    return cell_compliance(elastic, traction, axis, grid, CellOffsets::lattice(nx, ny));
+  };
+  influence.wave = [=](double kx, double ky, double* value) {
+    *value = softness * wave_displacement(traction, axis, kx, ky, nu);
+  };
+  influence.strip = [=](int nx) {
+    Field sums(nx, 0.0);
+    if (parity.odd_y) return sums;
+    const double factor = softness * wave_displacement(traction, axis, 1.0, 0.0, nu);
+    // With both directions periodic the reference is of no account.
+    const double reference = grid.period.reference > 0 ? grid.period.reference : grid.dx;
+    for (int i = 0; i < nx; ++i) {
+      sums[i] = factor * (line_primitive((i + 0.5) * grid.dx, parity.odd_x, reference) -
+                          line_primitive((i - 0.5) * grid.dx, parity.odd_x, reference));
+    }
+    return sums;
+  };
+  return influence;
+}
+
+Field cell_stress(double nu, Traction traction, const Grid& grid, int nx, int ny, double z,
+                  Tensor tensor) {
+  const CornerLattice lattice{nx, ny, grid.dy / grid.dx};
+  const std::size_t plane = static_cast<std::size_t>(nx) * ny;
+  Field corners(6 * lattice.size()), table(count(tensor) * plane);
+  lattice.evaluate<6>(
+      [&](double x, double y) {
+        auto s = select(corner_stress(traction, x, y, z / grid.dx, nu), tensor);
+        for (double& v : s) v /= 2 * std::numbers::pi;
+        return s;
+      },
+      corners.data());
+  for (int c = 0; c < count(tensor); ++c) {
+    lattice.corner_sums(corners.data() + c * lattice.size(), table.data() + c * plane, nx, ny);
+  }
+  return table;
+}
+
+CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, double z) {
+  CellInfluence influence;
+  influence.parities = stress_parities(traction);
+  influence.uniform = uniform_stress(traction, nu);
+  influence.cell = [=](int nx, int ny) {
+    return cell_stress(nu, traction, grid, nx, ny, z, Tensor::full);
+  };
+  influence.wave = [=](double kx, double ky, double* stress) {
+    std::ranges::copy(wave_stress(traction, kx, ky, z, nu), stress);
+  };
+  influence.strip = [=](int nx) {
+    return strip_sums(nx, grid.dx, [&](double x) { return strip_stress(traction, x, z, nu); });
+  };
+  return influence;
+}
+
+CellInfluence residual_of_cell(double nu, const Grid& grid, int layer) {
+  const double z0 = layer * grid.dz, z1 = (layer + 1) * grid.dz, h = grid.dz;
+  CellInfluence influence;
+  for (int c = 0; c < 6; ++c) influence.parities.push_back(kernels::component_parity(c));
+  // Betti: the work of a pressure on the displacement is that of its stress on the eigenstrain.
+  const auto uniform = uniform_stress(Traction::pressure, nu);
+  for (const double stress : uniform) influence.uniform.push_back(h * stress);
+  influence.wave = [=](double kx, double ky, double* u) {
+    const auto stress = kernels::pressure_wave_mean(kx, ky, z0, z1, nu);
+    for (int c = 0; c < 6; ++c) u[c] = h * stress[c];
+    u[3] *= -2;
+    u[4] *= -2;
+    u[5] *= 2;
+  };
+  influence.cell = [=](int nx, int ny) {
+    const CornerLattice lattice{nx, ny, grid.dy / grid.dx};
+    Field corners(6 * lattice.size()), lower(corners.size());
+    const std::size_t plane = static_cast<std::size_t>(nx) * ny;
+    Field table(6 * plane);
+    const auto evaluate = [&](double z, Field& values) {
+      lattice.evaluate<6>(
+          [&](double x, double y) {
+            auto u = kernels::eigenstrain_displacement(x, y, z / grid.dx, nu);
+            for (double& value : u) value *= grid.dx / (2 * pi);
+            return u;
+          },
+          values.data());
+    };
+    evaluate(z1, corners);
+    evaluate(z0, lower);
+    for (std::size_t n = 0; n < corners.size(); ++n) corners[n] -= lower[n];
+    for (int c = 0; c < 6; ++c) {
+      lattice.corner_sums(corners.data() + c * lattice.size(), table.data() + c * plane, nx, ny);
+    }
+    return table;
+  };
+  influence.strip = [=](int nx) {
+    return strip_sums(nx, grid.dx, [&](double x) {
+      auto u = kernels::bar_displacement(x, z1, nu);
+      const auto lower = kernels::bar_displacement(x, z0, nu);
+      for (int c = 0; c < 6; ++c) u[c] -= lower[c];
+      return u;
+    });
+  };
+  return influence;
+}
+
+}  // namespace samcontact::operators

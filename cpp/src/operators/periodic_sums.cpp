@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/periodic_sums.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace samcontact::operators {
+namespace {
+
+/// An offset in a period, and whether it is the mirror image of the one meant; period 0: none.
+struct Folded {
+  int offset;
+  bool mirrored;
+  Folded(int n, int period) : offset(period > 0 ? n % period : n), mirrored(false) {
+    if (period > 0 && 2 * offset > period) {
+      offset = period - offset;
+      mirrored = true;
+    }
+  }
+};
+
+/// A table of one component on offsets that are folded into `columns` of them.
+void unfold(const double* table, int columns, const Period& period, const CellOffsets& offsets,
+            const kernels::Parity& parity, double* out) {
+  for (const int j : offsets.y) {
+    const Folded y(j, period.y);
+    for (const int i : offsets.x) {
+      const Folded x(i, period.x);
+      const bool negative = (x.mirrored && parity.odd_x) != (y.mirrored && parity.odd_y);
+      const double value = table[static_cast<std::size_t>(y.offset) * columns + x.offset];
+      *out++ = negative ? -value : value;
+    }
+  }
+}
+
+}  // namespace
+
+Traction exchanged(Traction traction) {
+  if (traction == Traction::pressure) return traction;
+  return traction == Traction::shear_x ? Traction::shear_y : Traction::shear_x;
+}
+
+Axis exchanged(Axis axis) {
+  if (axis == Axis::z) return axis;
+  return axis == Axis::x ? Axis::y : Axis::x;
+}
+
+Grid exchanged(const Grid& grid) {
+  Grid turned = grid;
+  std::swap(turned.nx, turned.ny);
+  std::swap(turned.dx, turned.dy);
+  std::swap(turned.period.x, turned.period.y);
+  return turned;
+}
+
+CellOffsets CellOffsets::lattice(int nx, int ny) {
+  CellOffsets offsets;
+  for (int i = 0; i < nx; ++i) offsets.x.push_back(i);
+  for (int j = 0; j < ny; ++j) offsets.y.push_back(j);
+  return offsets;
+}
+
+Offsets CellOffsets::in_metres(double dx, double dy) const {
+  Offsets offsets;
+  for (const int i : x) offsets.x.push_back(i * dx);
+  for (const int j : y) offsets.y.push_back(j * dy);
+  return offsets;
+}
+
+std::shared_ptr<const PeriodicTable> PeriodicSums::table(const Grid& grid, int cells_x) const {
+  const std::lock_guard lock(mutex_);
+  if (!kept_ || !kept_->serves(grid.dx, grid.dy, grid.period, cells_x)) {
+    kept_ = std::make_shared<const PeriodicTable>(grid.dx, grid.dy, grid.period, cells_x);
+  }
+  return kept_;
+}
+
+Field PeriodicSums::sum(const Grid& grid, const CellOffsets& offsets, const Make& make,
+                        std::span<const int> order) const {
+  const bool direct = PeriodicTable::is_direct(grid);
+  const Grid turned = direct ? grid : exchanged(grid);
+  const CellOffsets along = direct ? offsets : CellOffsets{offsets.y, offsets.x};
+  const int cells_x = 1 + *std::max_element(along.x.begin(), along.x.end());
+  const auto table = this->table(turned, cells_x);
+  const CellInfluence influence = make(turned, !direct);
+  const Field sums = table->sum(influence);
+  const std::size_t count = influence.parities.size(), nx = offsets.x.size(), ny = offsets.y.size();
+  const std::size_t part = static_cast<std::size_t>(table->columns()) * table->rows();
+  Field out(count * nx * ny);
+  Field one(nx * ny);
+  for (std::size_t c = 0; c < count; ++c) {
+    double* to = out.data() + (direct ? c : order[c]) * nx * ny;
+    unfold(sums.data() + c * part, table->columns(), turned.period, along, influence.parities[c],
+           direct ? to : one.data());
+    if (direct) continue;
+    for (std::size_t j = 0; j < ny; ++j) {
+      for (std::size_t i = 0; i < nx; ++i) to[j * nx + i] = one[i * ny + j];
+    }
+  }
+  return out;
+}
+
+}  // namespace samcontact::operators
