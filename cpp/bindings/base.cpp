@@ -62,10 +62,9 @@ void bind_base(py::module_& m) {
   set_memory_check(check_memory);
   bind_errors(m);
   py::class_<Grid>(m, "Grid")
-      .def(py::init([](int nx, int ny, double dx, double dy, int nz, double dz, bool along_x,
-                       bool along_y) {
-             return Grid(nx, ny, dx, dy, nz, dz).joined(along_x, along_y);
-           }),
+      .def(py::init(
+               [](int nx, int ny, double dx, double dy, int nz, double dz, bool along_x,
+                  bool along_y) { return Grid(nx, ny, dx, dy, nz, dz).joined(along_x, along_y); }),
            py::arg("nx"), py::arg("ny"), py::arg("dx"), py::arg("dy"), py::arg("nz"), py::arg("dz"),
            py::arg("along_x") = false, py::arg("along_y") = false)
       .def_readonly("nx", &Grid::nx)

@@ -19,7 +19,17 @@ class Grid:
     dx: float
     dy: float
     dz: float
-    def __init__(self, nx: int, ny: int, dx: float, dy: float, nz: int, dz: float) -> None: ...
+    def __init__(
+        self,
+        nx: int,
+        ny: int,
+        dx: float,
+        dy: float,
+        nz: int,
+        dz: float,
+        along_x: bool = False,
+        along_y: bool = False,
+    ) -> None: ...
     def x(self) -> list[float]: ...
     def y(self) -> list[float]: ...
     def z(self) -> list[float]: ...

@@ -36,8 +36,8 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
             if grid.periodic:
                 raise ValueError(
                     f"heat.factor of body{n} must be 0 on a periodic grid, got {factor!r} with "
-                    f"grid.periodic = {grid.periodic!r}: heat that enters all of a half-space has no "
-                    "steady state"
+                    f"grid.periodic = {grid.periodic!r}: heat that enters all of a half-space "
+                    "has no steady state"
                 )
             if body.is_rigid:
                 raise ValueError(f"heat.factor of body{n} is {factor!r}, but the body is rigid")

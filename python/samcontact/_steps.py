@@ -84,8 +84,8 @@ def checked_step(
     first, second = (in_cells("advance", float(way), grid.dx) for way in ways)
     if grid.along_x and (first, second) != (0.0, 0.0):
         raise ValueError(
-            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got {advance!r}: a body "
-            "that repeats itself along x does not leave the grid"
+            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got {advance!r}: a "
+            "body that repeats itself along x does not leave the grid"
         )
     lasts = _duration(heat, duration)
     if heat_factor is not None:

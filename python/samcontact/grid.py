@@ -78,7 +78,8 @@ class Grid(Shown):
         for name in self.periodic:
             if (cells := getattr(self, f"n{name}")) > 1 and cells % 2 == 1:
                 raise ValueError(
-                    f"n{name} must be even, or 1, where the grid is periodic along {name}, got {cells}"
+                    f"n{name} must be even, or 1, where the grid is periodic along {name}, "
+                    f"got {cells}"
                 )
         if self.periodic == "xy" and self.nx == self.ny == 1:
             raise ValueError('nx or ny must be larger than 1 with periodic="xy", got 1 and 1')
@@ -87,7 +88,9 @@ class Grid(Shown):
     @cached_property
     def _core(self) -> Any:
         dz = 0.0 if self.dz is None else self.dz
-        return _core.Grid(self.nx, self.ny, self.dx, self.dy, self.nz, dz, self.along_x, self.along_y)
+        return _core.Grid(
+            self.nx, self.ny, self.dx, self.dy, self.nz, dz, self.along_x, self.along_y
+        )
 
     @cached_property
     def x(self) -> FloatArray:

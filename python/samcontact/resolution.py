@@ -56,13 +56,15 @@ def warn_of_strain(pressure: FloatArray, scene: Scene, *, stacklevel: int) -> bo
     return True
 
 
-def main_spot(pressure: ArrayLike) -> tuple[slice, slice] | None:
+def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | None:
     """Rows and columns of the spot (of touching cells) under the largest pressure.
 
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
         [Pa], >= 0.
+    periodic : {"", "x", "y", "xy"}, optional
+        As of a Grid: along these the spot is counted from the largest pressure in the middle.
 
     Returns
     -------
@@ -72,29 +74,26 @@ def main_spot(pressure: ArrayLike) -> tuple[slice, slice] | None:
     peak = np.unravel_index(int(field.argmax()), field.shape)
     if not field[peak] > 0:
         return None
+    shifts = [
+        n // 2 - at if name in periodic else 0
+        for name, at, n in zip("xy", peak, field.shape, strict=True)
+    ]
+    field = np.roll(field, shifts, (0, 1))
+    peak = tuple(at + shift for at, shift in zip(peak, shifts, strict=True))
     spots, _ = ndimage.label(field > 0, structure=np.ones((3, 3)))
     rows, columns = ndimage.find_objects((spots == spots[peak]).astype(np.int8))[0]
     return rows, columns
 
 
-def _centred(pressure: FloatArray, grid: Grid) -> FloatArray:
-    """The same with the largest pressure away from the ends that a periodic grid does not have."""
-    if not grid.periodic:
-        return pressure
-    peak = np.unravel_index(int(pressure.argmax()), pressure.shape)
-    along = (grid.along_x, grid.along_y)
-    shifts = [n // 2 - at if is_joined else 0
-              for at, n, is_joined in zip(peak, pressure.shape, along, strict=True)]
-    return np.roll(pressure, shifts, (0, 1))
-
-
-def cells_across(pressure: ArrayLike) -> float:
+def cells_across(pressure: ArrayLike, periodic: str = "") -> float:
     """Cells across the contact: along the shorter side of the spot under the largest pressure.
 
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
         [Pa], >= 0.
+    periodic : {"", "x", "y", "xy"}, optional
+        As of a Grid: along these the spot is counted from the largest pressure in the middle.
 
     Returns
     -------
@@ -102,7 +101,7 @@ def cells_across(pressure: ArrayLike) -> float:
         A whole number; NaN without contact. A side of the spot that spans the grid does not count:
         it is cut by the border, not by the cells.
     """
-    spot = main_spot(pressure)
+    spot = main_spot(pressure, periodic)
     if spot is None:
         return math.nan
     sides = [s.stop - s.start for s in spot]
@@ -146,9 +145,8 @@ def warn_of_contact(
     solution: ContactSolution | State, scene: Scene, few: int = FEW, *, stacklevel: int
 ) -> bool:
     """Warn when fewer than `few` cells lie across a contact; whether it did."""
-    grid = scene.grid
-    pressure = _centred(solution.pressure, grid)
-    if _is_wide(pressure) or not (cells := cells_across(pressure)) < few:
+    pressure, grid = solution.pressure, scene.grid
+    if _is_wide(pressure) or not (cells := cells_across(pressure, grid.periodic)) < few:
         return False
     text = (
         f"at load {solution.load:.6g} N the contact is only {cells:.0f} of {FEW} or more "
@@ -189,7 +187,7 @@ def warn_of_unseen(
     Where the contact presses hard enough and there are fewer than `few` layers in its half width,
     or they end above where the stress is largest.
     """
-    spot, grid = main_spot(peak.pressure), peak.grid
+    spot, grid = main_spot(peak.pressure, peak.grid.periodic), peak.grid
     if spot is None or grid.dz is None:
         return False
     sizes, hardest = (grid.dx, grid.dy), float(peak.pressure.max())

@@ -28,7 +28,8 @@ Preconditioner::Preconditioner(const Grid& box, const operators::SurfaceInfluenc
                                                     return influence.elastic(box, offsets);
                                                   })
                    : near.spectrum()) {
-  const double floor = smallest_share * influence.wave_compliance(shortest_wavenumber(box.dx, box.dy));
+  const double floor =
+      smallest_share * influence.wave_compliance(shortest_wavenumber(box.dx, box.dy));
   // The spectrum carries 1/(mx my) of the two transforms; so must the inverse.
   const double points = static_cast<double>(transform_.mx()) * transform_.my();
   for (double& value : inverse_) value = 1.0 / (std::max(value * points, floor) * points);

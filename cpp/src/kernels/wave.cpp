@@ -15,18 +15,12 @@ struct Direction {
 Stress pressure_stress_of(const Direction& k, double e, double ye, double nu) {
   const double along = ye - e, across = -2 * nu * e;
   const auto [q, c, s] = k;
-  return {c * c * along + s * s * across,
-          s * s * along + c * c * across,
-          -e - ye,
-          -s * ye,
-          -c * ye,
+  return {c * c * along + s * s * across, s * s * along + c * c * across, -e - ye, -s * ye, -c * ye,
           -c * s * (along - across)};
 }
 
 /// ln of the distance, of which only differences count.
-double log_distance(double x, double z) {
-  return 0.5 * std::log(std::fmax(x * x + z * z, 1e-280));
-}
+double log_distance(double x, double z) { return 0.5 * std::log(std::fmax(x * x + z * z, 1e-280)); }
 
 /// atan2(x, z), the angle from the z axis; on it 0 at z = 0 too.
 double angle(double x, double z) { return x == 0 ? 0.0 : std::atan2(x, z); }

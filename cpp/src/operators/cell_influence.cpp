@@ -89,7 +89,6 @@ kernels::Stress select(kernels::Stress s, Tensor tensor) {
   return {s[0] - mean, s[1] - mean, s[3], s[4], s[5], 0.0};
 }
 
-
 /// Corner sums of a row of cells without end, of the functions of a strip: [component][i].
 template <class Function>
 Field strip_sums(int nx, double d, const Function& function) {

@@ -67,8 +67,8 @@ class HalfSpace : public Medium {
     const auto cell = [&](const Grid& own, bool turned) {
       return stress_of_cell(nu, turned ? exchanged(traction) : traction, own, z);
     };
-    return selected(
-        sums_.sum(grid, CellOffsets::lattice(nx, ny), cell, exchanged_components), tensor);
+    return selected(sums_.sum(grid, CellOffsets::lattice(nx, ny), cell, exchanged_components),
+                    tensor);
   }
 
   std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
@@ -78,7 +78,8 @@ class HalfSpace : public Medium {
     if (method == ResidualMethod::exact) {
       if (grid.period.is_on()) {
         throw std::invalid_argument(
-            "residual_stress must be \"fast\" on a periodic grid, got \"exact\": there are no closed "
+            "residual_stress must be \"fast\" on a periodic grid, got \"exact\": there are no "
+            "closed "
             "forms for its lattice sums");
       }
       return std::make_unique<CuboidResidualStress>(grid, transform, elastic_);

@@ -127,8 +127,9 @@ LatticeImages LatticeImages::of_cells(const LatticeAxis& x, const LatticeAxis& y
                      of_cell(kx, x.d) * of_cell(ky, y.d));
     }
   }
-  const double phase = last * (std::hypot(x.extent() + x.apart * x.period,
-                                          y.extent() + y.apart * y.period) + corner);
+  const double phase =
+      last *
+      (std::hypot(x.extent() + x.apart * x.period, y.extent() + y.apart * y.period) + corner);
   const auto radial = kernels::gauss_legendre(static_cast<int>(0.5 * phase) + 40);
   const int angles = static_cast<int>(0.5 * phase) + 20;
   for (const auto& [at, share] : radial) {
@@ -143,11 +144,11 @@ LatticeImages LatticeImages::of_cells(const LatticeAxis& x, const LatticeAxis& y
   }
   const double to_y = (y.apart + 1) * y.period - half_y;
   const double to_x = x.period > 0 ? (x.apart + 1) * x.period - half_x : INFINITY;
-  const auto beyond = [](double way, double extent) { return extent > 0 ? way / extent : INFINITY; };
-  const double ratio_x =
-      growth(beyond(to_x, x.extent()), beyond(to_y - y.extent(), x.extent()));
-  const double ratio_y =
-      growth(beyond(to_y, y.extent()), beyond(to_x - x.extent(), y.extent()));
+  const auto beyond = [](double way, double extent) {
+    return extent > 0 ? way / extent : INFINITY;
+  };
+  const double ratio_x = growth(beyond(to_x, x.extent()), beyond(to_y - y.extent(), x.extent()));
+  const double ratio_y = growth(beyond(to_y, y.extent()), beyond(to_x - x.extent(), y.extent()));
   return {modes, Points(x, ratio_x), Points(y, ratio_y), 0.0};
 }
 
@@ -159,8 +160,7 @@ LatticeImages LatticeImages::of_strips(const LatticeAxis& x) {
     const double k = 2 * pi * m / x.period;
     modes.push(k, 0.0, 2 / x.period * window(k / q1) * of_cell(k, x.d));
   }
-  const auto rule =
-      kernels::gauss_legendre(static_cast<int>(0.5 * last * (x.extent() + x.d)) + 40);
+  const auto rule = kernels::gauss_legendre(static_cast<int>(0.5 * last * (x.extent() + x.d)) + 40);
   for (const auto& [at, share] : rule) {
     const double k = last * at;
     modes.push(k, 0.0, -share * last / pi * window(k / q1) * of_cell(k, x.d));

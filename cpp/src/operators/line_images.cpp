@@ -23,7 +23,9 @@ VolumeTransform transform_of(const Grid& line, const VolumeTransform& box, int f
 }
 
 /// The field of images falls with the square of their distance.
-int longer(double tol) { return std::clamp(static_cast<int>(std::ceil(0.6 / std::sqrt(tol))), 4, 1024); }
+int longer(double tol) {
+  return std::clamp(static_cast<int>(std::ceil(0.6 / std::sqrt(tol))), 4, 1024);
+}
 
 Field stress_of(const LayerResidualStress& residual, const VolumeTransform& transform, int nz,
                 Tensor tensor, const Field& strain) {

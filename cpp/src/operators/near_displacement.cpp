@@ -21,8 +21,7 @@ int with_margin(int cells) { return cells + (cells + 7) / 8; }
 fft::PeriodicTransform transform_for(const Grid& box) {
   const auto [nx, ny] = std::array{box.nx, box.ny};
   if (!padded_in_full(nx, ny)) return {nx, ny, short_period_x(box), short_period_y(box)};
-  return {nx, ny, fft::convolution_size(nx, box.period.x),
-          fft::convolution_size(ny, box.period.y)};
+  return {nx, ny, fft::convolution_size(nx, box.period.x), fft::convolution_size(ny, box.period.y)};
 }
 
 /// Whether a period of so many points is one of the surface, or longer than any distance.
@@ -50,7 +49,8 @@ int short_period_y(const Grid& box) {
 Field periodic_spectrum(const fft::PeriodicTransform& transform, const Grid& box,
                         const std::function<Field(const CellOffsets&)>& influence) {
   // A single cell that repeats itself has one offset, and empty cells beside it.
-  const int nx = box.period.x == 1 ? 1 : transform.hx(), ny = box.period.y == 1 ? 1 : transform.hy();
+  const int nx = box.period.x == 1 ? 1 : transform.hx(),
+            ny = box.period.y == 1 ? 1 : transform.hy();
   const Field table = influence(CellOffsets::lattice(nx, ny));
   Field quarter(transform.quarter_size(), 0.0);
   for (int j = 0; j < ny; ++j) {

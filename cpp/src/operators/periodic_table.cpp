@@ -29,8 +29,7 @@ bool PeriodicTable::is_direct(const Grid& grid) {
 }
 
 bool PeriodicTable::serves(double dx, double dy, const Period& period, int cells_x) const {
-  return x_.d == dx && y_.d == dy && period_ == period &&
-         (period.x > 0 || x_.cells == cells_x);
+  return x_.d == dx && y_.d == dy && period_ == period && (period.x > 0 || x_.cells == cells_x);
 }
 
 PeriodicTable::PeriodicTable(double dx, double dy, const Period& period, int cells_x)

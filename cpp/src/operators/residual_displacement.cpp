@@ -75,7 +75,8 @@ ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransfo
     for (std::size_t c = 0; c < places.size(); ++c) {
       const double* from = table.data() + places[c] * plane;
       // A deviator's zz is -(xx + yy).
-      const double* less = tensor == Tensor::deviator && places[c] < 2 ? &table[2 * plane] : nullptr;
+      const double* less =
+          tensor == Tensor::deviator && places[c] < 2 ? &table[2 * plane] : nullptr;
       Field quarter(spectrum.size(), 0.0);
       for (std::size_t n = 0; n < plane; ++n) {
         quarter[n / offsets.nx * spectrum.hx() + n % offsets.nx] =

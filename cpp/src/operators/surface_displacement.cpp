@@ -10,7 +10,8 @@ SurfaceDisplacement::SurfaceDisplacement(const Grid& grid, const SurfaceInfluenc
       rest_(influence.rest(grid, convolution_.offsets())),
       self_influence_(influence.elastic(grid, CellOffsets::lattice(1, 1))[0]) {
   even_.push_back({compliance_parity(Traction::pressure, Axis::z),
-                   influence.even(grid, CellOffsets::lattice(convolution_.offsets().nx, convolution_.offsets().ny))});
+                   influence.even(grid, CellOffsets::lattice(convolution_.offsets().nx,
+                                                             convolution_.offsets().ny))});
   convolution_.transform(even_[0]);
   for (ParityKernel& kernel : rest_) convolution_.transform(kernel);
 }

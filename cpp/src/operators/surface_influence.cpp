@@ -76,7 +76,9 @@ Field SurfaceInfluence::even(const Grid& grid, const CellOffsets& offsets) const
   };
   for (const auto& [medium, shear_x, heating] : bodies_) {
     if (!heating.is_on()) continue;
-    const Field heat = medium->heat_displacement(heating, grid.dx, grid.dy, sorted.in_metres(grid.dx, grid.dy)).front();
+    const Field heat =
+        medium->heat_displacement(heating, grid.dx, grid.dy, sorted.in_metres(grid.dx, grid.dy))
+            .front();
     std::size_t at = 0;
     for (const int y : offsets.y) {
       const double* row = heat.data() + place(sorted.y, y) * sorted.x.size();
@@ -86,13 +88,15 @@ Field SurfaceInfluence::even(const Grid& grid, const CellOffsets& offsets) const
   return table;
 }
 
-std::vector<ParityKernel> SurfaceInfluence::rest(const Grid& grid, const KernelOffsets& offsets) const {
+std::vector<ParityKernel> SurfaceInfluence::rest(const Grid& grid,
+                                                 const KernelOffsets& offsets) const {
   std::array<Field, 4> sums;
   sums[1] = sum(Traction::shear_x, grid, CellOffsets::lattice(offsets.nx, offsets.ny),
                 [](const Body& body) { return body.shear_x; });
   for (const auto& [medium, shear_x, heating] : bodies_) {
     if (!heating.is_on() || !heating.is_moving()) continue;
-    auto parts = medium->heat_displacement(heating, grid.dx, grid.dy, Offsets::lattice(grid.dx, grid.dy, offsets.nx, offsets.ny));
+    auto parts = medium->heat_displacement(
+        heating, grid.dx, grid.dy, Offsets::lattice(grid.dx, grid.dy, offsets.nx, offsets.ny));
     for (int flip = 1; flip < 4; ++flip) {
       if (!parts[flip].empty()) add_table(std::move(parts[flip]), sums[flip]);
     }

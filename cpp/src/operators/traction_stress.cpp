@@ -102,7 +102,8 @@ Field TractionStress::build(Part part, const std::vector<HeatTables>& heat) cons
     Field quarter(parity_spectrum.size());
 #pragma omp for schedule(dynamic)
     for (int k = 0; k < nz; ++k) {
-      const Field table = elastic ? medium_->stress(traction, grid_, offsets, depths_[k], tensor_) : Field{};
+      const Field table =
+          elastic ? medium_->stress(traction, grid_, offsets, depths_[k], tensor_) : Field{};
       for (int c = 0; c < count; ++c) {
         std::fill(quarter.begin(), quarter.end(), 0.0);
         if (elastic) {

@@ -128,7 +128,7 @@ class Case(CaseFile):
         There is one for smooth paraboloids and spheres with finite radii.
         """
         radii = self.surface.radii()
-        if self.relief1 is not None or self.relief2 is not None:
+        if self.relief1 is not None or self.relief2 is not None or self.grid.periodic:
             return None
         if radii is None or self.surface.roughness is not None or not np.all(np.isfinite(radii)):
             return None

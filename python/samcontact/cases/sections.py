@@ -42,6 +42,7 @@ class GridSection(Section):
     dy: Length
     nz: Annotated[int, Field(ge=0)] = 0
     dz: Length | None = None
+    periodic: Literal["", "x", "y", "xy"] = ""
 
     @model_validator(mode="after")
     def _volume_is_complete(self) -> GridSection:
@@ -52,7 +53,7 @@ class GridSection(Section):
     def build(self) -> Grid:
         from ..grid import Grid
 
-        return Grid(self.nx, self.ny, self.dx, self.dy, self.nz, self.dz)
+        return Grid(**self.model_dump())
 
 
 class SinusoidalRoughness(Section):

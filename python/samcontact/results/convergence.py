@@ -29,11 +29,18 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
         Bodies that can yield.
     """
 
-    margins = [free_cells(np.asarray(state.pressure) != 0) for state in states]
+    margins = [
+        free_cells(
+            np.asarray(state.pressure) != 0,
+            along_x=not state.grid.along_x,
+            along_y=not state.grid.along_y,
+        )
+        for state in states
+    ]
     add(dataset, "contact_margin", "increment", margins)
     solved = [np.isfinite(state.approach) for state in states]  # else the tractions were given
     across = [
-        cells_across(state.pressure) if found else np.nan
+        cells_across(state.pressure, state.grid.periodic) if found else np.nan
         for state, found in zip(states, solved, strict=True)
     ]
     add(dataset, "contact_cells", "increment", across)
@@ -58,34 +65,37 @@ def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], lis
     for state in states:
         moved = moved or any(state.travel)
         strained = np.asarray(state.equivalent_plastic_strain(body=body)) > 0
-        margins.append(free_cells(strained, along_x=not moved))
+        grid = state.grid
+        margins.append(
+            free_cells(strained, along_x=not (moved or grid.along_x), along_y=not grid.along_y)
+        )
         layers.append(layers_across(strained))
     return margins, layers
 
 
-def free_cells(inside: NDArray[np.bool_], *, along_x: bool = True) -> float:
+def free_cells(inside: NDArray[np.bool_], *, along_x: bool = True, along_y: bool = True) -> float:
     """Least number of cells between those inside and the border: sides and, in a volume, bottom.
 
     Parameters
     ----------
     inside : ndarray of bool, shape (nx, ny) or (nx, ny, nz)
-    along_x : bool, optional
-        Whether the sides across x count.
+    along_x, along_y : bool, optional
+        Whether the sides across x, and across y, count.
 
     Returns
     -------
     float
-        A whole number, 0 at the border; NaN where nothing is inside.
+        A whole number, 0 at the border; NaN where nothing is inside, or no side counts.
     """
     if not np.any(inside):
         return float("nan")
     free = []
     for axis in range(inside.ndim):
-        if axis == 0 and not along_x:
+        if axis < 2 and not (along_x, along_y)[axis]:
             continue
         others = tuple(other for other in range(inside.ndim) if other != axis)
         (taken,) = np.nonzero(np.any(inside, axis=others))
         free.append(inside.shape[axis] - 1 - int(taken[-1]))
         if axis < 2:  # the top of a volume is the surface
             free.append(int(taken[0]))
-    return float(min(free))
+    return float(min(free, default=np.nan))

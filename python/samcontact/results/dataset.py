@@ -252,6 +252,8 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
         "tol": float(simulation.tol),
         "reach": float(simulation.reach),
     }
+    if simulation.grid.periodic:
+        attributes["periodic"] = simulation.grid.periodic
     if simulation.grid.dz is not None:
         attributes["dz"] = float(simulation.grid.dz)
     for body in (1, 2):

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The smooth part of a lattice sum: what images do that are too many and too far to be added one by
-// one. A window divides the wavenumbers. Of short waves nothing of these images arrives; of the long
-// ones, which their symbol gives, all images are the sum over the waves of the lattice less the
-// integral over all waves, the cell itself.
+// one. A window divides the wavenumbers. Of short waves nothing of these images arrives; of the
+// long ones, which their symbol gives, all images are the sum over the waves of the lattice less
+// the integral over all waves, the cell itself.
 #pragma once
 
 #include <Eigen/Core>

@@ -24,7 +24,7 @@ class LineImages : public Images {
   /// Mean along the periodic direction, [component][k][cell].
   Field mean(Tensor tensor, const double* strain) const;
 
-  bool along_x_;  // the images lie along x
+  bool along_x_;              // the images lie along x
   int whole_, nz_, nx_, ny_;  // cells of the periodic direction, layers, stored cells
   bool mirrored_;             // the periodic direction
   Grid line_;

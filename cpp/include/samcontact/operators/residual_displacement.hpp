@@ -17,8 +17,8 @@ class ResidualDisplacement {
   ResidualDisplacement(const Grid& grid, const VolumeTransform& transform, double nu,
                        Tensor tensor);
 
-  /// The same from tables of a layer under the full tensor, [component][j][i] [m], on the offsets of
-  /// KernelOffsets.
+  /// The same from tables of a layer under the full tensor, [component][j][i] [m], on the offsets
+  /// of KernelOffsets.
   ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
                        const std::function<Field(int layer)>& tables, Tensor tensor);
 
