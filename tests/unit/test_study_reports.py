@@ -10,7 +10,7 @@ import xarray as xr
 from case_texts import TUGGING, WEAR
 from command import invoke
 from samcontact import report, results
-from samcontact.report.tugging import _checks
+from samcontact.report.tugging import checks
 
 
 def run_and_report(text, folder):
@@ -125,7 +125,7 @@ def test_energy_of_passes_that_take_next_to_none():
     )
 
     def passed(name, values):
-        return [v.passed for v in _checks(series.assign({name: ("pass", values)}))][:3]
+        return [v.passed for v in checks(series.assign({name: ("pass", values)}))][:3]
 
     assert passed("energy_imbalance", [-100.1, -18.8, -15.9]) == [True, True, True]
     assert passed("energy_imbalance", [-300.0, -18.8, -15.9]) == [False, False, True]
@@ -134,9 +134,9 @@ def test_energy_of_passes_that_take_next_to_none():
     elastic = series.assign(
         {name: ("pass", np.zeros(3)) for name in ("dissipation", "residual_energy")}
     )
-    verdicts = _checks(elastic.assign(net_energy=("pass", [1.0, 2.0, 3.0])))
+    verdicts = checks(elastic.assign(net_energy=("pass", [1.0, 2.0, 3.0])))
     assert [v.passed for v in verdicts][:2] == [True, True]
-    verdicts = _checks(elastic.assign(energy_imbalance=("pass", [1.0, 2.0, 300.0])))
+    verdicts = checks(elastic.assign(energy_imbalance=("pass", [1.0, 2.0, 300.0])))
     assert [v.passed for v in verdicts][:2] == [False, True]
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from .._peak import peak_of_dataset
+from .._verdict import Verdict
 from . import tables
 from .figures import contact_figures
 from .verdicts import verdicts
@@ -18,6 +19,10 @@ if TYPE_CHECKING:
 NEEDED = ("load", "approach", "pressure", "gap", "initial_gap")
 
 
+def checks(dataset: xr.Dataset) -> list[Verdict]:
+    return verdicts(dataset, stored_case(dataset))
+
+
 def content(dataset: xr.Dataset) -> dict[str, Any]:
     """Its part of what the template names."""
     case = stored_case(dataset)
@@ -27,7 +32,6 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     body = _body(dataset)
     return {
         "file": "results.nc",
-        "checks": verdicts(dataset, case),
         "hertz": tables.hertz_table(dataset, peak, hertz, body) if hertz else [],
         "hertz_load": f"{load:.6g}",
         "hertz_increment": int(dataset["increment"][peak]),

@@ -90,7 +90,7 @@ def checks(dataset: xr.Dataset) -> list[Verdict]:
         The dataset is not that of a run.
     """
     with parts_of_a_run():
-        return [*_end(dataset), *_kind(dataset).content(dataset)["checks"]]
+        return [*_end(dataset), *_kind(dataset).checks(dataset)]
 
 
 def _kind(dataset: xr.Dataset) -> ModuleType:
@@ -117,13 +117,13 @@ def _content(dataset: xr.Dataset) -> dict[str, Any]:
     """Everything that the template names."""
     # other programs may have put anything there
     words = {name: str(dataset.attrs.get(name, "")) for name in _WORDS}
-    content = _kind(dataset).content(dataset)
-    content["checks"] = [*_end(dataset), *content["checks"]]
+    kind = _kind(dataset)
     return {
         **words,
         "title": words["title"] or "Contact",
         "parameters": tables.parameters(dataset),
+        "checks": [*_end(dataset), *kind.checks(dataset)],
         "hertz": [],
         "convergence": [],
-        **content,
+        **kind.content(dataset),
     }

@@ -39,13 +39,12 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     table = values_table(of_passes(dataset), "pass", TUGGING, _PASSES)
     return {
         "file": "series.nc",
-        "checks": list(_checks(dataset)),
         "values": [("passes", "Passes", table)],
         "figures": list(_figures(dataset)),
     }
 
 
-def _checks(dataset: xr.Dataset) -> Iterator[Verdict]:
+def checks(dataset: xr.Dataset) -> Iterator[Verdict]:
     missing = np.abs(dataset["energy_imbalance"].values)
     taken = max(
         float(np.abs(dataset[name]).max())

@@ -33,13 +33,12 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     """Its part of what the template names."""
     return {
         "file": "wear.nc",
-        "checks": list(_checks(dataset)),
         "values": [("cycles", "Cycles", values_table(dataset, "cycle", WEAR, _CYCLES))],
         "figures": list(_figures(dataset)),
     }
 
 
-def _checks(dataset: xr.Dataset) -> Iterator[Verdict]:
+def checks(dataset: xr.Dataset) -> Iterator[Verdict]:
     removed = float(dataset["volume"].max())
     difference = float(np.abs(dataset["volume"] - dataset["lost"]).max())
     name = "volume lost by the surface against that removed, relative"
