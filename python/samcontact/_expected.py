@@ -11,7 +11,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from . import hertz
 from ._core import ConvergenceError, GridTooSmallError
@@ -61,7 +61,7 @@ class Expected:
             radial, axial = contact.axis_stress(z, body.nu)
             return abs(float(axial) - float(radial)) - limit
 
-        return float(brentq(beyond, depth, 1e3 * depth * math.sqrt(largest / limit)))
+        return float(scipy.optimize.brentq(beyond, depth, 1e3 * depth * math.sqrt(largest / limit)))
 
     def __str__(self) -> str:
         long, short = self.semi_axes

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from scipy.special import beta, hyp2f1
+import scipy
 
 from ._checks import choice, finite, integer, non_negative, positive
 
@@ -204,13 +204,14 @@ def sjovall(epsilon: float, exponent: float = POINT) -> tuple[float, float]:
         An argument is not positive.
     """
     epsilon, n = positive("epsilon", epsilon), positive("exponent", exponent)
+    F, B = scipy.special.hyp2f1, scipy.special.beta
     # Euler's integral of 2F1 (DLMF 15.6.1) with sin(psi/2)^2 = epsilon u, or u on a full circle
     if epsilon > 1.0:
         z = 1.0 / epsilon
-        return float(0.25 * n * z * hyp2f1(1.0 - n, 1.5, 3.0, z)), float(hyp2f1(-n, 0.5, 1.0, z))
+        return float(0.25 * n * z * F(1.0 - n, 1.5, 3.0, z)), float(F(-n, 0.5, 1.0, z))
     root = math.sqrt(epsilon) / math.pi
-    J_a = root * beta(0.5, n + 1.0) * hyp2f1(0.5, 0.5, n + 1.5, epsilon)
-    drop = 2.0 * epsilon * root * beta(1.5, n + 1.0) * hyp2f1(0.5, 1.5, n + 2.5, epsilon)
+    J_a = root * B(0.5, n + 1.0) * F(0.5, 0.5, n + 1.5, epsilon)
+    drop = 2.0 * epsilon * root * B(1.5, n + 1.0) * F(0.5, 1.5, n + 2.5, epsilon)
     return float(J_a - drop), float(J_a)
 
 
@@ -357,8 +358,6 @@ def load_zone(
     Solves J_r(epsilon)/J_a(epsilon) = F_r tan(alpha)/F_a (Sjövall 1933) for rings that stay
     parallel, and takes the load of the most loaded element from the axial force.
     """
-    from scipy.optimize import brentq
-
     F_r, F_a = non_negative("radial_load", radial_load), positive("axial_load", axial_load)
     count, angle = integer("balls", balls, 1), _angle(contact_angle)
     if not 0.0 < angle < 0.5 * math.pi - 1e-9:
@@ -380,5 +379,5 @@ def load_zone(
 
     # J_r/J_a falls from 1 - O(epsilon) in a small zone to n/(4 epsilon) in a large one
     low, high = math.log(1e-3 * (1.0 - ratio)), math.log(1e2 * n / ratio)
-    epsilon = math.exp(brentq(excess, low, high, xtol=1e-13))
+    epsilon = math.exp(scipy.optimize.brentq(excess, low, high, xtol=1e-13))
     return LoadZone(normal / sjovall(epsilon, n)[1], epsilon, n)

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import ndimage
 
 from . import hertz
 from ._checks import FloatArray
@@ -80,8 +80,8 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
     ]
     field = np.roll(field, shifts, (0, 1))
     peak = tuple(at + shift for at, shift in zip(peak, shifts, strict=True))
-    spots, _ = ndimage.label(field > 0, structure=np.ones((3, 3)))
-    rows, columns = ndimage.find_objects((spots == spots[peak]).astype(np.int8))[0]
+    spots, _ = scipy.ndimage.label(field > 0, structure=np.ones((3, 3)))
+    rows, columns = scipy.ndimage.find_objects((spots == spots[peak]).astype(np.int8))[0]
     return rows, columns
 
 

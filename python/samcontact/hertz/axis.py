@@ -7,14 +7,14 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from scipy.optimize import minimize_scalar
+import scipy
 
 from .._checks import FloatArray, poisson_ratio
 
 
 def _maximum(function: Callable[[float], float], upper: float) -> tuple[float, float]:
     """Largest value of `function` on [0, upper] and where, the surface included."""
-    found = minimize_scalar(
+    found = scipy.optimize.minimize_scalar(
         lambda s: -function(s), bounds=(0.0, upper), method="bounded", options={"xatol": 1e-10}
     )
     at_surface = function(0.0)

@@ -6,9 +6,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import scipy
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq
-from scipy.special import ellipkm1, elliprd
 
 from .._checks import FloatArray, exactly_one, positive
 from .._repr import Shown
@@ -68,10 +67,11 @@ def _axis_ratio(radius_ratio: float) -> float:
 
     def residual(log_k: float) -> float:
         m1 = math.exp(-2.0 * log_k)
-        return float(math.log(elliprd(0.0, 1.0, m1) / elliprd(0.0, m1, 1.0)) - target)
+        long, short = (scipy.special.elliprd(0.0, *sides) for sides in ((1.0, m1), (m1, 1.0)))
+        return float(math.log(long / short) - target)
 
     # 1 <= k <= lambda; the margin absorbs rounding where both ends meet
-    root = brentq(residual, -1e-12, target + 1e-12, xtol=1e-15, rtol=8.9e-16)
+    root = scipy.optimize.brentq(residual, -1e-12, target + 1e-12, xtol=1e-15, rtol=8.9e-16)
     return math.exp(max(root, 0.0))
 
 
@@ -117,7 +117,7 @@ def elliptic(
         )
     ratio = _axis_ratio(radius_ratio)
     m1 = ratio**-2
-    shape, K = float(elliprd(0.0, m1, 1.0)), float(ellipkm1(m1))
+    shape, K = float(scipy.special.elliprd(0.0, m1, 1.0)), float(scipy.special.ellipkm1(m1))
 
     # long semi-axis from 1/(2 R_long) = p0 b R_D / (3 a^2 E*), approach = p0 b K / E*
     if given == "load":

@@ -15,8 +15,8 @@ with h_0 = 1/R and T = R + zeta.
 from __future__ import annotations
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import minimize, minimize_scalar
 
 from .._checks import FloatArray
 
@@ -99,7 +99,7 @@ def sliding_max_von_mises(nu: float, friction: float) -> tuple[float, float, flo
     angles, depths = np.linspace(0.0, np.pi, 121), np.linspace(0.02, 1.0, 50)
     grid = von_mises(angles[:, None], depths[None, :])
     i, k = np.unravel_index(int(np.argmax(grid)), grid.shape)
-    below = minimize(
+    below = scipy.optimize.minimize(
         lambda point: negative(point[0], abs(point[1])),
         (angles[i], depths[k]),
         method="Nelder-Mead",
@@ -108,7 +108,7 @@ def sliding_max_von_mises(nu: float, friction: float) -> tuple[float, float, flo
     line = von_mises(angles, np.zeros(1))
     top = int(np.argmax(line))
     bounds = (angles[max(top - 1, 0)], angles[min(top + 1, len(angles) - 1)])
-    surface = minimize_scalar(
+    surface = scipy.optimize.minimize_scalar(
         lambda t: negative(t, 0.0), bounds=bounds, method="bounded", options={"xatol": 1e-10}
     )
     # the bounded search never reaches its ends

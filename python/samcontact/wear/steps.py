@@ -8,10 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
-from scipy.interpolate import PchipInterpolator
-from scipy.ndimage import gaussian_filter
-from scipy.signal import savgol_filter
 
 from .._checks import FloatArray, finite_array, integer, positive
 
@@ -80,7 +78,7 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
 def _slopes(columns: FloatArray) -> FloatArray:
     """Slopes of the monotone interpolant at layers of thickness 1, shape (columns, nz)."""
     count = columns.shape[-1]
-    interpolant = PchipInterpolator(np.arange(count), columns, axis=-1)
+    interpolant = scipy.interpolate.PchipInterpolator(np.arange(count), columns, axis=-1)
     return np.asarray(interpolant(np.arange(count), 1), dtype=np.float64)
 
 
@@ -151,7 +149,9 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
             # What the filter carries beyond the array would be lost: it is cut off only at the end.
             padding = [(cells, cells) if axis == n else (0, 0) for n in (0, 1)]
             padded = np.pad(result, padding)
-            padded = savgol_filter(padded, cells, degree, axis=axis, mode="constant", cval=0.0)
+            padded = scipy.signal.savgol_filter(
+                padded, cells, degree, axis=axis, mode="constant", cval=0.0
+            )
             result = padded[cells:-cells] if axis == 0 else padded[:, cells:-cells]
     return _with_volume_of(given, np.maximum(result, 0.0))  # beside a step it undershoots
 
@@ -194,7 +194,9 @@ class Gaussian:
         if not depth.any():
             return np.array(depth)
         options = {"mode": "constant", "truncate": _TAIL}
-        return _with_volume_of(depth, gaussian_filter(depth, self.deviation, **options))
+        return _with_volume_of(
+            depth, scipy.ndimage.gaussian_filter(depth, self.deviation, **options)
+        )
 
 
 def shift(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
