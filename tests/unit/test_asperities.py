@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Two spheres that slide past each other: kinematics, forces, energy."""
 
+import itertools
 import math
 import subprocess
 import sys
@@ -80,13 +81,13 @@ def test_elastic_spheres_give_everything_back():
 @pytest.fixture(scope="module")
 def plastic():
     """Coarse and fine, at nine times the critical interference."""
-    return [quick(collision(9), STEEL, STEEL, n) for n in (16, 32)]
+    return [quick(collision(9), STEEL, STEEL, n) for n in (16, 24)]
 
 
 def test_energy_is_dissipated_or_stored(plastic):
     shares = [abs(float(t.series.energy_imbalance[0] / t.series.net_energy[0])) for t in plastic]
     assert shares[0] < 0.05
-    assert shares[1] < 0.015
+    assert shares[1] < 0.025
     for t in plastic:
         assert float(t.series.dissipation[0]) > 4 * float(t.series.residual_energy[0]) > 0
 
@@ -129,13 +130,13 @@ def test_identical_spheres_are_turned_images_of_each_other(plastic):
 
 
 @pytest.mark.parametrize(
-    ("body1", "body2", "R1", "R2"),
-    [(STEEL, HARD, 1.0, 2.0), (ELASTIC, STEEL, 2.0, 1.0), (STEEL, ELASTIC, 1.3, 1.0)],
+    ("body1", "body2", "R1", "R2", "increments"),
+    [(STEEL, HARD, 1.0, 2.0, 32), (ELASTIC, STEEL, 2.0, 1.0, 24), (STEEL, ELASTIC, 1.3, 1.0, 20)],
 )
-def test_unequal_spheres(body1, body2, R1, R2):
+def test_unequal_spheres(body1, body2, R1, R2, increments):
     """Both surfaces say the same of the tangential force, each with its own curvature."""
     which = collision(6, R1, R2)
-    result = quick(which, body1, body2, 32)
+    result = quick(which, body1, body2, increments)
     series = result.series
     assert abs(float(series.energy_imbalance[0])) < 0.03 * float(series.net_energy[0])
     grid = result.simulation.grid
@@ -283,18 +284,20 @@ def test_bad_arguments():
         which.grid(2)
 
 
-@pytest.mark.parametrize("increments", [20, 23])
-@pytest.mark.parametrize("scale", [100.0, 7.3, 1e-6])
-def test_the_same_rows_in_every_unit(increments, scale):
+@pytest.mark.parametrize("increments", [8, 11, 15])
+def test_the_same_rows_in_every_unit(increments):
     """Steps are counted, not measured: what is scaled has the same ones, to rounding."""
-    one, other = (
+    scales = (1.0, 100.0, 7.3, 1e-6)
+    one, *others = (
         quick(Collision(s, s, s * 5 * CRITICAL.interference), ELASTIC, STEEL, increments).series
-        for s in (1.0, scale)
+        for s in scales
     )
     powers = {"force_x": 2, "normal_force": 2, "work": 3, "max_pressure": 0, "approach": 1}
-    for name, power in powers.items():
+    for (scale, other), (name, power) in itertools.product(
+        zip(scales[1:], others, strict=True), powers.items()
+    ):
         expected, found = one[name].values, other[name].values / scale**power
-        assert np.abs(found - expected).max() < 1e-11 * np.abs(expected).max(), name
+        assert np.abs(found - expected).max() < 1e-11 * np.abs(expected).max(), (scale, name)
 
 
 def test_increments_are_those_asked_for():

@@ -88,14 +88,14 @@ def test_other_materials_and_cells(nu, sizes):
 @pytest.mark.parametrize(
     "shape", [{}, {"widths": (1.0, 0.5)}, {"depth": 2.2}, {"widths": (2.0, 0.4), "depth": 1.1}]
 )
-@pytest.mark.parametrize("tol", [1e-2, 1e-3, 1e-4])
-def test_images_are_below_their_tolerance(shape, tol):
+def test_images_are_below_their_tolerance(shape):
     """Only the images differ between a box and a much wider one."""
-    grid, strain = blob(16 if "widths" in shape else 12, power=4, **shape)
+    grid, strain = blob(10 if "widths" in shape else 12, power=4, **shape)
     wide, embedded, inside = padded(grid, strain, 6)
     reference = fast(wide, embedded, **FREE)[inside]
-    error = np.abs(fast(grid, strain, image_tol=tol) - reference).max()
-    assert error < tol * np.abs(reference).max()
+    for tol in (1e-2, 1e-3, 1e-4):
+        error = np.abs(fast(grid, strain, image_tol=tol) - reference).max()
+        assert error < tol * np.abs(reference).max(), tol
 
 
 @pytest.mark.parametrize(("cells", "limit"), [((16, 14), 3e-4), ((33, 31), 1e-5)])
@@ -136,21 +136,22 @@ def test_is_symmetric():
 def test_never_feeds_energy_into_a_strain():
     """-strain : stress is the elastic energy, never negative; the exact point values do not keep
     that (tests/unit/test_operators.py)."""
-    grid = sc.Grid(16, 16, 1.0, 1.0, 16, 1.0)
-    i, j, k = np.ogrid[:16, :16, :16]
-    patterns = [1e-3 * np.random.default_rng(2).standard_normal((6, 16, 16, 16))]
+    shape = (8, 8, 8)
+    grid = sc.Grid(8, 8, 1.0, 1.0, 8, 1.0)
+    i, j, k = np.ogrid[:8, :8, :8]
+    patterns = [1e-3 * np.random.default_rng(2).standard_normal((6, *shape))]
     for directions in itertools.product((0, 1), repeat=3):
         sign = (-1.0) ** (directions[0] * i + directions[1] * j + directions[2] * k)
         for first, second in ((0, 1), (0, 2), (1, 2)):
-            strain = np.zeros((6, 16, 16, 16))
+            strain = np.zeros((6, *shape))
             strain[first], strain[second] = 1e-3 * sign, -1e-3 * sign
             patterns.append(strain)
         for component in (3, 4, 5):
-            strain = np.zeros((6, 16, 16, 16))
+            strain = np.zeros((6, *shape))
             strain[component] = 1e-3 * sign
             patterns.append(strain)
     for strain in patterns:
-        assert -dot(strain, fast(grid, strain, **FREE)) > -1e-5 * E * dot(strain, strain)
+        assert -dot(strain, fast(grid, strain, image_tol=1e-2)) > 0
 
 
 LAWS = {
