@@ -36,6 +36,7 @@ steep. Rates are therefore those of this model on this mesh, not of a steel.
 
 STEEL = sc.Material.swift(E=210e9, nu=0.3, B=1735e6, C=16.0, n=0.067)
 RADIUS, LOAD, FRICTION, THRESHOLD, CYCLES = 7.5e-3, 2000.0, 0.4, 2e-3, 13
+WINDOW = 300e-6
 E_STAR = sc.hertz.effective_modulus(ELASTIC, STEEL)
 HERTZ = sc.hertz.point(R=RADIUS, E_star=E_STAR, load=LOAD)
 PRESSURE_NOTE = (
@@ -73,7 +74,7 @@ class Results:
 
 
 def compute(quick: bool) -> Results:
-    dx, dz, window, side = (60e-6, 24e-6, 5, 4.2e-3) if quick else (45e-6, 12e-6, 7, 3.6e-3)
+    dx, dz, side = (60e-6, 24e-6, 4.2e-3) if quick else (45e-6, 12e-6, 3.6e-3)
     cells = int(side / dx) | 1
     grid = sc.Grid(cells, cells, dx, dx, int(650e-6 / dz), dz)
     exact, smoothed = (
@@ -85,7 +86,7 @@ def compute(quick: bool) -> Results:
             cycle=sc.paths.load_unload(load=LOAD, increments=1 + (not quick), unload_increments=1),
             threshold=THRESHOLD,
             cycles=CYCLES,
-            window=window,
+            window=round(WINDOW / grid.dx) | 1,
             strain_depth=strain_depth,
             friction=FRICTION,
             progress=False,
