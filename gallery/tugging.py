@@ -9,7 +9,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import samcontact as sc
-from samcontact.asperities import Collision, Tugging, tug
+from samcontact import asperities
+from samcontact.asperities import Collision, Tugging
 from samcontact.plotting import tugging
 
 from .limits import first_order
@@ -52,7 +53,7 @@ def compute(quick: bool) -> Results:
     ) -> Tugging:
         which = Collision(1.0, 1.0, ratio * CRITICAL.interference)
         grid = which.grid(count, depth=1.7)
-        return tug(which, material, material, grid, passes=passes, progress=False)
+        return asperities.tug(which, material, material, grid, passes=passes, progress=False)
 
     runs = {ratio: run(ratio, STEEL) for ratio in relative}
     grid = runs[9.0].simulation.grid
@@ -208,9 +209,10 @@ def energies(results: Results) -> list[Number | Statement]:
         Statement(f"net energy over the critical one, {name}", "grows with the interference",
                   each(net), grows(net), mesh, ENERGY_NOTE),
         Statement("net energy over the critical one, ω/ωc = 9, limit of small increments",
-                  "not stated", f"{limit.value:.4g} ± {limit.error:.1g}, from {limit.text}",
+                  "not stated", f"{limit.value:.4g} ± {limit.error:.1g}",
                   limit.error < 0.03 * limit.value and abs(limit.value / 189.5 - 1) < 0.03,
-                  "extrapolated", LIMIT_NOTE),
+                  "extrapolated",
+                  f"From {limit.text}. {LIMIT_NOTE}"),
         Statement("work of the forces against dissipation and residual energy, from ω/ωc = 3",
                   "not stated", f"within {100 * max(missing):.1f} %", max(missing) < 0.03, mesh,
                   "First order in the increments."),
