@@ -8,21 +8,17 @@ thesis says beside what was computed; `figures(results)` lists the figures.
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
 from matplotlib.figure import Figure
 
+from . import moves
+
 _IMAGE: dict[str, Any] = {
     "dpi": 80, "metadata": {"Software": None}, "bbox_inches": "tight", "pad_inches": 0.08
 }  # fmt: skip
-SENSITIVITY = Path(__file__).parents[1] / "benchmarks" / "sensitivity.csv"
-MOVES = """Moves: by how much the numbers change at most when the cells, layers or increments of a
-mesh about half as fine as the page's are halved, or its window is made larger
-([sensitivity](../sensitivity.md)); about an upper bound of their error.
-"""
 
 
 @dataclass(frozen=True)
@@ -93,29 +89,9 @@ def digits(value: float) -> str:
     return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
 
 
-def words(quantity: str) -> str:
-    """A quantity without its numbers, of which coarse meshes have fewer."""
-    return "".join(letter for letter in quantity if letter.isalpha())
-
-
-def moves(name: str) -> dict[str, float]:
-    """By how much the values of a part move with their mesh [%], by their `words`."""
-    found: dict[str, float] = {}
-    with SENSITIVITY.open(encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file):
-            given = [float(row[column]) for column in row if column.endswith("[%]") and row[column]]
-            if row["part"] == name and given:
-                key = words(row["quantity"])
-                found[key] = max(*given, found.get(key, 0.0))
-    return found
-
-
-def percent(share: float | None) -> str:
-    return "" if share is None else f"{share:.2g} %" if share < 100 else "> 100 %"
-
-
-def table(entries: list[Number | Statement], moved: dict[str, float]) -> str:
-    """Markdown table of stated values."""
+def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
+    """Markdown table of stated values, and how much they move."""
+    largest = moves.column(moved)
     heads = ["quantity", "thesis", "samcontact", "difference", "mesh"] + ["moves"] * bool(moved)
     lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
     remarks = []
@@ -134,9 +110,9 @@ def table(entries: list[Number | Statement], moved: dict[str, float]) -> str:
         else:
             verdict = "agrees" if entry.holds and not entry.contradicted else "differs"
             cells = (entry.thesis, entry.ours, verdict)
-        moves_by = [percent(moved.get(words(entry.quantity)))] * bool(moved)
+        moves_by = [largest.get(moves.words(entry.quantity), "")] * bool(moved)
         lines.append(f"| {' | '.join([entry.quantity + note, *cells, entry.mesh, *moves_by])} |")
-    text = "\n".join(lines) + "\n" + ("\n" + MOVES) * bool(moved)
+    text = "\n".join(lines) + "\n" + ("\n" + moves.note(moved)) * bool(moved)
     if remarks:
         text += "\n" + "\n".join(f"{n}. {remark}" for n, remark in enumerate(remarks, 1)) + "\n"
     return text
@@ -151,7 +127,7 @@ def write(name: str, part: Part, results: Any, folder: Path) -> list[Number | St
         f"<!-- Written by: python -m gallery {name} -->",
         f"# {part.TITLE}\n",
         part.INTRODUCTION.strip() + "\n",
-        table(entries, moves(name)),
+        table(entries, moves.of_part(name)),
     ]
     for picture in part.figures(results):
         picture.figure.savefig(folder / f"{picture.name}.png", **_IMAGE)

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 from matplotlib.figure import Figure
 
-from gallery import page, parts
+from gallery import moves, page, parts
 from gallery.__main__ import main
 
 NEAR = page.Number("depth", 100.0, 104.0, "nm", "coarse")
@@ -40,12 +40,30 @@ def test_table():
 
 
 def test_a_table_says_how_much_values_move_with_the_mesh():
-    text = page.table([NEAR, SAID], {"depth": 2.345, "other": 1.0})
+    moved = [moves.Moves("depth", [104.0], {"cells": moves.Move(2.345, own=False)})]
+    text = page.table([NEAR, SAID], moved)
     assert "| depth | 100 nm | 104 nm | +4.0 % | coarse | 2.3 % |" in text
     assert "| curves | coincide | to 1 % | agrees | fine |  |" in text
-    assert page.MOVES in text
-    assert page.moves("rolling")[page.words("largest plastic strain after two cycles")] < 5
-    assert page.moves("tugging") == {}  # states limits
+    assert moves.COARSE in text
+
+
+def test_moves_are_those_of_the_page_where_they_were_computed(tmp_path):
+    table = tmp_path / "moves.csv"
+    table.write_text(
+        "part,mesh,quantity,values,cells [%],layers [%],increments [%],window [%]\n"
+        'one,page,"load, k = 1, 2","[1.0, 2.0]",,3.0,,\n'
+        "one,page,width,[],,0.1,,\n"
+        'one,coarse,"load, k = 1","[1.5]",5.0,50.0,120.0,\n'
+        "one,coarse,width,[],,7.0,,\n"
+        "other,coarse,width,[],9.0,,,\n"
+    )
+    load, width = moves.of_part("one", table)
+    assert load.values == [1.0, 2.0]
+    coarse = {"cells": moves.Move(5.0, own=False), "increments": moves.Move(120.0, own=False)}
+    assert load.by == coarse | {"layers": moves.Move(3.0, own=True)}
+    assert moves.column([load, width]) == {"loadk": "(> 100 %)", "width": "0.1 %"}
+    assert moves.note([load, width]) == moves.BOTH
+    assert moves.note([width]) == moves.OWN
 
 
 def test_a_page_has_its_table_and_figures(tmp_path):

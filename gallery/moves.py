@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How much the stated values of a part move with their mesh: the table that benchmarks keeps."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from pathlib import Path
+
+TABLE = Path(__file__).parents[1] / "benchmarks" / "sensitivity.csv"
+CHANGES = ("cells", "layers", "increments", "window")
+OWN = """Moves: by how much the numbers change at most when the cells, layers or increments of the
+page's mesh are halved, or its window is made larger ([sensitivity](../sensitivity.md)).
+"""
+COARSE = """Moves: by how much the numbers change at most when the cells, layers or increments of a
+mesh about half as fine as the page's are halved, or its window is made larger
+([sensitivity](../sensitivity.md)); about an upper bound of their error.
+"""
+BOTH = """Moves: by how much the numbers change at most when the cells, layers or increments of the
+page's mesh are halved, or its window is made larger; in brackets where the largest change is that
+of a mesh about half as fine ([sensitivity](../sensitivity.md)), about an upper bound of the error.
+"""
+
+
+@dataclass(frozen=True, order=True)
+class Move:
+    """By how much a value moves [%], and whether on the page's own mesh."""
+
+    percent: float
+    own: bool
+
+
+@dataclass(frozen=True)
+class Moves:
+    """Of a stated value and its numbers; by what was changed."""
+
+    quantity: str
+    values: list[float]
+    by: dict[str, Move]
+
+    @property
+    def largest(self) -> Move | None:
+        return max(self.by.values(), default=None)
+
+
+def words(quantity: str) -> str:
+    """A quantity without its numbers, of which coarse meshes have fewer."""
+    return "".join(letter for letter in quantity if letter.isalpha())
+
+
+def of_part(name: str, table: Path = TABLE) -> list[Moves]:
+    """Those of the page's mesh; of the coarse one where a change was not computed on it."""
+    found: dict[bool, list[Moves]] = {True: [], False: []}
+    with table.open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            if row["part"] == name:
+                own = row["mesh"] == "page"
+                given = {change: row[f"{change} [%]"] for change in CHANGES}
+                by = {change: Move(float(text), own) for change, text in given.items() if text}
+                values = [float(text) for text in row["values"].strip("[]").split(",") if text]
+                found[own].append(Moves(row["quantity"], values, by))
+    if not found[True]:
+        return found[False]
+    done = {change for moves in found[True] for change in moves.by}
+    for moves in found[True]:
+        for other in found[False]:
+            if words(other.quantity) == words(moves.quantity):
+                for change in other.by.keys() - done:
+                    move = other.by[change]
+                    moves.by[change] = max(move, moves.by.get(change, move))
+    return found[True]
+
+
+def note(table: list[Moves]) -> str:
+    """What the column of a page means."""
+    own = {move.own for moves in table for move in moves.by.values()}
+    return BOTH if len(own) == 2 else OWN if own == {True} else COARSE
+
+
+def column(table: list[Moves]) -> dict[str, str]:
+    """The largest move of each quantity, by its `words`; in brackets where `note` says it."""
+    mixed = note(table) == BOTH
+    largest: dict[str, Move] = {}
+    for moves in table:
+        if move := moves.largest:
+            key = words(moves.quantity)
+            largest[key] = max(move, largest.get(key, move))
+    texts = {
+        key: f"{move.percent:.2g} %" if move.percent < 100 else "> 100 %"
+        for key, move in largest.items()
+    }
+    return {
+        key: f"({text})" if mixed and not largest[key].own else text for key, text in texts.items()
+    }
