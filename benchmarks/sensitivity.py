@@ -159,7 +159,7 @@ def page(table: Path) -> str:
     """The table as a page of the docs; values that never move by more than 0.5 % are counted."""
     text = [HEAD]
     for part in PARTS:
-        found = moves.of_part(part, table)
+        found = [row for row in moves.of_part(part, table) if row.values]
         meshes = moves.note(found)
         text.append(f"## {importlib.import_module(f'gallery.{part}').TITLE}\n")
         text.append(MESHES[meshes])

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from gallery import moves, page, parts
 from gallery.__main__ import main
 
+PAGES = Path(__file__).parents[2] / "docs" / "gallery"
 NEAR = page.Number("depth", 100.0, 104.0, "nm", "coarse")
 FAR = page.Number("depth", 100.0, 106.0, "nm", "coarse", remark="why")
 SAID = page.Statement("curves", "coincide", "to 1 %", True, "fine")
@@ -64,6 +65,15 @@ def test_moves_are_those_of_the_page_where_they_were_computed(tmp_path):
     assert moves.column([load, width]) == {"loadk": "(> 100 %)", "width": "0.1 %"}
     assert moves.note([load, width]) == moves.BOTH
     assert moves.note([width]) == moves.OWN
+
+
+@pytest.mark.parametrize("name", parts.PARTS)
+def test_the_column_of_a_page_is_that_of_the_kept_table(name):
+    """Otherwise the page was written before the table, or quantities have other words."""
+    found = moves.of_part(name)
+    rows = (PAGES / f"{name}.md").read_text().splitlines()
+    shown = {row.split(" | ")[-1].rstrip(" |") for row in rows if row.startswith("| ")}
+    assert shown - {"", "moves"} == set(moves.column(found).values())
 
 
 def test_a_page_has_its_table_and_figures(tmp_path):
