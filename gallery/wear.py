@@ -142,14 +142,20 @@ def stated(results: Results) -> list[Number | Statement]:
         Statement(
             "wear rate, cycles 4 to 13, strain moved by what the surface lost",
             "constant",
-            f"{rate.mean():.3f} mm³ a cycle, {100 * spread[0]:+.0f} and "
-            f"{100 * spread[1]:+.0f} %; {found.rate[0] * 1e9:.4f} in the first cycle",
-            max(spread[0], -spread[1]) < results.allowed,
+            f"{rate.mean():.3f} mm³ a cycle; {found.rate[0] * 1e9:.4f} in the first cycle",
+            rate.mean() > 1e9 * found.rate[0],
             mesh,
             remark=RATE_NOTE,
         ),
         Statement(
-            "the same, strain moved by the exact depth",
+            "single cycles against this mean",
+            "constant",
+            f"{100 * spread[0]:+.0f} and {100 * spread[1]:+.0f} %",
+            max(spread[0], -spread[1]) < results.allowed,
+            mesh,
+        ),
+        Statement(
+            "wear rate, cycles 4 to 13, strain moved by the exact depth",
             "constant",
             f"{falling[0]:.3f} falling to {falling[-1]:.3f} mm³ a cycle",
             0.1 < falling[-3:].mean() / falling[:3].mean() < 0.7,
@@ -158,11 +164,17 @@ def stated(results: Results) -> list[Number | Statement]:
             contradicted=True,
         ),
         Statement(
-            "largest pressure and plastic strain in thirteen cycles",
+            "largest pressure in the first cycle, and in thirteen",
             "figures, no numbers",
-            f"{pressure * 1e-9:.1f} GPa, {100 * strain:.0f} %; {first.max_pressure * 1e-9:.2f} GPa "
-            f"and {100 * first.max_plastic_strain[0]:.2f} % in the first cycle",
-            pressure > 2 * first.max_pressure and strain > 0.05,
+            f"{first.max_pressure * 1e-9:.2f} and {pressure * 1e-9:.1f} GPa",
+            pressure > 2 * first.max_pressure,
+            mesh,
+        ),
+        Statement(
+            "largest plastic strain in thirteen cycles",
+            "figures, no numbers",
+            f"{100 * strain:.0f} %",
+            strain > 0.05,
             mesh,
             remark=STRAIN_NOTE,
         ),
