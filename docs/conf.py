@@ -7,6 +7,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from docutils import nodes
+from PIL import Image
 
 import samcontact
 
@@ -81,7 +82,18 @@ def _whole_formulas(app, doctree):
             node.children = [nodes.Text(rf"\[{node.astext()}\]")]
 
 
+def _wide_pictures(app, doctree, docname):
+    """Pictures of several panels in a row get a class: on a phone they need more than its width."""
+    for node in doctree.findall(nodes.image):
+        file = Path(app.srcdir, node["candidates"].get("*", ""))
+        if file.suffix == ".png" and file.exists():
+            with Image.open(file) as picture:
+                if picture.width > 1.8 * picture.height:
+                    node["classes"].append("wide")
+
+
 def setup(app):
+    app.connect("doctree-resolved", _wide_pictures)
     app.connect("doctree-read", _whole_formulas)
     app.connect("autodoc-process-signature", _plain_names)
     app.connect("autodoc-process-bases", _bases)

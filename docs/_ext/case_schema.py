@@ -36,10 +36,15 @@ def kind(annotation: Any) -> str:
     if origin is Literal:
         return ", ".join(f'"{value}"' if isinstance(value, str) else str(value) for value in parts)
     if origin is list:
-        return f"list of {kind(parts[0])}s"
+        return f"list of {several(kind(parts[0]))}"
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return "section"
     return PLAIN.get(annotation, str(annotation))
+
+
+def several(what: str) -> str:
+    """The plural of what `kind` says, but for values that are listed."""
+    return re.sub(r"^(number|integer|section|list)\b", r"\1s", what)
 
 
 def limits(metadata: Any) -> str:
