@@ -100,6 +100,13 @@ def test_strain_in_percent(state, simulation, ax):
     assert "[%]" in shown_label(ax)
 
 
+def test_no_grid_lies_over_colours(state, simulation):
+    with matplotlib.rc_context({"axes.grid": True}):
+        ax = Figure().subplots()
+    plotting.section(state.von_mises(), simulation.grid, ax)
+    assert not any(line.get_visible() for line in [*ax.get_xgridlines(), *ax.get_ygridlines()])
+
+
 def test_a_field_that_is_zero_says_so(simulation, ax):
     grid = simulation.grid
     for quantity in ("equivalent_plastic_strain", "hydrostatic"):

@@ -58,7 +58,8 @@ def report(run: Path, output: Path | None) -> None:
 
         source = _results_of(run) if run.is_dir() else run
         target = output or source.with_name("report.html")
-        _require_page(target)
+        if source.exists():  # else that is what is wrong
+            _require_page(target)
         with results.open_results(source) as dataset:
             file = reports.write(dataset, target)
             failed = [check for check in reports.checks(dataset) if not check.passed]

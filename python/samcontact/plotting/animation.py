@@ -94,10 +94,11 @@ def rolling_animation(
         rasterized=True,
     )
     figure.colorbar(mesh, ax=middle)
-    grey = "" if quantity == "equivalent_plastic_strain" else ", grey: not computed"
-    middle.set_title(f"{shown.label}{grey}", fontsize="medium")
-    middle.set_facecolor("0.85")
     framed = quantity == "von_mises"
+    grey = "" if quantity == "equivalent_plastic_strain" else ", grey: not computed"
+    edge = ", dotted: edge of the grid" if framed else ""
+    middle.set_title(f"{shown.label}{grey}{edge}", fontsize="medium")
+    middle.set_facecolor("0.85")
     frame = [middle.axvline(color="C3", linestyle=":", linewidth=framed) for _ in range(2)]
     middle.set_ylabel("depth z [µm]")
     middle.invert_yaxis()
@@ -126,6 +127,7 @@ def rolling_animation(
         return [pressure_line, mesh, print_line, *frame]
 
     draw(0)
+    figure.align_ylabels()
     figure.draw_without_rendering()
     figure.set_layout_engine("none")  # panels that shift from frame to frame would distract
     return FuncAnimation(

@@ -205,6 +205,7 @@ def _mesh(
         options["norm"] = TwoSlopeNorm(0.0, -span, span)
     elif name in _FROM_ZERO:
         options["vmin"] = 0.0
+    ax.grid(False)  # settings may ask for one, which would lie over the colours
     mesh = ax.pcolormesh(
         across * 1e6, down * 1e6, shown.T, cmap=colours, rasterized=True, **options
     )

@@ -132,7 +132,7 @@ def _sections(scene: Scene, number: int) -> Figure:
     panels = np.ravel(figure.subplots(len(fields), 1))
     for ax, (name, field) in zip(panels, fields.items(), strict=True):
         section(field, scene.grid, ax, quantity=name, position=y)
-    add_to_title(panels[0], elsewhere("y", y, scene.grid.dy))
+        add_to_title(ax, elsewhere("y", y, scene.grid.dy))
     return figure
 
 

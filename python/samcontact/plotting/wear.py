@@ -159,6 +159,7 @@ def surface_map(
     heights, x = _heights(dataset, body)
     y, shown = dataset["y"].values, WEAR["heights"]
     ax = axes_or_new(ax)
+    ax.grid(False)
     mesh = ax.pcolormesh(
         edges(x, x[1] - x[0]) * 1e6,
         edges(y, cell_size(dataset, "y")) * 1e6,

@@ -16,8 +16,10 @@ from .._peak import peak_of_dataset
 from .._quantities import CONTACT
 from ..plotting.contact import HertzContact
 from ..plotting.parts import (
+    add_to_title,
     counted,
     draw,
+    elsewhere,
     finish,
     new_figure,
     place,
@@ -75,10 +77,11 @@ def _contact(scene: Scene) -> Iterator[Made]:
     beside = ", with the Hertz contact as a dashed line" if scene.hertz is not None else ""
     for axis, across in (("x", "y"), ("y", "x")):
         row = scene.row(pressure, across)
-        figure = new_figure()
-        plotting.pressure_profile(
+        figure, cell = new_figure(), getattr(scene.grid, f"d{across}")
+        ax = plotting.pressure_profile(
             pressure, scene.grid, figure.subplots(), hertz=scene.hertz, axis=axis, position=row
         )
+        add_to_title(ax, elsewhere(across, row, cell))
         text = f"Pressure along {axis} at {place(across, row)}{beside}; its maximum in the grid is "
         text += f"{pressure.max() * 1e-9:.4g} GPa."
         yield f"Pressure along {axis}, {_moment(scene, number)}", text, figure
@@ -114,7 +117,8 @@ def _section(scene: Scene, quantity: str, number: int) -> Made:
     values, shown = scene.field(quantity, number), CONTACT[quantity]
     figure = new_figure(5.0, scene.section_height)
     y = scene.row(values)
-    plotting.section(values, scene.grid, figure.subplots(), quantity=quantity, position=y)
+    ax = plotting.section(values, scene.grid, figure.subplots(), quantity=quantity, position=y)
+    add_to_title(ax, elsewhere("y", y, scene.grid.dy))
     low, high = (f"{shown.factor * float(value):.4g}" for value in (values.min(), values.max()))
     text = (
         f"Section in the plane {place('y', y)} of the {shown.heading}, from {low} to {high} "
@@ -128,7 +132,9 @@ def _temperature(scene: Scene) -> Iterator[Made]:
     if scene.hottest is None:
         return
     rise, figure = scene.surface("surface_temperature", scene.hottest), new_figure()
-    plotting.temperature_profile(rise, scene.grid, figure.subplots(), position=scene.row(rise))
+    y = scene.row(rise)
+    ax = plotting.temperature_profile(rise, scene.grid, figure.subplots(), position=y)
+    add_to_title(ax, elsewhere("y", y, scene.grid.dy))
     text = f"Rise of temperature of the surface along x, up to {rise.max():.4g} K."
     when = f"body {scene.body}, {_moment(scene, scene.number(scene.hottest))}"
     yield f"Flash temperature, {when}", text, figure
@@ -139,13 +145,14 @@ def _remains(scene: Scene) -> Iterator[Made]:
     if scene.track is not None:
         return
     data, number = scene.dataset, scene.number(-1)
-    figure, deepest = new_figure(), []
-    ax = figure.subplots()
+    figure = new_figure()
+    ax, deepest = figure.subplots(), list[str]()
     for body in (1, 2):
         name = f"residual_displacement_body{body}"
         if name in data:
             values = data[name].values[-1]
             plotting.print_profile(values, scene.grid, ax, label=f"body {body}")
+            ax.lines[-1].set_linestyle("--" if deepest else "-")  # the prints may be the same
             deepest.append(f"{values.max() * 1e9:.4g} nm in body {body}")
     if deepest:
         text = f"Permanent displacement of the surface along x, at most {', '.join(deepest)}."
@@ -177,7 +184,8 @@ def _track(scene: Scene) -> Iterator[Made]:
     residual = track["residual_von_mises"].values
     row = float(y[row_of_interest(residual.max(axis=(0, 2)), y)])
     figure = new_figure(5.0, section_height(5.0, length, scene.grid.nz * (scene.grid.dz or 0.0)))
-    plotting.track_section(track, figure.subplots(), position=row)
+    ax = plotting.track_section(track, figure.subplots(), position=row)
+    add_to_title(ax, elsewhere("y", row, scene.grid.dy))
     text = f"Section along the track at {place('y', row)}, up to {residual.max() * 1e-6:.4g} MPa."
     yield f"Residual von Mises stress of the track, {when}", text, figure
 
