@@ -102,10 +102,11 @@ def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
             note = f" [{len(remarks)}]"
         if isinstance(entry, Number):
             unit = f" {entry.unit}" if entry.unit else ""
+            off = f"{100 * entry.difference:+.1f} %".replace("-0.0", "+0.0")
             cells = (
                 f"{digits(entry.thesis)}{unit}",
                 f"{digits(entry.ours)}{unit}",
-                f"{100 * entry.difference:+.1f} %",
+                off,
             )
         else:
             verdict = "agrees" if entry.holds and not entry.contradicted else "differs"

@@ -264,7 +264,7 @@ def laws() -> Picture:
         flat = sc.Material.linear_hardening(STEEL_52100.E, 0.3, MICRO_YIELD, slope * STEEL_52100.E)
         ax.plot(100 * strain, flat.uniaxial_stress(strain) * 1e-9, label=f"{slope:g}")
     finish(ax, "strain [%]", "stress [GPa]")
-    ax.legend(fontsize="small", title="E_t / E")
+    ax.legend(fontsize="small", title="$E_t/E$")
     return Picture(
         "rolling_two_bodies_laws", "Figure 3.30: laws of linear hardening, in tension.", figure
     )
@@ -276,7 +276,7 @@ def distributions(results: Results) -> Picture:
         hertz_curve(ax, BALL, reach=1.6)
         ax.set_xlim(-1.6, 1.6)
     for slope, run in results.hardening.items():
-        label = f"E_t / E = {slope:g}"
+        label = f"$E_t/E$ = {slope:g}"
         left.plot(run.x / BALL.a, run.vertical_pressure * 1e-9, label=label)
         middle.plot(run.x / BALL.a, run.pressure_along[-1] * 1e-9, label=label)
         right.plot(run.y / BALL.a, run.pressure_across[-1] * 1e-9, label=label)

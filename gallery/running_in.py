@@ -182,12 +182,13 @@ def history(found: sc.wear.WearResult) -> Picture:
     wear.wear_rate(found.to_dataset(), left)
     left.axvline(STATED_CYCLES, color="k", linestyle="--", linewidth=1, label="stated: 7 cycles")
     finish(left, "cycle", "worn volume per cycle [µm³]")
+    left.legend(loc="upper center", fontsize="small", frameon=False)
     numbers = np.arange(1, len(found.cycles) + 1)
     for name, label in (("max_pressure", "pressure"), ("max_von_mises", "von Mises stress")):
         values = [getattr(cycle, name) * 1e-9 for cycle in found.cycles]
-        right.plot(numbers, values, "o-", markersize=3, label=f"largest {label}")
+        right.plot(numbers, values, "o-", markersize=3, label=label)
     right.set_ylim(bottom=0)
-    finish(right, "cycle", "[GPa]")
+    finish(right, "cycle", "largest in the cycle [GPa]")
     return Picture(
         "running_in_history",
         "Not in the thesis: worn volume, largest pressure and von Mises stress of each cycle.",

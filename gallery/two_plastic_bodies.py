@@ -293,7 +293,7 @@ def loads(results: Results) -> Picture:
         1, 0.95 * hertz(LC["EP_EP"]).p0 / p0, "o", color="k", markerfacecolor="none",
         label="stated: 5 % below Hertz",
     )  # fmt: skip
-    finish(right, "L / L_c", "largest pressure / 8 GPa")
+    finish(right, "$L/L_c$", "largest pressure / 8 GPa")
     return Picture(
         "two_plastic_bodies_load",
         "Figures 2.18 and 2.19: largest pressure and plastic strain against the load. Circles "
@@ -307,9 +307,9 @@ def differences(results: Results) -> Picture:
     for pair, label in (("EP_EP", "identical laws"), ("M50 against 52100", "M50 against 52100")):
         load, percent = difference(results, pair)
         ax.plot(load / LC["EP_EP"], percent, color=COLOURS[pair], label=label)
-    ax.plot([0, 1], [3, 3], "k--", linewidth=1, label="stated: below 3 % for L < L_c")
+    ax.plot([0, 1], [3, 3], "k--", linewidth=1, label="stated: below 3 % for $L < L_c$")
     ax.plot(PEAK / LC["EP_EP"], 11, "ko", markerfacecolor="none", label="stated: 11 %")
-    finish(ax, "L / L_c", "p_max of E_EP above that of two\ninelastic bodies [%]")
+    finish(ax, "$L/L_c$", "$p_{max}$ of E_EP above that of two\ninelastic bodies [%]")
     return Picture(
         "two_plastic_bodies_difference",
         "Figure 2.20: error in the largest pressure when one of two inelastic bodies is taken "

@@ -192,7 +192,7 @@ def figures(results: Results) -> list[Picture]:
     figure, (left, middle, right) = axes(1, 3, (12.0, 3.8))
     runs = (results.exact, results.smoothed)
     for ax, found, title in zip((left, middle), runs, TITLES, strict=True):
-        wear.worn_profile(found.to_dataset(), ax)
+        wear.worn_profile(found.to_dataset(), ax, position=0.0)
         ax.set_xlim(-1500, 1500)
         ax.set_title(title, fontsize="medium")
     volumes(results, right)
@@ -213,7 +213,8 @@ def figures(results: Results) -> list[Picture]:
 
 
 def panels(moments: tuple[sc.State, sc.State], name: str, caption: str) -> Picture:
-    return Picture(name, caption, wear.cycle_panels(moments, width=1.2e-3, depth=500e-6))
+    figure = wear.cycle_panels(moments, position=0.0, width=1.2e-3, depth=500e-6)
+    return Picture(name, caption, figure)
 
 
 def volumes(results: Results, ax: Axes) -> None:
@@ -223,3 +224,4 @@ def volumes(results: Results, ax: Axes) -> None:
     mean = float(np.mean(results.smoothed.rate[STEADY])) * 1e18
     ax.axhspan(0.85 * mean, 1.15 * mean, color="C1", alpha=0.15, label="mean of 4 to 13, ±15 %")
     finish(ax, "cycle", "worn volume per cycle [µm³]")
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.06), fontsize="small", frameon=False)

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
@@ -88,13 +90,13 @@ def surface(ax: Axes, reached: float) -> None:
     ax.set_title("near the surface", fontsize=10)
     ax.set_xlim(0, 4.4)
     ax.set_ylim(1.0, 0)
-    box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.9, "pad": 1.5}
-    text = "elastic core above the lines\nthesis: found at 2, shrinks above 6"
-    ax.text(0.1, 0.46, text, fontsize=9, bbox=box)
     edge = reached**0.5 * 1.04
     ax.axvline(edge, color="k", linestyle="--", linewidth=0.8)
-    text = f"zone reaches the surface\nthesis: at 6, here: at {reached:.1f}"
-    ax.text(edge - 0.05, 0.97, text, fontsize=9, ha="right", va="bottom", bbox=box)
+    beside: dict[str, Any] = {"fontsize": 9, "transform": ax.transAxes}
+    text = "elastic core above the lines;\nthesis: found at 2, shrinks above 6"
+    ax.text(1.03, 1.0, text, va="top", **beside)
+    text = f"dashed: zone reaches the surface;\nthesis: at 6, here: at {reached:.1f}"
+    ax.text(1.03, 0.0, text, va="bottom", **beside)
 
 
 def strain_figure(results: Results) -> Figure:
