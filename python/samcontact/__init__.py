@@ -29,13 +29,13 @@ from . import (
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
 from ._told import PlasticStrainWarning
-from .checkpoint import CheckpointError
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
 from .grid import Grid
 from .heat import Heat
 from .material import Material
 from .relief import Relief
 from .resolution import ElasticStrainWarning, ResolutionWarning
+from .runs.file import CheckpointError
 from .simulation import Simulation
 from .state import State
 from .sweeps import SweepInterrupted, sweep

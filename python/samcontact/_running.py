@@ -8,8 +8,8 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Protocol
 
-from ._journal import Journal, Resumed, describe
 from ._progress import progress_bar
+from .runs.journal import Resumed, journal_of
 from .state import State
 
 _logger = logging.getLogger("samcontact")
@@ -44,10 +44,10 @@ def run_into(
     checkpoint: str | os.PathLike[str] | None,
 ) -> None:
     """Append the state of each increment as soon as it is done."""
-    journal = None
-    if checkpoint is not None:
-        journal = Journal(checkpoint, simulation, describe(simulation, steps))
-    with progress_bar(len(steps), "increment", shown=progress) as bar:
+    with (
+        journal_of(checkpoint, simulation, path=steps) as journal,
+        progress_bar(len(steps), "increment", shown=progress) as bar,
+    ):
         for arguments in steps:
             state = journal.next() if journal else None
             kept = state is not None

@@ -343,7 +343,7 @@ class Material(Shown):
         return material_rows(self)
 
     def __repr__(self) -> str:
-        """All that it is: a run is known by it."""
+        """All that it is."""
         extra = {name: getattr(self, name) for name in ("kinematic", "thermal", "softening")}
         given = {
             **self.parameters,

@@ -12,7 +12,6 @@ from numpy.typing import ArrayLike
 
 from . import _core, _expected, _memory, resolution
 from ._checks import FloatArray, choice, finite_array, step_list
-from ._copies import reduced, restored, resume, snapshot, stand_at
 from ._core import ConvergenceError
 from ._frozen import read_only
 from ._heating import COLD, core_law, heating
@@ -23,7 +22,7 @@ from ._settings import Configured, Settings
 from ._steps import STEP, checked_step, largest_cold_load, plastic_fields
 from ._told import Told
 from ._turn import Turn
-from .checkpoint import DAMAGED, damaged, read_checkpoint, write_checkpoint
+from .checkpoint import loaded, restored, snapshot, stand_at, write_checkpoint
 from .contact import require_type
 from .grid import Grid
 from .heat import Heat
@@ -374,7 +373,7 @@ class Simulation(Configured, Shown):
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return restored, reduced(self), {"_told": self._told}
+        return restored, (type(self), snapshot(self)), {"_told": self._told}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a checkpoint (HDF5), replacing an old one only when the new one is complete."""
@@ -392,10 +391,4 @@ class Simulation(Configured, Shown):
 
         Raises CheckpointError (a ValueError) for a file that is no checkpoint or is damaged.
         """
-        kept = read_checkpoint(path, softening)
-        try:
-            simulation = cls(**kept[0])
-            resume(simulation, kept)
-        except DAMAGED as error:
-            raise damaged(path, error) from error
-        return simulation
+        return loaded(cls, path, softening)

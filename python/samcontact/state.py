@@ -11,11 +11,11 @@ import numpy as np
 
 from . import _memory
 from ._checks import MOST_CELLS, FloatArray, choice, integer
-from ._copies import Standing, reduced, restored_state
 from ._frozen import Fixed
 from ._kept import kept
 from ._repr import Rows, Shown, quantity
 from ._tensors import von_mises
+from .checkpoint import Standing, restored_state, snapshot
 from .heat import Heat
 from .track import Track
 
@@ -42,20 +42,23 @@ class State(Fixed, Shown):
         self._heat = heat  # of the next increment
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return restored_state, reduced(self._simulation, self)
+        return restored_state, (type(self._simulation), snapshot(self._simulation, self))
 
     @property
     def pressure(self) -> FloatArray:
         """Contact pressure [Pa], shape (nx, ny)."""
-        field: FloatArray = self._core.pressure
-        return field
+        return self._surface("pressure")
 
     @property
     def shear(self) -> FloatArray:
         """Shear s_x, s_y on body 2 [Pa], shape (2, nx, ny)."""
-        parts = (self._core.shear_x, self._core.shear_y)
+        return np.stack([self._surface("shear_x"), self._surface("shear_y")])
+
+    def _surface(self, name: str) -> FloatArray:
+        """A field of the surface; 0 where the core has none."""
         shape = self.grid.surface_shape
-        return np.stack([np.zeros(shape) if part is None else part for part in parts])
+        field = getattr(self._core, name)
+        return np.zeros(shape) if field is None else field.reshape(shape)
 
     @cached_property
     def gap(self) -> FloatArray:
@@ -93,8 +96,7 @@ class State(Fixed, Shown):
     @property
     def heat_factor(self) -> tuple[float, float]:
         """Heat flux over pressure of body 1 and 2 in this increment [m/s]."""
-        first, second = self._core.heating
-        return first.factor, second.factor
+        return self._core.heat_factor1, self._core.heat_factor2
 
     @property
     def travel(self) -> tuple[float, float]:
@@ -256,7 +258,8 @@ class State(Fixed, Shown):
 
     def _of_core(self, name: str, index: int) -> FloatArray:
         if name in _VOLUME:
-            exact = self._core.exact_residual_stress and self._core.max_plastic_strain(index) > 0
+            strained = self._core.max_plastic_strain(index) > 0
+            exact = strained and self._simulation.residual_stress == "exact"
             cell = _memory.EXACT_RESIDUAL if exact else _memory.VOLUME_FIELD
             what = f"the field {name}"
             _memory.require_for_grid(what, self.grid, _memory.volume(self.grid, cell))

@@ -118,18 +118,18 @@ def test_runs_with_checkpoints(count, tmp_path):
 WRITING = """
 import os, signal, sys
 import samcontact as sc
-from samcontact import checkpoint
+from samcontact.runs import file
 grid = sc.Grid(15, 15, 60e-6, 60e-6)
 elastic = sc.Material.elastic(210e9, 0.3)
 sim = sc.Simulation(grid, elastic, elastic, sc.surfaces.paraboloid(grid, 7.5e-3))
 sim.step(load=100.0)
-write = checkpoint._write
+write = file.write_tree
 
-def pressed(file, *arguments):
+def pressed(*arguments):
     os.kill(os.getpid(), signal.SIGINT)
-    write(file, *arguments)
+    write(*arguments)
 
-checkpoint._write = pressed
+file.write_tree = pressed
 try:
     sim.save(sys.argv[1])
     raise SystemExit("Ctrl-C was lost")

@@ -22,11 +22,11 @@ def simulation(nx=33, ny=33, nz=20, gap=None, bodies=(ELASTIC, STEEL), **options
 
 
 def box(state, body=2):
-    return state._core.history(body - 1)["box"]
+    return getattr(state._core, f"history{body}")["box"]
 
 
 def mirrors(state, body=2):
-    return state._core.history(body - 1)["mirrored"]
+    return getattr(state._core, f"history{body}")["mirrored"]
 
 
 def middle(field, like):

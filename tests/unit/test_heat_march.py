@@ -129,10 +129,10 @@ class TestContact:
         sizes = []
         for _ in range(30):
             state = simulation.step(load=LOAD, duration=STEP)
-            sizes.append(0 if state._core.past(1) is None else state._core.past(1).size)
+            sizes.append(0 if state._core.past2 is None else state._core.past2.size)
         assert sizes[0] == 0
         assert len(set(sizes[1:])) == 1
-        assert state._core.past(0) is None
+        assert state._core.past1 is None
 
     def test_heat_into_both_bodies_with_speeds_of_their_own(self):
         simulation = march(
@@ -173,7 +173,7 @@ class TestPlasticity:
             states.append(state)
         exact, fast = (s.plastic_strain() for s in states)
         assert np.abs(fast - exact).max() < 0.05 * np.abs(exact).max()
-        assert states[1]._core.history(1)["mirrored"] == 2
+        assert states[1]._core.history2["mirrored"] == 2
 
     def test_yield_condition(self):
         simulation = march(STEEL, factor=0.06, velocity=(0.1, 0.0))
@@ -203,7 +203,7 @@ class TestPlasticity:
             state = simulation.step(load=LOAD, duration=STEP)
         for name in ("stress", "plastic_strain", "temperature"):
             assert np.array_equal(getattr(state, name)(1), getattr(state, name)(2))
-        assert np.array_equal(state._core.past(0), state._core.past(1))
+        assert np.array_equal(state._core.past1, state._core.past2)
 
     def test_softening_sees_the_past_heat(self):
         law = sc.softening.JohnsonCook(1800.0, 1.0)

@@ -59,7 +59,7 @@ class TestSimulation:
         exact, fast = (s.plastic_strain() for s in states)
         assert np.abs(exact).max() > 3e-4
         assert np.abs(fast - exact).max() < 0.05 * np.abs(exact).max()
-        mirrored = states[1]._core.history(1)["mirrored"]
+        mirrored = states[1]._core.history2["mirrored"]
         assert mirrored == (1 if "velocity" in extra else 2)
 
     def test_load_hold_switch_off_unload(self):

@@ -8,7 +8,7 @@ import pytest
 from checkpoint_scenes import GAP, GRID, LOAD, MATERIALS, assert_same, simulation
 
 import samcontact as sc
-from samcontact._journal import Journal, describe
+from samcontact.runs.journal import Journal, describe
 
 PATH = [{"load": part * LOAD} for part in (0.4, 0.7, 1.0, 0.5)]
 
@@ -62,9 +62,9 @@ def test_states_that_are_kept_later_go_on_with_their_own_heat(tmp_path):
 
     path = [{"load": LOAD}, {"load": 0.5 * LOAD}, {"load": LOAD, "heat_factor": 0.0}]
     sim = scene()
-    description = describe(sim, path)
+    who = describe(sim, path=path)
     expected = sim.run(path, progress=False)
-    journal = Journal(tmp_path, sim, description)
+    journal = Journal(tmp_path, sim, who)
     journal.add(expected[0])  # the run was interrupted here
     again = scene().run(path, progress=False, checkpoint=tmp_path)
     for one, other in zip(again, expected, strict=True):

@@ -302,7 +302,7 @@ class TestContact:
                 increment_tol=1e-3,
             )
             states.append(simulation.run([{"load": 600.0}, {"load": 0.0}], progress=False)[-1])
-        assert [s._core.history(1)["mirrored"] for s in states] == [2, 0]
+        assert [s._core.history2["mirrored"] for s in states] == [2, 0]
         x = [s.backstress() for s in states]
         np.testing.assert_allclose(x[1], x[0], atol=5e-4 * np.abs(x[0]).max())
 

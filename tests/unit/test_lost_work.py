@@ -13,8 +13,9 @@ import samcontact as sc
 from case_texts import MINIMAL, TUGGING, WEAR
 from command import check_failure, fields, invoke, pressed
 from samcontact import plotting, report, results
-from samcontact.commands import folder, interrupted, solve_contact
-from samcontact.commands.folder import LOCK, locked
+from samcontact.commands import interrupted, solve_contact
+from samcontact.runs import lock
+from samcontact.runs.lock import LOCK, locked
 
 OPTIONS = ("--no-figures", "--quiet")
 
@@ -245,6 +246,21 @@ class TestOneRunAtATime:
                 check_failure(outcome, 1, words)
         assert list(tmp_path.iterdir()) == []
 
+    def test_runs_of_python_too(self, case_file, tmp_path):
+        elastic, grid = sc.Material.elastic(210e9, 0.3), sc.Grid(9, 9, 5e-5, 5e-5, 4, 5e-5)
+        steel, gap = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121), [[0.0] * 9] * 9
+        steps = [{"load": 1.0}, {"load": 0.0}]
+        simulation = sc.Simulation(grid, elastic, steel, gap)
+        with locked(tmp_path), pytest.raises(OSError, match="another run"):
+            simulation.run(steps, checkpoint=tmp_path)
+        with locked(tmp_path), pytest.raises(OSError, match="another run"):
+            sc.sweep(case_file, {"path[0].load": [1.0]}, output=tmp_path)
+        with locked(tmp_path, name=".wear.h5.lock"), pytest.raises(OSError, match="another run"):
+            sc.wear.run(
+                grid, elastic, steel, sc.surfaces.paraboloid(grid, 7.5e-3), cycle=steps,
+                threshold=3e-3, window=1, checkpoint=tmp_path / "wear.h5",
+            )  # fmt: skip
+
     def test_a_process_that_died_leaves_no_lock(self, tmp_path):
         (tmp_path / LOCK).write_text("1\n")
         with locked(tmp_path):
@@ -252,7 +268,7 @@ class TestOneRunAtATime:
         assert list(tmp_path.iterdir()) == []
 
     def test_a_lock_that_was_removed_meanwhile_is_none(self, tmp_path, monkeypatch):
-        flock, calls = folder.fcntl.flock, []
+        flock, calls = lock.fcntl.flock, []
 
         def late(handle, operation):
             """The run before ends between opening its file and locking it."""
@@ -261,14 +277,14 @@ class TestOneRunAtATime:
             calls.append(handle)
             flock(handle, operation)
 
-        monkeypatch.setattr(folder.fcntl, "flock", late)
+        monkeypatch.setattr(lock.fcntl, "flock", late)
         with locked(tmp_path):
             assert len(calls) == 2
             with pytest.raises(OSError, match="another run"), locked(tmp_path):
                 pass
 
     def test_where_there_are_no_locks(self, tmp_path, monkeypatch):
-        monkeypatch.setattr(folder.fcntl, "flock", fails(OSError(errno.ENOLCK, "no locks")))
+        monkeypatch.setattr(lock.fcntl, "flock", fails(OSError(errno.ENOLCK, "no locks")))
         with locked(tmp_path):
             pass
         assert list(tmp_path.iterdir()) == []

@@ -15,7 +15,7 @@ from PIL import Image
 
 from case_texts import MINIMAL, MOVING
 from command import check_failure, fields, invoke, pressed
-from samcontact import results
+from samcontact import Simulation, results
 from samcontact.cases import load_case
 from samcontact.commands import solve_contact
 
@@ -58,17 +58,18 @@ def test_animation_of_what_does_not_move(case_file, tmp_path):
 # As from the command line, but killed in the middle of writing one of its checkpoints.
 KILLED = """
 import os, signal, sys
-from samcontact import Simulation, checkpoint
+from samcontact import Simulation
+from samcontact.runs import file
 from samcontact.commands.main import main
-write, count = checkpoint._write, 0
-def counted(file, *arguments):
+write, count = file.write_tree, 0
+def counted(opened, tree):
     global count
-    write(file, *arguments)
+    write(opened, tree)
     count += 1
     if count == int(sys.argv[1]):
-        file.flush()
+        opened.flush()
         os.kill(os.getpid(), signal.SIGKILL)
-checkpoint._write = counted
+file.write_tree = counted
 main(sys.argv[2:])
 """
 
@@ -99,8 +100,6 @@ class TestForeignCheckpoints:
     @pytest.fixture
     def folder(self, case_file, tmp_path, monkeypatch):
         """Checkpoints of one increment of the case."""
-        from samcontact import Simulation
-
         step = Simulation.step
 
         def once(self, **arguments):
@@ -116,7 +115,6 @@ class TestForeignCheckpoints:
             "case.txt",
             "increment_00001.h5",
             "key.txt",
-            "run.txt",
         ]
         return found
 
@@ -132,7 +130,7 @@ class TestForeignCheckpoints:
         assert (folder / "case.txt").read_text() == f"{case_file}\n{MOVING}"
 
     def test_without_a_description(self, folder, case_file, tmp_path):
-        (folder / "run.txt").unlink()
+        Simulation.load(folder / "increment_00001.h5").save(folder / "increment_00001.h5")
         check_failure(invoke(*self.command(case_file, tmp_path)), 2, "of another run")
 
     def test_damaged(self, folder, case_file, tmp_path):

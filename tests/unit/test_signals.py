@@ -69,13 +69,13 @@ def test_what_a_batch_system_or_a_closed_terminal_sends(tmp_path, kind):
 
 AGAIN = """
 import os, signal
-from samcontact import checkpoint
-write = checkpoint._write
+from samcontact.runs import file
+write = file.write_tree
 def pressed(*arguments):  # again while it keeps what it has
     os.kill(os.getpid(), signal.SIGINT)
     os.kill(os.getpid(), signal.SIGTERM)
     write(*arguments)
-checkpoint._write = pressed
+file.write_tree = pressed
 """
 # A batch system sends to the process and to its group: the second finds the first under way.
 TWICE = AGAIN + COMMAND.replace(

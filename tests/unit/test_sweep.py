@@ -20,7 +20,7 @@ from command import invoke
 from comparing import assert_stored
 from samcontact import results
 from samcontact.cases import Case, CaseError, TuggingCase
-from samcontact.sweeps import run, worker
+from samcontact.sweeps import run, store, worker
 
 # 24 cases with paths of one and of three increments; those of 9e4 N do not fit on the grid
 MANY = {
@@ -299,14 +299,13 @@ def test_interrupt_keeps_what_is_finished(tmp_path, monkeypatch, calls):
 
 
 def test_interrupt_waits_for_a_file_that_is_written(tmp_path, monkeypatch):
-    save = results.save
+    write = store.write
 
-    def disturbed(dataset, path):
-        if path.parent.name == "cases":
-            signal.raise_signal(signal.SIGINT)
-        return save(dataset, path)
+    def disturbed(*arguments):
+        signal.raise_signal(signal.SIGINT)
+        write(*arguments)
 
-    monkeypatch.setattr(results, "save", disturbed)
+    monkeypatch.setattr(store, "write", disturbed)
     with pytest.raises(sc.SweepInterrupted) as caught:
         sc.sweep(CASE, {"path[0].load": [300.0, 400.0]}, output=tmp_path, progress=False)
     assert caught.value.dataset["status"].values.tolist() == ["done", "cancelled"]

@@ -87,12 +87,12 @@ def test_ctrl_c_ends_the_workers_too(case_file, tmp_path):
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
     # as in a terminal, Ctrl-C goes to the command and all its workers
     with subprocess.Popen(command, start_new_session=True, **pipes) as process:
-        while process.poll() is None and not list(tmp_path.glob("cases/*.nc")):
+        while process.poll() is None and not list(tmp_path.glob("cases/*.h5")):
             time.sleep(0.02)
         os.killpg(process.pid, signal.SIGINT)
         _, errors = process.communicate()  # until all that share the pipes have gone
     assert process.returncode == 130
-    done = len(list(tmp_path.glob("cases/*.nc")))
+    done = len(list(tmp_path.glob("cases/*.h5")))
     assert done >= 1
     assert errors.splitlines()[-1] == f"{400 - done} of 400 cases cancelled"
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import energy, resolution
 from .._checks import FloatArray
-from .._journal import Journal
+from ..runs.journal import Journal
 from ..simulation import Simulation
 from .collision import Collision
 from .series import Row

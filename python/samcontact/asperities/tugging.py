@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 from .. import resolution, surfaces
 from .._checks import integer
-from .._journal import Journal, describe
 from .._progress import progress_bar
 from .._repr import Brief
 from ..contact import require_type
 from ..grid import Grid
 from ..material import Material
 from ..relief import Relief
+from ..runs.journal import journal_of
 from ..simulation import Simulation
 from ..state import State
 from .collision import Collision
@@ -122,14 +122,14 @@ def tug(
         settings = {"tol": 1e-8, **settings}  # a net energy of nothing, at a fifth more work
     simulation = Simulation(grid, body1, body2, gap, relief1=relief1, relief2=relief2, **settings)
     simulation._told.looks_at_steps = False  # the first ones only touch
-    journal = None
-    if checkpoint is not None:
-        what = describe(simulation, (collision, count, step, back_and_forth))
-        journal = Journal(checkpoint, simulation, what)
+    way = {"passes": count, "step": step, "back_and_forth": back_and_forth}
     rows: list[list[Row]] = []
     unloaded: list[State] = []
     expected = 2 * whole_steps(collision.half_angle / step) + 1
-    with progress_bar(count * expected, "increment", shown=progress) as bar:
+    with (
+        journal_of(checkpoint, simulation, collision=collision, **way) as journal,
+        progress_bar(count * expected, "increment", shown=progress) as bar,
+    ):
         run = Passes(collision, simulation, step, journal, bar)
         try:
             for number in range(count):

@@ -12,12 +12,13 @@ from typing import TYPE_CHECKING
 import click
 
 from .._atomic import replacing, undisturbed
-from .._journal import Journal
-from ..checkpoint import ForeignCheckpointError
-from .folder import locked
+from ..runs.file import ForeignCheckpointError
+from ..runs.journal import Journal
+from ..runs.lock import locked
 
 if TYPE_CHECKING:
     from ..cases.base import CaseFile
+    from ..runs.identity import Identity
     from ..simulation import Simulation
     from ..state import State
 
@@ -98,13 +99,13 @@ class Checkpoints:
             else:
                 (self.folder / name).write_text(text, encoding="utf-8")
 
-    def keep(self, simulation: Simulation, description: str, states: Sequence[State]) -> None:
+    def keep(self, simulation: Simulation, who: Identity, states: Sequence[State]) -> None:
         """Write the increments that a run without a journal has done, as far as there is room."""
         if len(states) > MANY:
             click.echo(f"writing checkpoints of {len(states)} increments", err=True)
         try:
             with undisturbed():
-                journal = Journal(self.remember(), simulation, description)
+                journal = Journal(self.remember(), simulation, who)
                 for state in states:
                     journal.add(state)
         except OSError as error:
@@ -122,7 +123,7 @@ class Checkpoints:
 @contextmanager
 def checkpoints_of(directory: Path, case: CaseFile) -> Iterator[Checkpoints]:
     """The folder of a run, locked; its checkpoints are forgotten when the run reaches its end."""
-    with locked(directory):
+    with locked(directory, "give another --output"):
         checkpoints = Checkpoints(directory, case)
         yield checkpoints
         checkpoints.forget()

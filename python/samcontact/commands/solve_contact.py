@@ -13,9 +13,9 @@ import numpy as np
 from rich.console import Console
 
 from .. import hertz, results
-from .._journal import describe
 from .._peak import peak_of_dataset
 from ..results.against_hertz import hertz_rows
+from ..runs.journal import describe
 from .errors import StoppedEarlyError, tell_partial
 from .folder import publish
 from .interrupted import checkpoints_of
@@ -42,7 +42,7 @@ def solve_contact(
     if animate and not (case.moves and case.grid.nz > 0):
         raise ValueError("--animate needs a path that moves a body, and a grid with layers")
     simulation, path = case.build()
-    description = describe(simulation, path)
+    who = describe(simulation, path=path)
     # before the computation: a directory that cannot be made must not cost a run
     with checkpoints_of(directory, case) as checkpoints:
         journal = checkpoints.claim(resume)
@@ -63,7 +63,7 @@ def solve_contact(
             return run.write(figures=figures, animate=animate)
         except BaseException:
             if states and not journal:
-                checkpoints.keep(simulation, description, states)
+                checkpoints.keep(simulation, who, states)
             raise
 
 

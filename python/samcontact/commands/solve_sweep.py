@@ -20,7 +20,6 @@ from ..cases import load_case
 from ..cases.tugging import TuggingCase
 from ..sweeps import SweepInterrupted, sweep
 from .errors import FAILED
-from .folder import locked
 from .signals import exit_code
 from .tables import CONTACT_COLUMNS, Sheet, new_console, numbers, of_contact
 
@@ -65,7 +64,7 @@ def run_sweep(
     console = new_console(quiet)
     console.print(case.title, style="bold", markup=False, highlight=False)
     mode, code = "zip" if zipped else "product", 0
-    with locked(folder), _executor(jobs, address) as executor:
+    with _executor(jobs, address) as executor:
         try:
             dataset = sweep(
                 case, parameters, executor=executor, output=folder, progress=not quiet, mode=mode

@@ -15,7 +15,7 @@ import xarray as xr
 
 from .._atomic import replacing_hdf5
 from .._seal import check_seal
-from ..checkpoint import DAMAGED
+from ..runs.file import DAMAGED
 from .reading import parts_of_a_run
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from concurrent.futures import (
     ProcessPoolExecutor,
     as_completed,
 )
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,6 +22,7 @@ from .. import resolution
 from .._atomic import undisturbed
 from .._checks import integer
 from .._progress import progress_bar
+from ..runs.lock import locked
 from . import worker
 from .worker import Outcome, case_key, failure
 
@@ -111,21 +112,21 @@ def sweep(
     plan = make_plan(base, parameters, mode)
     digests: dict[Path, str] = {}
     keys = [case_key(made, digests) for made in plan.cases]
-    run = _Run(
-        dict(zip(keys, plan.cases, strict=True)), None if output is None else Store(Path(output))
-    )
+    cases = dict(zip(keys, plan.cases, strict=True))
     interrupted: KeyboardInterrupt | None = None
-    with _resolved(executor) as chosen:
-        try:
-            run.solve(chosen, progress)
-        except KeyboardInterrupt as stop:
-            interrupted = stop
-            if isinstance(chosen, _OwnPool):
-                chosen.terminate()
-    dataset = assemble(plan, keys, run.outcomes, base)
-    resolution.warn_of_sweep(dataset, stacklevel=2)
-    if output is not None:
-        save(dataset, Path(output) / "sweep.nc")
+    with nullcontext() if output is None else locked(Path(output)):
+        run = _Run(cases, None if output is None else Store(Path(output)))
+        with _resolved(executor) as chosen:
+            try:
+                run.solve(chosen, progress)
+            except KeyboardInterrupt as stop:
+                interrupted = stop
+                if isinstance(chosen, _OwnPool):
+                    chosen.terminate()
+        dataset = assemble(plan, keys, run.outcomes, base)
+        resolution.warn_of_sweep(dataset, stacklevel=2)
+        if output is not None:
+            save(dataset, Path(output) / "sweep.nc")
     if interrupted is not None:
         raise SweepInterrupted(dataset) from interrupted
     return dataset
@@ -145,7 +146,7 @@ class _Run:
             def take(key: str, outcome: Outcome) -> None:
                 with undisturbed():
                     if self.store is not None and "variables" in outcome:
-                        self.store.write(key, outcome["variables"], self.cases[key])
+                        self.store.write(key, outcome["variables"])
                     self.outcomes[key] = outcome
                     bar.update()
 

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from .. import results
 from .._quantities import CONTACT, TUGGING, Quantity
+from ..runs.file import DAMAGED, read, require_same, write
 
 if TYPE_CHECKING:
     from ..cases.base import CaseFile
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .worker import Outcome, Variables
 
 CANCELLED = "cancelled"
+_KIND = "case"
 _INNER = ("pass", "increment", "body")  # dimensions of a case, in their order
 _COUNTED = {
     "increment": CONTACT["increment"],
@@ -43,32 +44,31 @@ class Store:
         self.folder.mkdir(parents=True, exist_ok=True)
 
     def file(self, key: str) -> Path:
-        return self.folder / f"{key}.nc"
+        return self.folder / f"{key}.h5"
 
     def read(self, key: str) -> Variables | None:
         """What is kept of a case; None where nothing is, or a damaged file."""
         try:
-            with results.open_results(self.file(key)) as dataset:
-                if dataset.attrs.get("key") != key:
-                    return None
-                return {
-                    str(name): (tuple(map(str, field.dims)), field.values, dict(field.attrs))
-                    for name, field in dataset.data_vars.items()
-                }
-        except (OSError, ValueError, KeyError, RuntimeError):
-            # how a cut or overwritten file fails depends on where it is hurt
+            tree = read(self.file(key), _KIND)
+            require_same(self.file(key), {"key": key}, tree)
+            return {
+                name: (tuple(part["dims"].split()), part["values"], part["attributes"])
+                for name, part in tree["variables"].items()
+            }
+        except DAMAGED:
             return None
 
-    def write(self, key: str, variables: Variables, case: CaseFile) -> None:
+    def write(self, key: str, variables: Variables) -> None:
         """Keep a case; the file appears when it is complete."""
-        from .. import __version__
-
-        dataset = xr.Dataset(variables)
-        for field in dataset.data_vars.values():
-            field.encoding["fletcher32"] = True  # bits that change later are found when reading
-        content = json.dumps(case.model_dump(exclude_unset=True))
-        dataset.attrs = {"key": key, "case": content, "samcontact_version": __version__}
-        results.save(dataset, self.file(key))
+        parts = {
+            name: {
+                "dims": " ".join(dims),
+                "values": np.asarray(values, dtype=np.float64),
+                "attributes": attributes,
+            }
+            for name, (dims, values, attributes) in variables.items()
+        }
+        write(self.file(key), _KIND, {"run": {"key": key}, "variables": parts})
 
 
 def assemble(

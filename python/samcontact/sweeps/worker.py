@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..resolution import ResolutionWarning
+from ..runs.identity import digest, identity
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -101,8 +101,7 @@ def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
     }
     fields = case.model_dump(exclude=unimportant)
     heights = [_digest(case, name, digests) for name in ("surface", "relief1", "relief2")]
-    text = json.dumps([__version__, fields, heights], sort_keys=True)
-    return hashlib.sha256(text.encode()).hexdigest()[:32]
+    return digest(identity(version=__version__, heights=heights, **fields))
 
 
 def _digest(case: CaseFile, name: str, digests: dict[Path, str]) -> str | None:

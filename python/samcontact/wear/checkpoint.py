@@ -4,32 +4,29 @@
 from __future__ import annotations
 
 import dataclasses
-import hashlib
 import os
 import shutil
 import warnings
-from collections.abc import Mapping
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 
-from .._atomic import replacing, replacing_hdf5
-from .._checks import FloatArray
+from .._atomic import replacing
+from .._checks import FloatArray, file_path
 from .._seal import check_seal
-from ..checkpoint import (
-    DAMAGED,
-    CheckpointError,
-    DamagedCheckpointError,
-    ForeignCheckpointError,
-)
-from ..checkpoint import finite_dataset as _array
+from ..runs.file import DAMAGED, DamagedCheckpointError, damaged, require_same
+from ..runs.file import read as read_file
+from ..runs.file import write as write_file
+from ..runs.identity import Identity, identity
+from ..runs.lock import locked
+from ..runs.tree import Tree, array
 from .checks import Scene, met_rows
 from .results import PER_BODY, Cycle
 
-_FORMAT = "samcontact wear 3"
+_KIND = "wear"
 
 
 @dataclass
@@ -52,31 +49,14 @@ class Standing:
     cycles: list[Cycle] = field(default_factory=list)
 
 
-def fingerprint(scene: Scene) -> str:
-    """Digest of all arguments that results depend on."""
-    digest = hashlib.sha256()
-    _feed(digest, scene)
-    return digest.hexdigest()
+def _identity(scene: Scene) -> Identity:
+    return identity(**vars(scene))
 
 
-def _feed(digest: Any, value: Any) -> None:
-    digest.update(f"<{type(value).__name__}>".encode())
-    if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        for item in dataclasses.fields(value):
-            _feed(digest, getattr(value, item.name))
-    elif isinstance(value, Mapping):
-        for name in sorted(value):
-            digest.update(str(name).encode())
-            _feed(digest, value[name])
-    elif isinstance(value, (list, tuple)):
-        digest.update(str(len(value)).encode())
-        for item in value:
-            _feed(digest, item)
-    elif isinstance(value, np.ndarray):
-        digest.update(str(value.shape).encode())
-        digest.update(np.ascontiguousarray(value, dtype=np.float64).tobytes())
-    else:
-        digest.update(repr(value).encode())
+def alone(path: str | os.PathLike[str]) -> AbstractContextManager[None]:
+    """No other run writes this file meanwhile."""
+    file = file_path("checkpoint", path)
+    return locked(file.parent, "choose another checkpoint", f".{file.name}.lock")
 
 
 def _before(path: str | os.PathLike[str]) -> Path:
@@ -89,29 +69,13 @@ def write(path: str | os.PathLike[str], scene: Scene, standing: Standing) -> Non
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)
-    with replacing_hdf5(path) as opened, h5py.File(opened, "w") as file:
-        _write(file, scene, standing)
-
-
-def _write(file: h5py.File, scene: Scene, standing: Standing) -> None:
-    file.attrs.update(format=_FORMAT, arguments=fingerprint(scene))
-    for body, heights in standing.heights.items():
-        _dataset(file, f"heights{body}", np.stack(heights))
-    for body, state in standing.strains.items():
-        group = file.create_group(f"strain{body}")
-        group.attrs["first"] = state.first
-        for name in ("strain", "equivalent", "backstress"):
-            if getattr(state, name) is not None:
-                _dataset(group, name, getattr(state, name))
-    if standing.cycles:
-        records = file.create_group("cycles")
-        for item in dataclasses.fields(Cycle):
-            records[item.name] = np.array([getattr(c, item.name) for c in standing.cycles])
-
-
-def _dataset(group: h5py.Group, name: str, values: FloatArray) -> None:
-    # fletcher32: a damaged block is refused when it is read instead of being computed with.
-    group.create_dataset(name, data=values, fletcher32=True, chunks=True)
+    records = {
+        item.name: np.array([getattr(one, item.name) for one in standing.cycles])
+        for item in dataclasses.fields(Cycle)
+    }
+    tree: Tree = {f"heights{body}": np.stack(rows) for body, rows in standing.heights.items()}
+    tree |= {f"strain{body}": vars(kept) for body, kept in standing.strains.items()}
+    write_file(path, _KIND, {"run": _identity(scene), **tree, "cycles": records})
 
 
 def _is_whole(path: str | os.PathLike[str]) -> bool:
@@ -139,56 +103,39 @@ def read(path: str | os.PathLike[str], scene: Scene) -> Standing | None:
     """
     if not Path(path).exists():
         return None
-    name = os.fspath(path)
+    tree = read_file(path, _KIND)
+    require_same(path, _identity(scene), tree)
     try:
-        sealed = check_seal(path)
-        with h5py.File(path, "r") as file:
-            form = file.attrs.get("format")
-            if not isinstance(form, str) or form != _FORMAT:
-                raise CheckpointError(f"checkpoint {name!r} is no checkpoint of wear")
-            if not sealed:
-                raise ValueError("the digest at its end is missing: it was cut off or changed")
-            if file.attrs["arguments"] != fingerprint(scene):
-                raise ForeignCheckpointError(
-                    f"checkpoint {name!r} was written with other arguments: give those again, or "
-                    "another file"
-                )
-            return _read(file, scene)
-    except CheckpointError:
-        raise
+        return _standing(tree, scene)
     except DAMAGED as error:
-        raise DamagedCheckpointError(f"checkpoint {name!r} is damaged: {error}") from error
+        raise damaged(path, error) from error
 
 
-def _read(file: h5py.File, scene: Scene) -> Standing:
-    cycles = _read_cycles(file["cycles"], len(scene.worn)) if "cycles" in file else []
+def _standing(tree: Tree, scene: Scene) -> Standing:
+    cycles = _cycles(tree["cycles"], len(scene.worn))
     standing = Standing({}, {}, cycles)
     for body in scene.worn:
         _, rows = met_rows(scene, body)
         shape = (len(cycles) + 1, rows, scene.grid.ny)
-        standing.heights[body] = list(_array(file, f"heights{body}", shape))
+        standing.heights[body] = list(array(tree, f"heights{body}", shape))
     for body in (1, 2):
-        if f"strain{body}" in file:
-            group = file[f"strain{body}"]
-            equivalent = _array(group, "equivalent")
-            if equivalent.ndim != 3 or equivalent.shape[1:] != scene.grid.volume_shape[1:]:
-                raise ValueError(f"equivalent has shape {equivalent.shape}")
-            strain, back = _array(group, "strain", (6, *equivalent.shape)), None
-            if "backstress" in group:
+        if f"strain{body}" in tree:
+            part, back = tree[f"strain{body}"], None
+            equivalent = array(part, "equivalent", (None, *scene.grid.volume_shape[1:]))
+            strain = array(part, "strain", (6, *equivalent.shape))
+            if "backstress" in part:
                 terms = len(scene.bodies[body - 1].kinematic)
-                back = _array(group, "backstress", (terms, *strain.shape))
-            first = int(group.attrs["first"])
-            standing.strains[body] = Strain(first, strain, equivalent, back)
+                back = array(part, "backstress", (terms, *strain.shape))
+            standing.strains[body] = Strain(int(part["first"]), strain, equivalent, back)
     return standing
 
 
-def _read_cycles(group: h5py.Group, worn: int) -> list[Cycle]:
-    records = {item.name: group[item.name][...] for item in dataclasses.fields(Cycle)}
+def _cycles(records: Tree, worn: int) -> list[Cycle]:
     count = len(records["number"])
-    for name, values in records.items():
-        shape: tuple[int, ...] = (count, worn) if name in PER_BODY else (count,)
-        if values.dtype.kind not in "if" or values.shape != shape or not np.isfinite(values).all():
-            raise ValueError(f"{name} of the cycles is not {shape} finite numbers")
+    for item in dataclasses.fields(Cycle):
+        shape: tuple[int, ...] = (count, worn) if item.name in PER_BODY else (count,)
+        if np.shape(records[item.name]) != shape:
+            raise ValueError(f"{item.name} of the cycles is not {shape} finite numbers")
     if list(records["number"]) != list(range(1, count + 1)):
         raise ValueError("the cycles are not numbered one after the other")
     return [Cycle(**{k: _plain(v[n]) for k, v in records.items()}) for n in range(count)]

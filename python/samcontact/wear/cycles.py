@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import nullcontext
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ from ..material import Material
 from ..relief import Relief
 from ..simulation import Simulation
 from ..state import State
-from .checkpoint import Standing, Strain, latest, write
+from .checkpoint import Standing, Strain, alone, latest, write
 from .checks import Scene, make_filter, make_scene, met_rows, rows_of
 from .results import Cycle, Moments, WearResult
 from .steps import Window, depth, shift, shift_deviator
@@ -114,13 +115,14 @@ def run(
         (relief1, relief2),
         settings,
     )
-    standing = None if checkpoint is None else latest(checkpoint, scene)
-    if standing is None:
-        standing = _start(scene)
-    if len(standing.cycles) >= count:
-        done = len(standing.cycles)
-        raise ValueError(f"cycles must be > {done}, those of the checkpoint, got {count}")
-    return _repeat(scene, standing, count, checkpoint, progress)
+    with nullcontext() if checkpoint is None else alone(checkpoint):
+        standing = None if checkpoint is None else latest(checkpoint, scene)
+        if standing is None:
+            standing = _start(scene)
+        if len(standing.cycles) >= count:
+            done = len(standing.cycles)
+            raise ValueError(f"cycles must be > {done}, those of the checkpoint, got {count}")
+        return _repeat(scene, standing, count, checkpoint, progress)
 
 
 def _repeat(

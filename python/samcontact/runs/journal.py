@@ -5,26 +5,27 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
-import numpy as np
-
-from ._atomic import replacing
-from ._checks import file_path
-from ._copies import Standing, laws, resume, snapshot
-from .checkpoint import (
-    DAMAGED,
-    DamagedCheckpointError,
-    ForeignCheckpointError,
-    damaged,
+from .._checks import file_path
+from ..checkpoint import (
+    KIND,
+    Standing,
+    arguments,
     read_checkpoint,
+    resume,
+    snapshot,
     write_checkpoint,
 )
+from .file import DAMAGED, DamagedCheckpointError, damaged, read, require_same
+from .identity import Identity, identity
+from .lock import locked
 
 if TYPE_CHECKING:
-    from .state import State
+    from ..state import State
 
 
 class Resumed(Standing, Protocol):
@@ -34,9 +35,21 @@ class Resumed(Standing, Protocol):
     def state(self) -> State: ...
 
 
-def describe(simulation: object, what: object) -> str:
-    """A run that is about to begin; the repr of `what`, e.g. its path, is part of it."""
-    return f"{simulation!r}\n{what!r}\n"
+def describe(simulation: Standing, **what: Any) -> Identity:
+    """A run that is about to begin, of its scene and what is done with it, e.g. its path."""
+    return identity(**arguments(simulation), **what)
+
+
+@contextmanager
+def journal_of(
+    folder: str | os.PathLike[str] | None, simulation: Resumed, **what: Any
+) -> Iterator[Journal | None]:
+    """The journal of a run, in a folder that is its own meanwhile; None without a folder."""
+    if folder is None:
+        yield None
+        return
+    with locked(file_path("checkpoint", folder)):
+        yield Journal(folder, simulation, describe(simulation, **what))
 
 
 class Journal:
@@ -50,7 +63,7 @@ class Journal:
         Made when it is missing.
     simulation : Simulation
         That makes the increments.
-    description : str
+    who : Identity
         From `describe`, before the first increment: it tells this run from others, whose
         checkpoints are refused.
 
@@ -60,14 +73,16 @@ class Journal:
         The folder holds something else, or checkpoints of another run.
     """
 
-    def __init__(
-        self, folder: str | os.PathLike[str], simulation: Resumed, description: str
-    ) -> None:
+    def __init__(self, folder: str | os.PathLike[str], simulation: Resumed, who: Identity) -> None:
         self.folder, self.simulation = file_path("checkpoint", folder), simulation
+        self.who = who
         self.count = 0
         """Increments so far, restored or new."""
         self.folder.mkdir(parents=True, exist_ok=True)
-        self._claim(description)
+        for file in sorted(self.folder.glob("*.h5")):  # the first one that is whole tells
+            with suppress(DamagedCheckpointError):
+                require_same(self.folder, who, read(file, KIND))
+                break
 
     def next(self) -> State | None:
         """The state after the next increment, where it was kept; the simulation stands there.
@@ -87,9 +102,9 @@ class Journal:
         return self.simulation.state
 
     def _restore(self, file: Path) -> None:
-        kept = read_checkpoint(file, laws(self.simulation))
-        if not _same_surfaces(snapshot(self.simulation).arguments, kept[0]):
-            raise self._foreign()  # they may come from other files
+        bodies = self.simulation.body1, self.simulation.body2
+        kept, tree = read_checkpoint(file, [body.softening for body in bodies])
+        require_same(self.folder, self.who, tree)
         try:
             resume(self.simulation, kept)
         except DAMAGED as error:
@@ -97,38 +112,9 @@ class Journal:
 
     def add(self, state: State | None = None) -> None:
         """Keep the simulation after a new increment: as it stands, or an earlier state of it."""
-        write_checkpoint(self._file(self.count + 1), snapshot(self.simulation, state))
+        kept = snapshot(self.simulation, state)
+        write_checkpoint(self._file(self.count + 1), kept, run=self.who)
         self.count += 1
 
     def _file(self, number: int) -> Path:
         return self.folder / f"increment_{number:05d}.h5"
-
-    def _foreign(self) -> ForeignCheckpointError:
-        return ForeignCheckpointError(
-            f"{self.folder} holds checkpoints of another run: remove it, or choose another folder"
-        )
-
-    def _claim(self, description: str) -> None:
-        """Leave the description beside the checkpoints, or compare it with what is there."""
-        mark = self.folder / "run.txt"
-        if mark.exists():
-            if mark.read_bytes() != description.encode():
-                raise self._foreign()
-        elif any(self.folder.glob("*.h5")):
-            raise self._foreign()
-        else:
-            with replacing(mark) as part:
-                part.write_text(description, encoding="utf-8")
-
-
-def _same_surfaces(now: Mapping[str, Any], before: Mapping[str, Any]) -> bool:
-    if not np.array_equal(before["gap"], now["gap"]):
-        return False
-    for name in ("relief1", "relief2"):
-        old, new = before.get(name), now[name]
-        if old is None or new is None:
-            if old is not new:
-                return False
-        elif not np.array_equal(old.heights, new.heights):
-            return False
-    return True

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Described parts of the core's data as a dictionary of numbers, arrays and dictionaries, and back.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "samcontact/base/box.hpp"
+
+namespace samcontact::bindings {
+
+namespace py = pybind11;
+
+/// A field or list, which becomes an array of one dimension.
+template <class T>
+concept Sequence = requires(T part) { part.resize(0); };
+
+template <class T>
+py::array_t<typename T::value_type> array_of(const T& part, const py::object& owner) {
+  using Numbers = py::array_t<typename T::value_type>;
+  const auto size = static_cast<py::ssize_t>(part.size());
+  if (owner.is_none()) return Numbers(size, part.data());
+  Numbers view(size, part.data(), owner);
+  py::detail::array_proxy(view.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return view;
+}
+
+/// Visits what is described, and takes all of it or the part of one name. Empty sequences are left
+/// out.
+class PartWriter {
+ public:
+  /// owner: Python's object of what is visited, of whose sequences views are taken; None: copies.
+  explicit PartWriter(std::string only = {}, py::object owner = py::none())
+      : only_(std::move(only)), owner_(std::move(owner)) {}
+
+  template <class T>
+  void operator()(const std::string& name, const T& part) {
+    if (!wants(name)) return;
+    if constexpr (Sequence<T>) {
+      if (part.empty()) return;
+    }
+    content[name.c_str()] = to_python(part, owner_);
+  }
+  void maybe_nan(const std::string& name, double part) { (*this)(name, part); }
+
+  template <class T, class Plain, class Make>
+  void made(const std::string& name, const std::shared_ptr<const T>& part, const Plain& plain,
+            const Make&) {
+    if (wants(name) && part) content[name.c_str()] = to_python(plain(*part), py::none());
+  }
+
+  py::dict content;
+  bool found = false;  // whether there is a part of the name
+
+ private:
+  bool wants(const std::string& name) {
+    const bool wanted = only_.empty() || name == only_;
+    found = found || wanted;
+    return wanted;
+  }
+  template <class T>
+  static py::object to_python(const T& part, const py::object& owner) {
+    if constexpr (Sequence<T>) {
+      return array_of(part, owner);
+    } else if constexpr (std::is_enum_v<T>) {
+      return py::int_(static_cast<int>(part));
+    } else if constexpr (std::is_same_v<T, Box>) {
+      return py::cast(std::array{part.i0, part.j0, part.nx, part.ny, part.nz});
+    } else if constexpr (requires(PartWriter visit) { describe(part, visit); }) {
+      PartWriter inner;
+      describe(part, inner);
+      return std::move(inner.content);
+    } else {
+      return py::cast(part);
+    }
+  }
+
+  std::string only_;
+  py::object owner_;
+};
+
+/// The reverse: fills what it visits. Throws std::invalid_argument for a part that is missing or of
+/// another kind, and for numbers that are not finite.
+class PartReader {
+ public:
+  explicit PartReader(py::dict content) : content_(std::move(content)) {}
+
+  template <class T>
+  void operator()(const std::string& name, T& part) {
+    read(name, part);
+    if constexpr (std::is_same_v<T, double>) {
+      require_finite(name, std::isfinite(part));
+    } else if constexpr (std::ranges::range<T>) {
+      require_finite(name, std::all_of(part.begin(), part.end(),
+                                       [](double number) { return std::isfinite(number); }));
+    }
+  }
+  void maybe_nan(const std::string& name, double& part) { read(name, part); }
+
+  template <class T, class Plain, class Make>
+  void made(const std::string& name, std::shared_ptr<const T>& part, const Plain& plain,
+            const Make& make) {
+    part = nullptr;
+    if (!content_.contains(name)) return;
+    std::decay_t<decltype(plain(*part))> kept;
+    (*this)(name, kept);
+    part = make(kept);
+  }
+
+ private:
+  static void require_finite(const std::string& name, bool holds) {
+    if (!holds) throw std::invalid_argument(name + " has values that are not finite");
+  }
+  template <class T>
+  void read(const std::string& name, T& part) {
+    if (content_.contains(name)) {
+      try {
+        from_python(content_[name.c_str()], part);
+      } catch (const py::cast_error&) {
+        throw std::invalid_argument(name + " is of another kind than it should be");
+      }
+    } else if constexpr (Sequence<T>) {
+      part.clear();
+    } else {
+      throw std::invalid_argument(name + " is missing");
+    }
+  }
+  template <class T>
+  static void from_python(const py::object& kept, T& part) {
+    if constexpr (Sequence<T>) {
+      const auto array = kept.cast<py::array_t<typename T::value_type, py::array::c_style>>();
+      part.assign(array.data(), array.data() + array.size());
+    } else if constexpr (std::is_enum_v<T>) {
+      part = static_cast<T>(kept.cast<int>());
+    } else if constexpr (std::is_same_v<T, Box>) {
+      const auto numbers = kept.cast<std::array<int, 5>>();
+      part = {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
+    } else if constexpr (requires(PartReader visit) { describe(part, visit); }) {
+      PartReader inner(kept.cast<py::dict>());
+      describe(part, inner);
+    } else {
+      part = kept.cast<T>();
+    }
+  }
+
+  py::dict content_;
+};
+
+}  // namespace samcontact::bindings

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/description.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace samcontact::simulation {
+namespace {
+
+/// Cells from the start of a body's way.
+constexpr int farthest = 1 << 30;
+
+void require_that(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(what);
+}
+
+bool is_one_of(fft::Symmetry symmetry) {
+  return symmetry >= fft::Symmetry::none && symmetry <= fft::Symmetry::xy;
+}
+
+/// Whether it lies in the grid but for x, along which a moving body's may go beyond.
+bool is_across(const Box& box, const Grid& grid) {
+  return std::abs(static_cast<long>(box.i0)) < farthest && box.nx >= 0 && box.nx < farthest &&
+         box.j0 >= 0 && box.j0 <= grid.ny && box.ny >= 0 && box.ny <= grid.ny - box.j0 &&
+         box.nz >= 0 && box.nz <= grid.nz;
+}
+
+void require_consistent(const Flow& flow, const Grid& grid) {
+  bool fits = is_one_of(flow.symmetry);
+  for (const auto& body : flow.bodies) {
+    const std::size_t n = body.cells.size();
+    fits = fits && (body.strain.size() == 5 * n || body.strain.size() == 6 * n) &&
+           std::all_of(body.cells.begin(), body.cells.end(),
+                       [&](std::uint32_t cell) { return cell < grid.volume_size(); });
+  }
+  require_that(fits, "the flow of the last increment does not fit the grid");
+}
+
+}  // namespace
+
+PlasticRecord record(const PlasticState& history) {
+  return {history.symmetry(), history.tensor(), history.fields(history.box())};
+}
+
+std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Scene& scene,
+                                           int body) {
+  const auto& [symmetry, tensor, fields] = record;
+  const Box& box = fields.box;
+  require_that(is_one_of(symmetry), "mirrored must be 0, 1 or 2");
+  require_that(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator,
+               "tensor must be 0 or 1");
+  const Box part = stored_part(scene.grid, symmetry);
+  require_that(is_across(box, scene.grid) && !box.empty() && box.nz > 0 &&
+                   (symmetry == fft::Symmetry::none || box.j0 == part.j0) &&
+                   (symmetry != fft::Symmetry::xy || box.i0 == part.i0),
+               "the box of a plastic history is not in the grid");
+  const std::size_t cells = box.volume_size();
+  const std::size_t terms = scene.materials[body].backstresses.size();
+  require_that(fields.strain.size() == operators::count(tensor) * cells &&
+                   fields.equivalent.size() == cells &&
+                   fields.backstress.size() == 5 * terms * cells,
+               "the arrays of a plastic history do not fit its box");
+  return std::make_shared<const PlasticState>(nullptr, symmetry, tensor, fields);
+}
+
+void require_consistent(const State& state) {
+  using operators::ResidualMethod;
+  const Grid& grid = state.scene().grid;
+  const auto fits = [&](const Field& field) { return field.size() == grid.surface_size(); };
+  require_that(fits(state.tractions.pressure), "the pressure does not fit the grid");
+  for (const Field* field :
+       {&state.tractions.shear_x, &state.tractions.shear_y, &state.contact_gap}) {
+    require_that(field->empty() || fits(*field), "shear or gap do not fit the grid");
+  }
+  for (const double way : state.travel) {
+    require_that(std::fabs(way) < farthest, "travel is out of range");
+  }
+  require_that(state.method == ResidualMethod::exact || state.method == ResidualMethod::fast,
+               "residual_method must be 0 or 1");
+  require_that(is_one_of(state.past_symmetry), "past_symmetry must be 0, 1 or 2");
+  for (int b = 0; b < 2; ++b) {
+    const Box& flow = state.flow_box[b];
+    require_that(is_across(flow, grid) && Box::whole(grid).contains(flow),
+                 "the box of plastic flow is not in the grid");
+    require_that(!state.softening[b] || state.softening[b]->size() == grid.volume_size(),
+                 "the softening of a body does not fit the grid");
+  }
+  if (state.last_flow) require_consistent(*state.last_flow, grid);
+}
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files to go on from: HDF5 with a digest at the end, all of one format."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+import h5py
+
+from .. import _core
+from .._atomic import replacing_hdf5
+from .._checks import file_path
+from .._seal import check_seal
+from .identity import Identity, differences
+from .tree import Tree, read_tree, write_tree
+
+_FORMAT = "samcontact checkpoint"
+_FORMAT_VERSION = 7
+
+DAMAGED = (
+    OSError, KeyError, ValueError, TypeError, AttributeError, IndexError, OverflowError,
+    RuntimeError, MemoryError,
+)  # fmt: skip
+"""What h5py, NumPy and the core raise for a file of which a part is not what it should be."""
+
+
+class CheckpointError(ValueError):
+    """The file is no checkpoint of this package, or it is damaged."""
+
+
+class DamagedCheckpointError(CheckpointError):
+    """It is one, or was, but cannot be used: an earlier one may serve."""
+
+
+class ForeignCheckpointError(CheckpointError):
+    """It belongs to another run."""
+
+
+def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckpointError:
+    """The error of a file whose content cannot be used."""
+    return DamagedCheckpointError(f"{os.fspath(path)!r} is damaged: {error}")
+
+
+def write(path: str | os.PathLike[str], kind: str, tree: Mapping[str, Any]) -> None:
+    """Keep a tree; a failure leaves the old file. kind: in a word, what the tree is of."""
+    file_path("path", path)
+    with replacing_hdf5(path) as opened, h5py.File(opened, "w") as file:
+        file.attrs.update(
+            format=_FORMAT,
+            format_version=_FORMAT_VERSION,
+            samcontact_version=_core.version,
+            kind=kind,
+        )
+        write_tree(file, tree)
+
+
+def read(path: str | os.PathLike[str], kind: str) -> Tree:
+    """What `write` has kept.
+
+    Raises FileNotFoundError, and CheckpointError for a file of another program, format or kind;
+    DamagedCheckpointError where its bytes are not those that were written.
+    """
+    if not file_path("path", path).is_file():
+        raise FileNotFoundError(f"no checkpoint at {os.fspath(path)!r}")
+    try:
+        sealed = check_seal(path)
+        with h5py.File(path, "r") as file:
+            _require_format(path, kind, dict(file.attrs))
+            if not sealed:
+                raise ValueError("the digest at its end is missing: it was cut off or changed")
+            return read_tree(file)
+    except CheckpointError:
+        raise
+    except DAMAGED as error:
+        raise damaged(path, error) from error
+
+
+def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> None:
+    """Raise ForeignCheckpointError for a file of a computation that is not the one of now."""
+    before = tree.get("run")
+    if now != before:
+        told = differences(now, before) if isinstance(before, dict) else "a simulation by itself"
+        raise ForeignCheckpointError(
+            f"{os.fspath(path)!r} is of another run: remove it, or choose another ({told})"
+        )
+
+
+def _require_format(path: str | os.PathLike[str], kind: str, found: Mapping[str, Any]) -> None:
+    name = f"{os.fspath(path)!r}"
+    if not isinstance(found.get("format"), str) or found["format"] != _FORMAT:
+        raise CheckpointError(f"{name} is not a samcontact checkpoint")
+    version = int(found["format_version"])
+    if version != _FORMAT_VERSION:
+        raise CheckpointError(
+            f"{name} has checkpoint format {version}; this version reads format {_FORMAT_VERSION}"
+        )
+    if found.get("kind") != kind:
+        raise CheckpointError(f"{name} is a checkpoint of {found.get('kind')!r}, not of {kind!r}")
