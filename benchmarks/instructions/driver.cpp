@@ -32,7 +32,7 @@ const Grid box(64, 64, 1e-6, 1e-6, 32, 1e-6);
 
 /// Residual stress of all wavenumbers of a box, without transforms and without images.
 std::function<double()> layer_sweep() {
-  const operators::VolumeTransform transform(box.nx, box.ny, operators::Symmetry::none);
+  const operators::VolumeTransform transform(box, operators::Symmetry::none);
   const operators::LayerResidualStress stress(box, transform, Elastic::isotropic(210e9, 0.3), 0.1);
   operators::VolumeSpectrum spectrum(transform, box.nz, operators::Tensor::deviator);
   for (std::size_t n = 0; n < spectrum.data.size(); ++n) {
@@ -68,7 +68,7 @@ std::function<double()> radial_return() {
 /// A deviator of a box to wavenumbers and back.
 std::function<double()> transforms(operators::Symmetry symmetry) {
   struct Data {
-    explicit Data(operators::Symmetry symmetry) : transform(box.nx, box.ny, symmetry) {}
+    explicit Data(operators::Symmetry symmetry) : transform(box, symmetry) {}
     operators::VolumeTransform transform;
     operators::VolumeSpectrum spectrum{transform, box.nz, operators::Tensor::deviator};
     Field field = Field(5 * transform.plane_size() * box.nz);

@@ -65,12 +65,13 @@ class Springs : public NormalDisplacement {
 TEST_CASE("the nine compliances of a half-space are those of its point forces") {
   const auto steel = half_space({E, nu});
   const double dx = 2e-6, dy = 3e-6;
+  const Grid grid(1, 1, dx, dy);
   const CellOffsets offsets{{1, 7, 2, 30}, {3, 1, 12}};
   const double scale =
-      steel->compliance(Traction::pressure, Axis::z, dx, dy, CellOffsets::lattice(1, 1))[0];
+      steel->compliance(Traction::pressure, Axis::z, grid, CellOffsets::lattice(1, 1))[0];
   for (const Traction traction : all_tractions) {
     for (const Axis axis : all_axes) {
-      const Field table = steel->compliance(traction, axis, dx, dy, offsets);
+      const Field table = steel->compliance(traction, axis, grid, offsets);
       std::size_t at = 0;
       for (const int j : offsets.y) {
         for (const int i : offsets.x) {
@@ -85,11 +86,12 @@ TEST_CASE("the nine compliances of a half-space are those of its point forces") 
 TEST_CASE("nine cells move their middle as one cell of three times their size does") {
   const auto steel = half_space({E, nu});
   const double dx = 2e-6, dy = 3e-6;
+  const Grid grid(1, 1, dx, dy);
   for (const Traction traction : all_tractions) {
     for (const Axis axis : all_axes) {
-      const Field c = steel->compliance(traction, axis, dx, dy, CellOffsets::lattice(2, 2));
-      const double one =
-          steel->compliance(traction, axis, 3 * dx, 3 * dy, CellOffsets::lattice(1, 1))[0];
+      const Field c = steel->compliance(traction, axis, grid, CellOffsets::lattice(2, 2));
+      const double one = steel->compliance(traction, axis, Grid(1, 1, 3 * dx, 3 * dy),
+                                           CellOffsets::lattice(1, 1))[0];
       const auto parity = compliance_parity(traction, axis);
       const double both_x = parity.odd_x ? 0 : 2, both_y = parity.odd_y ? 0 : 2;
       const double nine = c[0] + both_x * c[1] + both_y * c[2] + both_x * both_y * c[3];
@@ -100,24 +102,25 @@ TEST_CASE("nine cells move their middle as one cell of three times their size do
 
 TEST_CASE("media are equal when their coefficients are") {
   const auto steel = half_space({E, nu}), rigid = half_space(Elastic::rigid());
+  const Grid square(2, 2, 1.0, 1.0);
   CHECK(*steel == *half_space({E, nu}));
   CHECK(*steel != *half_space({E, 0.29}));
   CHECK(rigid->is_rigid());
-  CHECK(rigid->compliance(Traction::shear_x, Axis::z, 1.0, 1.0, CellOffsets::lattice(2, 2)) ==
+  CHECK(rigid->compliance(Traction::shear_x, Axis::z, square, CellOffsets::lattice(2, 2)) ==
         Field(4, 0.0));
   SurfaceInfluence equal, unequal;
   for (const double shear : {-0.3, 0.3}) {
     equal.add(half_space({E, nu}), shear);
     unequal.add(half_space({shear < 0 ? E : 0.5 * E, nu}), shear);
   }
-  CHECK(equal.rest(1.0, 1.0, 2, 2).empty());
-  CHECK(unequal.rest(1.0, 1.0, 2, 2).size() == 1);
+  CHECK(equal.rest(square, {square, 4, 4}).empty());
+  CHECK(unequal.rest(square, {square, 4, 4}).size() == 1);
   // One table for both bodies gives what one for each gives.
   const auto offsets = CellOffsets::lattice(3, 2);
-  const Field both = unequal.elastic(1.0, 1.0, offsets);
-  const Field first = steel->compliance(Traction::pressure, Axis::z, 1.0, 1.0, offsets);
+  const Field both = unequal.elastic(square, offsets);
+  const Field first = steel->compliance(Traction::pressure, Axis::z, square, offsets);
   const Field second =
-      half_space({0.5 * E, nu})->compliance(Traction::pressure, Axis::z, 1.0, 1.0, offsets);
+      half_space({0.5 * E, nu})->compliance(Traction::pressure, Axis::z, square, offsets);
   for (std::size_t n = 0; n < both.size(); ++n) {
     CHECK(both[n] == doctest::Approx(first[n] + second[n]).epsilon(1e-14));
   }

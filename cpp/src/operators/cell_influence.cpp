@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "samcontact/kernels/corners.hpp"
 #include "samcontact/kernels/far_displacement.hpp"

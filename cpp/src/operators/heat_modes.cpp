@@ -141,8 +141,10 @@ fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
     px += kept * (along_x ? 1 : vx / vy);
     py += kept * (along_x ? vy / vx : 1);
   }
-  return {grid.nx, grid.ny, static_cast<int>(std::ceil(px)),
-          static_cast<int>(std::ceil(py / cell_y_))};
+  const auto size = [](int cells, double least) {
+    return fft::convolution_size(cells, 0, static_cast<int>(std::ceil(least)));
+  };
+  return {grid.nx, grid.ny, size(grid.nx, px), size(grid.ny, py / cell_y_)};
 }
 
 /// How far a level's kernels may reach, and how long it keeps heat.

@@ -100,48 +100,57 @@ LatticeImages::Factors::Factors(const std::vector<double>& nodes,
   }
 }
 
-LatticeImages::LatticeImages(const Modes& modes, Points x, Points y, double subtracted)
-    : modes_(modes),
+LatticeImages::LatticeImages(Modes modes, Points x, Points y, double subtracted)
+    : modes_(std::move(modes)),
       x_(std::move(x)),
       y_(std::move(y)),
       along_x_(x_.nodes, modes_.kx, subtracted),
       along_y_(y_.nodes, modes_.ky, 0.0) {}
 
-LatticeImages LatticeImages::of_cells(const LatticeAxis& x, const LatticeAxis& y) {
-  const double half_x = 0.5 * x.d, half_y = 0.5 * y.d, corner = std::hypot(half_x, half_y);
-  double distance = y.distance();
-  if (x.period > 0) distance = std::min(distance, x.distance());
-  const double q1 = split(std::max(distance - corner, 0.25 * distance)), last = end * q1;
-  Modes modes;
+void LatticeImages::Modes::add_lattice(const LatticeAxis& x, const LatticeAxis& y, double q1) {
   // Without a period along x, waves that vary along y die out beside the load.
-  const double beside = std::max(8 * y.period, 1.1 * distance);
+  const double beside = std::max(8 * y.period, 1.1 * y.distance());
   const double period_x = x.period > 0 ? x.period : x.extent() + beside;
-  const int nx = static_cast<int>(last * period_x / (2 * pi));
-  const int ny = static_cast<int>(last * y.period / (2 * pi));
+  const int nx = static_cast<int>(end * q1 * period_x / (2 * pi));
+  const int ny = static_cast<int>(end * q1 * y.period / (2 * pi));
   for (int n = x.period > 0 ? 0 : 1; n <= ny; ++n) {
     for (int m = n == 0 ? 1 : 0; m <= nx; ++m) {
-      const double kx = 2 * pi * m / period_x, ky = 2 * pi * n / y.period;
+      const double k_x = 2 * pi * m / period_x, k_y = 2 * pi * n / y.period;
       const double twins = (m > 0 ? 2.0 : 1.0) * (n > 0 ? 2.0 : 1.0);
-      modes.push(kx, ky,
-                 twins / (period_x * y.period) * window(std::hypot(kx, ky) / q1) *
-                     of_cell(kx, x.d) * of_cell(ky, y.d));
+      push(k_x, k_y,
+           twins / (period_x * y.period) * window(std::hypot(k_x, k_y) / q1) * of_cell(k_x, x.d) *
+               of_cell(k_y, y.d));
     }
   }
-  const double phase =
-      last *
-      (std::hypot(x.extent() + x.apart * x.period, y.extent() + y.apart * y.period) + corner);
-  const auto radial = kernels::gauss_legendre(static_cast<int>(0.5 * phase) + 40);
-  const int angles = static_cast<int>(0.5 * phase) + 20;
+}
+
+void LatticeImages::Modes::subtract_integral(const LatticeAxis& x, const LatticeAxis& y,
+                                             double q1) {
+  const double last = end * q1;
+  const double farthest = std::hypot(x.extent() + x.apart * x.period + 0.5 * x.d,
+                                     y.extent() + y.apart * y.period + 0.5 * y.d);
+  const auto radial = kernels::gauss_legendre(static_cast<int>(0.5 * last * farthest) + 40);
+  const int angles = static_cast<int>(0.5 * last * farthest) + 20;
   for (const auto& [at, share] : radial) {
     const double q = last * at;
     for (int a = 0; a < angles; ++a) {
       const double angle = (a + 0.5) * pi / (2 * angles);
-      const double kx = q * std::cos(angle), ky = q * std::sin(angle);
-      modes.push(kx, ky,
-                 -share * last * q / (2 * pi * angles) * window(q / q1) * of_cell(kx, x.d) *
-                     of_cell(ky, y.d) * of_images(kx, x) * of_images(ky, y));
+      const double k_x = q * std::cos(angle), k_y = q * std::sin(angle);
+      push(k_x, k_y,
+           -share * last * q / (2 * pi * angles) * window(q / q1) * of_cell(k_x, x.d) *
+               of_cell(k_y, y.d) * of_images(k_x, x) * of_images(k_y, y));
     }
   }
+}
+
+LatticeImages LatticeImages::of_cells(const LatticeAxis& x, const LatticeAxis& y) {
+  const double half_x = 0.5 * x.d, half_y = 0.5 * y.d;
+  double distance = y.distance();
+  if (x.period > 0) distance = std::min(distance, x.distance());
+  const double q1 = split(std::max(distance - std::hypot(half_x, half_y), 0.25 * distance));
+  Modes modes;
+  modes.add_lattice(x, y, q1);
+  modes.subtract_integral(x, y, q1);
   const double to_y = (y.apart + 1) * y.period - half_y;
   const double to_x = x.period > 0 ? (x.apart + 1) * x.period - half_x : INFINITY;
   const auto beyond = [](double way, double extent) {
@@ -149,7 +158,7 @@ LatticeImages LatticeImages::of_cells(const LatticeAxis& x, const LatticeAxis& y
   };
   const double ratio_x = growth(beyond(to_x, x.extent()), beyond(to_y - y.extent(), x.extent()));
   const double ratio_y = growth(beyond(to_y, y.extent()), beyond(to_x - x.extent(), y.extent()));
-  return {modes, Points(x, ratio_x), Points(y, ratio_y), 0.0};
+  return {std::move(modes), Points(x, ratio_x), Points(y, ratio_y), 0.0};
 }
 
 LatticeImages LatticeImages::of_strips(const LatticeAxis& x) {
@@ -168,7 +177,7 @@ LatticeImages LatticeImages::of_strips(const LatticeAxis& x) {
   const double ratio =
       growth(((x.apart + 1) * x.period - 0.5 * x.d) / std::max(x.extent(), 0.5 * x.d), INFINITY);
   // A wave's own infinity at k = 0 is no more than a constant.
-  return {modes, Points(x, ratio), Points({1.0, 1, 0.0}, ratio), 1.0};
+  return {std::move(modes), Points(x, ratio), Points({}, ratio), 1.0};
 }
 
 void LatticeImages::add(const Wave& wave, const std::vector<kernels::Parity>& parities,

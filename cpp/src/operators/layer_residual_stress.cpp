@@ -59,9 +59,9 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
   const bool along_x = grid.period.x > 0, along_y = grid.period.y > 0;
   if (along_x && along_y) return;
   if (along_x || along_y) {
-    images_ = std::make_unique<LineImages>(grid, transform, elastic, image_tol);
+    images_ = std::make_shared<LineImages>(grid, transform, elastic, image_tol);
   } else {
-    images_ = std::make_unique<ImageCorrection>(grid, transform, elastic, image_tol);
+    images_ = std::make_shared<ImageCorrection>(grid, transform, elastic, image_tol);
   }
 }
 

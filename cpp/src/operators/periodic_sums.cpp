@@ -10,8 +10,8 @@ namespace {
 /// An offset in a period, and whether it is the mirror image of the one meant; period 0: none.
 struct Folded {
   int offset;
-  bool mirrored;
-  Folded(int n, int period) : offset(period > 0 ? n % period : n), mirrored(false) {
+  bool mirrored = false;
+  Folded(int n, int period) : offset(period > 0 ? n % period : n) {
     if (period > 0 && 2 * offset > period) {
       offset = period - offset;
       mirrored = true;

@@ -16,10 +16,10 @@ namespace samcontact::operators {
 
 /// Offsets 0, d, .. (cells - 1) d along one axis, of a lattice that repeats after `period` [m].
 struct LatticeAxis {
-  double d;
-  int cells;
-  double period;  // 0: none
-  int apart = 0;  // images up to this one are added one by one
+  double d = 1.0;
+  int cells = 1;
+  double period = 0.0;  // 0: none
+  int apart = 0;        // images up to this one are added one by one
 
   double extent() const { return (cells - 1) * d; }
   /// From the farthest offset to the first image that is not added.
@@ -42,6 +42,10 @@ class LatticeImages {
   struct Modes {
     std::vector<double> kx, ky, weight;
     void push(double x, double y, double w);
+    /// The sum over the waves of a lattice, windowed at q1.
+    void add_lattice(const LatticeAxis& x, const LatticeAxis& y, double q1);
+    /// Less the integral over all waves, for a cell and the images that are added one by one.
+    void subtract_integral(const LatticeAxis& x, const LatticeAxis& y, double q1);
   };
   /// Values at points along an axis from those at its Chebyshev points > 0, by parity.
   struct Points {
@@ -56,7 +60,7 @@ class LatticeImages {
     Factors(const std::vector<double>& nodes, const std::vector<double>& wavenumbers,
             double subtracted);
   };
-  LatticeImages(const Modes& modes, Points x, Points y, double subtracted);
+  LatticeImages(Modes modes, Points x, Points y, double subtracted);
 
   Modes modes_;
   Points x_, y_;

@@ -61,7 +61,7 @@ class LayerResidualStress : public ResidualStress {
   int nz_;
   double nu_, lame_, shear_modulus_;
   std::vector<std::vector<Pass>> passes_;  // of each ky, first its own wavenumbers
-  std::unique_ptr<const Images> images_;   // null where the surface has all of them
+  std::shared_ptr<const Images> images_;   // null where the surface has all of them
 };
 
 }  // namespace samcontact::operators
