@@ -82,7 +82,7 @@ TEST_CASE("on all of a periodic grid the cheap displacement is the exact one, on
           (both ? 1e-14 : 1e-3) * largest(whole.exact));
     const Grid part = Box{0, 0, 70, 66, 0}.grid(grid);
     const auto some = displacements(part, sample(part.surface_size()));
-    CHECK(largest_difference(some.exact, some.cheap) < 1e-3 * largest(some.exact));
+    CHECK(largest_difference(some.exact, some.cheap) < 2e-3 * largest(some.exact));
   }
 }
 

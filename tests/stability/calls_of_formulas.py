@@ -28,7 +28,11 @@ HEAT = {"conductivity": 50.0, "diffusivity": 1.4e-5, "time": 1e-4, "velocity": (
 TABLE = {"x": X, "y": Y, "a": 1e-5, "b": 2e-5, "tol": 1e-4, **HEAT}
 
 CALLS = [
-    ("Grid", sc.Grid, {"nx": 3, "ny": 4, "dx": 1e-5, "dy": 2e-5, "nz": 2, "dz": 1e-5}),
+    (
+        "Grid",
+        sc.Grid,
+        {"nx": 3, "ny": 4, "dx": 1e-5, "dy": 2e-5, "nz": 2, "dz": 1e-5, "periodic": "y"},
+    ),
     (
         "Material",
         sc.Material,
