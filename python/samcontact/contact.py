@@ -296,9 +296,9 @@ class ContactSolver(Configured):
         -------
         ndarray, shape (3, nx, ny)
             u_x, u_y, u_z [m] at the cell centres, zero far away (see Grid for periodic ones): u_x
-            and u_y along the x and y that both bodies share, u_z positive into the body. Shear s_x > 0 on body 2 moves its surface
-            to +x; pressure draws the surface around it towards itself. Without thermal expansion;
-            zero for a rigid body.
+            and u_y along the x and y that both bodies share, u_z positive into the body. Shear
+            s_x > 0 on body 2 moves its surface to +x; pressure draws the surface around it towards
+            itself. Without thermal expansion; zero for a rigid body.
 
         Raises
         ------
