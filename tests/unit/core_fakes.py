@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from samcontact import Material, hertz
+from samcontact import Grid, Material, hertz
 
 ELASTIC = Material.elastic(210e9, 0.3)
 RIGID = Material.rigid()
@@ -15,12 +15,7 @@ SWIFT = Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 
 
 def make_grid(nx=11, ny=9, dx=1e-4, dy=1.2e-4, nz=0, dz=None):
-    def centred(n, step):
-        return (np.arange(n) - (n - 1) / 2) * step
-
-    z = (np.arange(nz) + 0.5) * dz if nz else np.empty(0)
-    x, y = centred(nx, dx), centred(ny, dy)
-    return SimpleNamespace(nx=nx, ny=ny, nz=nz, dx=dx, dy=dy, dz=dz, x=x, y=y, z=z)
+    return Grid(nx, ny, dx, dy, nz, dz)
 
 
 class FakeState:
