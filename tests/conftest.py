@@ -2,8 +2,10 @@
 """What all tests need."""
 
 import signal
+from pathlib import Path
 
 import hypothesis
+import pytest
 
 # A shell starts its background jobs with Ctrl-C ignored, and children inherit that: tests that
 # press it would wait for ever.
@@ -25,6 +27,18 @@ LONG = (
     "structure/",
     "fuzz/",
 )
+
+
+@pytest.fixture
+def undrawn(monkeypatch):
+    """Figures and files are made, but nothing is drawn: that takes long, and has its own tests."""
+    from matplotlib.figure import Figure
+
+    def savefig(self, target, **options):
+        if isinstance(target, Path):
+            target.touch()
+
+    monkeypatch.setattr(Figure, "savefig", savefig)
 
 
 def pytest_collection_modifyitems(items):

@@ -104,10 +104,10 @@ def test_parts_by_name_and_by_figure():
             parts.part_of(name)
 
 
-def test_the_command_makes_a_part(tmp_path, capsys):
-    assert main(["2.12", "--quick", "--output", str(tmp_path)]) == 0
-    assert "flattening: " in capsys.readouterr().out
-    assert "# Flattening" in (tmp_path / "flattening.md").read_text()
+def test_the_command_makes_a_part(tmp_path, capsys, undrawn):
+    assert main(["2.14", "--quick", "--output", str(tmp_path)]) == 0
+    assert "nano_indentation: " in capsys.readouterr().out
+    assert "# Nano" in (tmp_path / "nano_indentation.md").read_text()
     assert list(tmp_path.glob("*.png"))
 
 

@@ -52,13 +52,13 @@ def states(tmp_path):
     return simulation.run(path, progress=False)
 
 
-def test_a_run_with_figures_and_report_computes_each_stress_once(tmp_path, computed):
+def test_a_run_with_figures_and_report_computes_each_stress_once(tmp_path, computed, undrawn):
     run(MINIMAL, tmp_path)
     assert {key[0] for key in computed} == {"stress", "residual_stress"}
     assert set(computed.values()) == {1}
 
 
-def test_of_a_contact_that_moves_too(tmp_path, computed):
+def test_of_a_contact_that_moves_too(tmp_path, computed, undrawn):
     run(MOVING, tmp_path)
     assert sum(key[0] == "track_residual_stress" for key in computed) == 1
     assert set(computed.values()) == {1}

@@ -113,9 +113,9 @@ ERRORS = [
 
 
 @pytest.mark.parametrize("error", ERRORS, ids=lambda error: type(error).__name__)
-def test_an_error_leaves_what_was_computed(case_file, expected, tmp_path, monkeypatch, error):
-    monkeypatch.setattr(report.contact, "contact_figures", lambda *_: [])  # they take a second
-    monkeypatch.setattr(plotting, "summary_figures", lambda *_, **__: [tmp_path / "sections.png"])
+def test_an_error_leaves_what_was_computed(
+    case_file, expected, tmp_path, monkeypatch, error, undrawn
+):
     with monkeypatch.context() as patch:
         patch.setattr(sc.Simulation, "step", stop_at(3, error))
         outcome = invoke("run", case_file, "--output", tmp_path, "--quiet")
@@ -211,7 +211,7 @@ class TestStudies:
         assert (out / name).exists()
         assert not (out / "checkpoints").exists()
 
-    def test_an_error_leaves_what_was_computed(self, study, tmp_path, monkeypatch):
+    def test_an_error_leaves_what_was_computed(self, study, tmp_path, monkeypatch, undrawn):
         case, name = study
         out = tmp_path / "out"
         with monkeypatch.context() as patch:
@@ -290,7 +290,7 @@ class TestOneRunAtATime:
         assert list(tmp_path.iterdir()) == []
 
 
-def test_a_run_replaces_the_files_of_the_one_before(case_file, tmp_path, monkeypatch):
+def test_a_run_replaces_the_files_of_the_one_before(case_file, tmp_path, monkeypatch, undrawn):
     old = ["series.nc", "series.csv", "report.html", "track_print.png", "results_00002_surface.vtr"]
     mine = ["notes.txt", "my_pressure.png", "results.txt"]
     for name in (*old, *mine):

@@ -251,7 +251,7 @@ def test_every_check_can_fail(data, sound, start, name, change, value):
     assert named(sound, start).passed
 
 
-def test_a_failed_check_is_told(data, tmp_path):
+def test_a_failed_check_is_told(data, tmp_path, undrawn):
     results.save(spoilt(data, "contact_margin", lambda x: x * 0), tmp_path / "bad.nc")
     outcome = CliRunner().invoke(main, ["report", str(tmp_path / "bad.nc")])
     assert outcome.exit_code == 0
@@ -284,7 +284,7 @@ def written(dataset, tmp_path):
     return report.write(dataset, tmp_path / "report.html").read_text(encoding="utf-8")
 
 
-def test_elastic_surface_run_without_case(tmp_path):
+def test_elastic_surface_run_without_case(tmp_path, undrawn):
     grid = sc.Grid(16, 16, 40e-6, 40e-6)
     simulation = sc.Simulation(grid, ELASTIC, ELASTIC, sc.surfaces.paraboloid(grid, 7.5e-3))
     states = simulation.run([{"load": 300.0}], progress=False)
@@ -306,7 +306,7 @@ def test_elastic_surface_run_without_case(tmp_path):
     ]
 
 
-def test_moving_contact_has_a_track(tmp_path):
+def test_moving_contact_has_a_track(tmp_path, undrawn):
     grid = sc.Grid(15, 13, 60e-6, 60e-6, 12, 60e-6)
     simulation = sc.Simulation(grid, ELASTIC, SWIFT, sc.surfaces.paraboloid(grid, 7.5e-3))
     move = {"load": 600.0, "advance": (-60e-6, -60e-6)}
@@ -321,7 +321,7 @@ def test_moving_contact_has_a_track(tmp_path):
     assert all(verdict.passed for verdict in report.checks(dataset))
 
 
-def test_prescribed_tractions_have_no_complementarity(tmp_path):
+def test_prescribed_tractions_have_no_complementarity(tmp_path, undrawn):
     grid = sc.Grid(8, 8, 60e-6, 60e-6)
     simulation = sc.Simulation(grid, ELASTIC, ELASTIC, np.zeros((8, 8)))
     pressure = np.zeros((8, 8))
@@ -332,7 +332,7 @@ def test_prescribed_tractions_have_no_complementarity(tmp_path):
     assert "Load against approach" not in written(dataset, tmp_path)
 
 
-def test_heated_body_of_interest(tmp_path):
+def test_heated_body_of_interest(tmp_path, undrawn):
     thermal = SWIFT.with_thermal(50.2, 11.7e-6, 1.37e-5)
     simulation = make_simulation(body1=thermal, body2=ELASTIC)
     states = [FakeState(simulation.grid, load) for load in (100.0, 300.0)]
@@ -342,7 +342,7 @@ def test_heated_body_of_interest(tmp_path):
     assert "Von Mises stress, body 1, increment 2, 300 N" in text
 
 
-def test_texts_are_escaped_and_old_cases_do_no_harm(data, tmp_path):
+def test_texts_are_escaped_and_old_cases_do_no_harm(data, tmp_path, undrawn):
     other = data.copy()
     other.attrs = data.attrs | {"title": "<script>1</script>", "case": "[grid]\nunknown = 1\n"}
     text = written(other, tmp_path)

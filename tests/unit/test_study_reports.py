@@ -161,7 +161,7 @@ def test_cycles(wear):
     ]
 
 
-def test_a_series_without_a_case(tugging, tmp_path):
+def test_a_series_without_a_case(tugging, tmp_path, undrawn):
     folder, _ = tugging
     with results.open_results(folder / "series.nc") as data:
         plain = data.load().drop_attrs().assign_attrs(R1=1.0, R2=2.0, interference=6e-4)
@@ -169,7 +169,7 @@ def test_a_series_without_a_case(tugging, tmp_path):
     assert '<td>run</td><th scope="row">interference</th><td>0.0006</td>' in text
 
 
-def test_which_file_of_a_folder(tmp_path, tugging, wear):
+def test_which_file_of_a_folder(tmp_path, tugging, wear, undrawn):
     outcome = invoke("report", tmp_path)
     assert outcome.exit_code == 2
     assert "must hold one of results.nc, series.nc, wear.nc, has none of them" in outcome.stderr

@@ -100,7 +100,7 @@ def test_what_is_written_can_be_read(cells, tmp_path, drawn):
         assert overlaps(drawn[path.stem]) == [], path.name
 
 
-def test_without_a_volume(tmp_path):
+def test_without_a_volume(tmp_path, undrawn):
     surface = make_simulation(nz=0, body2=ELASTIC.with_thermal(50.0, 1e-5, 1e-5))
     states = [FakeState(surface.grid, 1500.0)]
     written = plotting.summary_figures(to_dataset(surface, states), tmp_path)
@@ -108,7 +108,7 @@ def test_without_a_volume(tmp_path):
     assert [path.name for path in written] == names
 
 
-def test_profiles_run_where_there_is_something(tmp_path, drawn):
+def test_profiles_run_where_there_is_something(tmp_path, drawn, undrawn):
     """On a rough surface nothing may touch in the middle."""
     simulation = make_simulation()
     grid = simulation.grid
@@ -144,7 +144,7 @@ def test_of_what_moved_all_of_the_track_is_shown(tmp_path, drawn):
         assert overlaps(figure) == [], name
 
 
-def test_the_increments_that_are_shown(tmp_path):
+def test_the_increments_that_are_shown(tmp_path, undrawn):
     simulation = make_simulation(body2=WARM)
     states = [FakeState(simulation.grid, load) for load in (1500.0, 700.0, 100.0)]
     states[1].pressure = 3.0 * states[0].pressure  # warmest where the stress is not largest
