@@ -45,7 +45,7 @@ class Results:
 
 
 def compute(quick: bool) -> Results:
-    cells, loading = (5, 8) if quick else (8, 16)
+    cells, loading = (4, 8) if quick else (8, 16)
     pressures = (4.5, 6.5) if quick else (4.0, 5.0, 6.0, 7.0, 8.0)
     runs: dict[Key, dict[float, Run]] = {}
     for pair, bodies in PAIRS.items():
@@ -57,7 +57,7 @@ def compute(quick: bool) -> Results:
                 contact = ellipse(k, pressure * 1e9, E_STAR)
                 way = (4 if quick else 6) * contact.a_x
                 runs[pair, k][pressure] = roll(bodies, contact, mesh, way, 2, 0.7)
-    fine = Mesh(6, 6, loading=8) if quick else Mesh(12, 12, depth=3.0, loading=16)
+    fine = Mesh(5, 5, loading=8) if quick else Mesh(12, 12, depth=3.0, loading=16)
     hardening, way = {}, (4 if quick else 6) * BALL.a
     for slope in SLOPES:
         E = STEEL_52100.E

@@ -46,7 +46,7 @@ class Results:
 
 def compute(quick: bool) -> Results:
     relative = (1.0, 1.15, 3.0, 9.0) if quick else (1.0, 1.15, 3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 15.0)
-    increments = 24 if quick else 36
+    increments = 20 if quick else 36
 
     def run(
         ratio: float, material: sc.Material, passes: int = 1, count: int = increments
@@ -60,7 +60,7 @@ def compute(quick: bool) -> Results:
     mesh = f"{grid.nx} x {grid.ny} x {grid.nz}, {increments} increments"
     energies = {
         count: float(run(9.0, STEEL, count=count).series.net_energy[0]) / CRITICAL.energy
-        for count in ((12, 18, 24) if quick else (24, 36, 48))
+        for count in ((10, 14, 20) if quick else (24, 36, 48))
     }
     return Results(runs, run(relative[-1], ELASTIC), run(relative[-1], STEEL, 3), energies, mesh)
 

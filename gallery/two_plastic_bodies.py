@@ -90,7 +90,7 @@ def largest_strain(state: sc.State, pair: str) -> float:
 
 
 def compute(quick: bool) -> Results:
-    cells, low_cells, low_peak = (14, 16, 1900.0) if quick else (28, 32, 1900.0)
+    cells, low_cells, low_peak = (12, 12, 1900.0) if quick else (28, 32, 1900.0)
     increments, tolerance = (8, 5e-3) if quick else (16, 2e-3)
     peak = hertz(PEAK)
     cases = {}

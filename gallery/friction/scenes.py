@@ -140,7 +140,7 @@ def residual_by_load(grid: sc.Grid, increments: int) -> dict[float, np.ndarray]:
 
 def compute(quick: bool) -> Results:
     rigid, ball = hertz(RIGID, F1_LOAD), hertz(ELASTIC, F2_LOAD)
-    cells, per_cell, increments = (12, 2, 10) if quick else (16, 4, 20)
+    cells, per_cell, increments = (10, 2, 10) if quick else (16, 4, 20)
     small_cells, small_layers = (16, 1) if quick else (24, 2)
     small = square(rigid.a, small_cells, 1.4, 1.6, small_layers)
     elastic = {mu: elastic_case(rigid, mu, small_cells) for mu in F1_FRICTION}
