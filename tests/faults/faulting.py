@@ -13,8 +13,8 @@ import pytest
 TRIALS = {
     "kill: run": (5, 50),
     "kill: wear": (5, 50),
-    "kill: tugging": (5, 50),
-    "kill: sweep": (5, 50),
+    "kill: tugging": (3, 50),
+    "kill: sweep": (3, 50),
     "full disk": (12, 200),
     "interrupt: step": (8, 80),
     "interrupt: run": (5, 50),
