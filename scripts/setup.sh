@@ -52,7 +52,10 @@ samcontact_setup() {
   python3 -c 'import os, sysconfig as s, sys
 sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=(python3-dev)
   samcontact_system_packages "${packages[@]}"
-  if [ "$1" != "" ] && command -v ccache > /dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
+  if [ "$1" != "" ] && command -v ccache > /dev/null; then
+    # What one checkout has compiled serves the others.
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
+  fi
   [ -x .venv/bin/python ] || python3 -m venv .venv
   mkdir -p build
   state=$(samcontact_fingerprint)

@@ -5,7 +5,7 @@
     python scripts/tidy.py [PATTERN ...]      e.g. src/contact; all files by default
 
 A file has passed for as long as every byte that it includes, the checks, and clang-tidy are the
-same; build/tidy/passed keeps a mark of each.
+same, in any checkout; ~/.cache/samcontact-tidy keeps a mark of each.
 """
 
 from __future__ import annotations
@@ -23,7 +23,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build" / "tidy"
-PASSED = BUILD / "passed"
+CACHE = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+PASSED = CACHE / "samcontact-tidy"
 
 
 def output(*command: str) -> str:
@@ -44,7 +45,8 @@ def fingerprint(entry: dict[str, str], checker: str) -> str:
     files = shlex.split(rule.partition(":")[2])
     above = Path(entry["file"]).relative_to(ROOT).parents
     files += [str(ROOT / folder / ".clang-tidy") for folder in above]
-    found = hashlib.sha256(f"{checker} {entry['command']}".encode())
+    anywhere = entry["command"].replace(str(ROOT), "")
+    found = hashlib.sha256(f"{checker} {anywhere}".encode())
     for file in files:
         if (path := BUILD / file).exists():
             found.update(path.name.encode() + digest(str(path)))
@@ -68,7 +70,7 @@ def main(patterns: list[str]) -> int:
     bindings = output(sys.executable, "-m", "pybind11", "--cmakedir").strip()
     output("cmake", "--preset", "tidy", f"-DPython_EXECUTABLE={sys.executable}",
            f"-Dpybind11_DIR={bindings}")  # fmt: skip
-    PASSED.mkdir(exist_ok=True)
+    PASSED.mkdir(parents=True, exist_ok=True)
     # The package clang-tidy has the headers of its own compiler but OpenMP's, which are clang++'s;
     # they come last, so that nothing else is found there.
     extra = f"-idirafter{output('clang++', '-print-resource-dir').strip()}/include"
