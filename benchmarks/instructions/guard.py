@@ -112,13 +112,19 @@ class BuildError(Exception):
     """The output of a failed build."""
 
 
-def build(source: Path, folder: Path) -> Path:
-    """Build the driver of a source tree; returns the program."""
+def build(source: Path) -> Path:
+    """Build the driver of a source tree; returns the program.
+
+    With the flags and at the depth of the package's build, so that ccache knows its objects.
+    """
+    folder = source / "build" / "instructions"
     options = [
         "-DCMAKE_BUILD_TYPE=Release",
         "-DSAMCONTACT_PYTHON=OFF",
+        "-DSAMCONTACT_WERROR=ON",
         "-DSAMCONTACT_BENCHMARKS=ON",
     ]
+    environment = {**os.environ, "CCACHE_BASEDIR": str(source)}
     if shutil.which("ninja"):
         options += ["-G", "Ninja"]
     target = "samcontact_instructions"
@@ -127,7 +133,7 @@ def build(source: Path, folder: Path) -> Path:
         ["cmake", "-S", str(source), "-B", str(folder), *options],
         ["cmake", "--build", str(folder), "--target", target, "--parallel", jobs],
     ):
-        done = subprocess.run(command, capture_output=True, text=True)
+        done = subprocess.run(command, capture_output=True, text=True, env=environment)
         if done.returncode:
             raise BuildError(f"{done.stdout}{done.stderr}{' '.join(command)} failed")
     return folder / target
@@ -166,12 +172,12 @@ def compare_with(revision: str) -> int:
         folder = Path(name)
         git("worktree", "add", "--quiet", "--detach", str(folder / "base"), base)
         try:
-            before = count(build(folder / "base", folder / "base-build"))
+            before = count(build(folder / "base"))
         except BuildError:
             raise Skip(f"{revision} does not build") from None
         finally:
             git("worktree", "remove", "--force", str(folder / "base"))
-        after = count(build(ROOT, folder / "build"))
+        after = count(build(ROOT))
     rows, failed = compare(before, after, allowances(messages))
     print(table(rows))
     if failed:
