@@ -8,6 +8,7 @@ from pathlib import Path
 
 from docutils import nodes
 from PIL import Image
+from pydantic import BaseModel
 
 import samcontact
 
@@ -38,7 +39,11 @@ nb_merge_streams = True
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_type_aliases = {name: name for name in ("ArrayLike", "FloatArray")}
-autodoc_default_options = {"members": True, "show-inheritance": True}
+autodoc_default_options = {
+    "members": True,
+    "show-inheritance": True,
+    "exclude-members": "model_config, model_post_init",  # pydantic's own
+}
 napoleon_google_docstring = False
 napoleon_use_rtype = False
 
@@ -60,7 +65,9 @@ def _link_to_pages(app, relative_path, parent_docname, content):
 
 
 def _plain_names(app, what, name, obj, options, signature, returns):
-    """Names of `autodoc_type_aliases` also where they stand in unions."""
+    """Names of `autodoc_type_aliases` also where they stand in unions; no fields of cases."""
+    if isinstance(obj, type) and issubclass(obj, BaseModel):
+        return "", None
     texts = (
         re.sub(r"TypeAliasForwardRef\('(\w+)'\)", r"\1", s or "") for s in (signature, returns)
     )

@@ -30,6 +30,9 @@ Pair = tuple[float, float]
 class Heat:
     """Frictional heat of a contact, for `ContactSolver` and `Simulation`.
 
+    Attributes are the parameters; factor and velocity are those of both bodies: (Q_1, Q_2) and
+    ((V_x, V_y), (V_x, V_y)).
+
     Parameters
     ----------
     factor : float or pair of floats
@@ -49,8 +52,6 @@ class Heat:
         Distance [m] at which a point source at rest in the steady state displaces nothing, which
         has no limit far away. Matters for the approach only; a given approach needs it; 1 m
         otherwise.
-
-    Attributes are these, factor and velocity those of both bodies: ((V_x, V_y), (V_x, V_y)).
 
     Raises
     ------

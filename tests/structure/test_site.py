@@ -77,6 +77,15 @@ def test_signatures_name_their_types_in_one_word(site):
         assert spelled_out not in plain
 
 
+def test_parameters_are_none_of_the_words_between(site):
+    """As are words of a sentence that stands among them, taken for names."""
+    text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
+    types = re.findall(r"<strong>[^<]*</strong> \(<em>([^<]*)</em>", text)
+    assert types
+    assert [found for found in types if re.search(r"\b(are|is|those|this)\b", found)] == []
+    assert "model_config" not in text
+
+
 def test_what_a_property_says_is_not_taken_for_its_type(site):
     """As is what stands before a colon in its first line."""
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))

@@ -69,12 +69,12 @@ def run(
     smoothing_length : float, optional
         Standard deviation of the Gaussian that smooths the border of the wear [m], from one cell to
         0.29 times the size of the contact; a length of the material, with which results converge
-        when cells, layers and increments become smaller. Or
-    window, order : int or pair of int, and int, optional
-        of the thesis's filter in cells, see `smooth`; the window is not larger than the contact,
-        the order 2 by default.
-        Its results depend on the cells. window = 1: no smoothing. Exactly one of
-        `smoothing_length` and `window` is given.
+        when cells, layers and increments become smaller. Exactly one of it and `window` is given.
+    window : int or pair of int, optional
+        Of the thesis's filter, in cells, see `smooth`; not larger than the contact. Its results
+        depend on the cells. 1: no smoothing.
+    order : int, optional
+        Of this filter; default 2.
     strain_depth : {"exact", "smoothed"}, optional
         By how much the plastic strain moves up. "exact": by the depth to which it exceeded the
         threshold, so that it nowhere exceeds it at the new surface. "smoothed": by what the surface
