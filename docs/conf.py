@@ -90,12 +90,12 @@ def _whole_formulas(app, doctree):
 
 
 def _wide_pictures(app, doctree, docname):
-    """Pictures of several panels in a row get a class: on a phone they need more than its width."""
+    """Pictures wider than eight inches get a class: on a phone they need more than its width."""
     for node in doctree.findall(nodes.image):
         file = Path(app.srcdir, node["candidates"].get("*", ""))
         if file.suffix == ".png" and file.exists():
             with Image.open(file) as picture:
-                if picture.width > 1.8 * picture.height:
+                if picture.width / picture.info["dpi"][0] > 8.2:
                     node["classes"].append("wide")
 
 

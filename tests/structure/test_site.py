@@ -124,7 +124,7 @@ return {
   missing: [...document.images].filter(i => !i.complete || !i.naturalWidth).map(i => i.src),
   wider: page.scrollWidth - page.clientWidth,
   squeezed: [...document.querySelectorAll("article p > img")].filter(
-    i => i.naturalWidth > 1.8 * i.naturalHeight && i.width < 600).map(i => i.src),
+    i => i.naturalWidth >= 700 && i.width < 600 && i.src.endsWith(".png")).map(i => i.src),
   beyond: [...document.querySelectorAll("article a")].filter(
     a => a.getBoundingClientRect().right > page.clientWidth && !a.closest("pre, .table-wrapper")
   ).map(a => a.textContent),
