@@ -93,7 +93,14 @@ class PartWriter {
 /// another kind, and for numbers that are not finite.
 class PartReader {
  public:
-  explicit PartReader(py::dict content) : content_(std::move(content)) {}
+  explicit PartReader(const py::dict& content) : left_(content.attr("copy")()) {}
+
+  /// Throws std::invalid_argument for what nothing asked for.
+  void require_no_more() const {
+    if (left_.empty()) return;
+    throw std::invalid_argument("no part is named " +
+                                py::str(*py::iter(left_)).cast<std::string>());
+  }
 
   template <class T>
   void operator()(const std::string& name, T& part) {
@@ -111,7 +118,7 @@ class PartReader {
   void made(const std::string& name, std::shared_ptr<const T>& part, const Plain& plain,
             const Make& make) {
     part = nullptr;
-    if (!content_.contains(name)) return;
+    if (!left_.contains(name)) return;
     std::decay_t<decltype(plain(*part))> kept;
     (*this)(name, kept);
     part = make(kept);
@@ -123,9 +130,9 @@ class PartReader {
   }
   template <class T>
   void read(const std::string& name, T& part) {
-    if (content_.contains(name)) {
+    if (left_.contains(name)) {
       try {
-        from_python(content_[name.c_str()], part);
+        from_python(left_.attr("pop")(name), part);
       } catch (const py::cast_error&) {
         throw std::invalid_argument(name + " is of another kind than it should be");
       }
@@ -148,12 +155,13 @@ class PartReader {
     } else if constexpr (requires(PartReader visit) { describe(part, visit); }) {
       PartReader inner(kept.cast<py::dict>());
       describe(part, inner);
+      inner.require_no_more();
     } else {
       part = kept.cast<T>();
     }
   }
 
-  py::dict content_;
+  py::dict left_;  // what has not been read yet
 };
 
 }  // namespace samcontact::bindings

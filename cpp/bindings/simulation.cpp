@@ -200,6 +200,7 @@ void restore(Simulation& simulation, const py::dict& content, const py::dict& co
   state.heating = heating;
   PartReader of_state(content);
   describe(state, of_state);
+  of_state.require_no_more();
   if (state.duration > 0) {
     for (auto& heat : state.heating) heat.age = state.duration;
   }

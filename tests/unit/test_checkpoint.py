@@ -226,6 +226,14 @@ class TestDamage:
         with pytest.raises(sc.CheckpointError, match="is damaged"):
             sc.Simulation.load(saved)
 
+    @pytest.mark.parametrize("group", ["state", "state/history2"])
+    def test_a_part_that_nothing_asks_for(self, saved, group):
+        """What this version would leave out was needed where it was written."""
+        with edited(saved) as file:
+            file[group].attrs["later"] = 1.0
+        with pytest.raises(sc.CheckpointError, match="is damaged: no part is named later"):
+            sc.Simulation.load(saved)
+
     def test_changed_by_another_program(self, saved):
         with h5py.File(saved, "a") as file:
             file["state"].attrs["load"] = 1.0

@@ -9,6 +9,7 @@
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
+#include "samcontact/simulation/description.hpp"
 #include "samcontact/simulation/division.hpp"
 #include "samcontact/simulation/fixed_point.hpp"
 
@@ -201,8 +202,7 @@ void Simulation::set_plastic_state(int body, int first_row, int rows, const Fiel
           fields.backstress.data() + c * box.volume_size());
     }
   }
-  state_.plastic[body] =
-      std::make_shared<const PlasticState>(nullptr, fft::Symmetry::none, tensor, fields);
+  state_.plastic[body] = remade({fft::Symmetry::none, tensor, std::move(fields)}, *scene_, body);
   state_.flow_box[body] = box.intersected(Box::whole(scene_->grid));
 }
 
