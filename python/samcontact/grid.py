@@ -42,7 +42,8 @@ class Grid(Shown):
     ------
     ValueError, TypeError
         A count or size that is not positive, a size below 1e-75 or above 1e75 m, dz without nz or
-        nz without dz, or an odd number of cells, other than one, along a periodic direction.
+        nz without dz, an odd number of cells, other than one, along a periodic direction, or cells
+        longer than eight periods across.
 
     Notes
     -----

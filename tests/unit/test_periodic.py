@@ -19,6 +19,8 @@ TILINGS = [
     ((1, 64), (1.0, 1.0), "xy", (64, 1)),
     ((12, 128), (2.0, 1.3), "xy", (7, 1)),
     ((30, 4), (1.0, 0.5), "y", (1, 4)),
+    ((6, 4), (15.0, 0.5), "y", (1, 6)),  # cells longer than the period
+    ((4, 2), (1.0, 1.0), "xy", (2, 8)),
     ((6, 40), (2.0, 1.0), "x", (5, 1)),
     ((30, 1), (1.0, 0.5), "y", (1, 6)),
 ]
@@ -240,6 +242,7 @@ def test_the_grid_keeps_its_directions(tmp_path):
         ({"nx": 15, "periodic": "x"}, "nx must be even, or 1, where .* along x, got 15"),
         ({"ny": 7, "periodic": "xy"}, "ny must be even, or 1"),
         ({"nx": 1, "ny": 1, "periodic": "xy"}, "nx or ny must be larger than 1"),
+        ({"ny": 2, "dy": 1e-12, "periodic": "y"}, "dx must be at most 8 periods ny dy of the grid"),
     ],
 )
 def test_grids_that_cannot_be(arguments, words):

@@ -14,6 +14,16 @@ void require_size(const char* name, double value) {
   require_moderate(name, value, "[m]");
 }
 
+/// Lattice sums of cells that are much longer than the period across take long, and mean nothing.
+constexpr double longest_cell = 8.0;
+
+void require_short(const char* name, double cell, const char* of, double period) {
+  require(cell <= longest_cell * period, name,
+          "at most " + to_short_text(longest_cell) + " periods " + of + " of the grid, " +
+              to_text(longest_cell * period) + " m (or one cell along the period)",
+          cell);
+}
+
 std::vector<double> centres(int n, double d) {
   std::vector<double> c(n);
   for (int i = 0; i < n; ++i) c[i] = (i - 0.5 * (n - 1)) * d;
@@ -42,6 +52,8 @@ Grid Grid::joined(bool along_x, bool along_y) const {
   if (along_x && along_y && nx == 1 && ny == 1) {
     throw std::invalid_argument("nx and ny are both 1: a periodic grid has more than one cell");
   }
+  if (along_y && ny > 1) require_short("dx", dx, "ny dy", ny * dy);
+  if (along_x && nx > 1) require_short("dy", dy, "nx dx", nx * dx);
   Grid grid = *this;
   grid.period = {along_x ? nx : 0, along_y ? ny : 0, 0.0};
   if (along_x != along_y) grid.period.reference = along_x ? ny * dy : nx * dx;

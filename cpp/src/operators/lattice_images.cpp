@@ -109,7 +109,7 @@ LatticeImages::LatticeImages(Modes modes, Points x, Points y, double subtracted)
 
 void LatticeImages::Modes::add_lattice(const LatticeAxis& x, const LatticeAxis& y, double q1) {
   // Without a period along x, waves that vary along y die out beside the load.
-  const double beside = std::max(8 * y.period, 1.1 * y.distance());
+  const double beside = std::max(8 * y.period, 1.1 * y.distance()) + x.d;
   const double period_x = x.period > 0 ? x.period : x.extent() + beside;
   const int nx = static_cast<int>(end * q1 * period_x / (2 * pi));
   const int ny = static_cast<int>(end * q1 * y.period / (2 * pi));
@@ -145,9 +145,10 @@ void LatticeImages::Modes::subtract_integral(const LatticeAxis& x, const Lattice
 
 LatticeImages LatticeImages::of_cells(const LatticeAxis& x, const LatticeAxis& y) {
   const double half_x = 0.5 * x.d, half_y = 0.5 * y.d;
-  double distance = y.distance();
-  if (x.period > 0) distance = std::min(distance, x.distance());
-  const double q1 = split(std::max(distance - std::hypot(half_x, half_y), 0.25 * distance));
+  // To the nearest edge of an image.
+  double distance = y.distance() - half_y;
+  if (x.period > 0) distance = std::min(distance, x.distance() - half_x);
+  const double q1 = split(distance);
   Modes modes;
   modes.add_lattice(x, y, q1);
   modes.subtract_integral(x, y, q1);

@@ -42,10 +42,10 @@ PeriodicTable::PeriodicTable(double dx, double dy, const Period& period, int cel
     if (!square) {
       near_x_.period = 0;
       near_x_.cells =
-          std::min(x_.cells, static_cast<int>(std::ceil(uniform_from * y_.period / dx)) + 1);
+          std::min(x_.cells, static_cast<int>(std::floor(uniform_from * y_.period / dx + 0.5)) + 1);
     }
     // Images near enough to make the rest vary faster than over the offsets.
-    const double smooth = std::max({near_x_.extent(), y_.extent(), dx, dy});
+    const double smooth = std::max(near_x_.extent(), y_.extent());
     while (near_x_.period > 0 && near_x_.distance() < 0.99 * smooth) ++near_x_.apart;
     while (y_.distance() < 0.99 * smooth) ++y_.apart;
     cell_images_ = std::make_unique<LatticeImages>(LatticeImages::of_cells(near_x_, y_));

@@ -33,7 +33,8 @@ struct Grid {
   Grid(int nx, int ny, double dx, double dy, int nz = 0, double dz = 0.0);
 
   /// The same, its ends joined along x, y or both. Throws std::invalid_argument unless there is an
-  /// even number of cells along such a direction, or one, and more than one cell in all.
+  /// even number of cells along such a direction, or one, and more than one cell in all, and unless
+  /// cells are shorter than eight of the periods that they lie across.
   Grid joined(bool along_x, bool along_y) const;
   /// Whether cells `factor` times as long fit into the period.
   bool can_be_coarsened(int factor = 2) const;
