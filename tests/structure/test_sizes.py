@@ -18,12 +18,9 @@ FILE, FUNCTION = 400, 60
 LONG_FUNCTIONS = {
     "gallery/friction/statements.py: stated_elastic_ball",
     "gallery/friction/statements.py: stated_residual",
-    "gallery/rolling.py: stated_print",
-    "gallery/rolling.py: stated_stress",
     "gallery/rolling_two_bodies.py: stated_pairs",
     "gallery/running_in.py: stated",
     "gallery/wear.py: stated",
-    "python/samcontact/plotting/animation.py: rolling_animation",
 }
 
 

@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, FuncAnimation, PillowWriter
+from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
+from matplotlib.lines import Line2D
 
 from .._checks import FloatArray, choice, positive
 from .._quantities import CONTACT
@@ -18,6 +21,7 @@ from .track import positions_on_body
 if TYPE_CHECKING:
     from ..state import State
 
+_WIDTH = 8.0
 _QUANTITIES = ("von_mises", "residual_von_mises", "equivalent_plastic_strain")
 
 
@@ -75,42 +79,14 @@ def rolling_animation(
 
     shown = CONTACT[quantity]
     across, depth = edges(x, grid.dx) * 1e6, edges(grid.z, grid.dz) * 1e6
-    width = 8.0
-    ratio = min(max(0.8 * width * depth[-1] / (across[-1] - across[0]), 1.4), 3.0)
-    figure = new_figure(width, ratio + 4.0)
+    ratio = min(max(0.8 * _WIDTH * depth[-1] / (across[-1] - across[0]), 1.4), 3.0)
+    figure = new_figure(_WIDTH, ratio + 4.0)
     above, middle, below = figure.subplots(3, 1, sharex=True, height_ratios=[1.5, ratio, 1.5])
-    (pressure_line,) = above.plot([], [], "-", linewidth=1.2, color="C3")
-    above.set_ylim(0.0, 1.08 * max(float(np.max(p)) for p in pressures) or 1.0)
-    above.set_ylabel("pressure [GPa]")
+    pressure_line = _pressure_panel(above, pressures)
     largest = shown.factor * max(float(np.nanmax(s)) for s in sections)
-    shape = (grid.nz, count)
-    mesh = middle.pcolormesh(
-        across,
-        depth,
-        np.zeros(shape),
-        cmap=shown.colours,
-        vmin=0.0,
-        vmax=largest or 1.0,
-        rasterized=True,
-    )
-    figure.colorbar(mesh, ax=middle)
-    framed = quantity == "von_mises"
-    grey = "" if quantity == "equivalent_plastic_strain" else ", grey: not computed"
-    edge = ", dotted: edge of the grid" if framed else ""
-    middle.set_title(f"{shown.label}{grey}{edge}", fontsize="medium")
-    middle.set_facecolor("0.85")
-    frame = [middle.axvline(color="C3", linestyle=":", linewidth=framed) for _ in range(2)]
-    middle.set_ylabel("depth z [µm]")
-    middle.invert_yaxis()
-    (print_line,) = below.plot([], [], "-", linewidth=1.2, color="C0")
-    heights = np.concatenate([u for _, u in prints]) * 1e6
-    margin = 0.08 * float(np.ptp(heights)) or 1.0
-    below.set_ylim(float(heights.max()) + margin, float(heights.min()) - margin)
+    mesh, frame = _section_panel(middle, across, depth, quantity, largest)
+    print_line = _print_panel(below, prints, body)
     below.set_xlim(across[0], across[-1])
-    below.set_xlabel(f"x on body {body} [µm]")
-    below.set_ylabel("print [µm]")
-    for ax in (above, below):
-        finish(ax)
 
     def draw(number: int) -> list[Any]:
         state = states[number]
@@ -133,6 +109,46 @@ def rolling_animation(
     return FuncAnimation(
         figure, draw, frames=len(states), interval=interval, cache_frame_data=False, blit=False
     )
+
+
+def _pressure_panel(ax: Axes, pressures: list[FloatArray]) -> Line2D:
+    (line,) = ax.plot([], [], "-", linewidth=1.2, color="C3")
+    ax.set_ylim(0.0, 1.08 * max(float(np.max(p)) for p in pressures) or 1.0)
+    ax.set_ylabel("pressure [GPa]")
+    finish(ax)
+    return line
+
+
+def _section_panel(
+    ax: Axes, across: FloatArray, depth: FloatArray, quantity: str, largest: float
+) -> tuple[QuadMesh, list[Line2D]]:
+    """The section, and the frame of what is under load."""
+    shown = CONTACT[quantity]
+    empty = np.zeros((len(depth) - 1, len(across) - 1))
+    mesh = ax.pcolormesh(
+        across, depth, empty, cmap=shown.colours, vmin=0.0, vmax=largest or 1.0, rasterized=True
+    )
+    ax.figure.colorbar(mesh, ax=ax)
+    framed = quantity == "von_mises"
+    grey = "" if quantity == "equivalent_plastic_strain" else ", grey: not computed"
+    edge = ", dotted: edge of the grid" if framed else ""
+    ax.set_title(f"{shown.label}{grey}{edge}", fontsize="medium")
+    ax.set_facecolor("0.85")
+    frame = [ax.axvline(color="C3", linestyle=":", linewidth=framed) for _ in range(2)]
+    ax.set_ylabel("depth z [µm]")
+    ax.invert_yaxis()
+    return mesh, frame
+
+
+def _print_panel(ax: Axes, prints: list[tuple[FloatArray, FloatArray]], body: int) -> Line2D:
+    (line,) = ax.plot([], [], "-", linewidth=1.2, color="C0")
+    heights = np.concatenate([u for _, u in prints]) * 1e6
+    margin = 0.08 * float(np.ptp(heights)) or 1.0
+    ax.set_ylim(float(heights.max()) + margin, float(heights.min()) - margin)
+    ax.set_xlabel(f"x on body {body} [µm]")
+    ax.set_ylabel("print [µm]")
+    finish(ax)
+    return line
 
 
 def _section(
