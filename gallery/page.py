@@ -102,11 +102,11 @@ def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
             note = f" [{len(remarks)}]"
         if isinstance(entry, Number):
             unit = f" {entry.unit}" if entry.unit else ""
-            off = f"{100 * entry.difference:+.1f} %".replace("-0.0", "+0.0")
+            off = f"{100 * entry.difference:+.1f} %"
             cells = (
                 f"{digits(entry.thesis)}{unit}",
                 f"{digits(entry.ours)}{unit}",
-                off,
+                off if off[1:] != "0.0 %" else off[1:],  # zero has no sign
             )
         else:
             verdict = "agrees" if entry.holds and not entry.contradicted else "differs"

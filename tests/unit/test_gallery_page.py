@@ -36,7 +36,7 @@ def test_table():
     assert "| depth | 100 nm | 104 nm | +4.0 % | coarse |" in text
     assert "| depth [1] | 100 nm | 106 nm | +6.0 % | coarse |" in text
     assert "| curves | coincide | to 1 % | agrees | fine |" in text
-    assert "| cells | 23188 | 23188 | +0.0 % |  |" in text
+    assert "| cells | 23188 | 23188 | 0.0 % |  |" in text
     assert text.endswith("\n1. why\n")
 
 
