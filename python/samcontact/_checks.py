@@ -152,6 +152,15 @@ def choice(name: str, value: Any, allowed: tuple[Any, ...]) -> Any:
     return allowed[allowed.index(value)]  # 2 where 2.0 was given
 
 
+def require_fast(name: str, method: str, periodic: str) -> None:
+    """Raise ValueError for the exact residual stress on a periodic grid."""
+    if method == "exact" and periodic:
+        raise ValueError(
+            f'{name} must be "fast" with grid.periodic = {periodic!r}, got "exact": there are '
+            "no closed forms of its lattice sums"
+        )
+
+
 def exactly_one(**given: Any) -> str:
     """Return the name of the only argument that is not None."""
     names = [name for name, value in given.items() if value is not None]

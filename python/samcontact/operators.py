@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _memory
-from ._checks import FloatArray, choice, finite_array, real_array, tractions
+from ._checks import FloatArray, choice, finite_array, real_array, require_fast, tractions
 from ._settings import Settings
 from .grid import Grid
 
@@ -109,15 +109,6 @@ def surface_stress(
     return field
 
 
-def require_fast(name: str, method: str, grid: Grid) -> None:
-    """Raise ValueError for the exact residual stress on a periodic grid."""
-    if method == "exact" and grid.periodic:
-        raise ValueError(
-            f'{name} must be "fast" with grid.periodic = {grid.periodic!r}, got "exact": there are '
-            "no closed forms of its lattice sums"
-        )
-
-
 def residual_stress(
     grid: Grid,
     strain: ArrayLike,
@@ -146,7 +137,7 @@ def residual_stress(
     _require_volume(grid)
     elastic = _core.Elastic.isotropic(E, nu)
     exact = choice("method", method, ("exact", "fast")) == "exact"
-    require_fast("method", method, grid)
+    require_fast("method", method, grid.periodic)
     images = Settings.checked("image_tol", image_tol)
     cell = _memory.EXACT_RESIDUAL if exact else _memory.FAST_RESIDUAL
     _memory.require_for_grid(f"the {method} stress", grid, _memory.volume(grid, cell))

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _expected, _memory, resolution
-from ._checks import FloatArray, choice, finite_array, step_list
+from ._checks import FloatArray, choice, finite_array, require_fast, step_list
 from ._core import ConvergenceError
 from ._frozen import read_only
 from ._heating import COLD, core_law, heating
@@ -27,7 +27,6 @@ from .contact import require_type
 from .grid import Grid
 from .heat import Heat
 from .material import Material
-from .operators import require_fast
 from .relief import Relief, relief_rows
 from .state import State
 
@@ -132,7 +131,7 @@ class Simulation(Configured, Shown):
             reach=grid.nx * grid.dx if reach is None else reach,
         )
         self._configure(settings)
-        require_fast("residual_stress", self.residual_stress, grid)
+        require_fast("residual_stress", self.residual_stress, grid.periodic)
         self._heat = COLD if heat is None else heat
         require_type("heat", self._heat, Heat)
         heating(self._heat, (body1, body2), grid)  # checks it against the bodies
