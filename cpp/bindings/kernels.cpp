@@ -61,7 +61,7 @@ py::array heat_table(const Array& x, const Array& y, double a, double b, double 
              {item * nx * ny, item * ny, item});
 }
 
-void bind_heat(py::module_& m) {
+void bind_steady_heat(py::module_& m) {
   m.def(
       "steady_heat_temperature",
       [](const Array& X, const Array& Y, const Array& z, double a, double b) {
@@ -96,6 +96,9 @@ void bind_heat(py::module_& m) {
         });
       },
       py::arg("X"), py::arg("Y"), py::arg("a"), py::arg("b"), py::arg("r0"));
+}
+
+void bind_heat(py::module_& m) {
   m.def(
       "heat_temperature",
       [](const Array& x, const Array& y, double z, double a, double b, double heated,
@@ -131,12 +134,7 @@ void bind_heat(py::module_& m) {
       py::arg("heated"), py::arg("speed"), py::arg("tol"));
 }
 
-}  // namespace
-
-// Flat arrays of equal length in, (N, points) out; lengths are scaled by the source's width so that
-// logarithms of lengths cost no digits.
-void bind_kernels(py::module_& parent) {
-  auto m = parent.def_submodule("kernels");
+void bind_tractions(py::module_& m) {
   m.def(
       "pressure_displacement",
       [](const Array& X, const Array& Y, double a, double b, double E, double nu) {
@@ -182,6 +180,9 @@ void bind_kernels(py::module_& parent) {
   };
   bind_stress("pressure_stress", k::pressure_stress);
   bind_stress("shear_stress", k::shear_stress);
+}
+
+void bind_eigenstrain(py::module_& m) {
   m.def(
       "eigenstrain_displacement",
       [](const Array& X, const Array& Y, double zc, double a, double b, double c, double nu) {
@@ -212,6 +213,17 @@ void bind_kernels(py::module_& parent) {
       },
       py::arg("X"), py::arg("Y"), py::arg("z"), py::arg("zc"), py::arg("a"), py::arg("b"),
       py::arg("c"), py::arg("E"), py::arg("nu"));
+}
+
+}  // namespace
+
+// Flat arrays of equal length in, (N, points) out; lengths are scaled by the source's width so that
+// logarithms of lengths cost no digits.
+void bind_kernels(py::module_& parent) {
+  auto m = parent.def_submodule("kernels");
+  bind_tractions(m);
+  bind_eigenstrain(m);
+  bind_steady_heat(m);
   bind_heat(m);
 }
 

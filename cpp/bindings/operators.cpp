@@ -90,6 +90,31 @@ using operators::HeatHistory;
 struct BoundHistory {
   Grid grid;
   HeatHistory history;
+
+  py::array temperature(double ahead, const std::vector<double>& z) const {
+    Field rise;
+    {
+      const py::gil_scoped_release release;
+      rise = history.temperature(ahead, z);
+    }
+    return volume_array(std::move(rise), grid, static_cast<py::ssize_t>(z.size()));
+  }
+  py::array displacement(double ahead) const {
+    Field u;
+    {
+      const py::gil_scoped_release release;
+      u = history.displacement(ahead);
+    }
+    return surface_array(std::move(u), grid);
+  }
+  py::array stress(double ahead, const std::vector<double>& z) const {
+    Field stress;
+    {
+      const py::gil_scoped_release release;
+      stress = history.stress(ahead, z);
+    }
+    return tensor_array(std::move(stress), grid, static_cast<py::ssize_t>(z.size()));
+  }
 };
 
 void bind_heat_history(py::module_& m) {
@@ -111,39 +136,9 @@ void bind_heat_history(py::module_& m) {
             self.history.add(q.data(), dt);
           },
           py::arg("flux"), py::arg("dt"))
-      .def(
-          "temperature",
-          [](const BoundHistory& self, double ahead, const std::vector<double>& z) {
-            Field rise;
-            {
-              const py::gil_scoped_release release;
-              rise = self.history.temperature(ahead, z);
-            }
-            return volume_array(std::move(rise), self.grid, static_cast<py::ssize_t>(z.size()));
-          },
-          py::arg("ahead"), py::arg("z"))
-      .def(
-          "displacement",
-          [](const BoundHistory& self, double ahead) {
-            Field u;
-            {
-              const py::gil_scoped_release release;
-              u = self.history.displacement(ahead);
-            }
-            return surface_array(std::move(u), self.grid);
-          },
-          py::arg("ahead"))
-      .def(
-          "stress",
-          [](const BoundHistory& self, double ahead, const std::vector<double>& z) {
-            Field stress;
-            {
-              const py::gil_scoped_release release;
-              stress = self.history.stress(ahead, z);
-            }
-            return tensor_array(std::move(stress), self.grid, static_cast<py::ssize_t>(z.size()));
-          },
-          py::arg("ahead"), py::arg("z"))
+      .def("temperature", &BoundHistory::temperature, py::arg("ahead"), py::arg("z"))
+      .def("displacement", &BoundHistory::displacement, py::arg("ahead"))
+      .def("stress", &BoundHistory::stress, py::arg("ahead"), py::arg("z"))
       .def("copy", [](const BoundHistory& self) { return self; })
       .def("state",
            [](const BoundHistory& self) {

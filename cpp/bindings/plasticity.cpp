@@ -36,33 +36,35 @@ void bind_descriptions(py::module_& m) {
   m.def("hardening_laws", &plasticity::Hardening::descriptions);
 }
 
-}  // namespace
+using plasticity::Material;
 
-void bind_plasticity(py::module_& m) {
-  using plasticity::Material;
-  bind_descriptions(m);
-  py::class_<Elastic>(m, "Elastic")
-      .def_static("isotropic", &Elastic::isotropic, py::arg("E"), py::arg("nu"))
-      .def_static("rigid", &Elastic::rigid)
-      .def_readonly("E", &Elastic::E)
-      .def_readonly("nu", &Elastic::nu);
+Material with_backstresses(const Material& s, const std::vector<std::pair<double, double>>& terms) {
+  std::vector<plasticity::Backstress> backstresses;
+  backstresses.reserve(terms.size());
+  for (const auto& [modulus, recovery] : terms) backstresses.push_back({modulus, recovery});
+  return s.with_backstresses(backstresses);
+}
+
+py::tuple radial_return(const Material& s, const plasticity::Tensor& stress, double g,
+                        const std::vector<plasticity::Tensor>& backstresses) {
+  const auto r = plasticity::radial_return(stress, {}, g, s, backstresses);
+  std::vector<plasticity::Tensor> after;
+  after.reserve(backstresses.size());
+  for (std::size_t n = 0; n < backstresses.size(); ++n) {
+    after.push_back(
+        plasticity::advanced(backstresses[n], s.backstresses[n], r.increment, r.equivalent));
+  }
+  return py::make_tuple(r.increment, r.equivalent, after);
+}
+
+void bind_material(py::module_& m) {
   py::class_<Material>(m, "Material")
       .def_static("rigid", &Material::make_rigid)
       .def_static("with_law",
                   py::overload_cast<double, double, const std::string&,
                                     const plasticity::Hardening::Values&>(&Material::with_law),
                   py::arg("E"), py::arg("nu"), py::arg("law"), py::arg("values"))
-      .def(
-          "with_backstresses",
-          [](const Material& s, const std::vector<std::pair<double, double>>& terms) {
-            std::vector<plasticity::Backstress> backstresses;
-            backstresses.reserve(terms.size());
-            for (const auto& [modulus, recovery] : terms) {
-              backstresses.push_back({modulus, recovery});
-            }
-            return s.with_backstresses(backstresses);
-          },
-          py::arg("terms"))
+      .def("with_backstresses", &with_backstresses, py::arg("terms"))
       .def(
           "with_thermal",
           [](const Material& s, double conductivity, double expansion, double diffusivity) {
@@ -89,20 +91,8 @@ void bind_plasticity(py::module_& m) {
             return plasticity::uniaxial_stress(s, strain);
           },
           py::arg("strain"))
-      .def(
-          "radial_return",
-          [](const Material& s, const plasticity::Tensor& stress, double g,
-             const std::vector<plasticity::Tensor>& backstresses) {
-            const auto r = plasticity::radial_return(stress, {}, g, s, backstresses);
-            std::vector<plasticity::Tensor> after;
-            after.reserve(backstresses.size());
-            for (std::size_t n = 0; n < backstresses.size(); ++n) {
-              after.push_back(plasticity::advanced(backstresses[n], s.backstresses[n], r.increment,
-                                                   r.equivalent));
-            }
-            return py::make_tuple(r.increment, r.equivalent, after);
-          },
-          py::arg("stress"), py::arg("g"), py::arg("backstresses"))
+      .def("radial_return", &radial_return, py::arg("stress"), py::arg("g"),
+           py::arg("backstresses"))
       .def(
           "equivalent_increment",
           [](const Material& s, double trial, double g) {
@@ -110,6 +100,18 @@ void bind_plasticity(py::module_& m) {
                                                     s.hardening);
           },
           py::arg("trial"), py::arg("g"));
+}
+
+}  // namespace
+
+void bind_plasticity(py::module_& m) {
+  bind_descriptions(m);
+  py::class_<Elastic>(m, "Elastic")
+      .def_static("isotropic", &Elastic::isotropic, py::arg("E"), py::arg("nu"))
+      .def_static("rigid", &Elastic::rigid)
+      .def_readonly("E", &Elastic::E)
+      .def_readonly("nu", &Elastic::nu);
+  bind_material(m);
 }
 
 }  // namespace samcontact::bindings

@@ -19,6 +19,11 @@ Work& work() {
   return w;
 }
 
+template <class T>
+T* moved(T* values, std::size_t by) {
+  return values == nullptr ? nullptr : values + by;
+}
+
 }  // namespace
 
 MirroredTransform::Mirror::Mirror(int n, int m_)
@@ -31,6 +36,23 @@ MirroredTransform::Mirror::Mirror(int n, int m_)
     const double angle = shifted ? std::numbers::pi * k / m : 0.0;
     cos_[k] = std::cos(angle);
     sin_[k] = std::sin(angle);
+  }
+}
+
+void MirroredTransform::Mirror::join(const double* even, const double* odd, double* row) const {
+  for (int i = 0; i < stored; ++i) {
+    const double a = even ? even[i] : 0.0, b = odd ? odd[i] : 0.0;
+    row[image(i)] = a - b;
+    row[i] = a + b;
+  }
+  if (!shifted) row[0] = even ? even[0] : 0.0;
+}
+
+void MirroredTransform::Mirror::divide(const double* row, double* even, double* odd) const {
+  for (int i = 0; i < stored; ++i) {
+    const double here = row[i], there = row[image(i)];
+    if (even) even[i] = 0.5 * (here + there);
+    if (odd) odd[i] = 0.5 * (here - there);
   }
 }
 
@@ -64,10 +86,19 @@ std::vector<std::array<int, 2>> MirroredTransform::pairs(std::span<const Plane> 
 
 void MirroredTransform::forward(std::span<const Plane> planes, std::size_t stride) const {
   Work& w = work();
-  const std::size_t plane = static_cast<std::size_t>(mh_) * hx_;
-  w.middle.resize(planes.size() * plane);  // [plane][ky][i]
+  w.middle.resize(planes.size() * middle_size());
   w.half.resize(static_cast<std::size_t>(block) * std::max(mk_, mh_));
+  forward_rows(planes);
+  w.real.assign(static_cast<std::size_t>(block) * mx_, 0.0);
+  if (mirror_x_) {
+    forward_mirrored_columns(planes, stride);
+  } else {
+    forward_columns(planes, stride);
+  }
+}
 
+void MirroredTransform::forward_rows(std::span<const Plane> planes) const {
+  Work& w = work();
   w.real.assign(static_cast<std::size_t>(block) * my_, 0.0);
   for (const auto& [even, odd] : pairs(planes, false)) {
     const double* e = even < 0 ? nullptr : planes[even].values;
@@ -75,14 +106,8 @@ void MirroredTransform::forward(std::span<const Plane> planes, std::size_t strid
     for (int i0 = 0; i0 < hx_; i0 += block) {
       const int rows = std::min(block, hx_ - i0);
       for (int r = 0; r < rows; ++r) {
-        double* row = w.real.data() + static_cast<std::size_t>(r) * my_;
         const std::size_t from = static_cast<std::size_t>(i0 + r) * hy_;
-        for (int j = 0; j < hy_; ++j) {
-          const double a = e ? e[from + j] : 0.0, b = o ? o[from + j] : 0.0;
-          row[y_.image(j)] = a - b;
-          row[j] = a + b;
-        }
-        if (!y_.shifted) row[0] = e ? e[from] : 0.0;
+        y_.join(moved(e, from), moved(o, from), w.real.data() + static_cast<std::size_t>(r) * my_);
       }
       fftw_execute_dft_r2c(rows_forward_.get(), w.real.data(), raw(w.half.data()));
       for (int ky = 0; ky < mh_; ++ky) {
@@ -90,45 +115,43 @@ void MirroredTransform::forward(std::span<const Plane> planes, std::size_t strid
         for (int r = 0; r < rows; ++r) {
           const Complex z = w.half[static_cast<std::size_t>(r) * mh_ + ky];
           const std::size_t to = static_cast<std::size_t>(ky) * hx_ + i0 + r;
-          if (e) w.middle[even * plane + to] = c * z.real() + s * z.imag();
-          if (o) w.middle[odd * plane + to] = s * z.real() - c * z.imag();
+          if (e) w.middle[even * middle_size() + to] = c * z.real() + s * z.imag();
+          if (o) w.middle[odd * middle_size() + to] = s * z.real() - c * z.imag();
         }
       }
     }
   }
+}
 
-  w.real.assign(static_cast<std::size_t>(block) * mx_, 0.0);
-  if (!mirror_x_) {
-    for (std::size_t p = 0; p < planes.size(); ++p) {
-      for (int ky0 = 0; ky0 < mh_; ky0 += block) {
-        const int rows = std::min(block, mh_ - ky0);
-        for (int r = 0; r < rows; ++r) {
-          std::copy_n(w.middle.data() + p * plane + static_cast<std::size_t>(ky0 + r) * hx_, hx_,
-                      w.real.data() + static_cast<std::size_t>(r) * mx_);
-        }
-        fftw_execute_dft_r2c(columns_forward_.get(), w.real.data(), raw(w.half.data()));
-        for (int r = 0; r < rows; ++r) {
-          std::copy_n(w.half.data() + static_cast<std::size_t>(r) * mk_, mk_,
-                      reinterpret_cast<Complex*>(planes[p].spectrum + (ky0 + r) * stride));
-        }
+void MirroredTransform::forward_columns(std::span<const Plane> planes, std::size_t stride) const {
+  Work& w = work();
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    for (int ky0 = 0; ky0 < mh_; ky0 += block) {
+      const int rows = std::min(block, mh_ - ky0);
+      for (int r = 0; r < rows; ++r) {
+        std::copy_n(w.middle.data() + p * middle_size() + static_cast<std::size_t>(ky0 + r) * hx_,
+                    hx_, w.real.data() + static_cast<std::size_t>(r) * mx_);
+      }
+      fftw_execute_dft_r2c(columns_forward_.get(), w.real.data(), raw(w.half.data()));
+      for (int r = 0; r < rows; ++r) {
+        std::copy_n(w.half.data() + static_cast<std::size_t>(r) * mk_, mk_,
+                    reinterpret_cast<Complex*>(planes[p].spectrum + (ky0 + r) * stride));
       }
     }
-    return;
   }
+}
+
+void MirroredTransform::forward_mirrored_columns(std::span<const Plane> planes,
+                                                 std::size_t stride) const {
+  Work& w = work();
   for (const auto& [even, odd] : pairs(planes, true)) {
+    const double* e = even < 0 ? nullptr : w.middle.data() + even * middle_size();
+    const double* o = odd < 0 ? nullptr : w.middle.data() + odd * middle_size();
     for (int ky0 = 0; ky0 < mh_; ky0 += block) {
       const int rows = std::min(block, mh_ - ky0);
       for (int r = 0; r < rows; ++r) {
         const std::size_t from = static_cast<std::size_t>(ky0 + r) * hx_;
-        const double* e = even < 0 ? nullptr : w.middle.data() + even * plane + from;
-        const double* o = odd < 0 ? nullptr : w.middle.data() + odd * plane + from;
-        double* row = w.real.data() + static_cast<std::size_t>(r) * mx_;
-        for (int i = 0; i < hx_; ++i) {
-          const double a = e ? e[i] : 0.0, b = o ? o[i] : 0.0;
-          row[x_.image(i)] = a - b;
-          row[i] = a + b;
-        }
-        if (!x_.shifted) row[0] = e ? e[0] : 0.0;
+        x_.join(moved(e, from), moved(o, from), w.real.data() + static_cast<std::size_t>(r) * mx_);
       }
       fftw_execute_dft_r2c(columns_forward_.get(), w.real.data(), raw(w.half.data()));
       for (int r = 0; r < rows; ++r) {
@@ -152,56 +175,69 @@ void MirroredTransform::forward(std::span<const Plane> planes, std::size_t strid
 
 void MirroredTransform::inverse(std::span<const Plane> planes, std::size_t stride) const {
   Work& w = work();
-  const std::size_t plane = static_cast<std::size_t>(mh_) * hx_;
-  w.middle.resize(planes.size() * plane);  // [plane][ky][i]
+  w.middle.resize(planes.size() * middle_size());
   w.half.resize(static_cast<std::size_t>(block) * std::max(mk_, mh_));
   w.real.resize(static_cast<std::size_t>(block) * std::max(mx_, my_));
-
-  if (!mirror_x_) {
-    for (std::size_t p = 0; p < planes.size(); ++p) {
-      for (int ky0 = 0; ky0 < mh_; ky0 += block) {
-        const int rows = std::min(block, mh_ - ky0);
-        for (int r = 0; r < rows; ++r) {
-          std::copy_n(reinterpret_cast<const Complex*>(planes[p].spectrum + (ky0 + r) * stride),
-                      mk_, w.half.data() + static_cast<std::size_t>(r) * mk_);
-        }
-        fftw_execute_dft_c2r(columns_inverse_.get(), raw(w.half.data()), w.real.data());
-        for (int r = 0; r < rows; ++r) {
-          std::copy_n(w.real.data() + static_cast<std::size_t>(r) * mx_, hx_,
-                      w.middle.data() + p * plane + static_cast<std::size_t>(ky0 + r) * hx_);
-        }
-      }
-    }
+  if (mirror_x_) {
+    inverse_mirrored_columns(planes, stride);
   } else {
-    for (const auto& [even, odd] : pairs(planes, true)) {
-      for (int ky0 = 0; ky0 < mh_; ky0 += block) {
-        const int rows = std::min(block, mh_ - ky0);
-        for (int r = 0; r < rows; ++r) {
-          const double* e = even < 0 ? nullptr : planes[even].spectrum + (ky0 + r) * stride;
-          const double* o = odd < 0 ? nullptr : planes[odd].spectrum + (ky0 + r) * stride;
-          Complex* z = w.half.data() + static_cast<std::size_t>(r) * mk_;
-          for (int k = 0; k < mk_; ++k) {
-            const double a = e ? e[k] : 0.0, b = o ? o[k] : 0.0;
-            z[k] = {x_.cos_[k] * a + x_.sin_[k] * b, x_.sin_[k] * a - x_.cos_[k] * b};
-          }
-        }
-        fftw_execute_dft_c2r(columns_inverse_.get(), raw(w.half.data()), w.real.data());
-        for (int r = 0; r < rows; ++r) {
-          const double* row = w.real.data() + static_cast<std::size_t>(r) * mx_;
-          const std::size_t to = static_cast<std::size_t>(ky0 + r) * hx_;
-          for (int i = 0; i < hx_; ++i) {
-            const double here = row[i], there = row[x_.image(i)];
-            if (even >= 0) w.middle[even * plane + to + i] = 0.5 * (here + there);
-            if (odd >= 0) w.middle[odd * plane + to + i] = 0.5 * (here - there);
-          }
-        }
+    inverse_columns(planes, stride);
+  }
+  inverse_rows(planes);
+}
+
+void MirroredTransform::inverse_columns(std::span<const Plane> planes, std::size_t stride) const {
+  Work& w = work();
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    for (int ky0 = 0; ky0 < mh_; ky0 += block) {
+      const int rows = std::min(block, mh_ - ky0);
+      for (int r = 0; r < rows; ++r) {
+        std::copy_n(reinterpret_cast<const Complex*>(planes[p].spectrum + (ky0 + r) * stride), mk_,
+                    w.half.data() + static_cast<std::size_t>(r) * mk_);
+      }
+      fftw_execute_dft_c2r(columns_inverse_.get(), raw(w.half.data()), w.real.data());
+      for (int r = 0; r < rows; ++r) {
+        std::copy_n(w.real.data() + static_cast<std::size_t>(r) * mx_, hx_,
+                    w.middle.data() + p * middle_size() + static_cast<std::size_t>(ky0 + r) * hx_);
       }
     }
   }
+}
 
+void MirroredTransform::inverse_mirrored_columns(std::span<const Plane> planes,
+                                                 std::size_t stride) const {
+  Work& w = work();
+  for (const auto& [even, odd] : pairs(planes, true)) {
+    double* const to_even = even < 0 ? nullptr : w.middle.data() + even * middle_size();
+    double* const to_odd = odd < 0 ? nullptr : w.middle.data() + odd * middle_size();
+    for (int ky0 = 0; ky0 < mh_; ky0 += block) {
+      const int rows = std::min(block, mh_ - ky0);
+      for (int r = 0; r < rows; ++r) {
+        const double* e = even < 0 ? nullptr : planes[even].spectrum + (ky0 + r) * stride;
+        const double* o = odd < 0 ? nullptr : planes[odd].spectrum + (ky0 + r) * stride;
+        Complex* z = w.half.data() + static_cast<std::size_t>(r) * mk_;
+        for (int k = 0; k < mk_; ++k) {
+          const double a = e ? e[k] : 0.0, b = o ? o[k] : 0.0;
+          z[k] = {x_.cos_[k] * a + x_.sin_[k] * b, x_.sin_[k] * a - x_.cos_[k] * b};
+        }
+      }
+      fftw_execute_dft_c2r(columns_inverse_.get(), raw(w.half.data()), w.real.data());
+      for (int r = 0; r < rows; ++r) {
+        const std::size_t to = static_cast<std::size_t>(ky0 + r) * hx_;
+        x_.divide(w.real.data() + static_cast<std::size_t>(r) * mx_, moved(to_even, to),
+                  moved(to_odd, to));
+      }
+    }
+  }
+}
+
+void MirroredTransform::inverse_rows(std::span<const Plane> planes) const {
+  Work& w = work();
   for (const auto& [even, odd] : pairs(planes, false)) {
-    const double* e = even < 0 ? nullptr : w.middle.data() + even * plane;
-    const double* o = odd < 0 ? nullptr : w.middle.data() + odd * plane;
+    const double* e = even < 0 ? nullptr : w.middle.data() + even * middle_size();
+    const double* o = odd < 0 ? nullptr : w.middle.data() + odd * middle_size();
+    double* const to_even = even < 0 ? nullptr : planes[even].values;
+    double* const to_odd = odd < 0 ? nullptr : planes[odd].values;
     for (int i0 = 0; i0 < hx_; i0 += block) {
       const int rows = std::min(block, hx_ - i0);
       for (int ky = 0; ky < mh_; ++ky) {
@@ -214,13 +250,9 @@ void MirroredTransform::inverse(std::span<const Plane> planes, std::size_t strid
       }
       fftw_execute_dft_c2r(rows_inverse_.get(), raw(w.half.data()), w.real.data());
       for (int r = 0; r < rows; ++r) {
-        const double* row = w.real.data() + static_cast<std::size_t>(r) * my_;
         const std::size_t to = static_cast<std::size_t>(i0 + r) * hy_;
-        for (int j = 0; j < hy_; ++j) {
-          const double here = row[j], there = row[y_.image(j)];
-          if (even >= 0) planes[even].values[to + j] = 0.5 * (here + there);
-          if (odd >= 0) planes[odd].values[to + j] = 0.5 * (here - there);
-        }
+        y_.divide(w.real.data() + static_cast<std::size_t>(r) * my_, moved(to_even, to),
+                  moved(to_odd, to));
       }
     }
   }

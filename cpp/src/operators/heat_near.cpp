@@ -16,7 +16,69 @@ constexpr double pi = std::numbers::pi;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using View = Eigen::Map<const Matrix>;
 
+using Profiles = std::vector<ThermalProfile<double>>;
+
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
+
+/// cos or sin of offset times wavenumber 2 pi a / m, [offset][a]; twice for all but a = 0.
+Matrix waves_along(int offsets, int numbers, int m, bool odd) {
+  Matrix wave(offsets, numbers);
+  for (int i = 0; i < offsets; ++i) {
+    for (int a = 0; a < numbers; ++a) {
+      const double phase = 2 * pi * a * i / m;
+      wave(i, a) = (a == 0 ? 1 : 2) * (odd ? std::sin(phase) : std::cos(phase));
+    }
+  }
+  return wave;
+}
+
+/// Shares of the rates in a decay at the rate k^2: barycentric interpolation in ln(rate).
+class Shares {
+ public:
+  explicit Shares(const std::vector<double>& rates) {
+    for (std::size_t m = 0; m < rates.size(); ++m) {
+      log_rates_.push_back(std::log(rates[m]));
+      weights_.push_back((m % 2 ? -1 : 1) * std::sin(pi * (static_cast<double>(m) + 0.5) /
+                                                     static_cast<double>(rates.size())));
+    }
+  }
+
+  /// Not divided by their sum, which is returned.
+  double at(double k, std::vector<double>& shares) const {
+    double total = 0;
+    for (std::size_t m = 0; m < log_rates_.size(); ++m) {
+      const double gap = 2 * std::log(k) - log_rates_[m];
+      shares[m] = weights_[m] / (gap == 0 ? 1e-300 : gap);
+      total += shares[m];
+    }
+    return total;
+  }
+
+ private:
+  std::vector<double> log_rates_, weights_;
+};
+
+/// Of each rate, at depth z, of a wave of wavenumber w along the surface.
+void sum_profiles(const HeatModes& modes, const Shares& shares, double z, double w,
+                  Profiles& sums) {
+  std::vector<double> at(sums.size());
+  std::fill(sums.begin(), sums.end(), ThermalProfile<double>{});
+  const double step = modes.step();
+  for (int j = 0; j == 0 || w * std::cosh(j * step) <= modes.cutoff(); ++j) {
+    const double s = w * std::sinh(j * step), k = w * std::cosh(j * step);
+    const double weight = (j == 0 ? 1 : 2) / pi * step * k;
+    const double faded = z == 0 ? weight : weight * modes.fade(s * z);
+    const double c = faded * std::cos(s * z), d = -faded * s * std::sin(s * z) / (k * k);
+    const double total = shares.at(k, at);
+    for (std::size_t m = 0; m < sums.size(); ++m) {
+      const double share = at[m] / total;
+      sums[m].t += c * share;
+      sums[m].p += c / (k * k) * share;
+      sums[m].slope += d * share;
+      sums[m].base += weight * w / (k * k) * share;
+    }
+  }
+}
 
 }  // namespace
 
@@ -47,27 +109,13 @@ NearHeat::NearHeat(const HeatModes& modes) : modes_(modes) {
 template <class Symbol>
 NearTables NearHeat::tabulate(double z, int components, const Symbol& symbol) const {
   const auto count = static_cast<int>(rates_.size());
-  const double begin = HeatModes::split_begin(), cutoff = modes_.cutoff(), step = modes_.step();
+  const double begin = HeatModes::split_begin(), cutoff = modes_.cutoff();
   const double deepest = 1.5 * modes_.sharpness() * modes_.sharpness() / z;
   // A lattice whose images are out of reach.
   const int mx = 2 * offsets_x_, my = 2 * offsets_y_;
   const double dw1 = 2 * pi / mx, dw2 = 2 * pi / (my * modes_.cell_y());
   const int na = static_cast<int>(cutoff / dw1) + 1, nb = static_cast<int>(cutoff / dw2) + 1;
-  std::vector<double> log_rates(count), barycentric(count);
-  for (int m = 0; m < count; ++m) {
-    log_rates[m] = std::log(rates_[m]);
-    barycentric[m] = (m % 2 ? -1 : 1) * std::sin(pi * (m + 0.5) / count);
-  }
-  const auto waves_along = [](int offsets, int numbers, int m, bool odd) {
-    Matrix wave(offsets, numbers);
-    for (int i = 0; i < offsets; ++i) {
-      for (int a = 0; a < numbers; ++a) {
-        const double phase = 2 * pi * a * i / m;
-        wave(i, a) = (a == 0 ? 1 : 2) * (odd ? std::sin(phase) : std::cos(phase));
-      }
-    }
-    return wave;
-  };
+  const Shares shares(rates_);
   // [component][rate][offset along x][b]: summed over a.
   std::vector<Matrix> along_x(static_cast<std::size_t>(components) * count,
                               Matrix::Zero(offsets_x_, nb));
@@ -79,33 +127,12 @@ NearTables NearHeat::tabulate(double z, int components, const Symbol& symbol) co
 #pragma omp parallel for schedule(dynamic)
   for (int b = 0; b < nb; ++b) {
     std::vector<Matrix> values(components, Matrix::Zero(na, count));
-    std::vector<double> shares(count);
-    std::vector<ThermalProfile<double>> sums(count);
+    Profiles sums(count);
     for (int a = 0; a < na; ++a) {
       const double w1 = a * dw1, w2 = b * dw2, w = std::hypot(w1, w2);
       // Nothing of short waves arrives at a depth, and the nodes would not resolve their cosines.
       if (w < begin || w > std::min(cutoff, deepest)) continue;
-      std::fill(sums.begin(), sums.end(), ThermalProfile<double>{});
-      for (int j = 0; j == 0 || w * std::cosh(j * step) <= cutoff; ++j) {
-        const double s = w * std::sinh(j * step), k = w * std::cosh(j * step);
-        const double weight = (j == 0 ? 1 : 2) / pi * step * k;
-        const double faded = z == 0 ? weight : weight * modes_.fade(s * z);
-        const double c = faded * std::cos(s * z), d = -faded * s * std::sin(s * z) / (k * k);
-        // Shares of the rates in a decay at the rate k^2.
-        double total = 0;
-        for (int m = 0; m < count; ++m) {
-          const double gap = 2 * std::log(k) - log_rates[m];
-          shares[m] = barycentric[m] / (gap == 0 ? 1e-300 : gap);
-          total += shares[m];
-        }
-        for (int m = 0; m < count; ++m) {
-          const double share = shares[m] / total;
-          sums[m].t += c * share;
-          sums[m].p += c / (k * k) * share;
-          sums[m].slope += d * share;
-          sums[m].base += weight * w / (k * k) * share;
-        }
-      }
+      sum_profiles(modes_, shares, z, w, sums);
       const double source = (1 - modes_.split(w)) * sinc(w1 / 2) * sinc(w2 * modes_.cell_y() / 2) /
                             (static_cast<double>(mx) * my);
       for (int c = 0; c < components; ++c) {

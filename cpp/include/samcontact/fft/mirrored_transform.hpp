@@ -45,11 +45,23 @@ class MirroredTransform {
     Mirror(int n, int m);
     /// Index of the mirror image of stored cell i in the padded row.
     int image(int i) const { return shifted ? m - 1 - i : (m - i) % m; }
+    /// A whole row of the stored cells of an even and an odd one, null where there is none.
+    void join(const double* even, const double* odd, double* row) const;
+    void divide(const double* row, double* even, double* odd) const;
     int stored, m;
     bool shifted;      // the middle lies between two cells
     Field cos_, sin_;  // of k pi / m, k <= m/2
   };
   static std::vector<std::array<int, 2>> pairs(std::span<const Plane> planes, bool along_x);
+
+  /// Between rows and columns lies [plane][ky][i]: numbers of a plane.
+  std::size_t middle_size() const { return static_cast<std::size_t>(mh_) * hx_; }
+  void forward_rows(std::span<const Plane> planes) const;
+  void forward_columns(std::span<const Plane> planes, std::size_t stride) const;
+  void forward_mirrored_columns(std::span<const Plane> planes, std::size_t stride) const;
+  void inverse_columns(std::span<const Plane> planes, std::size_t stride) const;
+  void inverse_mirrored_columns(std::span<const Plane> planes, std::size_t stride) const;
+  void inverse_rows(std::span<const Plane> planes) const;
 
   int hx_, hy_, mx_, my_, mh_, mk_;
   bool mirror_x_;
