@@ -296,7 +296,7 @@ def test_a_report_that_cannot_be_written_is_refused_first(tmp_path):
     missing = tmp_path / "nowhere" / "report.html"
     check_failure(invoke("report", tmp_path, "--output", missing), 2, "directory that exists")
     check_failure(invoke("report", tmp_path, "--output", tmp_path), 2, "is a directory")
-    check_failure(invoke("report", tmp_path / "nowhere"), 2, "no results file", "nowhere")
+    check_failure(invoke("report", tmp_path / "nowhere"), 1, "no results file", "nowhere")
 
 
 @pytest.mark.parametrize("output", ["file", "file/below"])
