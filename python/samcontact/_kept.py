@@ -45,6 +45,9 @@ def forget() -> bool:
     return there
 
 
+_memory.GIVING.append(forget)
+
+
 def _drop(most: float) -> None:
     """Let the oldest go until those left have at most so many bytes."""
     total = sum(field.nbytes for mine in _fields.values() for field in mine.values())

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from .grid import Grid
 
+GIVING: list[Callable[[], bool]] = []
+"""What gives back memory that others need; whether there was some."""
 _SMALL = 64e6  # below this nobody needs to ask
 CONTACT, COUPLED_CONTACT, HEATED_CONTACT = 95.0, 180.0, 205.0
 """Of a surface cell of an elastic contact: smooth; with shear that displaces; heated."""
@@ -33,12 +36,10 @@ VOLUME_FIELD = 300.0
 
 def require(what: str, needed: float, remedy: str = "take fewer cells") -> None:
     """Raise MemoryError unless this many bytes are available."""
-    from ._kept import forget
-
     if needed < _SMALL:
         return
     there = available()
-    if there is not None and needed > there and forget():
+    if there is not None and needed > there and any([give() for give in GIVING]):
         there = available()
     if there is not None and needed > there:
         raise MemoryError(
