@@ -98,10 +98,17 @@ def percents(values: np.ndarray) -> str:
 
 
 def stated_pairs(results: Results) -> list[Number | Statement]:
-    mesh = results.mesh
     found = {key: curves(runs) for key, runs in results.runs.items()}
-    loads = each(next(iter(results.runs.values())), "g")
-    entries: list[Number | Statement] = []
+    return [
+        *stated_rolled(results, found),
+        *stated_second_body(results, found),
+        *stated_geometry(results, found),
+    ]
+
+
+def stated_rolled(results: Results, found: dict[Key, Curves]) -> list[Statement]:
+    mesh, loads = results.mesh, each(next(iter(results.runs.values())), "g")
+    entries = []
     for (pair, k), c in found.items():
         entries.append(
             Statement(
@@ -122,6 +129,11 @@ def stated_pairs(results: Results) -> list[Number | Statement]:
                 mesh,
             )
         )
+    return entries
+
+
+def stated_second_body(results: Results, found: dict[Key, Curves]) -> list[Statement]:
+    entries = []
     for k in (1, 8):
         one, two = found["E_EP", k], found["EP_EP", k]
         lower = [(two.pressed, one.pressed), (two.rolled, one.rolled),
@@ -135,11 +147,16 @@ def stated_pairs(results: Results) -> list[Number | Statement]:
                 f"pressure {change.split(', ')[0]} and {change.split(', ')[1]} %, strain "
                 f"{change.split(', ')[2]} and {change.split(', ')[3]} % at the highest load",
                 all(bool(np.all(b < a)) for b, a in lower),
-                mesh,
+                results.mesh,
             )
         )
+    return entries
+
+
+def stated_geometry(results: Results, found: dict[Key, Curves]) -> list[Statement]:
+    mesh = results.mesh
     round_, long = found["E_EP", 1], found["E_EP", 8]
-    entries += [
+    return [
         Statement(
             "largest pressure and strain, k = 1 against 8, E_EP rolled at the highest load",
             "affected by the geometry of the contact",
@@ -157,7 +174,6 @@ def stated_pairs(results: Results) -> list[Number | Statement]:
             mesh,
         ),
     ]
-    return entries
 
 
 def again(results: Results) -> float:

@@ -67,14 +67,11 @@ def compute(quick: bool) -> Results:
 
 
 def stated(results: Results) -> list[Number | Statement]:
-    found, mesh = results.wear, results.mesh
-    first, last = found.cycles[0], found.cycles[-1]
-    worn = len(found.cycles) - 1
-    share = found.rate[:2].sum() / found.rate.sum()
-    conserved = max(abs(c.lost[0] / c.volume[0] - 1) for c in found.cycles[:-1])
-    x, y = found.x(), found.grid.y
-    middle = np.hypot(x[:, None], y[None, :]) < 75e-6
-    before, after = (float(found.profile(n)[middle].std()) for n in (0, -1))
+    return [*stated_begin(results), *stated_cycles(results), *stated_end(results)]
+
+
+def stated_begin(results: Results) -> list[Statement]:
+    first = results.wear.cycles[0]
     micro = float(STEEL.yield_stress(20e-6))
     critical = sc.critical.onset_sliding(RADIUS, E_STAR, 0.3, micro, FRICTION)
     return [
@@ -90,8 +87,16 @@ def stated(results: Results) -> list[Number | Statement]:
             "magnitude of that of the smooth surfaces under 2000 N",
             f"{first.max_pressure * 1e-9:.2f} GPa; {SMOOTH.p0 * 1e-9:.2f} GPa (Hertz)",
             0.7 < first.max_pressure / SMOOTH.p0 < 1.4,
-            mesh,
+            results.mesh,
         ),
+    ]
+
+
+def stated_cycles(results: Results) -> list[Statement]:
+    found, mesh = results.wear, results.mesh
+    worn = len(found.cycles) - 1
+    share = found.rate[:2].sum() / found.rate.sum()
+    return [
         Statement(
             "running-in",
             "a surface profile that does not change any more",
@@ -114,6 +119,17 @@ def stated(results: Results) -> list[Number | Statement]:
             share > 0.99,
             mesh,
         ),
+    ]
+
+
+def stated_end(results: Results) -> list[Statement]:
+    found, mesh = results.wear, results.mesh
+    first, last = found.cycles[0], found.cycles[-1]
+    conserved = max(abs(c.lost[0] / c.volume[0] - 1) for c in found.cycles[:-1])
+    x, y = found.x(), found.grid.y
+    middle = np.hypot(x[:, None], y[None, :]) < 75e-6
+    before, after = (float(found.profile(n)[middle].std()) for n in (0, -1))
+    return [
         Statement(
             "roughness under the contact",
             "a flattening of the roughness pattern",
