@@ -155,6 +155,7 @@ def _remains(scene: Scene) -> Iterator[Made]:
             ax.lines[-1].set_linestyle("--" if deepest else "-")  # the prints may be the same
             deepest.append(f"{values.max() * 1e9:.4g} nm in body {body}")
     if deepest:
+        ax.legend(frameon=False)  # with their styles
         text = f"Permanent displacement of the surface along x, at most {', '.join(deepest)}."
         yield f"Print, {_moment(scene, number)}", text, figure
     if f"residual_displacement_body{scene.body}" in data:
