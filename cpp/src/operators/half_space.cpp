@@ -43,7 +43,8 @@ class HalfSpace : public Medium {
       return turned ? compliance_of_cell(elastic_, exchanged(traction), exchanged(axis), own)
                     : compliance_of_cell(elastic_, traction, axis, own);
     };
-    return sums_.sum(grid, offsets, cell, std::array{0});
+    const int name = 3 * static_cast<int>(traction) + static_cast<int>(axis);
+    return sums_.sum(grid, offsets, cell, std::array{0}, name);
   }
 
   double wave_compliance(double wavenumber) const override {

@@ -129,8 +129,8 @@ void LatticeImages::Modes::subtract_integral(const LatticeAxis& x, const Lattice
   const double last = end * q1;
   const double farthest = std::hypot(x.extent() + x.apart * x.period + 0.5 * x.d,
                                      y.extent() + y.apart * y.period + 0.5 * y.d);
-  const auto radial = kernels::gauss_legendre(static_cast<int>(0.5 * last * farthest) + 40);
-  const int angles = static_cast<int>(0.5 * last * farthest) + 20;
+  const auto radial = kernels::gauss_legendre(static_cast<int>(0.5 * last * farthest) + 30);
+  const int angles = static_cast<int>(0.25 * last * farthest) + 15;
   for (const auto& [at, share] : radial) {
     const double q = last * at;
     for (int a = 0; a < angles; ++a) {

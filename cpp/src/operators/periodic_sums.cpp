@@ -7,6 +7,9 @@
 namespace samcontact::operators {
 namespace {
 
+/// Of the grids of one contact: the finest, coarser ones, and their boxes.
+constexpr std::size_t most_tables = 8;
+
 /// An offset in a period, and whether it is the mirror image of the one meant; period 0: none.
 struct Folded {
   int offset;
@@ -69,28 +72,47 @@ Offsets CellOffsets::in_metres(double dx, double dy) const {
 
 std::shared_ptr<const PeriodicTable> PeriodicSums::table(const Grid& grid, int cells_x) const {
   const std::lock_guard lock(mutex_);
-  if (!kept_ || !kept_->serves(grid.dx, grid.dy, grid.period, cells_x)) {
-    kept_ = std::make_shared<const PeriodicTable>(grid.dx, grid.dy, grid.period, cells_x);
+  const auto found = std::ranges::find_if(tables_, [&](const auto& kept) {
+    return kept->serves(grid.dx, grid.dy, grid.period, cells_x);
+  });
+  if (found != tables_.end()) {
+    tables_.splice(tables_.begin(), tables_, found);
+  } else {
+    tables_.push_front(
+        std::make_shared<const PeriodicTable>(grid.dx, grid.dy, grid.period, cells_x));
+    if (tables_.size() > most_tables) tables_.pop_back();
   }
-  return kept_;
+  return tables_.front();
+}
+
+std::shared_ptr<const Field> PeriodicSums::sums(const std::shared_ptr<const PeriodicTable>& table,
+                                                const CellInfluence& influence, int name) const {
+  if (name < 0) return std::make_shared<const Field>(table->sum(influence));
+  const std::lock_guard lock(named_mutex_);
+  const auto found = std::ranges::find_if(
+      named_, [&](const Named& kept) { return kept.name == name && kept.table == table; });
+  if (found != named_.end()) return found->sums;
+  named_.push_front({name, table, std::make_shared<const Field>(table->sum(influence))});
+  if (named_.size() > most_tables) named_.pop_back();
+  return named_.front().sums;
 }
 
 Field PeriodicSums::sum(const Grid& grid, const CellOffsets& offsets, const Make& make,
-                        std::span<const int> order) const {
+                        std::span<const int> order, int name) const {
   const bool direct = PeriodicTable::is_direct(grid);
   const Grid turned = direct ? grid : exchanged(grid);
   const CellOffsets along = direct ? offsets : CellOffsets{offsets.y, offsets.x};
   const int cells_x = 1 + *std::max_element(along.x.begin(), along.x.end());
   const auto table = this->table(turned, cells_x);
   const CellInfluence influence = make(turned, !direct);
-  const Field sums = table->sum(influence);
+  const auto sums = this->sums(table, influence, name);
   const std::size_t count = influence.parities.size(), nx = offsets.x.size(), ny = offsets.y.size();
   const std::size_t part = static_cast<std::size_t>(table->columns()) * table->rows();
   Field out(count * nx * ny);
   Field one(nx * ny);
   for (std::size_t c = 0; c < count; ++c) {
     double* to = out.data() + (direct ? c : order[c]) * nx * ny;
-    unfold(sums.data() + c * part, table->columns(), turned.period, along, influence.parities[c],
+    unfold(sums->data() + c * part, table->columns(), turned.period, along, influence.parities[c],
            direct ? to : one.data());
     if (direct) continue;
     for (std::size_t j = 0; j < ny; ++j) {

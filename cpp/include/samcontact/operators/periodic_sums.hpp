@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -33,21 +34,30 @@ struct CellOffsets {
   Offsets in_metres(double dx, double dy) const;
 };
 
-/// Thread-safe. Keeps what the last grid needed.
+/// Thread-safe. Keeps what the last grids needed, and the sums of those that have a name.
 class PeriodicSums {
  public:
   /// The influence of one cell of a grid, of the grid's own axes or of the exchanged ones.
   using Make = std::function<CellInfluence(const Grid& grid, bool exchanged)>;
 
-  /// Tables [component][j][i] on a periodic grid. order: of the components once exchanged.
+  /// Tables [component][j][i] on a periodic grid. order: of the components once exchanged. name: of
+  /// an influence that is asked for again, not negative.
   Field sum(const Grid& grid, const CellOffsets& offsets, const Make& make,
-            std::span<const int> order) const;
+            std::span<const int> order, int name = -1) const;
 
  private:
+  struct Named {
+    int name;
+    std::shared_ptr<const PeriodicTable> table;
+    std::shared_ptr<const Field> sums;
+  };
   std::shared_ptr<const PeriodicTable> table(const Grid& grid, int cells_x) const;
+  std::shared_ptr<const Field> sums(const std::shared_ptr<const PeriodicTable>& table,
+                                    const CellInfluence& influence, int name) const;
 
-  mutable std::mutex mutex_;
-  mutable std::shared_ptr<const PeriodicTable> kept_;
+  mutable std::mutex mutex_, named_mutex_;
+  mutable std::list<std::shared_ptr<const PeriodicTable>> tables_;  // the latest first
+  mutable std::list<Named> named_;
 };
 
 }  // namespace samcontact::operators
