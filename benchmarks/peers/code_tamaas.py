@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""tamaas: Polonsky and Keer's solver with its non-periodic operator; its volume model and EPIC
-scheme in a periodic cell."""
+"""tamaas: Polonsky and Keer's solver with its free and its periodic operator; its volume model
+and EPIC scheme in a periodic cell."""
 
 from __future__ import annotations
 
@@ -51,9 +51,10 @@ class Contact:
         self.mean = problem.load / side**2
         self.model = tm.ModelFactory.createModel(tm.model_type.basic_2d, [side, side], [n, n])
         self.model.E, self.model.nu = problems.E, problems.NU
-        tm.ModelFactory.registerNonPeriodic(self.model, "dcfft")
         self.solver = tm.PolonskyKeerRey(self.model, -problem.gap, tol)
-        self.solver.setIntegralOperator("dcfft")
+        if not problem.periodic:
+            tm.ModelFactory.registerNonPeriodic(self.model, "dcfft")
+            self.solver.setIntegralOperator("dcfft")
         self.solver.max_iter = 5000
         self.solver.dump_freq = 1
 

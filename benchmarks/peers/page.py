@@ -10,20 +10,33 @@ import numpy as np
 
 from ..harness import ROOT
 from ..tables import between_markers, cell
-from .running import TIGHT_PLASTIC, tight
+from .problems import PLASTIC
+from .running import FINEST, tight
 
 PAGE = ROOT / "docs" / "peers.md"
 OURS = "samcontact"
 # The error that is made equal, and at which values.
-MEASURE = {"hertz": "pressure", "rough": "pressure", "plastic": "plastic strain"}
-TARGETS = {"hertz": (1e-4, 1e-6, 1e-8), "rough": (1e-4, 1e-6, 1e-8), "plastic": (1e-2, 1e-3, 1e-4)}
-COUNTED_AT = {"hertz": 1e-6, "rough": 1e-6, "plastic": 1e-3}
+ELASTIC = ("hertz", "rough", "periodic")
+MEASURE = dict.fromkeys(ELASTIC, "pressure") | dict.fromkeys(PLASTIC, "plastic strain")
+TARGETS = dict.fromkeys(ELASTIC, (1e-4, 1e-6, 1e-8)) | dict.fromkeys(PLASTIC, (1e-2, 1e-3, 1e-4))
+COUNTED_AT = dict.fromkeys(ELASTIC, 1e-6) | dict.fromkeys(PLASTIC, 1e-3)
 TITLES = {
     "hertz": "Hertz contact",
     "rough": "Elastic rough contact",
     "plastic": "Elastic-plastic contact",
     "stress": "Stress under a Hertz pressure",
+    "periodic": "Periodic rough contact",
+    "periodic_plastic": "Periodic elastic-plastic contact",
 }
+KINDS = {
+    "hertz": "elastic",
+    "rough": "elastic",
+    "plastic": "elastic-plastic",
+    "periodic": "periodic elastic",
+    "periodic_plastic": "periodic elastic-plastic",
+}
+PERIODIC = ("periodic", "periodic_plastic")
+FINE, AREA = "pressure, finest", "contact area, finest"
 TIMES = {"with_setup_s": "with set-up", "without_setup_s": "without"}
 
 Place = tuple[str, str, int]
@@ -119,7 +132,7 @@ def solver_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any]]
             if not any(ratios.values()):
                 continue  # the code, or samcontact, has not come that far
             line: dict[str, Any] = {"in contact": where(place, codes), "cells": f"{place[2]}²"}
-            if problem != "rough":
+            if not place[1]:
                 del line["in contact"]
             line.update(code=code, **ratios)
             best = row_at(ladder, measure, COUNTED_AT[problem])
@@ -131,22 +144,23 @@ def solver_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any]]
 
 def times_of(problem: str) -> dict[str, str]:
     """A plastic body cannot be solved twice: its set-up is always in."""
-    return {"with_setup_s": "with set-up"} if problem == "plastic" else TIMES
+    return {"with_setup_s": "with set-up"} if problem in PLASTIC else TIMES
 
 
-def tight_plastic(data: dict[str, Any]) -> Iterator[tuple[int, str, dict[str, Any]]]:
-    """Cells across, code and row of the tightly converged plastic contacts."""
+def converged(
+    wanted: str, data: dict[str, Any], case: str = ""
+) -> Iterator[tuple[int, str, dict[str, Any]]]:
+    """Cells across, code and row of the tightly converged contacts of a problem."""
     for key, rounds in data["rows"].items():
-        problem, _, n, code, tol = key.split("|")
-        tightest = TIGHT_PLASTIC.get(code)
+        problem, of, n, code, tol = key.split("|")
         worked = rounds and "failed" not in rounds[0]
-        if worked and problem == "plastic" and float(tol) == tightest:
+        if worked and (problem, of) == (wanted, case) and float(tol) == tight(problem).get(code):
             yield int(n), code, rounds[0]
 
 
-def grid_lines(data: dict[str, Any]) -> list[dict[str, Any]]:
+def grid_lines(problem: str, data: dict[str, Any]) -> list[dict[str, Any]]:
     """What the grids of both codes leave, against samcontact on the finest of all."""
-    found = sorted(tight_plastic(data), key=lambda one: one[:2])
+    found = sorted(converged(problem, data), key=lambda one: one[:2])
     ours = [(n, row) for n, code, row in found if code == OURS]
     if not ours:
         return []
@@ -163,6 +177,42 @@ def grid_lines(data: dict[str, Any]) -> list[dict[str, Any]]:
         for n, code, row in found
         if n < finest
     ]
+
+
+Grids = dict[str, dict[int, tuple[float, float | None]]]
+"""By code and cells across: error of the grid, and the least time at a tenth of it beside."""
+
+
+def grids_of(problem: str, case: str, data: dict[str, Any]) -> Grids:
+    """What remains however tight the tolerance is, and what it takes to come there."""
+    places, found = by_place(data), Grids()
+    for n, code, row in sorted(converged(problem, data, case), key=lambda one: one[:2]):
+        error = row["errors"].get(FINE)
+        ladder = places.get((problem, case, n), {}).get(code)
+        if error and ladder:
+            curve = points(ladder, MEASURE[problem], "with_setup_s")
+            found.setdefault(code, {})[n] = error, time_at(curve, error / 10)
+    return found
+
+
+def accuracy_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Both codes against the finest grid: at equal cells, and at the same error."""
+    for case in dict.fromkeys(place[1] for place in by_place(data) if place[0] == problem):
+        grids = grids_of(problem, case, data)
+        ours = [(error, time) for error, time in grids.get(OURS, {}).values() if time]
+        rows = {(n, code): row for n, code, row in converged(problem, data, case)}
+        for n, code in sorted((n, code) for code, found in grids.items() for n in found):
+            error, time = grids[code][n]
+            same_cells = grids[OURS].get(n, (0.0, None))[1]
+            same_error = time_at(ours, error) if ours and error <= ours[0][0] else None
+            line: dict[str, Any] = {"in contact": case, "cells": f"{n}²", "code": code}
+            if not case:
+                del line["in contact"]
+            line["error of pressure"] = error
+            line["error of contact area"] = rows[n, code]["errors"][AREA]
+            line["time, equal cells"] = time and same_cells and time / same_cells
+            line["time, equal error"] = time and same_error and time / same_error
+            yield line
 
 
 def stress_lines(data: dict[str, Any]) -> Iterator[dict[str, Any]]:
@@ -194,21 +244,19 @@ def least_ratios(data: dict[str, Any]) -> str:
     found: dict[str, list[float]] = {}
     for place, codes in by_place(data).items():
         problem = place[0]
-        kind = "elastic-plastic" if problem == "plastic" else "elastic"
-        if problem not in MEASURE or OURS not in codes or (kind == "elastic" and place[2] < SMALL):
+        small = problem in ELASTIC and place[2] < SMALL
+        if problem not in MEASURE or OURS not in codes or small:
             continue
+        kind = KINDS[problem]
         for code in (name for name in codes if name != OURS):
             for time in times_of(problem):
                 ratio = ratio_at(codes, code, MEASURE[problem], time, COUNTED_AT[problem])
                 found.setdefault(kind, []).extend([ratio] if ratio else [])
     return "; ".join(
-        f"least ratio of {kind} contact at an error of {error:g}"
-        + (f", from {SMALL}² cells on" if kind == "elastic" else "")
+        f"least ratio of {kind} contact at an error of {COUNTED_AT[problem]:g}"
+        + (f", from {SMALL}² cells on" if problem in ELASTIC else "")
         + f": {min(found[kind]):.2g}"
-        for kind, error in (
-            ("elastic", COUNTED_AT["hertz"]),
-            ("elastic-plastic", COUNTED_AT["plastic"]),
-        )
+        for kind, problem in {kind: problem for problem, kind in KINDS.items()}.items()
         if found.get(kind)
     )
 
@@ -255,6 +303,28 @@ def failures(data: dict[str, Any]) -> list[str]:
     return ["\n".join(["Not measured:", "", *lines])]
 
 
+def about_grids(problem: str, data: dict[str, Any]) -> list[str]:
+    """What the discretisations leave, where they are not the same for all codes."""
+    sections = []
+    if problem in PLASTIC and (grid := grid_lines(problem, data)):
+        sections += ["Tightly converged, against samcontact on the finest grid:", table(grid)]
+    if problem in PERIODIC and (lines := list(accuracy_lines(problem, data))):
+        sections += [
+            f"Against samcontact on {FINEST[problem]}² cells, times with set-up at a tenth of the "
+            "error of the grid:",
+            table(without_empty(lines)),
+        ]
+    clocks = {
+        row.get("clock")
+        for key, rounds in data["rows"].items()
+        for row in rounds
+        if key.split("|")[0] == problem
+    }
+    if "process_time" in clocks:
+        sections.append("Measured in processor time, beside other work on the machine.")
+    return sections
+
+
 def tables_of(data: dict[str, Any]) -> str:
     """All tables, as they stand between the markers of the page."""
     versions = ", ".join(f"{code} {version}" for code, version in data["versions"].items())
@@ -268,8 +338,8 @@ def tables_of(data: dict[str, Any]) -> str:
             sections += [f"### {title}", table(without_empty(lines))]
             if problem in MEASURE:
                 sections.append(f"![{title}: time and error](figures/peers_{problem}.png)")
-        if problem == "plastic" and lines and (grid := grid_lines(data)):
-            sections += ["Tightly converged, against samcontact on the finest grid:", table(grid)]
+        if lines:
+            sections += about_grids(problem, data)
     sections += ["### Where a peer is faster", *wins_of_peers(data), *failures(data)]
     return "\n\n".join(sections)
 

@@ -24,15 +24,22 @@ HARDENING = 0.1 * E
 # In elastic contact radii: width of the cell, whose images act where it is periodic, and depth.
 PLASTIC_SIDE, STRESS_SIDE, DEPTH = 6.0, 12.0, 2.0
 INCREMENTS = 2
+# Of the rough surface that repeats itself: its shortest wave is this part of the side. Loads [N]:
+# about a tenth, half and almost all of it in contact.
+WAVES = 32
+PERIODIC_CASES = {"light": 165.0, "half": 1060.0, "nearly full": 4500.0}
+PLASTIC = ("plastic", "periodic_plastic")
 
 
 @dataclass(frozen=True)
 class Elastic:
-    """A rigid body of a given gap pressed on an elastic half-space, free boundary."""
+    """A rigid body of a given gap pressed on an elastic half-space."""
 
     gap: np.ndarray
     side: float
     load: float
+    periodic: str = ""
+    """As of sc.Grid."""
 
     @property
     def n(self) -> int:
@@ -44,7 +51,7 @@ class Elastic:
 
     @property
     def grid(self) -> sc.Grid:
-        return sc.Grid(self.n, self.n, self.cell, self.cell)
+        return sc.Grid(self.n, self.n, self.cell, self.cell, periodic=self.periodic)
 
 
 @dataclass(frozen=True)
@@ -57,6 +64,7 @@ class Plastic:
     depth: float
     radius: float
     load: float
+    periodic: str = ""
 
     @property
     def gap(self) -> np.ndarray:
@@ -65,7 +73,9 @@ class Plastic:
     @property
     def grid(self) -> sc.Grid:
         d = self.side / self.n
-        return sc.Grid(self.n, self.n, d, d, self.layers, self.depth / self.layers)
+        return sc.Grid(
+            self.n, self.n, d, d, self.layers, self.depth / self.layers, periodic=self.periodic
+        )
 
 
 def hertz_theory() -> sc.hertz.PointContact:
@@ -89,14 +99,26 @@ def rough(n: int, case: str) -> Elastic:
     return Elastic(gap, ROUGH_SIDE, load)
 
 
+def periodic(n: int, case: str) -> Elastic:
+    """Self-affine, Hurst exponent 0.8: one surface for all grids. Heights are those at i/n of the
+    side, so that every point of a grid is one of a grid with a multiple of its cells."""
+    amplitudes = wave_amplitudes(WAVES, 0.8, seed=1)
+    k = np.arange(-WAVES, WAVES + 1)[:, None] + np.arange(WAVES + 1)[None, :]
+    gap = -heights(n, amplitudes * np.exp(-1j * np.pi / n * k), ROUGH_RMS)
+    return Elastic(gap, ROUGH_SIDE, PERIODIC_CASES[case], periodic="xy")
+
+
 def elastic(problem: str, case: str, n: int) -> Elastic:
+    if problem == "periodic":
+        return periodic(n, case)
     return hertz(n) if problem == "hertz" else rough(n, case)
 
 
-def plastic(n: int, side: float = PLASTIC_SIDE) -> Plastic:
+def plastic(n: int, side: float = PLASTIC_SIDE, periodic: str = "") -> Plastic:
     """Cubic cells; elastically the pressure would be four times the yield stress over a radius of
     1 mm. The side is in such radii."""
     a, p0 = 1e-3, 4 * YIELD_STRESS
     layers = round(n * DEPTH / side)
     radius = 2 * E_STAR * a / (np.pi * p0)
-    return Plastic(n, layers, side * a, DEPTH * a, radius, load=2 / 3 * np.pi * p0 * a**2)
+    load = 2 / 3 * np.pi * p0 * a**2
+    return Plastic(n, layers, side * a, DEPTH * a, radius, load, periodic)

@@ -6,31 +6,34 @@ from __future__ import annotations
 import importlib
 import json
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from . import problems
-from .running import CODES, PACKAGES, TOO_LONG, Server, Task, code_class, tight
+from .running import CODES, FINEST, PACKAGES, TOO_LONG, Server, Task, code_class, tight
 
 SIZES = {
     "hertz": (64, 128, 256, 512, 1024),
     "rough": (256, 512, 1024, 2048),
     "plastic": (24, 32, 48),
     "stress": (48, 96, 192),
+    "periodic": (128, 256, 512, 1024),
+    "periodic_plastic": (24, 40),
 }
 QUICK_SIZES = {"hertz": (64, 128), "rough": (64, 128), "plastic": (12,), "stress": (48,)}
+QUICK_SIZES |= {"periodic": (128,), "periodic_plastic": (12,)}
 PROBLEMS = tuple(SIZES)
-FINEST_PLASTIC = 96  # cells across; of samcontact alone
-WITH_VOLUME = ("samcontact", "tamaas")
+BOTH = ("samcontact", "tamaas")  # where there is a volume, or a period
 LONG = 3.0  # s: what takes longer is measured once
 GROWTH = 4.0  # least factor of time from a size to the next
 
 
 def cases(problem: str) -> tuple[str, ...]:
-    return tuple(problems.ROUGH_CASES) if problem == "rough" else ("",)
+    named = {"rough": problems.ROUGH_CASES, "periodic": problems.PERIODIC_CASES}
+    return tuple(named.get(problem, ("",)))
 
 
 def installed(codes: tuple[str, ...] = tuple(CODES)) -> dict[str, str]:
@@ -46,8 +49,8 @@ def installed(codes: tuple[str, ...] = tuple(CODES)) -> dict[str, str]:
 
 
 def codes_for(problem: str, available: dict[str, str]) -> list[str]:
-    """Hierarchical matrices are for large rough contacts."""
-    wanted = WITH_VOLUME if problem in ("plastic", "stress") else tuple(CODES)
+    """Hierarchical matrices are for large rough contacts, the others for free boundaries."""
+    wanted = tuple(CODES) if problem in ("hertz", "rough") else BOTH
     if problem == "hertz":
         wanted = tuple(code for code in wanted if code != "ASPHER, H2")
     return [code for code in wanted if code in available]
@@ -84,9 +87,11 @@ class Results:
         rows: list[dict[str, Any]] = self.data["rows"].setdefault(task.key, [])
         return rows
 
-    def forget_shorter(self, limit: float) -> None:
+    def forget_shorter(self, limit: float, chosen: Sequence[str] = PROBLEMS) -> None:
         """Forget what failed for want of time, where there is more now."""
         for key, rounds in self.data["rows"].items():
+            if key.split("|")[0] not in chosen:
+                continue
             self.data["rows"][key] = [
                 row
                 for row in rounds
@@ -138,15 +143,20 @@ def measure_all(
     quick: bool,
     rounds: int,
     limit: float,
+    clock: str,
     report: Callable[[str], None],
 ) -> None:
     """Measure what the file does not have yet."""
     available = installed()
     versions = {name: available[name] for name in ("samcontact", *PACKAGES) if name in available}
     results.data["versions"].update(versions)
-    results.forget_shorter(limit)
+    results.forget_shorter(limit, chosen)
     servers = {code: Server(code) for code in available}
-    measure = partial(attempt, results=results, servers=servers, folder=folder, report=report)
+    settings = {"folder": str(folder), "clock": clock}
+    measure = partial(attempt, results=results, servers=servers, settings=settings, report=report)
+    for finest in [] if quick else finest_of(chosen):
+        if not results.rounds(finest):
+            measure(finest, limit=3 * limit)
     places = [
         (problem, case, n)
         for problem in chosen
@@ -163,11 +173,18 @@ def measure_all(
                 again = number == 0 or ("failed" not in done[0] and done[0]["with_setup_s"] < LONG)
                 if len(done) <= number and again:
                     measure(task, limit=limit)
-    finest = Task("plastic", "", FINEST_PLASTIC, "samcontact", tight("plastic")["samcontact"])
-    if "plastic" in chosen and not quick and not results.rounds(finest):
-        measure(finest, limit=3 * limit)
     for server in servers.values():
         server.close()
+
+
+def finest_of(chosen: list[str]) -> list[Task]:
+    """Of each problem and case; before the others, whose errors it tells."""
+    return [
+        Task(problem, case, FINEST[problem], "samcontact", tight(problem)["samcontact"])
+        for problem in chosen
+        if problem in FINEST
+        for case in cases(problem)
+    ]
 
 
 def attempt(
@@ -176,14 +193,14 @@ def attempt(
     limit: float,
     results: Results,
     servers: dict[str, Server],
-    folder: Path,
+    settings: dict[str, str],
     report: Callable[[str], None],
 ) -> None:
     """One measurement, kept at once."""
     if too_long(task, results, limit):
         row: dict[str, Any] = {"failed": f"expected to take {TOO_LONG} {limit:g} s"}
     else:
-        row = servers[task.code].run(replace(task, folder=str(folder)), limit)
+        row = servers[task.code].run(replace(task, **settings), limit)
     if "failed" in row:
         row["limit_s"] = limit
     results.rounds(task).append(row)

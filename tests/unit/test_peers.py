@@ -75,6 +75,30 @@ def test_ratios_are_of_least_times_and_wins_of_peers_are_said():
     assert "tamaas: no memory: Hertz contact, 128², tolerance 1e-06" in text
 
 
+def test_equal_error_of_grids_is_between_the_grids():
+    def grid(time, error):
+        loose = made_up([time], error=error / 100)
+        for row in loose:
+            row["errors"] |= {page.FINE: error, page.AREA: error}
+        return loose
+
+    rows = {}
+    for n, time, error in ((256, 1.0, 1e-2), (512, 4.0, 2.5e-3)):
+        for tol in (1e-4, 1e-12):  # the second is the reference
+            rows[f"periodic|half|{n}|samcontact|{tol:g}"] = grid(time, error)
+    for tol in (1e-4, 1e-10):
+        rows[f"periodic|half|256|tamaas|{tol:g}"] = grid(5.0, 5e-3)
+    first, second, third = page.accuracy_lines("periodic", {"rows": rows})
+    assert (first["code"], second["code"], third["cells"]) == ("samcontact", "tamaas", "512²")
+    assert second["time, equal cells"] == pytest.approx(5.0)
+    assert second["time, equal error"] == pytest.approx(2.5)
+
+
+def test_points_of_the_periodic_surface_are_shared_by_all_grids():
+    coarse, fine = (problems.elastic("periodic", "half", n).gap for n in (128, 384))
+    np.testing.assert_allclose(fine[::3, ::3], coarse, atol=1e-9 * np.abs(coarse).max())
+
+
 def test_results_are_kept_and_found_again(tmp_path):
     task = running.Task("hertz", "", 64, "samcontact", 1e-6)
     results = schedule.Results(tmp_path / "kept.json")
@@ -161,6 +185,51 @@ def test_tamaas_finds_the_same_plastic_contact_and_stress():
     task = running.Task("stress", "", 48, "tamaas", 0.0)
     problem, given = running.prepare(task)
     assert running.errors_of(task, problem, peer.Stress(*given).solve())["stress"] < 0.05
+
+
+def test_tamaas_finds_the_same_periodic_contacts():
+    pytest.importorskip("tamaas")
+    peer = importlib.import_module("benchmarks.peers.code_tamaas")
+    rough = problems.elastic("periodic", "half", 256)
+    ours, theirs = (code.Contact(rough, 1e-8).solve() for code in (code_samcontact, peer))
+    # two discretisations of eight cells across the shortest wave
+    assert running.rms_error(theirs.pressure, ours.pressure) < 0.01
+    plastic = problems.plastic(24, periodic="xy")
+    ours, theirs = (code.Plasticity(plastic, 1e-3).solve() for code in (code_samcontact, peer))
+    assert theirs.pressure.max() == pytest.approx(ours.pressure.max(), rel=0.02)
+    assert theirs.plastic_strain.max() == pytest.approx(ours.plastic_strain.max(), rel=0.1)
+
+
+def test_tamaas_has_the_same_mean_stress():
+    """Of what does not vary along the surface: sides that do not move, no stress from below."""
+    tm = pytest.importorskip("tamaas")
+    grid = problems.plastic(12, periodic="xy").grid
+    deviator = np.array([1e-3, -0.5e-3, -0.5e-3, 0, 0, 0])
+    strain = np.broadcast_to(deviator[:, None, None, None], (6, *grid.volume_shape))
+    pressed = problems.sc.ContactSolver(grid, code_samcontact.RIGID, code_samcontact.ELASTIC)
+    ours = (
+        pressed.stress(np.full(grid.surface_shape, 1e6), np.zeros(1))[:3, 0, 0, 0],
+        problems.sc.operators.residual_stress(grid, strain, problems.E, problems.NU, method="fast")[
+            :3, 0, 0, 0
+        ],
+    )
+    size, kind = [grid.nz * grid.dz, *[grid.nx * grid.dx] * 2], tm.model_type.volume_2d
+    model = tm.ModelFactory.createModel(kind, size, [grid.nz + 1, grid.nx, grid.ny])
+    model.E, model.nu = problems.E, problems.NU
+    tm.ModelFactory.registerVolumeOperators(model)
+    model.traction[..., 2] = 1e6
+    field, eigen = np.zeros([*model.shape, 6]), np.zeros([*model.shape, 6])
+    theirs = []
+    for given, operator in ((0.0, "boussinesq_gradient"), (deviator, "mindlin_gradient")):
+        field[...], eigen[...] = given, 0.0
+        model.operators["hooke"](field, eigen)
+        source, total = (eigen if operator == "mindlin_gradient" else model.traction), 0 * field
+        model.operators[operator](source, total)
+        stress = 0 * field
+        model.operators["hooke"](total - given, stress)
+        theirs.append(stress[0, 0, 0, :3])
+    for one, other in zip(ours, theirs, strict=True):
+        np.testing.assert_allclose(one, other, rtol=1e-6, atol=1e-6 * np.abs(other).max())
 
 
 def test_choice_of_problems():
