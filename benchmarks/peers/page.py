@@ -283,6 +283,12 @@ def wins_of_peers(data: dict[str, Any]) -> list[str]:
                 kind = name if name == "with set-up" else "without set-up"
                 line = f"{TITLES['stress']}, {stress['code']}, {kind}"
                 found.setdefault(line, []).append(f"{stress['cells']} ({stress[name]:.2f})")
+    for problem in PERIODIC:
+        for place in accuracy_lines(problem, data):
+            if (ratio := place.get("time, equal error")) and ratio < 1:
+                case = f", {place['in contact']}" if "in contact" in place else ""
+                line = f"{TITLES[problem]}{case}, {place['code']}, at the error of its grid"
+                found.setdefault(line, []).append(f"{place['cells']} ({ratio:.2f})")
     if not found:
         return ["Nowhere in these tables is a peer faster at equal error."]
     head = "At one of the errors of the tables or more (least time over that of samcontact):"

@@ -37,11 +37,11 @@ REPEAT_FOR = 0.5  # s of solves with the set-up done
 REPEATS = 20
 # Tolerances of the references: of one code where all solve the same discrete problem, else of each.
 TIGHT = {"samcontact": 1e-12}
-TIGHT_PERIODIC = {"samcontact": 1e-12, "tamaas": 1e-10}
+TIGHT_PERIODIC = {"samcontact": 1e-12, "tamaas": 1e-12}
 TIGHT_PLASTIC = {"samcontact": 1e-9, "tamaas": 1e-7}
 # Cells across of a grid of samcontact that shows the errors of the others.
 LEAST_REFINEMENT = 3
-FINEST = {"plastic": 96, "periodic": 2048, "periodic_plastic": 120}
+FINEST = {"plastic": 96, "periodic": 4096, "periodic_plastic": 120}
 # Codes as columns: module and the class for elastic contact.
 CODES = {
     "samcontact": ("code_samcontact", "Contact"),
