@@ -285,7 +285,8 @@ def wins_of_peers(data: dict[str, Any]) -> list[str]:
                 found.setdefault(line, []).append(f"{stress['cells']} ({stress[name]:.2f})")
     for problem in PERIODIC:
         for place in accuracy_lines(problem, data):
-            if (ratio := place.get("time, equal error")) and ratio < 1:
+            ratio = place["time, equal error"]
+            if place["code"] != OURS and ratio and ratio < 1:
                 case = f", {place['in contact']}" if "in contact" in place else ""
                 line = f"{TITLES[problem]}{case}, {place['code']}, at the error of its grid"
                 found.setdefault(line, []).append(f"{place['cells']} ({ratio:.2f})")
