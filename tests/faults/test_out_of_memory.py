@@ -20,6 +20,7 @@ LENGTH = 2e-3
 MEASURED = """
 import warnings
 import numpy as np
+import scipy.ndimage, scipy.optimize, scipy.special  # loaded once, by the first that needs them
 import samcontact as sc
 from samcontact import _memory
 warnings.simplefilter("ignore")

@@ -171,7 +171,7 @@ def test_closed_forms(thing):
 
 def test_text_stays_as_it_was():
     grid = sc.Grid(4, 4, 1e-6, 1e-6)
-    assert repr(grid) == "Grid(nx=4, ny=4, dx=1e-06, dy=1e-06, nz=0, dz=None)"
+    assert repr(grid) == "Grid(nx=4, ny=4, dx=1e-06, dy=1e-06, nz=0, dz=None, periodic='')"
     assert repr(CLOSED_FORMS[0]).startswith("PointContact(R=0.0075, E_star=")
 
 

@@ -278,8 +278,8 @@ def test_shell_completion_as_documented():
 def test_a_checkpoint_is_no_file_of_results(tmp_path):
     simulation().save(tmp_path / "results.nc")
     outcome = invoke("report", tmp_path)
-    check_failure(outcome, 2, "must be a netCDF4 file")
-    assert len(outcome.stderr.splitlines()) == 1  # what h5netcdf advises is not for users
+    check_failure(outcome, 2, "must be a results file", "samcontact checkpoint")
+    assert len(outcome.stderr.splitlines()) == 1
 
 
 @pytest.mark.parametrize("name", ["results.nc", "case.toml"])

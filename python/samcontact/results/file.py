@@ -103,9 +103,12 @@ def open_results(path: str | Path) -> xr.Dataset:
         # without what h5netcdf advises, which is for its own arguments
         told = next(iter(str(error).splitlines()), type(error).__name__).strip()
         raise ValueError(f"path must be a netCDF4 file, got {source}: {told}") from error
-    if "samcontact_version" not in dataset.attrs:
+    if "samcontact_version" not in dataset.attrs or "format_version" in dataset.attrs:
+        found = dataset.attrs.get("format", "of another program")
         dataset.close()
-        raise ValueError(f"path must be a results file written by samcontact, got {source}")
+        raise ValueError(
+            f"path must be a results file written by samcontact, got {source}: {found}"
+        )
     return dataset
 
 
