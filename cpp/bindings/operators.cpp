@@ -7,6 +7,7 @@
 #include "samcontact/operators/surface_displacement.hpp"
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
+#include "samcontact/operators/zone_operators.hpp"
 
 namespace samcontact::bindings {
 
@@ -67,6 +68,47 @@ py::array surface_stress(const Grid& grid, const Elastic& elastic,
     out = operators::traction_stress(grid, operators::half_space(elastic), heating, z, tractions);
   }
   return tensor_array(std::move(out), grid, static_cast<py::ssize_t>(z.size()));
+}
+
+/// By zones (i0, j0, nx, ny, nz): stress there, 0 elsewhere, and displacement, of a strain and of
+/// tractions on body 2.
+std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& elastic,
+                                            const std::vector<std::array<int, 5>>& boxes,
+                                            const Array& strain, const py::object& pressure,
+                                            const py::object& shear_x, double image_tol) {
+  const Field field = to_field(strain);
+  const operators::Tractions tractions{to_field_or_empty(pressure), to_field_or_empty(shear_x), {}};
+  Field stress(6 * grid.volume_size(), 0.0), displacement(grid.surface_size(), 0.0);
+  {
+    const py::gil_scoped_release release;
+    const Box whole = Box::whole(grid);
+    std::vector<Box> zones;
+    for (const auto& [i0, j0, nx, ny, nz] : boxes) zones.push_back({i0, j0, nx, ny, nz});
+    operators::ZoneOperators operators(grid, operators::half_space(elastic), zones,
+                                       operators::Tensor::full, image_tol);
+    Field own(6 * operators.cells());
+    std::size_t first = 0;
+    for (const Box& zone : zones) {
+      for (int c = 0; c < 6; ++c) {
+        extract(field.data() + c * grid.volume_size(), whole,
+                own.data() + c * operators.cells() + first, zone);
+      }
+      first += zone.volume_size();
+    }
+    operators.transform(own);
+    operators.displacement(displacement.data());
+    operators.for_each_layer(&own, tractions, 1.0, [&](int z, int k, const double* layer) {
+      Box plane = zones[z];
+      plane.nz = 1;
+      for (int c = 0; c < 6; ++c) {
+        insert(layer + c * plane.surface_size(), plane,
+               stress.data() + c * grid.volume_size() + k * grid.surface_size(),
+               Box::surface(grid));
+      }
+    });
+  }
+  return {tensor_array(std::move(stress), grid, grid.nz),
+          surface_array(std::move(displacement), grid)};
 }
 
 py::array temperature(const Grid& grid, const operators::Heating& heating,
@@ -180,6 +222,8 @@ void bind_operators(py::module_& parent) {
         py::arg("nu"));
   m.def("surface_displacement", &surface_displacement, py::arg("grid"), py::arg("elastic"),
         py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"), py::arg("axis"));
+  m.def("zone_fields", &zone_fields, py::arg("grid"), py::arg("elastic"), py::arg("zones"),
+        py::arg("strain"), py::arg("pressure"), py::arg("shear_x"), py::arg("image_tol"));
   m.def("temperature", &temperature, py::arg("grid"), py::arg("heating"), py::arg("z"),
         py::arg("pressure"));
   m.def("surface_stress", &surface_stress, py::arg("grid"), py::arg("elastic"), py::arg("heating"),

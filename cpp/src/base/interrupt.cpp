@@ -11,7 +11,12 @@ namespace {
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<InterruptCheck> installed_check{nullptr};
 
+thread_local int uninterrupted = 0;
+
 }  // namespace
+
+Uninterrupted::Uninterrupted() { ++uninterrupted; }
+Uninterrupted::~Uninterrupted() { --uninterrupted; }
 
 void set_interrupt_check(InterruptCheck check) { installed_check.store(check); }
 
@@ -21,7 +26,7 @@ void check_interrupt() {
   // more than the iteration.
   static thread_local Clock::time_point last{};
   const InterruptCheck check = installed_check.load(std::memory_order_relaxed);
-  if (check == nullptr) return;
+  if (check == nullptr || uninterrupted > 0) return;
   const auto now = Clock::now();
   if (now - last < std::chrono::milliseconds(50)) return;
   last = now;

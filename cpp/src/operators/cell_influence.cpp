@@ -25,14 +25,20 @@ std::vector<int> edges_of(const std::vector<int>& offsets) {
   return edges;
 }
 
-/// Corner sums of a cell of 1 by `aspect`, each corner evaluated once however many cells share it.
-template <class Corner>
-Field corner_sums(const CellOffsets& offsets, double aspect, const Corner& corner) {
+/// Corner sums of a cell of 1 by `aspect`, each corner evaluated once however many cells share it:
+/// [component][j][i] of the first `count` components.
+template <std::size_t N, class Corner>
+Field corner_sums(const CellOffsets& offsets, double aspect, int count, const Corner& corner) {
   const std::vector<int> at_x = edges_of(offsets.x), at_y = edges_of(offsets.y);
-  Field corners;
-  corners.reserve(at_x.size() * at_y.size());
+  const std::size_t corners_size = at_x.size() * at_y.size();
+  Field corners(N * corners_size);
+  std::size_t at = 0;
   for (const int y : at_y) {
-    for (const int x : at_x) corners.push_back(corner(0.5 * x, 0.5 * y * aspect));
+    for (const int x : at_x) {
+      const std::array<double, N> f = corner(0.5 * x, 0.5 * y * aspect);
+      for (std::size_t c = 0; c < N; ++c) corners[c * corners_size + at] = f[c];
+      ++at;
+    }
   }
   // The upper edge follows the lower one.
   const auto lower_edges = [](const std::vector<int>& cells, const std::vector<int>& edges) {
@@ -45,14 +51,24 @@ Field corner_sums(const CellOffsets& offsets, double aspect, const Corner& corne
   };
   const auto from_x = lower_edges(offsets.x, at_x), from_y = lower_edges(offsets.y, at_y);
   Field sums;
-  sums.reserve(from_x.size() * from_y.size());
-  for (const std::size_t j : from_y) {
-    const double *lower = corners.data() + j * at_x.size(), *upper = lower + at_x.size();
-    for (const std::size_t i : from_x) {
-      sums.push_back((upper[i + 1] - upper[i]) - (lower[i + 1] - lower[i]));
+  sums.reserve(count * from_x.size() * from_y.size());
+  for (int c = 0; c < count; ++c) {
+    for (const std::size_t j : from_y) {
+      const double* lower = corners.data() + c * corners_size + j * at_x.size();
+      const double* upper = lower + at_x.size();
+      for (const std::size_t i : from_x) {
+        sums.push_back((upper[i + 1] - upper[i]) - (lower[i + 1] - lower[i]));
+      }
     }
   }
   return sums;
+}
+
+/// Of one component.
+template <class Corner>
+Field corner_sums(const CellOffsets& offsets, double aspect, const Corner& corner) {
+  return corner_sums<1>(offsets, aspect, 1,
+                        [&](double x, double y) { return std::array{corner(x, y)}; });
 }
 
 /// u_z of pressure: by its moments far away.
@@ -234,6 +250,15 @@ Field cell_stress(double nu, Traction traction, const Grid& grid, int nx, int ny
   return table;
 }
 
+Field cell_stress(double nu, Traction traction, const Grid& grid, const CellOffsets& offsets,
+                  double z, Tensor tensor) {
+  return corner_sums<6>(offsets, grid.dy / grid.dx, count(tensor), [&](double x, double y) {
+    auto s = select(corner_stress(traction, x, y, z / grid.dx, nu), tensor);
+    for (double& v : s) v /= 2 * pi;
+    return s;
+  });
+}
+
 CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, double z) {
   CellInfluence influence;
   influence.parities = stress_parities(traction);
@@ -248,6 +273,17 @@ CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, dou
     return strip_sums(nx, grid.dx, [&](double x) { return strip_stress(traction, x, z, nu); });
   };
   return influence;
+}
+
+Field cell_residual_displacement(double nu, const Grid& grid, const CellOffsets& offsets,
+                                 int layer) {
+  return corner_sums<6>(offsets, grid.dy / grid.dx, 6, [&](double x, double y) {
+    const double dz = grid.dz / grid.dx;
+    auto u = kernels::eigenstrain_displacement(x, y, (layer + 1) * dz, nu);
+    const auto upper = kernels::eigenstrain_displacement(x, y, layer * dz, nu);
+    for (int c = 0; c < 6; ++c) u[c] = (u[c] - upper[c]) * grid.dx / (2 * pi);
+    return u;
+  });
 }
 
 CellInfluence residual_of_cell(double nu, const Grid& grid, int layer) {
@@ -265,26 +301,7 @@ CellInfluence residual_of_cell(double nu, const Grid& grid, int layer) {
     u[5] *= 2;
   };
   influence.cell = [=](int nx, int ny) {
-    const CornerLattice lattice{nx, ny, grid.dy / grid.dx};
-    Field corners(6 * lattice.size()), lower(corners.size());
-    const std::size_t plane = static_cast<std::size_t>(nx) * ny;
-    Field table(6 * plane);
-    const auto evaluate = [&](double z, Field& values) {
-      lattice.evaluate<6>(
-          [&](double x, double y) {
-            auto u = kernels::eigenstrain_displacement(x, y, z / grid.dx, nu);
-            for (double& value : u) value *= grid.dx / (2 * pi);
-            return u;
-          },
-          values.data());
-    };
-    evaluate(z1, corners);
-    evaluate(z0, lower);
-    for (std::size_t n = 0; n < corners.size(); ++n) corners[n] -= lower[n];
-    for (int c = 0; c < 6; ++c) {
-      lattice.corner_sums(corners.data() + c * lattice.size(), table.data() + c * plane, nx, ny);
-    }
-    return table;
+    return cell_residual_displacement(nu, grid, CellOffsets::lattice(nx, ny), layer);
   };
   influence.strip = [=](int nx) {
     return strip_sums(nx, grid.dx, [&](double x) {

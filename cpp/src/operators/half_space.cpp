@@ -72,11 +72,19 @@ class HalfSpace : public Medium {
                     tensor);
   }
 
+  Field stress(Traction traction, const Grid& grid, const CellOffsets& offsets, double z,
+               Tensor tensor) const override {
+    return cell_stress(elastic_.nu, traction, grid, offsets, z, tensor);
+  }
+  Field residual_displacement(const Grid& grid, const CellOffsets& offsets,
+                              int layer) const override {
+    return cell_residual_displacement(elastic_.nu, grid, offsets, layer);
+  }
+
   std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
                                                   const VolumeTransform& transform,
-                                                  ResidualMethod method,
-                                                  double image_tol) const override {
-    if (method == ResidualMethod::exact) {
+                                                  const ResidualSettings& settings) const override {
+    if (settings.method == ResidualMethod::exact) {
       if (grid.period.is_on()) {
         throw std::invalid_argument(
             "residual_stress must be \"fast\" on a periodic grid, got \"exact\": there are no "
@@ -85,7 +93,7 @@ class HalfSpace : public Medium {
       }
       return std::make_unique<CuboidResidualStress>(grid, transform, elastic_);
     }
-    return std::make_unique<LayerResidualStress>(grid, transform, elastic_, image_tol);
+    return std::make_unique<LayerResidualStress>(grid, transform, elastic_, settings);
   }
   std::unique_ptr<ResidualDisplacement> residual_displacement(const Grid& grid,
                                                               const VolumeTransform& transform,

@@ -21,7 +21,7 @@ constexpr double blended_from = 0.85;
 
 /// Share of a wavenumber, relative to the highest; with that of its alias 1. Three derivatives are
 /// continuous.
-double share(double k) {
+double blended(double k) {
   const double s = std::clamp((2 - blended_from - k) / (2 * (1 - blended_from)), 0.0, 1.0);
   return s * s * s * s * (35 + s * (-84 + s * (70 - 20 * s)));
 }
@@ -54,8 +54,9 @@ layers::Layout block_layout(const layers::Layout& of, int parts) {
 }  // namespace
 
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
-                                         const Elastic& elastic, double image_tol)
-    : LayerResidualStress(grid, transform, elastic) {
+                                         const Elastic& elastic, const ResidualSettings& settings)
+    : LayerResidualStress(grid, transform, elastic, settings.share) {
+  const double image_tol = settings.image_tol;
   const bool along_x = grid.period.x > 0, along_y = grid.period.y > 0;
   if (along_x && along_y) return;
   if (along_x || along_y) {
@@ -66,7 +67,7 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
 }
 
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
-                                         const Elastic& elastic)
+                                         const Elastic& elastic, const Share& share)
     : nz_(grid.nz),
       nu_(elastic.nu),
       lame_(2 * elastic.shear_modulus() * elastic.nu / (1 - 2 * elastic.nu)),
@@ -76,7 +77,7 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
     for (const bool alias_y : {false, true}) {
       if (alias_y && 2 * ky <= blended_from * transform.my()) continue;
       for (const bool alias_x : {false, true}) {
-        passes.push_back(pass(grid, transform, ky, alias_x, alias_y));
+        passes.push_back(pass(grid, transform, ky, alias_x, alias_y, share));
       }
     }
   }
@@ -84,7 +85,8 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
 
 LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
                                                     const VolumeTransform& transform, int ky,
-                                                    bool alias_x, bool alias_y) {
+                                                    bool alias_x, bool alias_y,
+                                                    const Share& share) {
   // mx and my are even
   const int mx = transform.mx(), my = transform.my();
   const auto wavenumber = [&](int i) { return i <= mx / 2 ? i : i - mx; };
@@ -107,7 +109,12 @@ LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
     const int x = alias_x ? own - (own > 0 ? mx : -mx) : own;
     const int y = !varies_y ? 0 : alias_y ? ky - my : ky;
     double* mode = found.modes.data() + (i - found.first);
-    const double weight = share(std::abs(2.0 * x / mx)) * share(std::abs(2.0 * y / my));
+    double weight = blended(std::abs(2.0 * x / mx)) * blended(std::abs(2.0 * y / my));
+    if (share) {
+      // That of the wave that is stored, also for its alias.
+      const int stored_y = varies_y ? ky : 0;
+      weight *= share(two_pi * own / (mx * grid.dx), two_pi * stored_y / (my * grid.dy));
+    }
     layers::fill_mode(two_pi * x / (mx * grid.dx), two_pi * y / (my * grid.dy), grid.dz, weight,
                       mode, step);
   }

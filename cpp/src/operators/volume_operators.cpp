@@ -43,7 +43,7 @@ const ResidualStress& VolumeOperators::residual_stress() const {
   const std::lock_guard lock(mutex_);
   if (!residual_stress_) {
     residual_stress_ =
-        medium_->residual_stress(grid_, transform_, options_.method, options_.image_tol);
+        medium_->residual_stress(grid_, transform_, {options_.method, options_.image_tol});
   }
   return *residual_stress_;
 }

@@ -55,6 +55,11 @@ void forward(const VolumeTransform& transform, const double* tensor, VolumeSpect
   }
 }
 
+void forward(const VolumeTransform& transform, const double* tensor, VolumeSpectrum& out,
+             int layer) {
+  transform.forward(planes_of(tensor, transform.plane_size(), out, layer), out.stride());
+}
+
 void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, int layer,
              double* tensor) {
   transform.inverse(planes_of(tensor, transform.plane_size(), spectrum, layer), spectrum.stride());

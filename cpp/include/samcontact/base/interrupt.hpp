@@ -13,4 +13,13 @@ void set_interrupt_check(InterruptCheck check);
 /// Calls the installed check, at most about 20 times a second.
 void check_interrupt();
 
+/// While it lives, this thread does not look: in a parallel loop, which must not throw.
+class Uninterrupted {
+ public:
+  Uninterrupted();
+  ~Uninterrupted();
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+};
+
 }  // namespace samcontact

@@ -22,8 +22,15 @@ CellInfluence compliance_of_cell(const Elastic& elastic, Traction traction, Axis
 /// Stress at a depth per unit traction on offsets 0..nx-1, 0..ny-1: [component][j][i] [-].
 Field cell_stress(double nu, Traction traction, const Grid& grid, int nx, int ny, double z,
                   Tensor tensor);
+/// The same at any offsets.
+Field cell_stress(double nu, Traction traction, const Grid& grid, const CellOffsets& offsets,
+                  double z, Tensor tensor);
 CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, double z);
 
+/// u_z of the surface per unit eigenstrain xx, yy, zz, yz, xz, xy in a cell of a layer,
+/// [component][j][i] [m].
+Field cell_residual_displacement(double nu, const Grid& grid, const CellOffsets& offsets,
+                                 int layer);
 /// u_z of the surface per unit eigenstrain xx, yy, zz, yz, xz, xy in a cell of a layer [m].
 CellInfluence residual_of_cell(double nu, const Grid& grid, int layer);
 

@@ -35,12 +35,12 @@ class Images {
 
 class LayerResidualStress : public ResidualStress {
  public:
-  /// The grid's layers start at the surface. image_tol: error of the stress due to the periodic
-  /// images that is allowed, relative to the largest stress.
+  /// The grid's layers start at the surface. settings: of the fast method.
   LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
-                      double image_tol);
+                      const ResidualSettings& settings);
   /// With all images of the transform's period.
-  LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic);
+  LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic)
+      : LayerResidualStress(grid, transform, elastic, Share{}) {}
 
   void apply(VolumeSpectrum& spectrum) const override;
   Field far_field(Tensor tensor, const double* strain) const override;
@@ -55,8 +55,11 @@ class LayerResidualStress : public ResidualStress {
     int first = 0, last = 0;
     Field modes;  // [coefficient][kx]
   };
+  using Share = decltype(ResidualSettings::share);
+  LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
+                      const Share& share);
   static Pass pass(const Grid& grid, const VolumeTransform& transform, int ky, bool alias_x,
-                   bool alias_y);
+                   bool alias_y, const Share& share);
 
   int nz_;
   double nu_, lame_, shear_modulus_;

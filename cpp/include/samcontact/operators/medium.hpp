@@ -42,12 +42,18 @@ class Medium {
   virtual Field stress(Traction traction, const Grid& grid, const KernelOffsets& offsets, double z,
                        Tensor tensor) const = 0;
 
+  /// The same at any offsets, of a grid without period.
+  virtual Field stress(Traction traction, const Grid& grid, const CellOffsets& offsets, double z,
+                       Tensor tensor) const = 0;
+  /// u_z of the surface under a unit eigenstrain in a cell of a layer, [component of all
+  /// six][j][i] [m], of a grid without period.
+  virtual Field residual_displacement(const Grid& grid, const CellOffsets& offsets,
+                                      int layer) const = 0;
+
   /// Operators of eigenstrain in the layers of a grid, the first of which starts at the surface.
-  /// image_tol: see LayerResidualStress.
-  virtual std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
-                                                          const VolumeTransform& transform,
-                                                          ResidualMethod method,
-                                                          double image_tol) const = 0;
+  virtual std::unique_ptr<ResidualStress> residual_stress(
+      const Grid& grid, const VolumeTransform& transform,
+      const ResidualSettings& settings) const = 0;
   virtual std::unique_ptr<ResidualDisplacement> residual_displacement(
       const Grid& grid, const VolumeTransform& transform, Tensor tensor) const = 0;
 

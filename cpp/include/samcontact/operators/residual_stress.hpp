@@ -2,6 +2,8 @@
 // Residual stress of eigenstrain (plastic strain) in a layered box: the interface of its operators.
 #pragma once
 
+#include <functional>
+
 #include "samcontact/operators/volume_spectrum.hpp"
 
 namespace samcontact::operators {
@@ -9,6 +11,14 @@ namespace samcontact::operators {
 /// How the residual stress is found: from the influence coefficients of cuboids, or by sweeps over
 /// the layers.
 enum class ResidualMethod { exact, fast };
+
+struct ResidualSettings {
+  ResidualMethod method = ResidualMethod::exact;
+  /// Fast: error due to periodic images, relative to the largest stress.
+  double image_tol = 1e-3;
+  /// Fast: what the stress of a wave is multiplied by, wavenumbers in 1/m; none: 1.
+  std::function<double(double kx, double ky)> share = {};
+};
 
 class ResidualStress {
  public:

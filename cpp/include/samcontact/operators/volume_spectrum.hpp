@@ -50,6 +50,10 @@ struct VolumeSpectrum {
 /// that are all zero and skips them.
 void forward(const VolumeTransform& transform, const double* tensor, VolumeSpectrum& out);
 
+/// One layer, [component][i][j]. Thread-safe for different layers.
+void forward(const VolumeTransform& transform, const double* tensor, VolumeSpectrum& out,
+             int layer);
+
 /// One layer back to real space, [component][i][j]; destroys it in the spectrum. Thread-safe for
 /// different layers.
 void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, int layer, double* tensor);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From cells to the nodes of a coarser lattice and back, with the window of Barnett, Magland & af
+// Klinteberg (2019), doi:10.1137/18M120885X: what is smooth on the lattice passes as if it were
+// sampled, once the spectrum between the two is divided by the square of the window's transform.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/base/box.hpp"
+
+namespace samcontact::operators {
+
+/// Nodes that a cell reaches.
+inline constexpr int window_width = 6;
+/// Transform of the window, wavenumber in 1/node.
+double window_transform(double k);
+
+/// Nodes along one axis, an even number `factor` of cells apart: node a lies in the middle of the
+/// cells a factor .. (a + 1) factor - 1.
+class Nodes {
+ public:
+  /// All that the cells first, .., first + cells - 1 reach.
+  Nodes(int factor, int first_cell, int cells);
+
+  int factor() const { return factor_; }
+  int first() const { return first_; }
+  int count() const { return count_; }
+  /// The first one that a cell reaches, counted from first(), and the weights from it on.
+  int place(int cell) const;
+  const std::array<double, window_width>& weights(int cell) const;
+
+ private:
+  struct Phase {
+    int shift;
+    std::array<double, window_width> weights;
+  };
+  int factor_, first_, count_;
+  std::vector<Phase> phases_;
+};
+
+/// Both axes. Planes of nodes [a][b] may be longer than the nodes along y: `pitch` numbers a row.
+class NodeSpread {
+ public:
+  /// All nodes that the cells of a box reach.
+  NodeSpread(int factor, const Box& cells);
+
+  const Nodes& x() const { return x_; }
+  const Nodes& y() const { return y_; }
+  /// Adds what the cells [i][j] of a box give to the nodes.
+  void spread(const double* cells, const Box& box, double* nodes, int pitch) const;
+  /// Adds what the nodes give to the cells of a box.
+  void gather(const double* nodes, int pitch, const Box& box, double* cells) const;
+
+ private:
+  Nodes x_, y_;
+};
+
+}  // namespace samcontact::operators

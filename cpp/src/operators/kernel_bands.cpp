@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/kernel_bands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <numbers>
+#include <stdexcept>
+#include <tuple>
+
+#include "samcontact/fft/parity_spectrum.hpp"
+#include "samcontact/operators/node_spread.hpp"
+#include "samcontact/operators/smooth_continuation.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Where a table is split: the near part ends at cells of the lattice, the middle one at nodes of
+/// the far one.
+constexpr int near_cells = range(Band::near), middle_cells = 2 * spacing(Band::far);
+
+/// Low pass, 1 at q = 0 and gone at 0.9 of the highest wavenumber of nodes `factor` cells apart: a
+/// step smoothed by a Gaussian, even in q, so that the rest is of short range.
+double low_pass(double q, int factor, double sharpness) {
+  const double gone = 0.9 * pi / factor, a = sharpness, b = 2 * a / gone;
+  return (std::erf(a + b * q) + std::erf(a - b * q)) / (2 * std::erf(a));
+}
+
+/// What spreading and gathering make of a wave along one axis, wavenumber in 1/cell.
+double window_gain(Band band, double k) {
+  if (band == Band::near) return 1.0;
+  double gain = window_transform(k * spacing(Band::middle));
+  if (band == Band::far) gain *= window_transform(k * spacing(Band::far));
+  return gain * gain;
+}
+
+}  // namespace
+
+double share(Band band, double kx, double ky) {
+  const double q = std::hypot(kx, ky);
+  const double middle = low_pass(q, spacing(Band::middle), 1.6);
+  const double far = low_pass(q, spacing(Band::far), 1.5);
+  switch (band) {
+    case Band::near:
+      return 1 - middle;
+    case Band::middle:
+      return middle - far;
+    default:
+      return far;
+  }
+}
+
+namespace {
+
+/// The tables of all bands of one medium. Thread-safe.
+class BandTables {
+ public:
+  BandTables(SharedMedium medium, const Grid& cells)
+      : medium_(std::move(medium)),
+        cells_(cells),
+        near_(spacing(Band::middle), near_cells),
+        middle_(spacing(Band::far), middle_cells) {
+    cells_.period = {};
+  }
+
+  const SharedMedium& medium() const { return medium_; }
+
+  /// [component][j][i] at nodes 0..offsets - 1 of the band.
+  Field stress(Band band, Traction traction, const KernelOffsets& offsets, double z,
+               Tensor tensor) const {
+    std::vector<kernels::Parity> parities;
+    for (const int c : components(tensor)) {
+      auto p = kernels::component_parity(c);
+      p.odd_x ^= traction == Traction::shear_x;
+      p.odd_y ^= traction == Traction::shear_y;
+      parities.push_back(p);
+    }
+    const Key key{static_cast<int>(traction), z, tensor};
+    return tables(band, key, offsets, parities, [&](const CellOffsets& at) {
+      return medium_->stress(traction, cells_, at, z, tensor);
+    });
+  }
+
+  Field residual_displacement(Band band, const KernelOffsets& offsets, int layer) const {
+    std::vector<kernels::Parity> parities;
+    for (int c = 0; c < 6; ++c) parities.push_back(kernels::component_parity(c));
+    const Key key{-1, static_cast<double>(layer), Tensor::full};
+    return tables(band, key, offsets, parities, [&](const CellOffsets& at) {
+      return medium_->residual_displacement(cells_, at, layer);
+    });
+  }
+
+ private:
+  using Key = std::tuple<int, double, Tensor>;
+  using Exact = std::function<Field(const CellOffsets& offsets)>;
+  using Parities = std::vector<kernels::Parity>;
+  /// [component][j][i]: the short tables of near and middle nodes, and the inside of the far ones.
+  struct Split {
+    Field near, middle, far;
+  };
+
+  std::shared_ptr<const Split> split(const Key& key, const Parities& parities,
+                                     const Exact& exact) const;
+  Field tables(Band band, const Key& key, const KernelOffsets& offsets, const Parities& parities,
+               const Exact& exact) const;
+  Field far_tables(const Split& split, const KernelOffsets& offsets, const Parities& parities,
+                   const Exact& exact) const;
+
+  SharedMedium medium_;
+  Grid cells_;
+  SmoothContinuation near_, middle_;
+  mutable std::mutex mutex_;
+  mutable std::map<Key, std::shared_ptr<const Split>> kept_;
+};
+
+/// Puts the inside [j][i] of a square into a table.
+void replace(const Field& inside, int cells, double* table, int width) {
+  for (int j = 0; j < cells; ++j) {
+    std::copy_n(inside.data() + static_cast<std::ptrdiff_t>(j) * cells, cells,
+                table + static_cast<std::ptrdiff_t>(j) * width);
+  }
+}
+
+void subtract(const Field& part, Field& from) {
+  for (std::size_t n = 0; n < from.size(); ++n) from[n] -= part[n];
+}
+
+std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const Parities& parities,
+                                                           const Exact& exact) const {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = kept_.find(key);
+    if (found != kept_.end()) return found->second;
+  }
+  const int wide = middle_.reach(), close = near_.reach();
+  Field whole = exact(CellOffsets::lattice(wide, wide));
+  auto split = std::make_shared<Split>();
+  Field around(static_cast<std::size_t>(close) * close);
+  for (std::size_t c = 0; c < parities.size(); ++c) {
+    double* table = whole.data() + c * static_cast<std::size_t>(wide) * wide;
+    for (int j = 0; j < close; ++j) std::copy_n(&table[j * wide], close, &around[j * close]);
+    const Field exact_near(around);
+    replace(near_.inside(around.data(), parities[c]), near_cells, around.data(), close);
+    for (int j = 0; j < near_cells; ++j) {
+      for (int i = 0; i < near_cells; ++i) {
+        split->near.push_back(exact_near[j * close + i] - around[j * close + i]);
+      }
+    }
+    replace(middle_.inside(table, parities[c]), middle_cells, table, wide);
+    subtract(near_.rest(around.data(), parities[c]), around);
+    const Field rest = middle_.rest(table, parities[c]);
+    for (std::size_t n = 0; n < rest.size(); ++n) table[n] -= rest[n];
+    for (int j = 0; j < close; j += spacing(Band::middle)) {
+      for (int i = 0; i < close; i += spacing(Band::middle)) {
+        split->middle.push_back(around[j * close + i] - table[j * wide + i]);
+      }
+    }
+    for (int j = 0; j < wide; j += spacing(Band::far)) {
+      for (int i = 0; i < wide; i += spacing(Band::far)) {
+        split->far.push_back(table[j * wide + i]);
+      }
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  return kept_.emplace(key, std::move(split)).first->second;
+}
+
+/// Divides tables [component][j][i] at nodes 0..nx - 1, 0..ny - 1 by what the window of a band
+/// makes of their waves. mx, my: period.
+void sharpen(Band band, const KernelOffsets& offsets, int mx, int my,
+             const std::vector<kernels::Parity>& parities, Field& tables) {
+  const auto [nx, ny] = offsets;
+  const fft::ParitySpectrum spectrum(mx, my);
+  const int hx = spectrum.hx(), hy = spectrum.hy();
+  const auto factors = [band](int count) {
+    Field factor(count);
+    for (int n = 0; n < count; ++n) {
+      const double part = static_cast<double>(n) / (count - 1);
+      const double above = (part - clear_band) / (1 - clear_band);
+      factor[n] = falling(above) / window_gain(band, part * pi / spacing(band));
+    }
+    return factor;
+  };
+  const Field factor_x = factors(hx), factor_y = factors(hy);
+  const double points = static_cast<double>(mx) * my;
+  for (std::size_t c = 0; c < parities.size(); ++c) {
+    double* table = tables.data() + c * static_cast<std::size_t>(nx) * ny;
+    Field quarter(spectrum.size(), 0.0);
+    for (int j = 0; j < ny; ++j) {
+      std::copy_n(table + static_cast<std::size_t>(j) * nx, nx,
+                  quarter.data() + static_cast<std::size_t>(j) * hx);
+    }
+    spectrum.transform(quarter.data(), parities[c].odd_x, parities[c].odd_y);
+    for (int j = 0; j < hy; ++j) {
+      for (int i = 0; i < hx; ++i) {
+        quarter[static_cast<std::size_t>(j) * hx + i] *= points * factor_x[i] * factor_y[j];
+      }
+    }
+    spectrum.transform(quarter.data(), parities[c].odd_x, parities[c].odd_y);
+    for (int j = 0; j < ny; ++j) {
+      std::copy_n(quarter.data() + static_cast<std::size_t>(j) * hx, nx,
+                  table + static_cast<std::size_t>(j) * nx);
+    }
+  }
+}
+
+Field BandTables::tables(Band band, const Key& key, const KernelOffsets& offsets,
+                         const Parities& parities, const Exact& exact) const {
+  const auto parts = split(key, parities, exact);
+  if (band == Band::far) return far_tables(*parts, offsets, parities, exact);
+  const Field& from = band == Band::near ? parts->near : parts->middle;
+  const int size = band == Band::near ? near_cells : near_.reach() / spacing(Band::middle);
+  const std::size_t plane = static_cast<std::size_t>(offsets.nx) * offsets.ny;
+  Field out(parities.size() * plane, 0.0);
+  for (std::size_t c = 0; c < parities.size(); ++c) {
+    for (int j = 0; j < std::min(size, offsets.ny); ++j) {
+      std::copy_n(from.data() + (c * size + j) * size, std::min(size, offsets.nx),
+                  out.data() + c * plane + static_cast<std::size_t>(j) * offsets.nx);
+    }
+  }
+  if (band == Band::middle) {
+    sharpen(band, offsets, 2 * (offsets.nx - 1), 2 * (offsets.ny - 1), parities, out);
+  }
+  return out;
+}
+
+Field BandTables::far_tables(const Split& split, const KernelOffsets& offsets,
+                             const Parities& parities, const Exact& exact) const {
+  constexpr int step = spacing(Band::far);
+  const int inner = std::min({middle_.reach() / step, offsets.nx, offsets.ny});
+  const int kept = middle_.reach() / step;
+  const auto [nx, ny] = offsets;
+  CellOffsets at;
+  for (int i = 0; i < nx; ++i) at.x.push_back(i * step);
+  for (int j = 0; j < ny; ++j) at.y.push_back(j * step);
+  Field out = exact(at);
+  for (std::size_t c = 0; c < parities.size(); ++c) {
+    double* table = out.data() + c * static_cast<std::size_t>(nx) * ny;
+    for (int j = 0; j < inner; ++j) {
+      std::copy_n(split.far.data() + (c * kept + j) * kept, inner, table + j * nx);
+    }
+    // The last offsets occur to empty nodes only.
+    for (int j = 0; j < ny; ++j) {
+      for (int i = 0; i < nx; ++i) {
+        const auto fades = [](int n, int count) {
+          return falling(1 - static_cast<double>(count - n) / fading_nodes);
+        };
+        table[static_cast<std::size_t>(j) * nx + i] *= fades(i, nx) * fades(j, ny);
+      }
+    }
+  }
+  sharpen(Band::far, offsets, fft::good_even_size(2 * nx), fft::good_even_size(2 * ny), parities,
+          out);
+  return out;
+}
+
+/// The images of a lattice of nodes are those of what it stands for.
+class FarResidualStress : public ResidualStress {
+ public:
+  FarResidualStress(std::unique_ptr<ResidualStress> whole, double scale)
+      : whole_(std::move(whole)), scale_(scale) {}
+
+  void apply(VolumeSpectrum& spectrum) const override { whole_->apply(spectrum); }
+  Field far_field(Tensor tensor, const double* strain) const override {
+    Field images = whole_->far_field(tensor, strain);
+    for (double& value : images) value *= scale_;
+    return images;
+  }
+  void correct(Tensor tensor, const Field& far_field, int layer, double* stress) const override {
+    whole_->correct(tensor, far_field, layer, stress);
+  }
+  std::size_t bytes() const override { return whole_->bytes(); }
+
+ private:
+  std::unique_ptr<ResidualStress> whole_;
+  double scale_;
+};
+
+class BandMedium : public Medium {
+ public:
+  BandMedium(Band band, std::shared_ptr<const BandTables> tables)
+      : band_(band), tables_(std::move(tables)) {}
+
+  bool is_rigid() const override { return tables_->medium()->is_rigid(); }
+  bool operator==(const Medium& other) const override { return this == &other; }
+
+  Field stress(Traction traction, const Grid&, const KernelOffsets& offsets, double z,
+               Tensor tensor) const override {
+    return tables_->stress(band_, traction, offsets, z, tensor);
+  }
+  std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
+                                                  const VolumeTransform& transform,
+                                                  const ResidualSettings& settings) const override {
+    const double step = spacing(band_), dx = grid.dx / step, dy = grid.dy / step;
+    // A node has the strain of its cells.
+    const auto own = [band = band_, dx, dy, step](double kx, double ky) {
+      const double gain = window_gain(band, kx * dx) * window_gain(band, ky * dy);
+      return share(band, kx * dx, ky * dy) / (gain * step * step);
+    };
+    ResidualSettings of_band = settings;
+    of_band.share = own;
+    auto whole = tables_->medium()->residual_stress(grid, transform, of_band);
+    if (band_ != Band::far) return whole;
+    return std::make_unique<FarResidualStress>(std::move(whole), own(0.0, 0.0));
+  }
+  std::unique_ptr<ResidualDisplacement> residual_displacement(const Grid& grid,
+                                                              const VolumeTransform& transform,
+                                                              Tensor tensor) const override {
+    const KernelOffsets offsets(grid, transform.mx(), transform.my());
+    const auto layer = [&](int k) { return tables_->residual_displacement(band_, offsets, k); };
+    return std::make_unique<ResidualDisplacement>(grid, transform, layer, tensor);
+  }
+
+  Field compliance(Traction, Axis, const Grid&, const CellOffsets&) const override { fail(); }
+  double wave_compliance(double) const override { fail(); }
+  Field stress(Traction, const Grid&, const CellOffsets&, double, Tensor) const override { fail(); }
+  Field residual_displacement(const Grid&, const CellOffsets&, int) const override { fail(); }
+  ParityParts heat_displacement(const Heating&, double, double, const Offsets&) const override {
+    fail();
+  }
+  std::array<ParityParts, 6> heat_stress(const Heating&, double, double, double,
+                                         const Offsets&) const override {
+    fail();
+  }
+  HeatHistory heat_history(const Grid&, const Heating&, const HeatHistorySettings&) const override {
+    fail();
+  }
+
+ private:
+  [[noreturn]] static void fail() {
+    throw std::logic_error("a band of a medium knows its volume only");
+  }
+
+  Band band_;
+  std::shared_ptr<const BandTables> tables_;
+};
+
+}  // namespace
+
+std::array<SharedMedium, 3> bands_of(const SharedMedium& medium, const Grid& cells) {
+  const auto tables = std::make_shared<const BandTables>(medium, cells);
+  return {std::make_shared<const BandMedium>(Band::near, tables),
+          std::make_shared<const BandMedium>(Band::middle, tables),
+          std::make_shared<const BandMedium>(Band::far, tables)};
+}
+
+}  // namespace samcontact::operators
