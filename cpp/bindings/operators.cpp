@@ -84,8 +84,10 @@ std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& ela
     const Box whole = Box::whole(grid);
     std::vector<Box> zones;
     for (const auto& [i0, j0, nx, ny, nz] : boxes) zones.push_back({i0, j0, nx, ny, nz});
-    operators::ZoneOperators operators(grid, operators::half_space(elastic), zones,
-                                       operators::Tensor::full, image_tol);
+    operators::ZoneOperators operators(
+        std::make_shared<const operators::ZoneTables>(grid, operators::half_space(elastic),
+                                                      operators::Tensor::full, image_tol),
+        zones);
     Field own(6 * operators.cells());
     std::size_t first = 0;
     for (const Box& zone : zones) {

@@ -120,7 +120,7 @@ TEST_CASE("strain and tractions in zones do what they do in the whole box") {
   const auto medium = half_space(steel);
   for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
     const int parts = count(tensor);
-    ZoneOperators operators(grid, medium, zones, tensor, 1e-5);
+    ZoneOperators operators(std::make_shared<const ZoneTables>(grid, medium, tensor, 1e-5), zones);
     const VolumeOperators whole(grid, medium,
                                 {tensor, Symmetry::none, ResidualMethod::fast, 1e-5, {}});
     const Field strain = zone_strain(tensor, operators.cells());
@@ -156,8 +156,10 @@ TEST_CASE("zones beside the grid act on it") {
   const auto medium = half_space(steel);
   const std::vector<Box> beside{{-9, 20, 8, 10, 4}};
   const Grid wide(grid.nx + 24, grid.ny, grid.dx, grid.dy, 8, grid.dz);
-  ZoneOperators outside(grid, medium, beside, Tensor::full, 1e-5);
-  ZoneOperators inside(wide, medium, {{15, 20, 8, 10, 4}}, Tensor::full, 1e-5);
+  const auto tables = [&](const Grid& of) {
+    return std::make_shared<const ZoneTables>(of, medium, Tensor::full, 1e-5);
+  };
+  ZoneOperators outside(tables(grid), beside), inside(tables(wide), {{15, 20, 8, 10, 4}});
   Field strain(6 * outside.cells());
   for (std::size_t n = 0; n < strain.size(); ++n) strain[n] = 1e-3 * number(n);
   Field here(grid.surface_size(), 0.0), there(wide.surface_size(), 0.0);

@@ -86,6 +86,7 @@ class BandTables {
 
   Field residual_displacement(Band band, const KernelOffsets& offsets, int layer) const {
     std::vector<kernels::Parity> parities;
+    parities.reserve(6);
     for (int c = 0; c < 6; ++c) parities.push_back(kernels::component_parity(c));
     const Key key{-1, static_cast<double>(layer), Tensor::full};
     return tables(band, key, offsets, parities, [&](const CellOffsets& at) {
@@ -141,7 +142,9 @@ std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const
   Field around(static_cast<std::size_t>(close) * close);
   for (std::size_t c = 0; c < parities.size(); ++c) {
     double* table = whole.data() + c * static_cast<std::size_t>(wide) * wide;
-    for (int j = 0; j < close; ++j) std::copy_n(&table[j * wide], close, &around[j * close]);
+    for (int j = 0; j < close; ++j)
+      std::copy_n(table + static_cast<std::size_t>(j) * wide, close,
+                  around.data() + static_cast<std::size_t>(j) * close);
     const Field exact_near(around);
     replace(near_.inside(around.data(), parities[c]), near_cells, around.data(), close);
     for (int j = 0; j < near_cells; ++j) {
@@ -240,7 +243,8 @@ Field BandTables::far_tables(const Split& split, const KernelOffsets& offsets,
   for (std::size_t c = 0; c < parities.size(); ++c) {
     double* table = out.data() + c * static_cast<std::size_t>(nx) * ny;
     for (int j = 0; j < inner; ++j) {
-      std::copy_n(split.far.data() + (c * kept + j) * kept, inner, table + j * nx);
+      std::copy_n(split.far.data() + (c * kept + j) * kept, inner,
+                  table + static_cast<std::size_t>(j) * nx);
     }
     // The last offsets occur to empty nodes only.
     for (int j = 0; j < ny; ++j) {

@@ -21,11 +21,18 @@ int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 }  // namespace
 
 double window_transform(double k) {
-  static const auto points = kernels::gauss_legendre(60);
+  static const auto points = [] {
+    auto nodes = kernels::gauss_legendre(60);
+    for (auto& [at, weight] : nodes) {
+      at = window_width * (at - 0.5);
+      weight *= window_width * window(at);
+    }
+    return nodes;
+  }();
   double sum = 0.0;
-  for (const auto& [at, weight] : points) {
-    const double u = window_width * (at - 0.5);
-    sum += weight * window_width * std::cos(k * u) * window(u);
+  // The window is even: half of the points.
+  for (std::size_t n = points.size() / 2; n < points.size(); ++n) {
+    sum += 2 * points[n].weight * std::cos(k * points[n].at);
   }
   return sum;
 }
@@ -55,47 +62,64 @@ const std::array<double, window_width>& Nodes::weights(int cell) const {
 NodeSpread::NodeSpread(int factor, const Box& cells)
     : x_(factor, cells.i0, cells.nx), y_(factor, cells.j0, cells.ny) {}
 
-void NodeSpread::spread(const double* cells, const Box& box, double* nodes, int pitch) const {
-  const int b0 = y_.place(box.j0), b1 = y_.place(box.j0 + box.ny - 1) + window_width;
-  std::vector<double> row(b1 - b0);
-  for (int i = 0; i < box.nx; ++i) {
-    std::fill(row.begin(), row.end(), 0.0);
-    const double* from = cells + static_cast<std::size_t>(i) * box.ny;
-    bool any = false;
-    for (int j = 0; j < box.ny; ++j) {
-      if (from[j] == 0) continue;
-      any = true;
-      double* to = row.data() + y_.place(box.j0 + j) - b0;
-      const auto& weights = y_.weights(box.j0 + j);
-      for (int m = 0; m < window_width; ++m) to[m] += weights[m] * from[j];
+// Cells of one phase are `factor` apart and reach nodes one after the other.
+
+void Nodes::spread(const double* cells, int first_cell, int count, double* nodes) const {
+  const int origin = place(first_cell);
+  std::vector<double> line(count / factor_ + 1);
+  for (int r = 0; r < std::min(factor_, count); ++r) {
+    const auto& w = weights(first_cell + r);
+    const int n = (count - r + factor_ - 1) / factor_;
+    for (int t = 0; t < n; ++t) line[t] = cells[r + t * factor_];
+    double* to = nodes + place(first_cell + r) - origin;
+    for (int m = 0; m < window_width; ++m) {
+      for (int t = 0; t < n; ++t) to[t + m] += w[m] * line[t];
     }
-    if (!any) continue;
-    const int a0 = x_.place(box.i0 + i);
+  }
+}
+
+void Nodes::gather(const double* nodes, int first_cell, int count, double* cells) const {
+  const int origin = place(first_cell);
+  for (int r = 0; r < std::min(factor_, count); ++r) {
+    const auto& w = weights(first_cell + r);
+    const int n = (count - r + factor_ - 1) / factor_;
+    const double* from = nodes + place(first_cell + r) - origin;
+    for (int t = 0; t < n; ++t) {
+      double sum = 0.0;
+      for (int m = 0; m < window_width; ++m) sum += w[m] * from[t + m];
+      cells[r + t * factor_] += sum;
+    }
+  }
+}
+
+void NodeSpread::spread(const double* cells, const Box& box, double* nodes, int pitch) const {
+  const int b0 = y_.place(box.j0), width = y_.place(box.j0 + box.ny - 1) + window_width - b0;
+  std::vector<double> row(width);
+  for (int i = 0; i < box.nx; ++i) {
+    const double* from = cells + static_cast<std::size_t>(i) * box.ny;
+    if (std::all_of(from, from + box.ny, [](double v) { return v == 0; })) continue;
+    std::fill(row.begin(), row.end(), 0.0);
+    y_.spread(from, box.j0, box.ny, row.data());
     const auto& weights = x_.weights(box.i0 + i);
     for (int m = 0; m < window_width; ++m) {
-      double* to = nodes + static_cast<std::size_t>(a0 + m) * pitch + b0;
-      for (int b = 0; b < b1 - b0; ++b) to[b] += weights[m] * row[b];
+      double* to = nodes + static_cast<std::size_t>(x_.place(box.i0 + i) + m) * pitch + b0;
+      for (int b = 0; b < width; ++b) to[b] += weights[m] * row[b];
     }
   }
 }
 
 void NodeSpread::gather(const double* nodes, int pitch, const Box& box, double* cells) const {
-  const int b0 = y_.place(box.j0), b1 = y_.place(box.j0 + box.ny - 1) + window_width;
-  std::vector<double> row(b1 - b0);
+  const int b0 = y_.place(box.j0), width = y_.place(box.j0 + box.ny - 1) + window_width - b0;
+  std::vector<double> row(width);
   for (int i = 0; i < box.nx; ++i) {
-    std::fill(row.begin(), row.end(), 0.0);
-    const int a0 = x_.place(box.i0 + i);
-    const auto& weights = x_.weights(box.i0 + i);
-    for (int m = 0; m < window_width; ++m) {
-      const double* from = nodes + static_cast<std::size_t>(a0 + m) * pitch + b0;
-      for (int b = 0; b < b1 - b0; ++b) row[b] += weights[m] * from[b];
+    const double* from = nodes + static_cast<std::size_t>(x_.place(box.i0 + i)) * pitch + b0;
+    const auto& w = x_.weights(box.i0 + i);
+    for (int b = 0; b < width; ++b) {
+      double sum = 0.0;
+      for (int m = 0; m < window_width; ++m) sum += w[m] * from[m * pitch + b];
+      row[b] = sum;
     }
-    double* to = cells + static_cast<std::size_t>(i) * box.ny;
-    for (int j = 0; j < box.ny; ++j) {
-      const double* from = row.data() + y_.place(box.j0 + j) - b0;
-      const auto& along = y_.weights(box.j0 + j);
-      for (int m = 0; m < window_width; ++m) to[j] += along[m] * from[m];
-    }
+    y_.gather(row.data(), box.j0, box.ny, cells + static_cast<std::size_t>(i) * box.ny);
   }
 }
 

@@ -60,7 +60,7 @@ SmoothContinuation::Axis SmoothContinuation::make_axis(int cells, int reach, dou
 Eigen::MatrixXd SmoothContinuation::make_low(int factor, int reach, bool odd) {
   constexpr int points = 4096;
   const double highest = std::numbers::pi / factor;
-  Eigen::VectorXd filter = Eigen::VectorXd::Zero(2 * reach);
+  Eigen::VectorXd filter = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(reach));
   for (int n = 0; n < points; ++n) {
     const double part = (n + 0.5) / points;
     const double weight = falling((part - clear_band) / (1 - clear_band)) / (points * factor);

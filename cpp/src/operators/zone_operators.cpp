@@ -32,93 +32,124 @@ int outside(int at, int begin, int count) {
   return std::max({0, begin - at, at - (begin + count) + 1});
 }
 
-/// A periodic plane.
-Grid plane(int nx, int ny, const Grid& cells, int step, int layers) {
-  Grid grid(nx, ny, step * cells.dx, step * cells.dy, layers, cells.dz);
-  grid.period = {nx, ny, 0.0};
-  return grid;
-}
-
-VolumeOptions options(Tensor tensor, double image_tol) {
-  return {tensor, Symmetry::none, ResidualMethod::fast, image_tol, {}};
-}
-
 }  // namespace
 
 struct ZoneOperators::Around {
   Box box;                 // zone and ring, layers of all zones in it
   int mx, my;              // the plane
   std::vector<int> zones;  // that have cells in it
-  bool alone = false;      // there is no other zone
-  NearOperators operators;
+  ZoneTables::Operators operators;
 };
 
 /// The nodes of a band, with the strain's spectrum.
 struct ZoneOperators::Lattice {
   NodeSpread nodes;
-  VolumeOperators operators;
+  ZoneTables::Operators operators;
   VolumeSpectrum spectrum;
 
-  Lattice(int factor, const Box& cells, const Grid& grid, const SharedMedium& medium,
-          const VolumeOptions& options)
-      : nodes(factor, cells),
-        operators(grid, medium, options),
-        spectrum(operators.make_spectrum()) {}
+  Lattice(const NodeSpread& spread, ZoneTables::Operators of)
+      : nodes(spread), operators(std::move(of)), spectrum(operators->make_spectrum()) {}
 
-  std::size_t plane_size() const { return operators.grid().surface_size(); }
-  int pitch() const { return operators.grid().ny; }
+  std::size_t plane_size() const { return operators->grid().surface_size(); }
+  int pitch() const { return operators->grid().ny; }
+  /// The nodes that cells reach, as cells of the next lattice.
+  Box rows() const {
+    const Nodes &x = nodes.x(), &y = nodes.y();
+    return {x.first(), y.first(), x.count(), y.count(), 1};
+  }
+  /// Their part of a plane.
+  Field tight(const double* plane) const {
+    const Box box = rows();
+    Field out(box.surface_size());
+    for (std::ptrdiff_t a = 0; a < box.nx; ++a) {
+      std::copy_n(plane + a * pitch(), box.ny, out.data() + a * box.ny);
+    }
+    return out;
+  }
 };
 
-ZoneOperators::ZoneOperators(const Grid& grid, const SharedMedium& medium, std::vector<Box> zones,
-                             Tensor tensor, double image_tol)
-    : grid_(grid), zones_(std::move(zones)), tensor_(tensor), media_(bands_of(medium, grid)) {
-  Box whole = Box::surface(grid);
+ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor,
+                       double image_tol)
+    : grid_(grid), tensor_(tensor), image_tol_(image_tol), media_(bands_of(medium, grid)) {}
+
+ZoneTables::Operators ZoneTables::of(Band band, int nx, int ny, int layers) const {
+  const int step = spacing(band);
+  Grid lattice(nx, ny, step * grid_.dx, step * grid_.dy, layers, grid_.dz);
+  if (band != Band::far) lattice.period = {nx, ny, 0.0};
+  const std::lock_guard lock(mutex_);
+  auto& place = kept_[{static_cast<int>(band), nx, ny, layers}];
+  if (!place) {
+    place = std::make_shared<const VolumeOperators>(
+        lattice, media_[static_cast<int>(band)],
+        VolumeOptions{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_, {}});
+  }
+  return place;
+}
+
+void ZoneTables::forget_unused() const {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(kept_, [](const auto& entry) { return entry.second.use_count() == 1; });
+}
+
+std::size_t ZoneTables::bytes() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t bytes = 0;
+  for (const auto& [key, operators] : kept_) bytes += operators->bytes();
+  return bytes;
+}
+
+ZoneOperators::ZoneOperators(std::shared_ptr<const ZoneTables> tables, std::vector<Box> zones)
+    : tables_(std::move(tables)),
+      grid_(tables_->grid()),
+      zones_(std::move(zones)),
+      tensor_(tables_->tensor()) {
   for (const Box& zone : zones_) {
     first_.push_back(cells_);
     cells_ += zone.volume_size();
     layers_ = std::max(layers_, zone.nz);
-    whole = whole.united(zone);
   }
-  const auto even = [](int cells) { return fft::good_even_size(cells); };
-  const NodeSpread nodes(spacing(Band::middle), whole);
-  const int nx = nodes.x().count(), ny = nodes.y().count(), reach = middle_ring;
-  middle_ = std::make_unique<Lattice>(
-      spacing(Band::middle), whole,
-      plane(even(nx + reach), even(ny + reach), grid, spacing(Band::middle), layers_), media_[1],
-      options(tensor, image_tol));
-  constexpr int step = spacing(Band::far) / spacing(Band::middle);
-  const Box middle_nodes{nodes.x().first(), nodes.y().first(), nx, ny, 1};
-  const NodeSpread far_nodes(step, middle_nodes);
-  const Grid far(far_nodes.x().count() + fading_nodes, far_nodes.y().count() + fading_nodes,
-                 spacing(Band::far) * grid.dx, spacing(Band::far) * grid.dy, layers_, grid.dz);
-  far_ = std::make_unique<Lattice>(step, middle_nodes, far, media_[2], options(tensor, image_tol));
+  make_lattices();
   for (const Box& zone : zones_) {
     Around around{{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz},
-                  even(zone.nx + 2 * ring),
-                  even(zone.ny + 2 * ring),
+                  fft::good_even_size(zone.nx + 2 * ring),
+                  fft::good_even_size(zone.ny + 2 * ring),
                   {},
-                  true,
                   {}};
     for (std::size_t z = 0; z < zones_.size(); ++z) {
       if (around.box.intersected(zones_[z]).empty()) continue;
       around.zones.push_back(static_cast<int>(z));
       around.box.nz = std::max(around.box.nz, zones_[z].nz);
     }
-    around.alone = around.zones.size() == 1;
-    around.operators = near_operators(around.mx, around.my, around.box.nz);
+    around.operators = tables_->of(Band::near, around.mx, around.my, around.box.nz);
     around_.push_back(std::move(around));
   }
+  tables_->forget_unused();
 }
 
 ZoneOperators::~ZoneOperators() = default;
 
-ZoneOperators::NearOperators ZoneOperators::near_operators(int mx, int my, int layers) {
-  auto& place = near_[{mx, my, layers}];
-  if (!place) {
-    place = std::make_shared<const VolumeOperators>(plane(mx, my, grid_, 1, layers), media_[0],
-                                                    options(tensor_, 1e-3));
+void ZoneOperators::make_lattices() {
+  Box cells = Box::surface(grid_);
+  for (const Box& zone : zones_) cells = cells.united(zone);
+  const auto middle_size = [](const Nodes& nodes) {
+    return fft::good_even_size(nodes.count() + middle_ring);
+  };
+  const NodeSpread middle(spacing(Band::middle), cells);
+  middle_ = std::make_unique<Lattice>(
+      middle, tables_->of(Band::middle, middle_size(middle.x()), middle_size(middle.y()), layers_));
+  const NodeSpread far(spacing(Band::far) / spacing(Band::middle), middle_->rows());
+  far_ = std::make_unique<Lattice>(far, tables_->of(Band::far, far.x().count() + fading_nodes,
+                                                    far.y().count() + fading_nodes, layers_));
+}
+
+/// Not in the loops over zones: what is kept is made once, by all threads.
+void ZoneOperators::prepare(bool strained) const {
+  for (const Around& around : around_) {
+    if (strained) {
+      std::ignore = around.operators->residual_stress();
+      std::ignore = around.operators->residual_displacement();
+    }
   }
-  return place;
 }
 
 void ZoneOperators::spread_layer(int k, const Field& strain) {
@@ -136,19 +167,12 @@ void ZoneOperators::spread_layer(int k, const Field& strain) {
   }
   middle_->spectrum.used[k] = any;
   if (!any) return;
-  const Nodes &x = middle_->nodes.x(), &y = middle_->nodes.y();
-  const Box rows{x.first(), y.first(), x.count(), y.count(), 1};
-  Field tight(rows.surface_size());
   for (int c = 0; c < parts; ++c) {
-    const double* from = nodes.data() + c * middle;
-    for (int a = 0; a < rows.nx; ++a) {
-      std::copy_n(from + static_cast<std::size_t>(a) * middle_->pitch(), rows.ny,
-                  tight.data() + static_cast<std::size_t>(a) * rows.ny);
-    }
-    far_->nodes.spread(tight.data(), rows, far_strain_.data() + (c * layers_ + k) * far,
+    far_->nodes.spread(middle_->tight(nodes.data() + c * middle).data(), middle_->rows(),
+                       far_strain_.data() + (static_cast<std::size_t>(c) * layers_ + k) * far,
                        far_->pitch());
   }
-  forward(middle_->operators.transform(), nodes.data(), middle_->spectrum, k);
+  forward(middle_->operators->transform(), nodes.data(), middle_->spectrum, k);
 }
 
 void ZoneOperators::transform(const Field& strain) {
@@ -156,11 +180,10 @@ void ZoneOperators::transform(const Field& strain) {
   far_strain_.assign(count(tensor_) * layers_ * far_->plane_size(), 0.0);
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < layers_; ++k) spread_layer(k, strain);
-  forward(far_->operators.transform(), far_strain_.data(), far_->spectrum);
+  forward(far_->operators->transform(), far_strain_.data(), far_->spectrum);
 
   near_displacement_.assign(zones_.size(), {});
-  // Not in the loop: they are made once, by all threads.
-  for (const auto& entry : near_) std::ignore = entry.second->residual_displacement();
+  prepare(true);
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
@@ -184,23 +207,17 @@ void ZoneOperators::transform(const Field& strain) {
 void ZoneOperators::displacement(double* out) {
   const Box surface = Box::surface(grid_);
   Field middle(middle_->plane_size()), far(far_->plane_size());
-  far_->operators.residual_displacement().apply(far_->spectrum, far.data());
-  middle_->operators.residual_displacement().apply(middle_->spectrum, middle.data());
-  const Nodes &x = middle_->nodes.x(), &y = middle_->nodes.y();
-  const Box rows{x.first(), y.first(), x.count(), y.count(), 1};
-  Field tight(rows.surface_size());
-  for (int a = 0; a < rows.nx; ++a) {
-    std::copy_n(middle.data() + static_cast<std::size_t>(a) * middle_->pitch(), rows.ny,
-                tight.data() + static_cast<std::size_t>(a) * rows.ny);
-  }
-  far_->nodes.gather(far.data(), far_->pitch(), rows, tight.data());
-  middle_->nodes.gather(tight.data(), rows.ny, surface, out);
+  far_->operators->residual_displacement().apply(far_->spectrum, far.data());
+  middle_->operators->residual_displacement().apply(middle_->spectrum, middle.data());
+  Field tight = middle_->tight(middle.data());
+  far_->nodes.gather(far.data(), far_->pitch(), middle_->rows(), tight.data());
+  middle_->nodes.gather(tight.data(), middle_->rows().ny, surface, out);
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Around& around = around_[z];
-    Box box{around.box.i0, around.box.j0, around.mx, around.my, 1};
+    const Box& box = around.box;
     const Field& near = near_displacement_[z];
-    for (int i = std::max(0, box.i0); i < std::min(grid_.nx, box.i0 + around.box.nx); ++i) {
-      for (int j = std::max(0, box.j0); j < std::min(grid_.ny, box.j0 + around.box.ny); ++j) {
+    for (int i = std::max(0, box.i0); i < std::min(grid_.nx, box.i0 + box.nx); ++i) {
+      for (int j = std::max(0, box.j0); j < std::min(grid_.ny, box.j0 + box.ny); ++j) {
         out[static_cast<std::size_t>(i) * grid_.ny + j] +=
             near[static_cast<std::size_t>(i - box.i0) * around.my + j - box.j0];
       }
@@ -211,20 +228,14 @@ void ZoneOperators::displacement(double* out) {
 Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, double shear_sign) {
   const int parts = count(tensor_);
   const std::size_t middle = middle_->plane_size(), far = far_->plane_size();
-  const Nodes &x = middle_->nodes.x(), &y = middle_->nodes.y();
-  const Box rows{x.first(), y.first(), x.count(), y.count(), 1};
+  const Box rows = middle_->rows();
   Tractions on_middle, on_far;
   const auto spread = [&](const Field& cells, Field& to_middle, Field& to_far) {
     if (cells.empty()) return;
     to_middle.assign(middle, 0.0);
     to_far.assign(far, 0.0);
     middle_->nodes.spread(cells.data(), Box::surface(grid_), to_middle.data(), middle_->pitch());
-    Field tight(rows.surface_size());
-    for (int a = 0; a < rows.nx; ++a) {
-      std::copy_n(to_middle.data() + static_cast<std::size_t>(a) * middle_->pitch(), rows.ny,
-                  tight.data() + static_cast<std::size_t>(a) * rows.ny);
-    }
-    far_->nodes.spread(tight.data(), rows, to_far.data(), far_->pitch());
+    far_->nodes.spread(middle_->tight(to_middle.data()).data(), rows, to_far.data(), far_->pitch());
   };
   spread(tractions.pressure, on_middle.pressure, on_far.pressure);
   spread(tractions.shear_x, on_middle.shear_x, on_far.shear_x);
@@ -236,21 +247,18 @@ Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, doubl
   }
   Field far_stress(parts * layers_ * far);
   const double* some = strained ? far_strain_.data() : nullptr;
-  far_->operators.for_each_layer(
+  far_->operators->for_each_layer(
       far_->spectrum, some, &on_far, shear_sign, [&](int k, const double* stress) {
-        std::copy_n(stress, parts * far, far_stress.data() + k * parts * far);
+        std::copy_n(stress, parts * far,
+                    far_stress.data() + static_cast<std::size_t>(k) * parts * far);
       });
   Field low(parts * cells_, 0.0);
-  middle_->operators.for_each_layer(
+  middle_->operators->for_each_layer(
       middle_->spectrum, some, &on_middle, shear_sign, [&](int k, const double* stress) {
-        Field tight(rows.surface_size());
         for (int c = 0; c < parts; ++c) {
-          for (int a = 0; a < rows.nx; ++a) {
-            std::copy_n(stress + c * middle + static_cast<std::size_t>(a) * middle_->pitch(),
-                        rows.ny, tight.data() + static_cast<std::size_t>(a) * rows.ny);
-          }
-          far_->nodes.gather(far_stress.data() + (k * parts + c) * far, far_->pitch(), rows,
-                             tight.data());
+          Field tight = middle_->tight(stress + c * middle);
+          far_->nodes.gather(far_stress.data() + (static_cast<std::size_t>(k) * parts + c) * far,
+                             far_->pitch(), rows, tight.data());
           for (std::size_t z = 0; z < zones_.size(); ++z) {
             if (k >= zones_[z].nz) continue;
             middle_->nodes.gather(
@@ -303,7 +311,7 @@ void ZoneOperators::stress_of_zone(int zone, const Field* strain, const Traction
   const auto cut = [&](const Field& field, Field& out) {
     if (field.empty()) return;
     out.assign(plane_size, 0.0);
-    Box to{around.box.i0, around.box.j0, around.mx, around.my, 1};
+    const Box to{around.box.i0, around.box.j0, around.mx, around.my, 1};
     copy_common(field.data(), Box::surface(grid_), out.data(), to);
     const bool loaded = std::any_of(out.begin(), out.end(), [](double v) { return v != 0; });
     if (!loaded) out.clear();
@@ -341,9 +349,7 @@ void ZoneOperators::stress_of_zone(int zone, const Field* strain, const Traction
 void ZoneOperators::for_each_layer(const Field* strain, const Tractions& tractions,
                                    double shear_sign, const Use& use) {
   const Field low = low_stress(strain != nullptr, tractions, shear_sign);
-  for (const auto& entry : near_) {
-    if (strain != nullptr) std::ignore = entry.second->residual_stress();
-  }
+  prepare(strain != nullptr);
   check_interrupt();
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
@@ -353,8 +359,7 @@ void ZoneOperators::for_each_layer(const Field* strain, const Tractions& tractio
 }
 
 std::size_t ZoneOperators::bytes() const {
-  std::size_t bytes = middle_->operators.bytes() + far_->operators.bytes();
-  for (const auto& entry : near_) bytes += entry.second->bytes();
+  std::size_t bytes = tables_->bytes();
   for (const Lattice* lattice : {middle_.get(), far_.get()}) {
     bytes += lattice->spectrum.data.size() * sizeof(double);
   }

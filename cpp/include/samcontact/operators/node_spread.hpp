@@ -24,12 +24,15 @@ class Nodes {
   /// All that the cells first, .., first + cells - 1 reach.
   Nodes(int factor, int first_cell, int cells);
 
-  int factor() const { return factor_; }
   int first() const { return first_; }
   int count() const { return count_; }
   /// The first one that a cell reaches, counted from first(), and the weights from it on.
   int place(int cell) const;
   const std::array<double, window_width>& weights(int cell) const;
+  /// Adds what cells give to nodes, and nodes to cells: one line, the first cell and its first
+  /// node.
+  void spread(const double* cells, int first_cell, int count, double* nodes) const;
+  void gather(const double* nodes, int first_cell, int count, double* cells) const;
 
  private:
   struct Phase {

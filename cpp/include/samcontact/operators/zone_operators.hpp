@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <tuple>
+#include <mutex>
 #include <vector>
 
 #include "samcontact/base/box.hpp"
@@ -16,14 +16,37 @@
 
 namespace samcontact::operators {
 
+/// The tables that zones of one medium need, kept from one set of zones to the next. Thread-safe.
+class ZoneTables {
+ public:
+  using Operators = std::shared_ptr<const VolumeOperators>;
+
+  ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor, double image_tol);
+
+  const Grid& grid() const { return grid_; }
+  Tensor tensor() const { return tensor_; }
+  /// On lattices of nx x ny nodes and so many layers.
+  Operators of(Band band, int nx, int ny, int layers) const;
+  /// Those that nobody uses go.
+  void forget_unused() const;
+  std::size_t bytes() const;
+
+ private:
+  Grid grid_;
+  Tensor tensor_;
+  double image_tol_;
+  std::array<SharedMedium, 3> media_;
+  mutable std::mutex mutex_;
+  mutable std::map<std::array<int, 4>, Operators> kept_;
+};
+
 /// Not thread-safe; several threads work inside. Digits do not depend on their number.
 class ZoneOperators {
  public:
   /// zones: boxes of cells without common ones, counted from the grid's first cell, in the grid or
   /// beside it; layers of the grid do not matter. Strain is [component][cell], the cells of one
   /// zone after the other, [k][i][j] each.
-  ZoneOperators(const Grid& grid, const SharedMedium& medium, std::vector<Box> zones, Tensor tensor,
-                double image_tol);
+  ZoneOperators(std::shared_ptr<const ZoneTables> tables, std::vector<Box> zones);
   ~ZoneOperators();
 
   const std::vector<Box>& zones() const { return zones_; }
@@ -46,9 +69,9 @@ class ZoneOperators {
   /// A zone with the ring around it, on a periodic plane.
   struct Around;
   struct Lattice;
-  using NearOperators = std::shared_ptr<const VolumeOperators>;
 
-  NearOperators near_operators(int mx, int my, int layers);
+  void make_lattices();
+  void prepare(bool strained) const;
   Field ring_strain(const Around& around, const Field& strain) const;
   void stress_of_zone(int zone, const Field* strain, const Tractions& tractions, double shear_sign,
                       const Field& low, const Use& use) const;
@@ -56,15 +79,14 @@ class ZoneOperators {
   /// What middle and far bands give in the zones, [component][cell].
   Field low_stress(bool strained, const Tractions& tractions, double shear_sign);
 
-  Grid grid_;
+  std::shared_ptr<const ZoneTables> tables_;
+  const Grid& grid_;
   std::vector<Box> zones_;
   std::vector<std::size_t> first_;  // cells before each zone's
   std::size_t cells_ = 0;
   int layers_ = 0;
   Tensor tensor_;
-  std::array<SharedMedium, 3> media_;
   std::vector<Around> around_;
-  std::map<std::tuple<int, int, int>, NearOperators> near_;
   std::unique_ptr<Lattice> middle_, far_;
   Field far_strain_;                      // [component][k][node] of the far lattice
   std::vector<Field> near_displacement_;  // of each zone with its ring; empty: none
