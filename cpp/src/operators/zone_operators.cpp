@@ -47,8 +47,8 @@ struct ZoneOperators::Lattice {
   ZoneTables::Operators operators;
   VolumeSpectrum spectrum;
 
-  Lattice(const NodeSpread& spread, ZoneTables::Operators of)
-      : nodes(spread), operators(std::move(of)), spectrum(operators->make_spectrum()) {}
+  Lattice(NodeSpread spread, ZoneTables::Operators of)
+      : nodes(std::move(spread)), operators(std::move(of)), spectrum(operators->make_spectrum()) {}
 
   std::size_t plane_size() const { return operators->grid().surface_size(); }
   int pitch() const { return operators->grid().ny; }
@@ -177,7 +177,7 @@ void ZoneOperators::spread_layer(int k, const Field& strain) {
 
 void ZoneOperators::transform(const Field& strain) {
   check_interrupt();
-  far_strain_.assign(count(tensor_) * layers_ * far_->plane_size(), 0.0);
+  far_strain_.assign(static_cast<std::size_t>(count(tensor_)) * layers_ * far_->plane_size(), 0.0);
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < layers_; ++k) spread_layer(k, strain);
   forward(far_->operators->transform(), far_strain_.data(), far_->spectrum);
@@ -245,7 +245,7 @@ Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, doubl
       std::fill(lattice->spectrum.data.begin(), lattice->spectrum.data.end(), 0.0);
     }
   }
-  Field far_stress(parts * layers_ * far);
+  Field far_stress(static_cast<std::size_t>(parts) * layers_ * far);
   const double* some = strained ? far_strain_.data() : nullptr;
   far_->operators->for_each_layer(
       far_->spectrum, some, &on_far, shear_sign, [&](int k, const double* stress) {
