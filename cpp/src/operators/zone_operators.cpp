@@ -39,6 +39,8 @@ struct ZoneOperators::Around {
   int mx, my;              // the plane
   std::vector<int> zones;  // that have cells in it
   ZoneTables::Operators operators;
+  VolumeSpectrum spectrum;  // of all strain in it
+  Field displacement;       // [i][j] of the plane, of the zone's own strain
 };
 
 /// The nodes of a band, with the strain's spectrum.
@@ -109,24 +111,25 @@ ZoneOperators::ZoneOperators(std::shared_ptr<const ZoneTables> tables, std::vect
     layers_ = std::max(layers_, zone.nz);
   }
   make_lattices();
-  for (const Box& zone : zones_) {
-    Around around{{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz},
-                  fft::good_even_size(zone.nx + 2 * ring),
-                  fft::good_even_size(zone.ny + 2 * ring),
-                  {},
-                  {}};
-    for (std::size_t z = 0; z < zones_.size(); ++z) {
-      if (around.box.intersected(zones_[z]).empty()) continue;
-      around.zones.push_back(static_cast<int>(z));
-      around.box.nz = std::max(around.box.nz, zones_[z].nz);
-    }
-    around.operators = tables_->of(Band::near, around.mx, around.my, around.box.nz);
-    around_.push_back(std::move(around));
-  }
+  for (const Box& zone : zones_) add_ring(zone);
   tables_->forget_unused();
 }
 
 ZoneOperators::~ZoneOperators() = default;
+
+void ZoneOperators::add_ring(const Box& zone) {
+  Box box{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
+  std::vector<int> inside;
+  for (std::size_t z = 0; z < zones_.size(); ++z) {
+    if (box.intersected(zones_[z]).empty()) continue;
+    inside.push_back(static_cast<int>(z));
+    box.nz = std::max(box.nz, zones_[z].nz);
+  }
+  const int mx = fft::good_even_size(box.nx), my = fft::good_even_size(box.ny);
+  auto near = tables_->of(Band::near, mx, my, box.nz);
+  VolumeSpectrum spectrum = near->make_spectrum();
+  around_.push_back({box, mx, my, std::move(inside), std::move(near), std::move(spectrum), {}});
+}
 
 void ZoneOperators::make_lattices() {
   Box cells = Box::surface(grid_);
@@ -182,25 +185,18 @@ void ZoneOperators::transform(const Field& strain) {
   for (int k = 0; k < layers_; ++k) spread_layer(k, strain);
   forward(far_->operators->transform(), far_strain_.data(), far_->spectrum);
 
-  near_displacement_.assign(zones_.size(), {});
   prepare(true);
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
-    const Around& around = around_[z];
+    Around& around = around_[z];
     const VolumeOperators& near = *around.operators;
-    const Box own{zones_[z].i0 - around.box.i0, zones_[z].j0 - around.box.j0, zones_[z].nx,
-                  zones_[z].ny, zones_[z].nz};
-    Field planes(count(tensor_) * near.grid().volume_size(), 0.0);
-    for (int c = 0; c < count(tensor_); ++c) {
-      insert(strain.data() + c * cells_ + first_[z], own,
-             planes.data() + c * near.grid().volume_size(), Box::whole(near.grid()));
-    }
-    VolumeSpectrum spectrum = near.make_spectrum();
-    forward(near.transform(), planes.data(), spectrum);
-    Field& out = near_displacement_[z];
-    out.resize(near.grid().surface_size());
-    near.residual_displacement().apply(spectrum, out.data());
+    around.displacement.resize(near.grid().surface_size());
+    forward(near.transform(), strain_around(around, {static_cast<int>(z)}, strain).data(),
+            around.spectrum);
+    near.residual_displacement().apply(around.spectrum, around.displacement.data());
+    if (around.zones.size() == 1) continue;
+    forward(near.transform(), strain_around(around, around.zones, strain).data(), around.spectrum);
   }
 }
 
@@ -212,14 +208,13 @@ void ZoneOperators::displacement(double* out) {
   Field tight = middle_->tight(middle.data());
   far_->nodes.gather(far.data(), far_->pitch(), middle_->rows(), tight.data());
   middle_->nodes.gather(tight.data(), middle_->rows().ny, surface, out);
-  for (std::size_t z = 0; z < zones_.size(); ++z) {
-    const Around& around = around_[z];
+  for (const Around& around : around_) {
     const Box& box = around.box;
-    const Field& near = near_displacement_[z];
     for (int i = std::max(0, box.i0); i < std::min(grid_.nx, box.i0 + box.nx); ++i) {
       for (int j = std::max(0, box.j0); j < std::min(grid_.ny, box.j0 + box.ny); ++j) {
+        const std::size_t row = i - box.i0, column = j - box.j0;
         out[static_cast<std::size_t>(i) * grid_.ny + j] +=
-            near[static_cast<std::size_t>(i - box.i0) * around.my + j - box.j0];
+            around.displacement[row * around.my + column];
       }
     }
   }
@@ -270,12 +265,13 @@ Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, doubl
   return low;
 }
 
-Field ZoneOperators::ring_strain(const Around& around, const Field& strain) const {
+Field ZoneOperators::strain_around(const Around& around, const std::vector<int>& zones,
+                                   const Field& strain) const {
   const Grid& grid = around.operators->grid();
   const int parts = count(tensor_);
   const Box& own = around.box;
   Field planes(parts * grid.volume_size(), 0.0);
-  for (const int z : around.zones) {
+  for (const int z : zones) {
     const Box& zone = zones_[z];
     const Box common = own.intersected(zone);
     for (int c = 0; c < parts; ++c) {
@@ -299,9 +295,9 @@ Field ZoneOperators::ring_strain(const Around& around, const Field& strain) cons
   return planes;
 }
 
-void ZoneOperators::stress_of_zone(int zone, const Field* strain, const Tractions& tractions,
-                                   double shear_sign, const Field& low, const Use& use) const {
-  const Around& around = around_[zone];
+void ZoneOperators::stress_of_zone(int zone, bool strained, const Tractions& tractions,
+                                   double shear_sign, const Field& low, const Use& use) {
+  Around& around = around_[zone];
   const VolumeOperators& near = *around.operators;
   const Box& box = zones_[zone];
   const int parts = count(tensor_);
@@ -320,14 +316,11 @@ void ZoneOperators::stress_of_zone(int zone, const Field* strain, const Traction
   cut(tractions.pressure, here.pressure);
   cut(tractions.shear_x, here.shear_x);
   cut(tractions.shear_y, here.shear_y);
-  VolumeSpectrum spectrum = near.make_spectrum();
-  Field planes;
-  if (strain != nullptr) {
-    planes = ring_strain(around, *strain);
-    forward(near.transform(), planes.data(), spectrum);
-  }
+  if (!strained) std::fill(around.spectrum.data.begin(), around.spectrum.data.end(), 0.0);
+  // A plane with a period has no images to be found from the strain.
+  const double unused = 0.0;
   Field sum(parts * size);
-  near.for_each_layer(spectrum, strain != nullptr ? planes.data() : nullptr, any ? &here : nullptr,
+  near.for_each_layer(around.spectrum, strained ? &unused : nullptr, any ? &here : nullptr,
                       shear_sign, [&](int k, const double* stress) {
                         if (k >= box.nz) return;
                         for (int c = 0; c < parts; ++c) {
@@ -346,15 +339,15 @@ void ZoneOperators::stress_of_zone(int zone, const Field* strain, const Traction
                       });
 }
 
-void ZoneOperators::for_each_layer(const Field* strain, const Tractions& tractions,
-                                   double shear_sign, const Use& use) {
-  const Field low = low_stress(strain != nullptr, tractions, shear_sign);
-  prepare(strain != nullptr);
+void ZoneOperators::for_each_layer(bool strained, const Tractions& tractions, double shear_sign,
+                                   const Use& use) {
+  const Field low = low_stress(strained, tractions, shear_sign);
+  prepare(strained);
   check_interrupt();
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
-    stress_of_zone(static_cast<int>(z), strain, tractions, shear_sign, low, use);
+    stress_of_zone(static_cast<int>(z), strained, tractions, shear_sign, low, use);
   }
 }
 

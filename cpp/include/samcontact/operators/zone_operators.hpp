@@ -58,10 +58,9 @@ class ZoneOperators {
   void displacement(double* out);
   /// stress: [component][i][j] of a layer of a zone.
   using Use = std::function<void(int zone, int layer, const double* stress)>;
-  /// Stress of the strain that was taken, if it is not null, and of tractions on the grid: calls
-  /// use in any order, several at once. Ends the use of the strain.
-  void for_each_layer(const Field* strain, const Tractions& tractions, double shear_sign,
-                      const Use& use);
+  /// Stress of the strain that was taken, if strained, and of tractions on the grid: calls use in
+  /// any order, several at once. Ends the use of the strain.
+  void for_each_layer(bool strained, const Tractions& tractions, double shear_sign, const Use& use);
 
   std::size_t bytes() const;
 
@@ -71,10 +70,13 @@ class ZoneOperators {
   struct Lattice;
 
   void make_lattices();
+  void add_ring(const Box& zone);
   void prepare(bool strained) const;
-  Field ring_strain(const Around& around, const Field& strain) const;
-  void stress_of_zone(int zone, const Field* strain, const Tractions& tractions, double shear_sign,
-                      const Field& low, const Use& use) const;
+  /// That of some zones on the plane around one.
+  Field strain_around(const Around& around, const std::vector<int>& zones,
+                      const Field& strain) const;
+  void stress_of_zone(int zone, bool strained, const Tractions& tractions, double shear_sign,
+                      const Field& low, const Use& use);
   void spread_layer(int k, const Field& strain);
   /// What middle and far bands give in the zones, [component][cell].
   Field low_stress(bool strained, const Tractions& tractions, double shear_sign);
@@ -88,8 +90,7 @@ class ZoneOperators {
   Tensor tensor_;
   std::vector<Around> around_;
   std::unique_ptr<Lattice> middle_, far_;
-  Field far_strain_;                      // [component][k][node] of the far lattice
-  std::vector<Field> near_displacement_;  // of each zone with its ring; empty: none
+  Field far_strain_;  // [component][k][node] of the far lattice
 };
 
 }  // namespace samcontact::operators

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which small boxes hold the plastic strain of a body where it lies in many places.
+#pragma once
+
+#include <vector>
+
+#include "samcontact/base/box.hpp"
+
+namespace samcontact::simulation {
+
+/// How deep something is needed below each column of a part of the lattice.
+struct Columns {
+  Box window;              // its layers do not matter
+  std::vector<int> depth;  // [i][j], in layers; 0: not at all
+};
+
+/// Boxes around the groups of neighbouring columns, a few cells wider and deeper.
+std::vector<Box> boxes_around(const Columns& columns);
+
+/// Disjoint boxes that hold all of these: two become one where they meet or where that costs less.
+std::vector<Box> merged(std::vector<Box> boxes);
+
+/// Work of an evaluation in such zones over that in one box, which `box` says; both in cells of
+/// transforms and sweeps. surface: where displacement is known.
+double cost_of_zones(const std::vector<Box>& zones, const Box& surface);
+double cost_of_box(const Box& box);
+
+}  // namespace samcontact::simulation
