@@ -92,11 +92,12 @@ void Nodes::gather(const double* nodes, int first_cell, int count, double* cells
   }
 }
 
-void NodeSpread::spread(const double* cells, const Box& box, double* nodes, int pitch) const {
+void NodeSpread::spread(const double* cells, int cell_pitch, const Box& box, double* nodes,
+                        int pitch) const {
   const int b0 = y_.place(box.j0), width = y_.place(box.j0 + box.ny - 1) + window_width - b0;
   std::vector<double> row(width);
   for (int i = 0; i < box.nx; ++i) {
-    const double* from = cells + static_cast<std::size_t>(i) * box.ny;
+    const double* from = cells + static_cast<std::size_t>(i) * cell_pitch;
     if (std::all_of(from, from + box.ny, [](double v) { return v == 0; })) continue;
     std::fill(row.begin(), row.end(), 0.0);
     y_.spread(from, box.j0, box.ny, row.data());

@@ -20,6 +20,14 @@ constexpr int middle_ring = 10;
 /// The ring's strain fades out in its last part.
 constexpr double fades_from = 0.75;
 
+/// Numbers that are 0, of one thread: what it has once taken stays with it.
+double* zeros(std::size_t count) {
+  static thread_local Field buffer;
+  if (buffer.size() < count) buffer.resize(count);
+  std::fill_n(buffer.begin(), count, 0.0);
+  return buffer.data();
+}
+
 double fade(int outside) {
   const double r = std::max(0.0, outside - 0.5) / ring;
   const double s = std::clamp((r - fades_from) / (1 - fades_from), 0.0, 1.0);
@@ -158,24 +166,24 @@ void ZoneOperators::prepare(bool strained) const {
 void ZoneOperators::spread_layer(int k, const Field& strain) {
   const int parts = count(tensor_);
   const std::size_t middle = middle_->plane_size(), far = far_->plane_size();
-  Field nodes(parts * middle, 0.0);
+  double* nodes = zeros(parts * middle);
   bool any = false;
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     if (k >= zones_[z].nz) continue;
     any = true;
     for (int c = 0; c < parts; ++c) {
       const double* from = strain.data() + c * cells_ + first_[z] + k * zones_[z].surface_size();
-      middle_->nodes.spread(from, zones_[z], nodes.data() + c * middle, middle_->pitch());
+      middle_->nodes.spread(from, zones_[z].ny, zones_[z], nodes + c * middle, middle_->pitch());
     }
   }
   middle_->spectrum.used[k] = any;
   if (!any) return;
   for (int c = 0; c < parts; ++c) {
-    far_->nodes.spread(middle_->tight(nodes.data() + c * middle).data(), middle_->rows(),
+    far_->nodes.spread(nodes + c * middle, middle_->pitch(), middle_->rows(),
                        far_strain_.data() + (static_cast<std::size_t>(c) * layers_ + k) * far,
                        far_->pitch());
   }
-  forward(middle_->operators->transform(), nodes.data(), middle_->spectrum, k);
+  forward(middle_->operators->transform(), nodes, middle_->spectrum, k);
 }
 
 void ZoneOperators::transform(const Field& strain) {
@@ -192,11 +200,11 @@ void ZoneOperators::transform(const Field& strain) {
     Around& around = around_[z];
     const VolumeOperators& near = *around.operators;
     around.displacement.resize(near.grid().surface_size());
-    forward(near.transform(), strain_around(around, {static_cast<int>(z)}, strain).data(),
+    forward(near.transform(), strain_around(around, {static_cast<int>(z)}, strain),
             around.spectrum);
     near.residual_displacement().apply(around.spectrum, around.displacement.data());
     if (around.zones.size() == 1) continue;
-    forward(near.transform(), strain_around(around, around.zones, strain).data(), around.spectrum);
+    forward(near.transform(), strain_around(around, around.zones, strain), around.spectrum);
   }
 }
 
@@ -229,8 +237,9 @@ Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, doubl
     if (cells.empty()) return;
     to_middle.assign(middle, 0.0);
     to_far.assign(far, 0.0);
-    middle_->nodes.spread(cells.data(), Box::surface(grid_), to_middle.data(), middle_->pitch());
-    far_->nodes.spread(middle_->tight(to_middle.data()).data(), rows, to_far.data(), far_->pitch());
+    middle_->nodes.spread(cells.data(), grid_.ny, Box::surface(grid_), to_middle.data(),
+                          middle_->pitch());
+    far_->nodes.spread(to_middle.data(), middle_->pitch(), rows, to_far.data(), far_->pitch());
   };
   spread(tractions.pressure, on_middle.pressure, on_far.pressure);
   spread(tractions.shear_x, on_middle.shear_x, on_far.shear_x);
@@ -265,12 +274,12 @@ Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, doubl
   return low;
 }
 
-Field ZoneOperators::strain_around(const Around& around, const std::vector<int>& zones,
-                                   const Field& strain) const {
+const double* ZoneOperators::strain_around(const Around& around, const std::vector<int>& zones,
+                                           const Field& strain) const {
   const Grid& grid = around.operators->grid();
   const int parts = count(tensor_);
   const Box& own = around.box;
-  Field planes(parts * grid.volume_size(), 0.0);
+  double* planes = zeros(parts * grid.volume_size());
   for (const int z : zones) {
     const Box& zone = zones_[z];
     const Box common = own.intersected(zone);
@@ -281,7 +290,7 @@ Field ZoneOperators::strain_around(const Around& around, const std::vector<int>&
                                (static_cast<std::size_t>(k) * zone.nx + i - zone.i0) * zone.ny -
                                zone.j0;
           double* to =
-              planes.data() +
+              planes +
               ((static_cast<std::size_t>(c) * grid.nz + k) * grid.nx + i - own.i0) * grid.ny -
               own.j0;
           const double x = fade(outside(i, own.i0 + ring, own.nx - 2 * ring));

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <utility>
 
 #include "samcontact/fft/plan.hpp"
 #include "samcontact/operators/kernel_bands.hpp"
@@ -101,7 +100,7 @@ double cost_of_zones(const std::vector<Box>& zones, const Box& surface) {
     sum += cost(zone);
   }
   const auto nodes = [](int cells, Band band) {
-    return cells / spacing(band) + 2.0 * operators::window_width;
+    return static_cast<double>(cells) / spacing(band) + 2 * operators::window_width;
   };
   const double middle = nodes(all.nx, Band::middle) * nodes(all.ny, Band::middle);
   const double far = (nodes(all.nx, Band::far) + operators::fading_nodes) *

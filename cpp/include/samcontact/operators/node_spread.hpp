@@ -43,7 +43,8 @@ class Nodes {
   std::vector<Phase> phases_;
 };
 
-/// Both axes. Planes of nodes [a][b] may be longer than the nodes along y: `pitch` numbers a row.
+/// Both axes. Rows of planes [i][j] of cells and [a][b] of nodes may be longer than what is in
+/// them: a pitch is the numbers of a row.
 class NodeSpread {
  public:
   /// All nodes that the cells of a box reach.
@@ -51,8 +52,8 @@ class NodeSpread {
 
   const Nodes& x() const { return x_; }
   const Nodes& y() const { return y_; }
-  /// Adds what the cells [i][j] of a box give to the nodes.
-  void spread(const double* cells, const Box& box, double* nodes, int pitch) const;
+  /// Adds what the cells of a box give to the nodes.
+  void spread(const double* cells, int cell_pitch, const Box& box, double* nodes, int pitch) const;
   /// Adds what the nodes give to the cells of a box.
   void gather(const double* nodes, int pitch, const Box& box, double* cells) const;
 

@@ -72,9 +72,9 @@ class ZoneOperators {
   void make_lattices();
   void add_ring(const Box& zone);
   void prepare(bool strained) const;
-  /// That of some zones on the plane around one.
-  Field strain_around(const Around& around, const std::vector<int>& zones,
-                      const Field& strain) const;
+  /// That of some zones on the plane around one; of this thread, until it asks again.
+  const double* strain_around(const Around& around, const std::vector<int>& zones,
+                              const Field& strain) const;
   void stress_of_zone(int zone, bool strained, const Tractions& tractions, double shear_sign,
                       const Field& low, const Use& use);
   void spread_layer(int k, const Field& strain);
