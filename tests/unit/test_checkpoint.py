@@ -169,7 +169,7 @@ class TestDamage:
     def test_a_later_format(self, saved):
         with edited(saved) as file:
             file.attrs["format_version"] = 99
-        text = r"checkpoint format 99; this version reads format 7$"
+        text = r"checkpoint format 99; this version reads format 8$"
         with pytest.raises(sc.CheckpointError, match=text):
             sc.Simulation.load(saved)
 
@@ -280,11 +280,33 @@ class TestDamage:
             ("scene/settings", "friction", -1.0),
             ("state/history2", "box", [-1, 0, 3, 3, 3]),
             ("state/history2", "mirrored", 3),
+            ("state/history2", "origin", 2**31 - 1),
         ],
     )
     def test_impossible_values(self, saved, group, attribute, value):
         with edited(saved) as file:
             file[group].attrs[attribute] = value
+        with pytest.raises(sc.CheckpointError, match="is damaged"):
+            sc.Simulation.load(saved)
+
+    @pytest.mark.parametrize(
+        "spoil",
+        [
+            lambda zones: np.repeat(zones, 2, axis=0),
+            lambda zones: np.repeat(zones // [1, 1, 1, 1, 2], 2, axis=0),  # as many cells
+            lambda zones: zones - [100, 0, 0, 0, 0],
+            lambda zones: zones * [1, 1, -1, -1, 1],
+            lambda zones: zones - [-(2**32), 0, 0, 0, 0],
+            lambda zones: zones[:, :4],
+            lambda zones: zones[0],
+        ],
+    )
+    def test_impossible_zones(self, saved, spoil):
+        with edited(saved) as file:
+            history = file["state/history2"]
+            zones = history["zones"][...]
+            del history["zones"]
+            history["zones"] = spoil(zones)
         with pytest.raises(sc.CheckpointError, match="is damaged"):
             sc.Simulation.load(saved)
 

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 namespace samcontact::simulation {
 namespace {
 
 /// Cells from the start of a body's way.
 constexpr int farthest = 1 << 30;
+constexpr auto no_fit = "the arrays of a plastic history do not fit its zones";
 
 void require_that(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
@@ -41,28 +43,45 @@ void require_consistent(const Flow& flow, const Grid& grid) {
 }  // namespace
 
 PlasticRecord record(const PlasticState& history) {
-  return {history.symmetry(), history.tensor(), history.fields(history.box())};
+  PlasticFields fields = history.fields(history.zones());
+  return {history.symmetry(),
+          history.tensor(),
+          history.origin(),
+          history.box(),
+          fields.zones.boxes(),
+          std::move(fields.strain),
+          std::move(fields.equivalent),
+          std::move(fields.backstress)};
 }
 
 std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Scene& scene,
                                            int body) {
-  const auto& [symmetry, tensor, fields] = record;
-  const Box& box = fields.box;
+  const auto& [symmetry, tensor, origin, box, zones, strain, equivalent, backstress] = record;
   require_that(is_one_of(symmetry), "mirrored must be 0, 1 or 2");
   require_that(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator,
                "tensor must be 0 or 1");
+  require_that(std::abs(static_cast<long>(origin)) < farthest, "origin is out of range");
   const Box part = stored_part(scene.grid, symmetry);
   require_that(is_across(box, scene.grid) && !box.empty() && box.nz > 0 &&
                    (symmetry == fft::Symmetry::none || box.j0 == part.j0) &&
                    (symmetry != fft::Symmetry::xy || box.i0 == part.i0),
                "the box of a plastic history is not in the grid");
-  const std::size_t cells = box.volume_size();
   const std::size_t terms = scene.materials[body].backstresses.size();
-  require_that(fields.strain.size() == operators::count(tensor) * cells &&
-                   fields.equivalent.size() == cells &&
-                   fields.backstress.size() == 5 * terms * cells,
-               "the arrays of a plastic history do not fit its box");
-  return std::make_shared<const PlasticState>(nullptr, symmetry, tensor, fields);
+  std::size_t cells = 0;
+  for (const Box& zone : zones) {
+    require_that(is_across(zone, scene.grid) && !zone.empty() && zone.nz > 0 && box.contains(zone),
+                 "the zones of a plastic history are not in its box");
+    cells += zone.volume_size();
+    require_that(cells <= equivalent.size(), no_fit);
+  }
+  require_that(cells > 0 && equivalent.size() == cells &&
+                   strain.size() == operators::count(tensor) * cells &&
+                   backstress.size() == 5 * terms * cells,
+               no_fit);
+  require_that(are_disjoint(zones), "the zones of a plastic history have cells in common");
+  return std::make_shared<const PlasticState>(
+      nullptr, symmetry, tensor, PlasticFields{Zones(zones), strain, equivalent, backstress}, box,
+      origin);
 }
 
 void require_consistent(const State& state) {

@@ -75,9 +75,9 @@ void PlasticBody::set_box(const Box& box, const operators::Heating& heating,
   const int parts = operators::count(tensor_);
   const std::size_t cells = box.volume_size();
   const std::size_t terms = material().backstresses.size();
-  PlasticFields fields = history_ ? history_->fields(box)
-                                  : PlasticFields{box, Field(parts * cells, 0.0), Field(cells, 0.0),
-                                                  Field(cells * 5 * terms, 0.0)};
+  PlasticFields fields = history_ ? history_->fields(Zones({box}))
+                                  : PlasticFields{Zones({box}), Field(parts * cells, 0.0),
+                                                  Field(cells, 0.0), Field(cells * 5 * terms, 0.0)};
   // What is in the box by now includes the last guess.
   for (int c = 0; c < parts && !box_.empty(); ++c) {
     insert(strain_.data() + c * box_.volume_size(), box_, fields.strain.data() + c * cells, box);
@@ -328,7 +328,7 @@ void PlasticBody::flow(std::uint32_t cell, const plasticity::Tensor& increment, 
 }
 
 std::shared_ptr<const PlasticState> PlasticBody::finish() {
-  const PlasticFields fields{box_, std::move(strain_), std::move(equivalent_),
+  const PlasticFields fields{Zones({box_}), std::move(strain_), std::move(equivalent_),
                              std::move(backstress_)};
   return std::make_shared<const PlasticState>(history_.get(), symmetry_, tensor_, fields);
 }

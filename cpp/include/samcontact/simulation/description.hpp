@@ -14,11 +14,14 @@
 
 namespace samcontact::simulation {
 
-/// A plastic history in plain fields.
+/// A plastic history in plain fields, of its zones.
 struct PlasticRecord {
   fft::Symmetry symmetry{};
   operators::Tensor tensor{};
-  PlasticFields fields;
+  int origin = 0;
+  Box box;
+  std::vector<Box> zones;
+  Field strain{}, equivalent{}, backstress{};
 };
 
 PlasticRecord record(const PlasticState& history);
@@ -49,12 +52,14 @@ void describe(C& c, Visitor& visit) {
 
 template <Is<PlasticRecord> R, class Visitor>
 void describe(R& r, Visitor& visit) {
-  visit("box", r.fields.box);
+  visit("origin", r.origin);
+  visit("box", r.box);
+  visit("zones", r.zones);
   visit("mirrored", r.symmetry);
   visit("tensor", r.tensor);
-  visit("strain", r.fields.strain);
-  visit("equivalent", r.fields.equivalent);
-  visit("backstress", r.fields.backstress);
+  visit("strain", r.strain);
+  visit("equivalent", r.equivalent);
+  visit("backstress", r.backstress);
 }
 
 template <Is<Flow> F, class Visitor>
