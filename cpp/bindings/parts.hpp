@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "samcontact/base/box.hpp"
+#include "samcontact/simulation/zones.hpp"
 
 namespace samcontact::bindings {
 
@@ -29,7 +30,8 @@ template <class T>
 concept Sequence = requires(T part) { part.resize(0); };
 /// One of some whole numbers each, which becomes an array of two.
 template <class T>
-concept Rows = Sequence<T> && std::is_same_v<typename T::value_type, Box>;
+concept Rows = Sequence<T> && (std::is_same_v<typename T::value_type, Box> ||
+                               std::is_same_v<typename T::value_type, simulation::Cell>);
 
 template <Rows T>
 constexpr std::size_t columns = sizeof(typename T::value_type) / sizeof(int);

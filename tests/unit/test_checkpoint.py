@@ -269,7 +269,6 @@ class TestDamage:
             ("state", "travel", [np.nan, 0.0]),
             ("state", "load", np.inf),
             ("state/history2", "box", [2**31 - 1, 0, 3, 3, 3]),
-            ("state", "flow_box2", [0, 0, -1, 3, 3]),
             ("state", "residual_method", 2),
             ("state", "heat_factor1", -1.0),
             ("state", "load", [1.0, 2.0]),
@@ -292,21 +291,21 @@ class TestDamage:
     @pytest.mark.parametrize(
         "spoil",
         [
-            lambda zones: np.repeat(zones, 2, axis=0),
-            lambda zones: np.repeat(zones // [1, 1, 1, 1, 2], 2, axis=0),  # as many cells
-            lambda zones: zones - [100, 0, 0, 0, 0],
-            lambda zones: zones * [1, 1, -1, -1, 1],
-            lambda zones: zones - [-(2**32), 0, 0, 0, 0],
-            lambda zones: zones[:, :4],
-            lambda zones: zones[0],
+            lambda boxes: np.repeat(boxes, 2, axis=0),
+            lambda boxes: np.repeat(boxes // [1, 1, 1, 1, 2], 2, axis=0),  # as many cells
+            lambda boxes: boxes - [100, 0, 0, 0, 0],
+            lambda boxes: boxes * [1, 1, -1, -1, 1],
+            lambda boxes: boxes - [-(2**32), 0, 0, 0, 0],
+            lambda boxes: boxes[:, :4],
+            lambda boxes: boxes[0],
         ],
     )
-    def test_impossible_zones(self, saved, spoil):
+    @pytest.mark.parametrize("name", ["history2/zones", "flow_boxes2"])
+    def test_impossible_boxes(self, saved, name, spoil):
         with edited(saved) as file:
-            history = file["state/history2"]
-            zones = history["zones"][...]
-            del history["zones"]
-            history["zones"] = spoil(zones)
+            boxes = file["state"][name][...]
+            del file["state"][name]
+            file["state"][name] = spoil(boxes)
         with pytest.raises(sc.CheckpointError, match="is damaged"):
             sc.Simulation.load(saved)
 

@@ -29,15 +29,17 @@ bool is_across(const Box& box, const Grid& grid) {
          box.nz >= 0 && box.nz <= grid.nz;
 }
 
-void require_consistent(const Flow& flow, const Grid& grid) {
+void require_consistent(const Flow& flow) {
   bool fits = is_one_of(flow.symmetry);
   for (const auto& body : flow.bodies) {
     const std::size_t n = body.cells.size();
     fits = fits && (body.strain.size() == 5 * n || body.strain.size() == 6 * n) &&
-           std::all_of(body.cells.begin(), body.cells.end(),
-                       [&](std::uint32_t cell) { return cell < grid.volume_size(); });
+           std::all_of(body.cells.begin(), body.cells.end(), [&](const Cell& cell) {
+             return std::abs(static_cast<long>(cell.i)) < farthest &&
+                    std::abs(static_cast<long>(cell.j)) < farthest && cell.k >= 0;
+           });
   }
-  require_that(fits, "the flow of the last increment does not fit the grid");
+  require_that(fits, "the flow of the last increment has impossible parts");
 }
 
 }  // namespace
@@ -100,13 +102,19 @@ void require_consistent(const State& state) {
                "residual_method must be 0 or 1");
   require_that(is_one_of(state.past_symmetry), "past_symmetry must be 0, 1 or 2");
   for (int b = 0; b < 2; ++b) {
-    const Box& flow = state.flow_box[b];
-    require_that(is_across(flow, grid) && Box::whole(grid).contains(flow),
-                 "the box of plastic flow is not in the grid");
+    std::size_t cells = 0;
+    for (const Box& box : state.flow_boxes[b]) {
+      require_that(is_across(box, grid) && !box.empty() && Box::whole(grid).contains(box),
+                   "the boxes of plastic flow are not in the grid");
+      cells += box.surface_size();
+      require_that(cells <= grid.surface_size(), "the boxes of plastic flow have cells in common");
+    }
+    require_that(are_disjoint(state.flow_boxes[b]),
+                 "the boxes of plastic flow have cells in common");
     require_that(!state.softening[b] || state.softening[b]->size() == grid.volume_size(),
                  "the softening of a body does not fit the grid");
   }
-  if (state.last_flow) require_consistent(*state.last_flow, grid);
+  if (state.last_flow) require_consistent(*state.last_flow);
 }
 
 }  // namespace samcontact::simulation

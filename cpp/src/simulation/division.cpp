@@ -30,7 +30,7 @@ double increment_error(const State& one, const State& two) {
     const auto& material = two.scene().materials[b];
     const double yield_strain =
         material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
-    const Box box = one.flow_box[b].united(two.flow_box[b]);
+    const Box box = around(one.flow_boxes[b]).united(around(two.flow_boxes[b]));
     const auto symmetry = common(one.plastic[b]->symmetry(), two.plastic[b]->symmetry());
     const auto first = unfolded(one.plastic[b], grid, symmetry);
     const auto second = unfolded(two.plastic[b], grid, symmetry);
@@ -61,7 +61,8 @@ State extrapolated(const State& start, const State& once, const State& twice) {
     if (shared || !once.flowed[b] || !twice.flowed[b]) continue;
     const Grid& grid = start.scene().grid;
     const PlasticState& last = *twice.plastic[b];
-    const Box box = part_of(once.flow_box[b].united(twice.flow_box[b]), grid, last.symmetry());
+    const Box whole = around(once.flow_boxes[b]).united(around(twice.flow_boxes[b]));
+    const Box box = part_of(whole, grid, last.symmetry());
     const auto single = unfolded(once.plastic[b], grid, last.symmetry());
     PlasticFields two = last.fields(covering(last.zones(), single->zones(), box));
     const PlasticFields one = single->fields(two.zones);

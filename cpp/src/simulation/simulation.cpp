@@ -205,7 +205,7 @@ void Simulation::set_plastic_state(int body, int first_row, int rows, const Fiel
     }
   }
   state_.plastic[body] = remade(record, *scene_, body);
-  state_.flow_box[body] = box.intersected(Box::whole(scene_->grid));
+  state_.flow_boxes[body] = {box.intersected(Box::whole(scene_->grid))};
 }
 
 void Simulation::restore(const State& state, const Counters& counters) {

@@ -14,11 +14,9 @@ std::map<Tile, std::vector<std::size_t>> sorted_by_tile(const std::vector<Box>& 
 
 }  // namespace
 
-Zones::Zones(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
-  for (const Box& box : boxes_) {
-    first_.push_back(first_.back() + box.volume_size());
-    around_ = around_.united(box);
-  }
+Zones::Zones(std::vector<Box> boxes)
+    : boxes_(std::move(boxes)), around_(simulation::around(boxes_)) {
+  for (const Box& box : boxes_) first_.push_back(first_.back() + box.volume_size());
   if (count() > 1) by_tile_ = sorted_by_tile(boxes_);
 }
 
@@ -34,6 +32,21 @@ std::ptrdiff_t Zones::find(const Cell& cell) const {
     if (number >= 0) return number;
   }
   return -1;
+}
+
+Box around(const std::vector<Box>& boxes) {
+  Box all;
+  for (const Box& box : boxes) all = all.united(box);
+  return all;
+}
+
+void copy_common(const double* from, const Zones& from_zones, double* to, const Zones& to_zones) {
+  for (std::size_t a = 0; a < from_zones.count(); ++a) {
+    for (std::size_t b = 0; b < to_zones.count(); ++b) {
+      samcontact::copy_common(from + from_zones.first(a), from_zones.boxes()[a],
+                              to + to_zones.first(b), to_zones.boxes()[b]);
+    }
+  }
 }
 
 bool are_disjoint(const std::vector<Box>& boxes) {

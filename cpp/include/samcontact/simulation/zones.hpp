@@ -82,6 +82,10 @@ class Zones {
   std::map<Tile, std::vector<std::size_t>> by_tile_;  // where there are several
 };
 
+/// The smallest box that holds all.
+Box around(const std::vector<Box>& boxes);
+/// Copies a field over the cells that both zones have; the rest of `to` stays.
+void copy_common(const double* from, const Zones& from_zones, double* to, const Zones& to_zones);
 /// Whether no two boxes have a cell in common.
 bool are_disjoint(const std::vector<Box>& boxes);
 /// Zones that hold all cells that lie in a box and in one of two others at least.
