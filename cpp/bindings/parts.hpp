@@ -7,15 +7,19 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <ranges>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "samcontact/base/box.hpp"
+#include "samcontact/simulation/zones.hpp"
 
 namespace samcontact::bindings {
 
@@ -24,6 +28,40 @@ namespace py = pybind11;
 /// A field or list, which becomes an array of one dimension.
 template <class T>
 concept Sequence = requires(T part) { part.resize(0); };
+/// One of some whole numbers each, which becomes an array of two.
+template <class T>
+concept Rows = Sequence<T> && (std::is_same_v<typename T::value_type, Box> ||
+                               std::is_same_v<typename T::value_type, simulation::Cell>);
+
+template <Rows T>
+constexpr std::size_t columns = sizeof(typename T::value_type) / sizeof(int);
+
+template <Rows T>
+py::array_t<std::int64_t> rows_of(const T& part) {
+  const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(part.size()), columns<T>};
+  py::array_t<std::int64_t> rows(shape);
+  for (std::size_t n = 0; n < part.size(); ++n) {
+    const auto numbers = std::bit_cast<std::array<int, columns<T>>>(part[n]);
+    std::copy(numbers.begin(), numbers.end(), rows.mutable_data(n, 0));
+  }
+  return rows;
+}
+
+/// Throws std::invalid_argument unless each row has as many numbers as it should, in range.
+template <Rows T>
+void read_rows(const std::string& name, const py::object& kept, T& part) {
+  const auto rows = kept.cast<py::array_t<std::int64_t, py::array::c_style>>();
+  const bool fits = rows.ndim() == 2 && rows.shape(1) == columns<T> &&
+                    std::all_of(rows.data(), rows.data() + rows.size(),
+                                [](std::int64_t number) { return std::in_range<int>(number); });
+  if (!fits) throw std::invalid_argument(name + " are no rows of whole numbers");
+  part.resize(rows.shape(0));
+  for (std::size_t n = 0; n < part.size(); ++n) {
+    std::array<int, columns<T>> numbers;
+    std::copy_n(rows.data(n, 0), columns<T>, numbers.begin());
+    part[n] = std::bit_cast<typename T::value_type>(numbers);
+  }
+}
 
 template <class T>
 py::array_t<typename T::value_type> array_of(const T& part, const py::object& owner) {
@@ -70,7 +108,9 @@ class PartWriter {
   }
   template <class T>
   static py::object to_python(const T& part, const py::object& owner) {
-    if constexpr (Sequence<T>) {
+    if constexpr (Rows<T>) {
+      return rows_of(part);
+    } else if constexpr (Sequence<T>) {
       return array_of(part, owner);
     } else if constexpr (std::is_enum_v<T>) {
       return py::int_(static_cast<int>(part));
@@ -107,7 +147,7 @@ class PartReader {
     read(name, part);
     if constexpr (std::is_same_v<T, double>) {
       require_finite(name, std::isfinite(part));
-    } else if constexpr (std::ranges::range<T>) {
+    } else if constexpr (std::ranges::range<T> && !Rows<T>) {
       require_finite(name, std::all_of(part.begin(), part.end(),
                                        [](double number) { return std::isfinite(number); }));
     }
@@ -132,7 +172,12 @@ class PartReader {
   void read(const std::string& name, T& part) {
     if (left_.contains(name)) {
       try {
-        from_python(left_.attr("pop")(name), part);
+        const auto kept = left_.attr("pop")(name);
+        if constexpr (Rows<T>) {
+          read_rows(name, kept, part);
+        } else {
+          from_python(kept, part);
+        }
       } catch (const py::cast_error&) {
         throw std::invalid_argument(name + " is of another kind than it should be");
       }

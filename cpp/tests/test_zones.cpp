@@ -1,205 +1,156 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Operators of zones against those of the whole box.
+// A body in an increment whose zones change: one box, two, one around all.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
+#include <map>
+#include <tuple>
 
-#include "samcontact/operators/half_space.hpp"
-#include "samcontact/operators/smooth_continuation.hpp"
-#include "samcontact/operators/zone_operators.hpp"
+#include "samcontact/simulation/plastic_body.hpp"
+#include "samcontact/simulation/simulation.hpp"
 
 using namespace samcontact;
-using namespace samcontact::operators;
+using namespace samcontact::simulation;
+using fft::Symmetry;
 
 namespace {
 
-const Grid grid(72, 64, 1e-6, 1.25e-6, 8, 0.9e-6);
-const Elastic steel{210e9, 0.3};
-/// Apart, within each other's ring, and touching.
-const std::vector<Box> zones{
-    {4, 6, 14, 11, 5}, {22, 9, 9, 12, 8}, {31, 9, 7, 6, 3}, {40, 40, 20, 18, 6}, {64, 4, 8, 8, 2}};
-
-double number(std::size_t n) { return std::sin(1.7 * static_cast<double>(n) + 0.3); }
-
-/// [component][cell] of the zones: spots that end before their border.
-Field zone_strain(Tensor tensor, std::size_t cells) {
-  Field strain(count(tensor) * cells, 0.0);
-  for (int c = 0; c < count(tensor); ++c) {
-    std::size_t at = c * cells;
-    for (const Box& zone : zones) {
-      for (int k = 0; k < zone.nz; ++k) {
-        for (int i = 0; i < zone.nx; ++i) {
-          for (int j = 0; j < zone.ny; ++j, ++at) {
-            const double x = std::sin(std::numbers::pi * i / (zone.nx - 1)),
-                         y = std::sin(std::numbers::pi * j / (zone.ny - 1));
-            strain[at] = 1e-3 * (1 + number(7 * c)) * x * y * (1 + 0.05 * number(at)) / (1 + k);
-          }
-        }
-      }
+/// A ball that has flowed, under load.
+Simulation ball() {
+  const Grid grid(33, 31, 60e-6, 60e-6, 12, 60e-6);
+  Field gap(grid.surface_size());
+  const auto x = grid.x(), y = grid.y();
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      gap[i * grid.ny + j] = (x[i] * x[i] + y[j] * y[j]) / (2 * 7.5e-3);
     }
   }
-  return strain;
+  const auto steel =
+      plasticity::Material::with_law(210e9, 0.3, plasticity::LinearHardening{1.2e9, 10e9});
+  Simulation simulation(grid, plasticity::Material::make_elastic(210e9, 0.3), steel, gap, 0.0,
+                        {.tol = 1e-6,
+                         .increment_tol = 0.0,
+                         .max_iterations = 60,
+                         .on_border = contact::OnBorder::error,
+                         .residual_stress = operators::ResidualMethod::fast,
+                         .image_tol = 1e-3,
+                         .reach = 0});
+  simulation.step({.drive = contact::Drive::load(300.0)});
+  return simulation;
 }
 
-/// The same on the grid, [component][k][i][j].
-Field on_grid(const Field& strain, int parts, std::size_t cells) {
-  Field whole(parts * grid.volume_size(), 0.0);
-  for (int c = 0; c < parts; ++c) {
-    std::size_t at = c * cells;
-    for (const Box& zone : zones) {
-      insert(strain.data() + at, zone, whole.data() + c * grid.volume_size(), Box::whole(grid));
-      at += zone.volume_size();
-    }
-  }
-  return whole;
-}
+using ByCell = std::map<std::tuple<int, int, int>, plasticity::Tensor>;
 
-Field spots(double factor) {
-  Field pressure(grid.surface_size(), 0.0);
-  for (const Box& zone : zones) {
-    for (int i = zone.i0 + 2; i < zone.i0 + zone.nx - 2; ++i) {
-      for (int j = zone.j0 + 2; j < zone.j0 + zone.ny - 2; ++j) {
-        const std::size_t at = static_cast<std::size_t>(i) * grid.ny + j;
-        pressure[at] = factor * 1e9 * (1.5 + number(at));
-      }
-    }
+/// Stress of the active cells of a body, by place.
+ByCell stress(const PlasticBody& body, const ActiveCells& active) {
+  ByCell out;
+  for (std::size_t n = 0; n < active.size(); ++n) {
+    const Cell c = body.zones().cell(active.cells[n].cell);
+    out[{c.i, c.j, c.k}] = active.stress[n];
   }
-  return pressure;
-}
-
-struct Error {
-  double squares = 0.0, of = 0.0, largest = 0.0, of_largest = 0.0;
-  void add(double value, double reference) {
-    squares += (value - reference) * (value - reference);
-    of += reference * reference;
-    largest = std::max(largest, std::fabs(value - reference));
-    of_largest = std::max(of_largest, std::fabs(reference));
-  }
-  double rms() const { return std::sqrt(squares / of); }
-  double max() const { return largest / of_largest; }
-};
-
-Field stress_in_zones(ZoneOperators& operators, const Field* strain, const Tractions& tractions,
-                      int parts) {
-  Field out(parts * operators.cells());
-  std::vector<std::size_t> first;
-  std::size_t cells = 0;
-  for (const Box& zone : zones) {
-    first.push_back(cells);
-    cells += zone.volume_size();
-  }
-  operators.for_each_layer(strain != nullptr, tractions, -1.0, [&](int z, int k, const double* layer) {
-    const std::size_t plane = zones[z].surface_size();
-    for (int c = 0; c < parts; ++c) {
-      std::copy_n(layer + c * plane, plane, out.data() + c * cells + first[z] + k * plane);
-    }
-  });
   return out;
-}
-
-Error against(const Field& own, const Field& whole, int parts, std::size_t cells) {
-  Error error;
-  for (int c = 0; c < parts; ++c) {
-    std::size_t at = c * cells;
-    for (const Box& zone : zones) {
-      Field part(zone.volume_size());
-      extract(whole.data() + c * grid.volume_size(), Box::whole(grid), part.data(), zone);
-      for (const double reference : part) error.add(own[at++], reference);
-    }
-  }
-  return error;
 }
 
 }  // namespace
 
-TEST_CASE("strain and tractions in zones do what they do in the whole box") {
-  const auto medium = half_space(steel);
-  for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
-    const int parts = count(tensor);
-    ZoneOperators operators(std::make_shared<const ZoneTables>(grid, medium, tensor, 1e-5), zones);
-    const VolumeOperators whole(grid, medium,
-                                {tensor, Symmetry::none, ResidualMethod::fast, 1e-5, {}});
-    const Field strain = zone_strain(tensor, operators.cells());
-    const Field everywhere = on_grid(strain, parts, operators.cells());
+TEST_CASE("strain, unknowns and history survive a change of zones") {
+  const Simulation simulation = ball();
+  const State& state = simulation.state();
+  REQUIRE(state.plastic[1]);
+  for (const Symmetry symmetry : {Symmetry::none, Symmetry::y}) {
+    const Grid& grid = state.scene().grid;
+    const Box part = stored_part(grid, symmetry);
+    const auto history = unfolded(state.plastic[1], grid, symmetry);
+    const int j0 = symmetry == Symmetry::none ? 12 : part.j0;
+    const Box a{12, j0, 8, 18 - j0, 5}, wider{10, j0, 10, 20 - j0, 6}, beside{26, 22, 4, 3, 2};
+    PlasticBody body(state, 1, 0, 1, symmetry);
+    ActiveCells active;
+    body.meet(state.tractions);
+    const auto set = [&](const Zones& zones) {
+      body.set_zones(zones, {}, {}, active);
+      CHECK(body.zones() == zones);
+      body.transform(true);
+      body.find_stress(active);
+    };
+    // The flow of three cells on top of the history.
+    body.set_zones(Zones({a}), {}, {}, active);
+    const std::vector<Cell> cells{{13, 16, 0}, {15, 17, 3}, {19, 16, 4}};
+    const plasticity::Tensor strain{1e-3, -2e-3, 1e-3, 3e-4, -2e-4, 1e-4};
+    for (const Cell& cell : cells) {
+      const auto number = static_cast<std::uint32_t>(body.zones().number(cell));
+      body.activate(number, {}, active);
+      body.set_strain(number, strain);
+    }
+    set(Zones({wider, beside}));
+    const ByCell in_two = stress(body, active);
+    const Box all = from_planes_on(Zones({wider, beside}).around(), grid, symmetry);
+    set(Zones({all}));
+    const ByCell in_one = stress(body, active);
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+      CHECK(body.zones().cell(active.cells[n].cell) == cells[n]);
+    }
+    // As both are computed in the same box.
+    for (const auto& [cell, s] : in_two) CHECK(in_one.at(cell) == s);
+    Field gap(grid.surface_size(), 0.0), again = gap;
+    body.transform(true);
+    body.open(gap);
+    set(Zones({beside, wider}));
+    body.transform(true);
+    body.open(again);
+    CHECK(gap == again);
 
-    Field displacement(grid.surface_size(), 0.0), reference(displacement.size());
-    operators.transform(strain);
-    operators.displacement(displacement.data());
-    VolumeSpectrum spectrum = whole.make_spectrum();
-    forward(whole.transform(), everywhere.data(), spectrum);
-    whole.residual_displacement().apply(spectrum, reference.data());
-    Error moved;
-    for (std::size_t n = 0; n < reference.size(); ++n) moved.add(displacement[n], reference[n]);
-    CHECK(moved.rms() < 3e-4);
-    CHECK(moved.max() < 3e-4);
-
-    const Tractions none{Field(grid.surface_size(), 0.0), {}, {}};
-    const Error residual =
-        against(stress_in_zones(operators, &strain, none, parts),
-                whole.stress(everywhere.data(), nullptr, -1.0), parts, operators.cells());
-    // Harder than flow: weak strain beside a much stronger zone at the end of its ring.
-    CHECK(residual.rms() < 4e-3);
-    CHECK(residual.max() < 1e-2);
-    const Tractions loads{spots(1.0), spots(0.3), spots(-0.2)};
-    const Error elastic = against(stress_in_zones(operators, nullptr, loads, parts),
-                                  whole.stress(nullptr, &loads, -1.0), parts, operators.cells());
-    CHECK(elastic.rms() < 6e-4);
-    CHECK(elastic.max() < 6e-4);
-  }
-}
-
-TEST_CASE("zones beside the grid act on it") {
-  const auto medium = half_space(steel);
-  const std::vector<Box> beside{{-9, 20, 8, 10, 4}};
-  const Grid wide(grid.nx + 24, grid.ny, grid.dx, grid.dy, 8, grid.dz);
-  const auto tables = [&](const Grid& of) {
-    return std::make_shared<const ZoneTables>(of, medium, Tensor::full, 1e-5);
-  };
-  ZoneOperators outside(tables(grid), beside), inside(tables(wide), {{15, 20, 8, 10, 4}});
-  Field strain(6 * outside.cells());
-  for (std::size_t n = 0; n < strain.size(); ++n) strain[n] = 1e-3 * number(n);
-  Field here(grid.surface_size(), 0.0), there(wide.surface_size(), 0.0);
-  outside.transform(strain);
-  outside.displacement(here.data());
-  inside.transform(strain);
-  inside.displacement(there.data());
-  Error error;
-  for (std::size_t n = 0; n < here.size(); ++n) {
-    error.add(here[n], there[n + static_cast<std::size_t>(24) * grid.ny]);
-  }
-  CHECK(error.max() < 1e-4);
-}
-
-TEST_CASE("what smooth continuation leaves, a coarse lattice holds") {
-  const SmoothContinuation split(4, 8);
-  const int reach = split.reach();
-  for (const auto& parity : {kernels::Parity{}, kernels::Parity{true, false, false},
-                             kernels::Parity{true, true, false}}) {
-    Field table(static_cast<std::size_t>(reach) * reach);
-    double largest = 0.0;
-    for (int j = 0; j < reach; ++j) {
-      for (int i = 0; i < reach; ++i) {
-        const double r = std::hypot(i, j, 1.0);
-        double& value = table[static_cast<std::size_t>(j) * reach + i];
-        value = (parity.odd_x ? i / r : 1.0) * (parity.odd_y ? j / r : 1.0) / (r * r);
-        largest = std::max(largest, std::fabs(value));
+    const auto after = body.finish();
+    CHECK(after->symmetry() == symmetry);
+    const Zones of({all});
+    PlasticFields wanted = history->fields(of);
+    for (const Cell& cell : cells) {
+      int c = 0;
+      for (const int place : operators::components(history->tensor())) {
+        wanted.strain[c++ * of.cells() + of.number(cell)] = strain[place];
       }
     }
-    const auto most = [](const Field& values) {
-      double found = 0.0;
-      for (const double v : values) found = std::max(found, std::fabs(v));
-      return found;
-    };
-    const double before = most(split.rest(table.data(), parity));
-    const Field inside = split.inside(table.data(), parity);
-    for (int j = 0; j < split.cells(); ++j) {
-      std::copy_n(inside.data() + static_cast<std::size_t>(j) * split.cells(), split.cells(),
-                  table.data() + static_cast<std::size_t>(j) * reach);
-    }
-    CHECK(before > 0.2 * largest);
-    CHECK(most(split.rest(table.data(), parity)) < 5e-3 * largest);
+    const PlasticFields found = after->fields(of);
+    CHECK(found.strain == wanted.strain);
+    CHECK(found.equivalent == wanted.equivalent);
   }
+}
+
+TEST_CASE("an increment goes on from several zones, and fields know their strain") {
+  Simulation one = ball(), several = ball();
+  State parted = several.state();
+  const Box whole = around(parted.flow_boxes[1]);
+  Box left = whole, right = whole;
+  left.nx = whole.nx / 2;
+  right.i0 += left.nx;
+  right.nx -= left.nx;
+  parted.flow_boxes[1] = {left, right};
+  several.restore(parted, several.counters());
+  const auto same_to = [](const Field& a, const Field& b, double tol) {
+    double largest = 0.0, off = 0.0;
+    for (std::size_t n = 0; n < a.size(); ++n) {
+      largest = std::max(largest, std::fabs(a[n]));
+      off = std::max(off, std::fabs(a[n] - b[n]));
+    }
+    CHECK(off <= tol * largest);
+  };
+  same_to(one.state().residual_stress(1), several.state().residual_stress(1), 2e-3);
+  same_to(one.state().stress(1), several.state().stress(1), 2e-3);
+  const auto& a = one.step({.drive = contact::Drive::load(350.0)});
+  const auto& b = several.step({.drive = contact::Drive::load(350.0)});
+  REQUIRE(b.flowed[1]);
+  same_to(a.equivalent_plastic_strain(1), b.equivalent_plastic_strain(1), 1e-6);
+  same_to(a.tractions.pressure, b.tractions.pressure, 1e-6);
+}
+
+TEST_CASE("zones off a mirror plane have images beside it") {
+  const Grid grid(20, 21, 1.0, 1.0, 8, 1.0);
+  const std::vector<Box> stored{
+      {10, 10, 3, 2, 2}, {15, 10, 1, 1, 1}, {10, 14, 2, 3, 3}, {16, 15, 2, 2, 4}};
+  const auto whole = whole_boxes(stored, grid, Symmetry::xy);
+  CHECK(whole.size() == 1 + 2 + 2 + 4);
+  CHECK(are_disjoint(whole));
+  CHECK(whole[0] == whole_box(stored[0], grid, Symmetry::xy));
+  CHECK(around(whole) ==
+        whole_box(from_planes_on(around(stored), grid, Symmetry::xy), grid, Symmetry::xy));
+  const auto parts = parts_of(whole, grid, Symmetry::xy);
+  CHECK(parts == stored);
 }

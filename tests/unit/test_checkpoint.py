@@ -169,7 +169,7 @@ class TestDamage:
     def test_a_later_format(self, saved):
         with edited(saved) as file:
             file.attrs["format_version"] = 99
-        text = r"checkpoint format 99; this version reads format 7$"
+        text = r"checkpoint format 99; this version reads format 8$"
         with pytest.raises(sc.CheckpointError, match=text):
             sc.Simulation.load(saved)
 
@@ -269,7 +269,6 @@ class TestDamage:
             ("state", "travel", [np.nan, 0.0]),
             ("state", "load", np.inf),
             ("state/history2", "box", [2**31 - 1, 0, 3, 3, 3]),
-            ("state", "flow_box2", [0, 0, -1, 3, 3]),
             ("state", "residual_method", 2),
             ("state", "heat_factor1", -1.0),
             ("state", "load", [1.0, 2.0]),
@@ -280,11 +279,33 @@ class TestDamage:
             ("scene/settings", "friction", -1.0),
             ("state/history2", "box", [-1, 0, 3, 3, 3]),
             ("state/history2", "mirrored", 3),
+            ("state/history2", "origin", 2**31 - 1),
         ],
     )
     def test_impossible_values(self, saved, group, attribute, value):
         with edited(saved) as file:
             file[group].attrs[attribute] = value
+        with pytest.raises(sc.CheckpointError, match="is damaged"):
+            sc.Simulation.load(saved)
+
+    @pytest.mark.parametrize(
+        "spoil",
+        [
+            lambda boxes: np.repeat(boxes, 2, axis=0),
+            lambda boxes: np.repeat(boxes // [1, 1, 1, 1, 2], 2, axis=0),  # as many cells
+            lambda boxes: boxes - [100, 0, 0, 0, 0],
+            lambda boxes: boxes * [1, 1, -1, -1, 1],
+            lambda boxes: boxes - [-(2**32), 0, 0, 0, 0],
+            lambda boxes: boxes[:, :4],
+            lambda boxes: boxes[0],
+        ],
+    )
+    @pytest.mark.parametrize("name", ["history2/zones", "flow_boxes2"])
+    def test_impossible_boxes(self, saved, name, spoil):
+        with edited(saved) as file:
+            boxes = file["state"][name][...]
+            del file["state"][name]
+            file["state"][name] = spoil(boxes)
         with pytest.raises(sc.CheckpointError, match="is damaged"):
             sc.Simulation.load(saved)
 

@@ -166,7 +166,7 @@ def test_what_is_done_per_increment_does_not_grow():
     # 3 and 10 contact radii are 12 and 39 cells. Memory grows by the plastic strain alone.
     assert np.mean(work[36:42]) <= 1.3 * np.mean(work[9:15])
     strain = np.diff(memory)[-8:]
-    assert strain.max() == strain.min() <= 8 * 12 * 15 * 6
+    assert 0 < strain.min() <= strain.max() <= 8 * 12 * 15 * 6
 
 
 def test_steady_rolling_is_steady():

@@ -67,14 +67,14 @@ void extract(const double* large, const Box& from, double* small, const Box& int
 void copy_common(const double* from, const Box& from_box, double* to, const Box& to_box) {
   const Box common = from_box.intersected(to_box);
   if (common.empty()) return;
-  for_each_row(common, from_box, [&](std::size_t, std::size_t source) {
-    // The same row of the other box.
-    const std::size_t j = source % from_box.ny, ki = source / from_box.ny;
-    const std::size_t i = ki % from_box.nx, k = ki / from_box.nx;
-    const std::size_t row =
-        (k * to_box.nx + (i + from_box.i0 - to_box.i0)) * to_box.ny + j + from_box.j0 - to_box.j0;
-    std::copy_n(from + source, common.ny, to + row);
-  });
+  const auto row = [&](const Box& box, int k, int i) {
+    return (static_cast<std::size_t>(k) * box.nx + i - box.i0) * box.ny + (common.j0 - box.j0);
+  };
+  for (int k = 0; k < common.nz; ++k) {
+    for (int i = common.i0; i < common.i0 + common.nx; ++i) {
+      std::copy_n(from + row(from_box, k, i), common.ny, to + row(to_box, k, i));
+    }
+  }
 }
 
 }  // namespace samcontact

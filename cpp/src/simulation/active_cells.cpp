@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/simulation/active_cells.hpp"
 
+#include <cassert>
+
 namespace samcontact::simulation {
 
 void ActiveCells::append(const Cell& cell, const plasticity::Tensor& strain_before,
@@ -11,12 +13,12 @@ void ActiveCells::append(const Cell& cell, const plasticity::Tensor& strain_befo
   put(strain_before, before_, cells.size() - 1);
 }
 
-void ActiveCells::move(std::uint8_t body, const Box& from, const Box& to) {
+void ActiveCells::move(std::uint8_t body, const Zones& from, const Zones& to) {
   for (Cell& c : cells) {
     if (c.body != body) continue;
-    const std::uint32_t j = c.cell % from.ny, ki = c.cell / from.ny;
-    const std::uint32_t i = ki % from.nx, k = ki / from.nx;
-    c.cell = (k * to.nx + i + (from.i0 - to.i0)) * to.ny + j + (from.j0 - to.j0);
+    const std::ptrdiff_t number = to.number(from.cell(c.cell));
+    assert(number >= 0);
+    c.cell = static_cast<std::uint32_t>(number);
   }
 }
 

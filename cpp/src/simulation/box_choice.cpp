@@ -51,12 +51,11 @@ Box BoxChoice::fitted(const Box& needed, const Box& before) const {
   return stored({i0, j0, i1 - i0, j1 - j0, nz});
 }
 
-Box BoxChoice::rim_of(const Box& box, std::uint32_t cell) const {
-  const int j = static_cast<int>(cell % box.ny), ki = static_cast<int>(cell / box.ny);
-  const int i = ki % box.nx, k = ki / box.nx;
+Box BoxChoice::rim_of(const Box& box, const Cell& cell) const {
+  const int i = cell.i - box.i0, j = cell.j - box.j0;
   const bool rim = (i == 0 && !mirrors_x()) || (j == 0 && !mirrors_y()) || i == box.nx - 1 ||
-                   j == box.ny - 1 || k == box.nz - 1;
-  return rim ? with_margin({box.i0 + i, box.j0 + j, 1, 1, k + 1}) : box;
+                   j == box.ny - 1 || cell.k == box.nz - 1;
+  return rim ? with_margin({cell.i, cell.j, 1, 1, cell.k + 1}) : box;
 }
 
 Box BoxChoice::stored(Box box) const {

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 namespace samcontact::simulation {
 namespace {
 
 /// Cells from the start of a body's way.
 constexpr int farthest = 1 << 30;
+constexpr auto no_fit = "the arrays of a plastic history do not fit its zones";
 
 void require_that(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
@@ -27,42 +29,61 @@ bool is_across(const Box& box, const Grid& grid) {
          box.nz >= 0 && box.nz <= grid.nz;
 }
 
-void require_consistent(const Flow& flow, const Grid& grid) {
+void require_consistent(const Flow& flow) {
   bool fits = is_one_of(flow.symmetry);
   for (const auto& body : flow.bodies) {
     const std::size_t n = body.cells.size();
     fits = fits && (body.strain.size() == 5 * n || body.strain.size() == 6 * n) &&
-           std::all_of(body.cells.begin(), body.cells.end(),
-                       [&](std::uint32_t cell) { return cell < grid.volume_size(); });
+           std::all_of(body.cells.begin(), body.cells.end(), [&](const Cell& cell) {
+             return std::abs(static_cast<long>(cell.i)) < farthest &&
+                    std::abs(static_cast<long>(cell.j)) < farthest && cell.k >= 0;
+           });
   }
-  require_that(fits, "the flow of the last increment does not fit the grid");
+  require_that(fits, "the flow of the last increment has impossible parts");
 }
 
 }  // namespace
 
 PlasticRecord record(const PlasticState& history) {
-  return {history.symmetry(), history.tensor(), history.fields(history.box())};
+  PlasticFields fields = history.fields(history.zones());
+  return {history.symmetry(),
+          history.tensor(),
+          history.origin(),
+          history.box(),
+          fields.zones.boxes(),
+          std::move(fields.strain),
+          std::move(fields.equivalent),
+          std::move(fields.backstress)};
 }
 
 std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Scene& scene,
                                            int body) {
-  const auto& [symmetry, tensor, fields] = record;
-  const Box& box = fields.box;
+  const auto& [symmetry, tensor, origin, box, zones, strain, equivalent, backstress] = record;
   require_that(is_one_of(symmetry), "mirrored must be 0, 1 or 2");
   require_that(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator,
                "tensor must be 0 or 1");
+  require_that(std::abs(static_cast<long>(origin)) < farthest, "origin is out of range");
   const Box part = stored_part(scene.grid, symmetry);
   require_that(is_across(box, scene.grid) && !box.empty() && box.nz > 0 &&
                    (symmetry == fft::Symmetry::none || box.j0 == part.j0) &&
                    (symmetry != fft::Symmetry::xy || box.i0 == part.i0),
                "the box of a plastic history is not in the grid");
-  const std::size_t cells = box.volume_size();
   const std::size_t terms = scene.materials[body].backstresses.size();
-  require_that(fields.strain.size() == operators::count(tensor) * cells &&
-                   fields.equivalent.size() == cells &&
-                   fields.backstress.size() == 5 * terms * cells,
-               "the arrays of a plastic history do not fit its box");
-  return std::make_shared<const PlasticState>(nullptr, symmetry, tensor, fields);
+  std::size_t cells = 0;
+  for (const Box& zone : zones) {
+    require_that(is_across(zone, scene.grid) && !zone.empty() && zone.nz > 0 && box.contains(zone),
+                 "the zones of a plastic history are not in its box");
+    cells += zone.volume_size();
+    require_that(cells <= equivalent.size(), no_fit);
+  }
+  require_that(cells > 0 && equivalent.size() == cells &&
+                   strain.size() == operators::count(tensor) * cells &&
+                   backstress.size() == 5 * terms * cells,
+               no_fit);
+  require_that(are_disjoint(zones), "the zones of a plastic history have cells in common");
+  return std::make_shared<const PlasticState>(
+      nullptr, symmetry, tensor, PlasticFields{Zones(zones), strain, equivalent, backstress}, box,
+      origin);
 }
 
 void require_consistent(const State& state) {
@@ -81,13 +102,19 @@ void require_consistent(const State& state) {
                "residual_method must be 0 or 1");
   require_that(is_one_of(state.past_symmetry), "past_symmetry must be 0, 1 or 2");
   for (int b = 0; b < 2; ++b) {
-    const Box& flow = state.flow_box[b];
-    require_that(is_across(flow, grid) && Box::whole(grid).contains(flow),
-                 "the box of plastic flow is not in the grid");
+    std::size_t cells = 0;
+    for (const Box& box : state.flow_boxes[b]) {
+      require_that(is_across(box, grid) && !box.empty() && Box::whole(grid).contains(box),
+                   "the boxes of plastic flow are not in the grid");
+      cells += box.surface_size();
+      require_that(cells <= grid.surface_size(), "the boxes of plastic flow have cells in common");
+    }
+    require_that(are_disjoint(state.flow_boxes[b]),
+                 "the boxes of plastic flow have cells in common");
     require_that(!state.softening[b] || state.softening[b]->size() == grid.volume_size(),
                  "the softening of a body does not fit the grid");
   }
-  if (state.last_flow) require_consistent(*state.last_flow, grid);
+  if (state.last_flow) require_consistent(*state.last_flow);
 }
 
 }  // namespace samcontact::simulation

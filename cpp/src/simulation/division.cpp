@@ -21,6 +21,7 @@ double increment_error(const State& one, const State& two) {
     for (std::size_t i = 0; i < a.size(); ++i) d = std::max(d, std::fabs(a[i] - b[i]));
     return d;
   };
+  const Grid& grid = two.scene().grid;
   const double p_max = largest(two.tractions.pressure);
   double error =
       p_max > 0 ? difference(one.tractions.pressure, two.tractions.pressure) / p_max : 0.0;
@@ -29,10 +30,15 @@ double increment_error(const State& one, const State& two) {
     const auto& material = two.scene().materials[b];
     const double yield_strain =
         material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
-    const Box box = one.flow_box[b].united(two.flow_box[b]);
-    const Field g = two.equivalent_plastic_strain(b, box);
-    error = std::max(error, difference(one.equivalent_plastic_strain(b, box), g) /
-                                std::max(largest(g), yield_strain));
+    const Box box = around(one.flow_boxes[b]).united(around(two.flow_boxes[b]));
+    const auto symmetry = common(one.plastic[b]->symmetry(), two.plastic[b]->symmetry());
+    const auto first = unfolded(one.plastic[b], grid, symmetry);
+    const auto second = unfolded(two.plastic[b], grid, symmetry);
+    const Zones zones = covering(first->zones(), second->zones(), part_of(box, grid, symmetry));
+    if (zones.empty()) continue;
+    const Field g = second->equivalent(zones);
+    error = std::max(error,
+                     difference(first->equivalent(zones), g) / std::max(largest(g), yield_strain));
   }
   return error;
 }
@@ -55,14 +61,16 @@ State extrapolated(const State& start, const State& once, const State& twice) {
     if (shared || !once.flowed[b] || !twice.flowed[b]) continue;
     const Grid& grid = start.scene().grid;
     const PlasticState& last = *twice.plastic[b];
-    const Box box = part_of(once.flow_box[b].united(twice.flow_box[b]), grid, last.symmetry());
-    const std::size_t cells = box.volume_size();
+    const Box whole = around(once.flow_boxes[b]).united(around(twice.flow_boxes[b]));
+    const Box box = part_of(whole, grid, last.symmetry());
+    const auto single = unfolded(once.plastic[b], grid, last.symmetry());
+    PlasticFields two = last.fields(covering(last.zones(), single->zones(), box));
+    const PlasticFields one = single->fields(two.zones);
+    const std::size_t cells = two.zones.cells();
     Field before(cells, 0.0);
     if (const auto earlier = unfolded(start.plastic[b], grid, last.symmetry())) {
-      before = earlier->equivalent(box);
+      before = earlier->equivalent(two.zones);
     }
-    const PlasticFields one = unfolded(once.plastic[b], grid, last.symmetry())->fields(box);
-    PlasticFields two = last.fields(box);
     for (std::size_t i = 0; i < cells; ++i) {
       const double correction = two.equivalent[i] - one.equivalent[i];
       if (std::fabs(correction) > 0.5 * (two.equivalent[i] - before[i])) continue;
@@ -75,7 +83,7 @@ State extrapolated(const State& start, const State& once, const State& twice) {
       }
     }
     state.plastic[b] =
-        std::make_shared<const PlasticState>(&last, last.symmetry(), last.tensor(), two);
+        std::make_shared<const PlasticState>(&last, last.symmetry(), last.tensor(), two, box);
   }
   return state;
 }

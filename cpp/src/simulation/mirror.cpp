@@ -83,6 +83,44 @@ Box part_of(const Box& whole, const Grid& grid, fft::Symmetry symmetry) {
   return out;
 }
 
+Box from_planes_on(const Box& box, const Grid& grid, fft::Symmetry symmetry) {
+  if (symmetry == fft::Symmetry::none || box.empty()) return box;
+  const Box part = stored_part(grid, symmetry);
+  const int i0 = symmetry == fft::Symmetry::xy ? part.i0 : box.i0;
+  return box.united({i0, part.j0, 1, 1, 0});
+}
+
+std::vector<Box> whole_boxes(const std::vector<Box>& stored, const Grid& grid,
+                             fft::Symmetry symmetry) {
+  const Box part = stored_part(grid, symmetry);
+  std::vector<Box> all;
+  for (Box box : stored) {
+    const Box whole = whole_box(box, grid, symmetry);
+    const bool beside_x = symmetry == fft::Symmetry::xy && box.i0 > part.i0;
+    const bool beside_y = symmetry != fft::Symmetry::none && box.j0 > part.j0;
+    if (!beside_x) box.i0 = whole.i0, box.nx = whole.nx;
+    if (!beside_y) box.j0 = whole.j0, box.ny = whole.ny;
+    all.push_back(box);
+    Box image = box;
+    image.i0 = whole.i0;
+    if (beside_x) all.push_back(image);
+    image.j0 = whole.j0;
+    if (beside_x && beside_y) all.push_back(image);
+    image.i0 = box.i0;
+    if (beside_y) all.push_back(image);
+  }
+  return all;
+}
+
+std::vector<Box> parts_of(const std::vector<Box>& whole, const Grid& grid, fft::Symmetry symmetry) {
+  std::vector<Box> parts;
+  for (const Box& box : whole) {
+    const Box part = part_of(box, grid, symmetry);
+    if (!part.empty()) parts.push_back(part);
+  }
+  return parts;
+}
+
 void unfold(const double* from, const Box& stored, fft::Symmetry had, bool odd_x, bool odd_y,
             double* to, const Box& box, const Grid& grid) {
   for (int i = 0; i < box.nx; ++i) {

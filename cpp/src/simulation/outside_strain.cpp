@@ -18,19 +18,19 @@ Box acting_box(const PlasticState& history, const Box& wanted, int reach) {
 }
 
 OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,
-                             const Box& box, operators::ResidualMethod method) {
-  if (!box.empty() && box.contains(history.box())) return {};
+                             const Zones& zones, operators::ResidualMethod method) {
+  if (!history.reaches_beyond(zones)) return {};
   const Grid& grid = scene.grid;
   const fft::Symmetry symmetry = history.symmetry();
   const Box part = stored_part(grid, symmetry);
   const Box around =
-      acting_box(history, Box{part.i0, part.j0, part.nx, 1, 1}.united(box), scene.reach);
+      acting_box(history, Box{part.i0, part.j0, part.nx, 1, 1}.united(zones.around()), scene.reach);
   Field strain = history.strain(around);
   const std::size_t cells = around.volume_size();
   const int components = operators::count(history.tensor());
-  const Field inside(box.volume_size(), 0.0);
+  const Field inside(zones.cells(), 0.0);
   for (int c = 0; c < components; ++c) {
-    if (!box.empty()) insert(inside.data(), box, strain.data() + c * cells, around);
+    copy_common(inside.data(), zones, strain.data() + c * cells, Zones({around}));
   }
   if (std::all_of(strain.begin(), strain.end(), [](double v) { return v == 0; })) return {};
 
@@ -46,16 +46,22 @@ OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& h
   Box surface = around;
   surface.nz = 1;
   extract(displacement.data(), surface, out.displacement.data(), out.surface);
-  if (box.empty()) return out;
+  if (zones.empty()) return out;
 
-  out.stress.resize(components * box.volume_size());
-  Box layer = box;
-  layer.nz = 1;
+  out.stress.resize(zones.count());
+  for (std::size_t zone = 0; zone < zones.count(); ++zone) {
+    out.stress[zone].resize(components * zones.boxes()[zone].volume_size());
+  }
   operators->for_each_layer(spectrum, strain.data(), nullptr, 1.0, [&](int k, const double* s) {
-    if (k >= box.nz) return;
-    for (int c = 0; c < components; ++c) {
-      extract(s + c * surface.surface_size(), surface,
-              out.stress.data() + (c * box.nz + k) * box.surface_size(), layer);
+    for (std::size_t zone = 0; zone < zones.count(); ++zone) {
+      const Box& box = zones.boxes()[zone];
+      if (k >= box.nz) continue;
+      Box layer = box;
+      layer.nz = 1;
+      for (int c = 0; c < components; ++c) {
+        extract(s + c * surface.surface_size(), surface,
+                out.stress[zone].data() + (c * box.nz + k) * box.surface_size(), layer);
+      }
     }
   });
   return out;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "samcontact/base/memory.hpp"
+#include "samcontact/simulation/box_volume.hpp"
 
 namespace samcontact::simulation {
 namespace {
@@ -20,14 +21,15 @@ constexpr double near = 0.9;
 /// docs/architecture.md has the parts.
 constexpr double fast_bytes = 950, exact_bytes = 1800;
 
-double bytes_of(const Box& box, operators::ResidualMethod method) {
+double bytes_of(const Zones& zones, operators::ResidualMethod method) {
   const bool exact = method == operators::ResidualMethod::exact;
-  return static_cast<double>(box.volume_size()) * (exact ? exact_bytes : fast_bytes);
+  return static_cast<double>(zones.around().volume_size()) * (exact ? exact_bytes : fast_bytes);
 }
 
-/// Before a box of the volume is taken instead of another one, which is given back.
-void require_memory_of(const Box& box, const Box& before, operators::ResidualMethod method) {
-  require_memory(bytes_of(box, method) - bytes_of(before, method),
+/// Before zones of the volume are taken instead of others, which are given back.
+void require_memory_of(const Zones& zones, const Zones& before, operators::ResidualMethod method) {
+  const Box& box = zones.around();
+  require_memory(bytes_of(zones, method) - bytes_of(before, method),
                  "the plastic zone, " + std::to_string(box.nx) + " x " + std::to_string(box.ny) +
                      " x " + std::to_string(box.nz) + " cells of the grid,");
 }
@@ -69,49 +71,57 @@ Box PlasticBody::near_yield(const YieldScan& scan, HeatOfIncrement& heat) const 
                                : scan.box(tractions(), sign(), limit);
 }
 
-void PlasticBody::set_box(const Box& box, const operators::Heating& heating,
-                          std::span<Source* const> sources, ActiveCells& active) {
-  require_memory_of(box, box_, method_);
+void PlasticBody::set_zones(const Zones& zones, const operators::Heating& heating,
+                            std::span<Source* const> sources, ActiveCells& active) {
+  require_memory_of(zones, zones_, method_);
   const int parts = operators::count(tensor_);
-  const std::size_t cells = box.volume_size();
+  const std::size_t cells = zones.cells();
   const std::size_t terms = material().backstresses.size();
-  PlasticFields fields = history_ ? history_->fields(box)
-                                  : PlasticFields{box, Field(parts * cells, 0.0), Field(cells, 0.0),
-                                                  Field(cells * 5 * terms, 0.0)};
-  // What is in the box by now includes the last guess.
-  for (int c = 0; c < parts && !box_.empty(); ++c) {
-    insert(strain_.data() + c * box_.volume_size(), box_, fields.strain.data() + c * cells, box);
+  PlasticFields fields = history_ ? history_->fields(zones)
+                                  : PlasticFields{zones, Field(parts * cells, 0.0),
+                                                  Field(cells, 0.0), Field(cells * 5 * terms, 0.0)};
+  // What is in the zones by now includes the last guess.
+  for (int c = 0; c < parts; ++c) {
+    copy_common(strain_.data() + c * zones_.cells(), zones_, fields.strain.data() + c * cells,
+                zones);
   }
   strain_ = std::move(fields.strain);
   equivalent_ = std::move(fields.equivalent);
   backstress_ = std::move(fields.backstress);
-  if (!box_.empty()) active.move(number_, box_, box);
+  active.move(number_, zones_, zones);
   active_.assign(cells, -1);
   for (std::size_t n = 0; n < active.size(); ++n) {
     if (active.cells[n].body == number_) active_[active.cells[n].cell] = static_cast<int>(n);
   }
-  box_ = box;
-  // The old ones first: the two together may not fit.
-  spectrum_.clear();
-  operators_.reset();
-  operators_ = scene_.volume(index_, choice_.whole(box), tensor_, method_, symmetry_, heating);
-  spectrum_.push_back(operators_->make_spectrum());
-  given_stress_.clear();
-  for (Source* source : sources) source->stress(index_, box, tensor_, given_stress_);
+  zones_ = zones;
+  // The old one first: the two together may not fit.
+  volume_.reset();
+  if (!zones_.empty()) {
+    volume_ =
+        std::make_unique<BoxVolume>(scene_, index_, zones_, tensor_, method_, symmetry_, heating);
+  }
+  given_stress_.assign(zones_.count(), {});
+  for (Source* source : sources) {
+    for (std::size_t zone = 0; zone < zones_.count(); ++zone) {
+      source->stress(index_, zones_.boxes()[zone], tensor_, given_stress_[zone]);
+    }
+  }
   if (!history_) return;
-  outside_ = outside_strain(scene_, index_, *history_, box, method_);
-  add_to(given_stress_, std::move(outside_.stress));
+  outside_ = outside_strain(scene_, index_, *history_, zones_, method_);
+  for (std::size_t zone = 0; zone < outside_.stress.size(); ++zone) {
+    add_to(given_stress_[zone], std::move(outside_.stress[zone]));
+  }
 }
 
 void PlasticBody::set_strain(std::uint32_t cell, const plasticity::Tensor& strain) {
   const auto places = operators::components(tensor_);
-  const std::size_t cells = box_.volume_size();
+  const std::size_t cells = zones_.cells();
   for (std::size_t c = 0; c < places.size(); ++c) strain_[c * cells + cell] = strain[places[c]];
 }
 
 void PlasticBody::transform(bool active) {
-  strained_ = (strained_ || active) && !box_.empty();
-  if (strained_) operators::forward(operators_->transform(), strain_.data(), spectrum_[0]);
+  strained_ = (strained_ || active) && volume_;
+  if (strained_) volume_->transform(strain_);
 }
 
 void PlasticBody::open(Field& gap) {
@@ -121,10 +131,11 @@ void PlasticBody::open(Field& gap) {
     rim_displacement_ += largest_at_rim(outside_.surface, outside_.displacement, false);
   }
   if (!strained_) return;
-  Field displacement(box_.surface_size());
-  operators_->residual_displacement().apply(spectrum_[0], displacement.data());
-  open(box_, displacement, gap);
-  rim_displacement_ += largest_at_rim(box_, displacement, true);
+  const Box& surface = volume_->surface();
+  Field displacement(surface.surface_size());
+  volume_->displacement(displacement.data());
+  open(surface, displacement, gap);
+  rim_displacement_ += largest_at_rim(surface, displacement, true);
 }
 
 /// A surface field of the body, on a box from the mirror planes on.
@@ -167,7 +178,7 @@ double PlasticBody::largest_at_rim(const Box& box, const Field& displacement, bo
 bool PlasticBody::may_touch_outside(const Field& gap, double reach) const {
   if (rim_displacement_ == 0) return false;
   const Grid& grid = scene_.grid;
-  const Box whole = choice_.whole(box_);
+  const Box whole = surface();
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
       const bool inside =
@@ -188,70 +199,64 @@ void PlasticBody::soften(std::shared_ptr<const Field> factor) {
   if (softening_) weakest_ = *std::min_element(softening_->begin(), softening_->end());
 }
 
-std::size_t PlasticBody::grid_cell(std::uint32_t cell) const {
-  const std::size_t j = cell % box_.ny, ki = cell / box_.ny, i = ki % box_.nx, k = ki / box_.nx;
-  const Grid& grid = scene_.grid;
-  return (k * grid.nx + box_.i0 + i) * grid.ny + box_.j0 + j;
-}
-
-std::ptrdiff_t PlasticBody::box_cell(std::size_t grid_cell) const {
-  const Grid& grid = scene_.grid;
-  const int j = static_cast<int>(grid_cell % grid.ny) - box_.j0;
-  const int i = static_cast<int>(grid_cell / grid.ny % grid.nx) - box_.i0;
-  const int k = static_cast<int>(grid_cell / grid.ny / grid.nx);
-  if (i < 0 || i >= box_.nx || j < 0 || j >= box_.ny || k >= box_.nz) return -1;
-  return (static_cast<std::ptrdiff_t>(k) * box_.nx + i) * box_.ny + j;
-}
-
 void PlasticBody::activate(std::uint32_t cell, const plasticity::Tensor& deviator,
                            ActiveCells& active) {
   active_[cell] = static_cast<int>(active.size());
   plasticity::Tensor before{};
   const auto places = operators::components(tensor_);
   for (std::size_t c = 0; c < places.size(); ++c) {
-    before[places[c]] = strain_[c * box_.volume_size() + cell];
+    before[places[c]] = strain_[c * zones_.cells() + cell];
   }
   if (tensor_ == Tensor::deviator) before[2] = -(before[0] + before[1]);
   active.append({number_, cell}, before, deviator);
 }
 
 double PlasticBody::find_stress(ActiveCells& active) {
-  auto& spectrum = spectrum_[0];
-  if (!strained_) std::fill(spectrum.data.begin(), spectrum.data.end(), 0.0);
   const double first = material().hardening.yield_stress(0.0), bound = first * first / 3;
   const Limits limits{bound, bound * weakest_ * weakest_};
-  const std::size_t parts = operators::count(tensor_), plane = box_.surface_size();
-  std::vector<std::vector<Found>> found(box_.nz);
-  std::vector<double> largest(box_.nz, 0.0);
-  const auto look = [&](int k, const double* layer) {
-    Field sum;
-    if (!given_stress_.empty()) {
-      sum.assign(layer, layer + parts * plane);
-      for (std::size_t c = 0; c < parts; ++c) {
-        const double* given = given_stress_.data() + (c * box_.nz + k) * plane;
-        for (std::size_t i = 0; i < plane; ++i) sum[c * plane + i] += given[i];
-      }
-      layer = sum.data();
-    }
-    largest[k] = look_at_layer(k, layer, limits, active, found[k]);
+  std::vector<std::vector<Seen>> seen;  // by zone and layer
+  for (const Box& box : zones_.boxes()) seen.emplace_back(box.nz);
+  const auto look = [&](std::size_t zone, int k, const double* layer) {
+    const Field sum = with_given_stress(zone, k, layer);
+    const std::size_t plane = zones_.boxes()[zone].surface_size();
+    seen[zone][k] = look_at_layer(zones_.first(zone) + k * plane, plane,
+                                  sum.empty() ? layer : sum.data(), limits, active);
   };
-  const operators::Tractions here = window(tractions(), scene_.grid, box_);
-  operators_->for_each_layer(spectrum, strained_ ? strain_.data() : nullptr, &here, sign(), look);
-  for (const auto& layer : found) {
-    for (const auto& [cell, deviator] : layer) activate(cell, deviator, active);
+  volume_->for_each_layer(strained_, strain_, tractions(), sign(), look);
+  double largest = 0.0;
+  for (const auto& layers : seen) {
+    for (const Seen& layer : layers) {
+      largest = std::max(largest, layer.largest);
+      for (const auto& [cell, deviator] : layer.yielding) activate(cell, deviator, active);
+    }
   }
-  return 1 - std::sqrt(*std::max_element(largest.begin(), largest.end()));
+  return 1 - std::sqrt(largest);
 }
 
-double PlasticBody::look_at_layer(int k, const double* layer, const Limits& limits,
-                                  ActiveCells& active, std::vector<Found>& found) const {
-  const std::size_t plane = box_.surface_size(), cells = box_.volume_size();
+Field PlasticBody::with_given_stress(std::size_t zone, int k, const double* layer) const {
+  const Field& given = given_stress_[zone];
+  if (given.empty()) return {};
+  const Box& box = zones_.boxes()[zone];
+  const std::size_t parts = operators::count(tensor_), plane = box.surface_size();
+  Field sum(layer, layer + parts * plane);
+  for (std::size_t c = 0; c < parts; ++c) {
+    const double* more = given.data() + (c * box.nz + k) * plane;
+    for (std::size_t i = 0; i < plane; ++i) sum[c * plane + i] += more[i];
+  }
+  return sum;
+}
+
+PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plane,
+                                             const double* layer, const Limits& limits,
+                                             ActiveCells& active) const {
+  const std::size_t cells = zones_.cells();
   const bool deviator = tensor_ == Tensor::deviator, kinematic = !backstress_.empty();
   const double* s[6];
   for (int c = 0; c < 6; ++c) s[c] = layer + (deviator ? (c < 3 ? c : c - 1) : c) * plane;
+  Seen seen;
   double highest = 0.0;
   for (std::size_t i = 0; i < plane; ++i) {
-    const std::size_t cell = k * plane + i;
+    const std::size_t cell = first + i;
     double xx = s[0][i], yy = s[1][i];
     if (!deviator) {
       const double mean = (xx + yy + s[2][i]) / 3;
@@ -275,21 +280,29 @@ double PlasticBody::look_at_layer(int k, const double* layer, const Limits& limi
     if (number >= 0) {
       active.stress[number] = t;
     } else {
-      found.emplace_back(static_cast<std::uint32_t>(cell), t);
+      seen.yielding.emplace_back(static_cast<std::uint32_t>(cell), t);
     }
   }
-  return highest;
+  seen.largest = highest;
+  return seen;
 }
 
 double PlasticBody::yield_limit(std::uint32_t cell) const {
   double yield_stress = material().hardening.yield_stress(equivalent_[cell]);
-  if (softening_) yield_stress *= (*softening_)[grid_cell(cell)];
+  if (softening_) yield_stress *= softened(cell);
   return yield_stress * yield_stress / 3;
+}
+
+double PlasticBody::softened(std::uint32_t cell) const {
+  if (!softening_) return 1.0;
+  const Cell at = zones_.cell(cell);
+  const Grid& grid = scene_.grid;
+  return (*softening_)[(static_cast<std::size_t>(at.k) * grid.nx + at.i) * grid.ny + at.j];
 }
 
 std::span<const plasticity::Tensor> PlasticBody::backstresses(std::uint32_t cell,
                                                               plasticity::Tensors& place) const {
-  const std::size_t cells = box_.volume_size(), terms = backstress_.size() / (5 * cells);
+  const std::size_t cells = zones_.cells(), terms = backstress_.size() / (5 * cells);
   for (std::size_t n = 0; n < terms; ++n) {
     const double* x = backstress_.data() + 5 * n * cells + cell;
     place[n] = {x[0], x[cells], -(x[0] + x[cells]), x[2 * cells], x[3 * cells], x[4 * cells]};
@@ -301,8 +314,7 @@ plasticity::Return PlasticBody::return_map(std::uint32_t cell, const plasticity:
                                            const plasticity::Tensor& guess) const {
   plasticity::Tensors place;
   return plasticity::radial_return(deviator, guess, equivalent_[cell], material(),
-                                   backstresses(cell, place),
-                                   softening_ ? (*softening_)[grid_cell(cell)] : 1.0);
+                                   backstresses(cell, place), softened(cell));
 }
 
 double PlasticBody::strain_at_yield() const {
@@ -322,15 +334,16 @@ void PlasticBody::flow(std::uint32_t cell, const plasticity::Tensor& increment, 
     const auto x = plasticity::advanced(before, *law++, increment, equivalent);
     for (const int c : operators::components(Tensor::deviator)) {
       backstress_[to] = x[c];
-      to += box_.volume_size();
+      to += zones_.cells();
     }
   }
 }
 
 std::shared_ptr<const PlasticState> PlasticBody::finish() {
-  const PlasticFields fields{box_, std::move(strain_), std::move(equivalent_),
+  const Box box = from_planes_on(zones_.around(), scene_.grid, symmetry_);
+  const PlasticFields fields{std::move(zones_), std::move(strain_), std::move(equivalent_),
                              std::move(backstress_)};
-  return std::make_shared<const PlasticState>(history_.get(), symmetry_, tensor_, fields);
+  return std::make_shared<const PlasticState>(history_.get(), symmetry_, tensor_, fields, box);
 }
 
 }  // namespace samcontact::simulation

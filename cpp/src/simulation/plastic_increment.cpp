@@ -19,10 +19,9 @@ using operators::Tensor;
 constexpr double negligible_flow = 1e-4;
 
 /// share: of a cell's flow in the largest strain of its body. Mirror planes lie inside.
-BorderFlow flow_at_border(const Grid& grid, std::size_t cell, double share) {
+BorderFlow flow_at_border(const Grid& grid, const Cell& cell, double share) {
   if (share <= negligible_flow) return {};
-  const int j = static_cast<int>(cell % grid.ny), i = static_cast<int>(cell / grid.ny % grid.nx);
-  const int k = static_cast<int>(cell / grid.ny / grid.nx);
+  const auto [i, j, k] = cell;
   if (k == grid.nz - 1) return {.bottom = share};
   const bool at_x = grid.period.x == 0 && (i == 0 || i == grid.nx - 1);
   const bool at_y = grid.period.y == 0 && (j == 0 || j == grid.ny - 1);
@@ -90,12 +89,12 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
   }
   for (PlasticBody& body : bodies_) {
     if (!body.has_history()) continue;
-    set_box(body, part_of(from.flow_box[body.index()], scene_.grid, symmetry_));
+    set_zones(body, Zones(parts_of(from.flow_boxes[body.index()], scene_.grid, symmetry_)));
   }
 }
 
-void PlasticIncrement::set_box(PlasticBody& body, const Box& box) {
-  body.set_box(box, target_.heating[body.index()], sources_, active_);
+void PlasticIncrement::set_zones(PlasticBody& body, const Zones& zones) {
+  body.set_zones(zones, target_.heating[body.index()], sources_, active_);
 }
 
 void PlasticIncrement::scatter(const Field& guess) {
@@ -153,7 +152,8 @@ bool PlasticIncrement::fit_boxes(const Field& gap) {
   bool grown = false;
   for (PlasticBody& body : bodies_) {
     const Box window = window_of(body.tractions(), grid);
-    const Box now = body.box().empty() ? Box{} : choice_.whole(body.box());
+    const Box& before = body.zones().around();
+    const Box now = before.empty() ? Box{} : choice_.whole(before);
     Box needed = now;
     if (!scanned_) {
       const Box near = body.near_yield(*scans_[body.index()], heat_);
@@ -163,8 +163,9 @@ bool PlasticIncrement::fit_boxes(const Field& gap) {
     // The stress is that of the tractions over the box: it must hold all of them.
     needed = needed.united(window);
     if (touches) needed = needed.united({0, 0, grid.nx, grid.ny, needed.nz});
-    if (!now.empty() && now.contains(needed)) continue;
-    set_box(body, choice_.fitted(needed.united(choice_.with_margin(window)), body.box()));
+    if (body.zones().count() == 1 && now.contains(needed)) continue;
+    const Box margin = choice_.with_margin(window);
+    set_zones(body, Zones({choice_.fitted(needed.united(margin), before)}));
     grown = true;
   }
   scanned_ = true;
@@ -175,16 +176,17 @@ bool PlasticIncrement::grow_at_rim() {
   bool grown = false;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     PlasticBody& body = bodies_[b];
-    const Box box = body.box();
+    const Box box = body.zones().around();
     if (box.empty()) continue;
     Box needed = box;
     for (std::size_t n = 0; n < active_.size(); ++n) {
       if (active_.cells[n].body != b || active_.equivalent[n] == 0) continue;
-      needed = needed.united(choice_.rim_of(box, active_.cells[n].cell));
+      const Cell cell = body.zones().cell(active_.cells[n].cell);
+      needed = needed.united(choice_.rim_of(box, cell));
     }
     needed = choice_.stored(needed);
     if (box.contains(needed)) continue;
-    set_box(body, choice_.fitted(choice_.whole(needed), box));
+    set_zones(body, Zones({choice_.fitted(choice_.whole(needed), box)}));
     grown = true;
   }
   return grown;
@@ -234,7 +236,7 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
     for (PlasticBody& body : bodies_) body.transform(false);
   }
   for (PlasticBody& body : bodies_) {
-    if (body.box().empty()) continue;
+    if (body.zones().empty()) continue;
     result.headroom = std::min(result.headroom, body.find_stress(active_));
   }
   guess.resize(active_.size() * active_.components(), 0.0);
@@ -273,7 +275,7 @@ Field PlasticIncrement::first_guess() {
     const auto& flow = from_.last_flow->bodies[body.index()];
     if (flow.strain.size() != parts * flow.cells.size()) return {};
     for (std::size_t n = 0; n < flow.cells.size(); ++n) {
-      const std::ptrdiff_t cell = body.box_cell(flow.cells[n]);
+      const std::ptrdiff_t cell = body.zones().number(flow.cells[n]);
       if (cell < 0) continue;
       body.activate(static_cast<std::uint32_t>(cell), {}, active_);
       for (std::size_t c = 0; c < parts; ++c) guess.push_back(ratio * flow.strain[n * parts + c]);
@@ -293,7 +295,7 @@ void PlasticIncrement::remember_flow(State& state, const Field& mapped) const {
     if (active_.equivalent[n] == 0) continue;
     const PlasticBody& body = bodies_[active_.cells[n].body];
     auto& kept = flow->bodies[body.index()];
-    kept.cells.push_back(static_cast<std::uint32_t>(body.grid_cell(active_.cells[n].cell)));
+    kept.cells.push_back(body.zones().cell(active_.cells[n].cell));
     for (std::size_t c = 0; c < parts; ++c) kept.strain.push_back(mapped[n * parts + c]);
   }
   if (flow->bodies[0].cells.empty() && flow->bodies[1].cells.empty()) return;
@@ -317,18 +319,18 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
     const double equivalent = active_.equivalent[n];
     state.flowed[i] = true;
     state.border_flow[i] = state.border_flow[i].united(
-        flow_at_border(scene_.grid, body.grid_cell(cell), equivalent / largest));
+        flow_at_border(scene_.grid, body.zones().cell(cell), equivalent / largest));
     body.flow(cell, active_.get(mapped, n), equivalent);
   });
   state.softening[i] = body.softening();
   if (state.flowed[i]) {
+    state.flow_boxes[i] = whole_boxes(body.zones().boxes(), scene_.grid, symmetry_);
     state.plastic[i] = body.finish();
-    state.flow_box[i] = choice_.whole(body.box());
   }
   if (body.copies() == 1) return;
   state.softening[0] = state.softening[i];
   state.plastic[0] = state.plastic[i];
-  state.flow_box[0] = state.flow_box[i];
+  state.flow_boxes[0] = state.flow_boxes[i];
   state.flowed[0] = state.flowed[i];
   state.border_flow[0] = state.border_flow[i];
 }
@@ -351,10 +353,8 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   scatter(mapped);
   for (std::size_t b = 0; b < bodies_.size(); ++b) finish(b, mapped, state);
   if (!target_.is_prescribed()) {
-    Box whole = Box::whole(scene_.grid);
     const bool known = std::all_of(bodies_.begin(), bodies_.end(), [&](const PlasticBody& body) {
-      whole.nz = body.box().nz;
-      return !state.plastic[body.index()] || choice_.whole(body.box()) == whole;
+      return !state.plastic[body.index()] || body.surface() == Box::surface(scene_.grid);
     });
     if (known) state.contact_gap = result.contact.gap;
   }

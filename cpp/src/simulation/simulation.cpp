@@ -189,21 +189,23 @@ void Simulation::set_plastic_state(int body, int first_row, int rows, const Fiel
       trace <= 1e-12 * largest ? operators::Tensor::deviator : operators::Tensor::full;
   const auto cut = [&](const double* from, double* to) { extract(from, whole, to, box); };
   const auto places = operators::components(tensor);
-  PlasticFields fields{box, Field(places.size() * box.volume_size()), Field(box.volume_size(), 0.0),
-                       Field(5 * laws.size() * box.volume_size(), 0.0)};
+  PlasticRecord record{.tensor = tensor, .box = box, .zones = {box}};
+  record.strain.resize(places.size() * box.volume_size());
+  record.equivalent.resize(box.volume_size());
+  record.backstress.resize(5 * laws.size() * box.volume_size());
   for (std::size_t c = 0; c < places.size(); ++c) {
-    cut(strain.data() + places[c] * cells, fields.strain.data() + c * box.volume_size());
+    cut(strain.data() + places[c] * cells, record.strain.data() + c * box.volume_size());
   }
-  if (!equivalent.empty()) cut(equivalent.data(), fields.equivalent.data());
+  if (!equivalent.empty()) cut(equivalent.data(), record.equivalent.data());
   if (!backstress.empty()) {
     const auto five = operators::components(operators::Tensor::deviator);
     for (std::size_t c = 0; c < 5 * laws.size(); ++c) {
       cut(backstress.data() + (c / 5 * 6 + five[c % 5]) * cells,
-          fields.backstress.data() + c * box.volume_size());
+          record.backstress.data() + c * box.volume_size());
     }
   }
-  state_.plastic[body] = remade({fft::Symmetry::none, tensor, std::move(fields)}, *scene_, body);
-  state_.flow_box[body] = box.intersected(Box::whole(scene_->grid));
+  state_.plastic[body] = remade(record, *scene_, body);
+  state_.flow_boxes[body] = {box.intersected(Box::whole(scene_->grid))};
 }
 
 void Simulation::restore(const State& state, const Counters& counters) {

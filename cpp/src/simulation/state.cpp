@@ -143,9 +143,11 @@ operators::Tractions State::tractions_on(int body) const {
   return seen_from_body(tractions, scene_->grid, placement().offset[body]);
 }
 
-bool State::has_moved(int body) const {
+bool State::is_elsewhere(int body) const {
   const auto& history = plastic[body];
-  return history && flow_box[body] != whole_box(history->box(), scene_->grid, history->symmetry());
+  if (!history) return false;
+  const Box whole = whole_box(history->box(), scene_->grid, history->symmetry());
+  return flow_boxes[body] != std::vector{whole};
 }
 
 Field State::total_stress(int body, bool with_tractions) const {
@@ -160,7 +162,7 @@ Field State::total_stress(int body, bool with_tractions) const {
     return scene_->volume(body, whole, Tensor::full, method, fft::Symmetry::none, heat)
         ->stress(nullptr, &loads, sign);
   };
-  if (has_moved(body)) {
+  if (is_elsewhere(body)) {
     Field out = residual_stress(body, whole);
     if (with_tractions) add(of_tractions(), out);
     return out;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "samcontact/base/aligned.hpp"
-#include "samcontact/base/box.hpp"
 #include "samcontact/operators/volume_spectrum.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
+#include "samcontact/simulation/zones.hpp"
 
 namespace samcontact::simulation {
 
@@ -17,7 +17,7 @@ class ActiveCells {
  public:
   struct Cell {
     std::uint8_t body;   // index among the inelastic bodies
-    std::uint32_t cell;  // [k][i][j] of that body's box
+    std::uint32_t cell;  // number in that body's zones
   };
   std::vector<Cell> cells;
   std::vector<plasticity::Tensor> stress;  // deviator, of the last evaluation
@@ -31,8 +31,8 @@ class ActiveCells {
 
   void append(const Cell& cell, const plasticity::Tensor& strain_before,
               const plasticity::Tensor& deviator);
-  /// After a body's box has grown.
-  void move(std::uint8_t body, const Box& from, const Box& to);
+  /// Into other zones of a body, which hold all of its unknowns.
+  void move(std::uint8_t body, const Zones& from, const Zones& to);
 
   /// All six components of unknown number n.
   plasticity::Tensor get(const Field& unknown, std::size_t n) const;

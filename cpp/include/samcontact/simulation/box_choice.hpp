@@ -5,6 +5,7 @@
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/simulation/mirror.hpp"
+#include "samcontact/simulation/zones.hpp"
 
 namespace samcontact::simulation {
 
@@ -17,9 +18,8 @@ class BoxChoice {
   Box with_margin(const Box& box) const { return box.widened(2, grid_); }
   /// A stored box for what is needed, instead of the stored box `before`, which may be empty.
   Box fitted(const Box& needed, const Box& before) const;
-  /// What a stored box must hold besides itself where some cells of its rim flow, [k][i][j] of it;
-  /// stored.
-  Box rim_of(const Box& box, std::uint32_t cell) const;
+  /// What a stored box must hold besides itself where some cells of its rim flow; stored.
+  Box rim_of(const Box& box, const Cell& cell) const;
   /// Part from the mirror planes on of a box that was widened.
   Box stored(Box box) const;
 

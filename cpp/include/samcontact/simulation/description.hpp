@@ -14,11 +14,14 @@
 
 namespace samcontact::simulation {
 
-/// A plastic history in plain fields.
+/// A plastic history in plain fields, of its zones.
 struct PlasticRecord {
   fft::Symmetry symmetry{};
   operators::Tensor tensor{};
-  PlasticFields fields;
+  int origin = 0;
+  Box box;
+  std::vector<Box> zones;
+  Field strain{}, equivalent{}, backstress{};
 };
 
 PlasticRecord record(const PlasticState& history);
@@ -49,12 +52,14 @@ void describe(C& c, Visitor& visit) {
 
 template <Is<PlasticRecord> R, class Visitor>
 void describe(R& r, Visitor& visit) {
-  visit("box", r.fields.box);
+  visit("origin", r.origin);
+  visit("box", r.box);
+  visit("zones", r.zones);
   visit("mirrored", r.symmetry);
   visit("tensor", r.tensor);
-  visit("strain", r.fields.strain);
-  visit("equivalent", r.fields.equivalent);
-  visit("backstress", r.fields.backstress);
+  visit("strain", r.strain);
+  visit("equivalent", r.equivalent);
+  visit("backstress", r.backstress);
 }
 
 template <Is<Flow> F, class Visitor>
@@ -93,7 +98,7 @@ void describe(S& s, Visitor& visit) {
   for (int b = 0; b < 2; ++b) {
     const std::string number = std::to_string(b + 1);
     visit("heat_factor" + number, s.heating[b].factor);
-    visit("flow_box" + number, s.flow_box[b]);
+    visit("flow_boxes" + number, s.flow_boxes[b]);
     visit.made("softening" + number, s.softening[b], as_it_is, copied);
     visit.made("history" + number, s.plastic[b], record,
                [&](const PlasticRecord& plain) { return remade(plain, s.scene(), b); });

@@ -2,6 +2,8 @@
 // Mirror planes of fields, and the part of a grid from them on.
 #pragma once
 
+#include <vector>
+
 #include "samcontact/base/box.hpp"
 #include "samcontact/operators/heating.hpp"
 #include "samcontact/operators/volume_operators.hpp"
@@ -23,6 +25,14 @@ Box whole_box(const Box& stored, const Grid& grid, fft::Symmetry symmetry);
 
 /// The part of a whole box from the mirror planes on.
 Box part_of(const Box& whole, const Grid& grid, fft::Symmetry symmetry);
+
+/// The smallest box from the mirror planes on that holds one beyond them.
+Box from_planes_on(const Box& box, const Grid& grid, fft::Symmetry symmetry);
+/// The whole boxes of several: one that lies off a plane has an image beside it.
+std::vector<Box> whole_boxes(const std::vector<Box>& stored, const Grid& grid,
+                             fft::Symmetry symmetry);
+/// The reverse; what has no cells is left out.
+std::vector<Box> parts_of(const std::vector<Box>& whole, const Grid& grid, fft::Symmetry symmetry);
 
 /// One plane, given from the mirror planes on, in a box with fewer of them; odd: so is the field
 /// about x = 0 or y = 0.

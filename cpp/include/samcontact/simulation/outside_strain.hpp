@@ -2,6 +2,8 @@
 // The plastic strain that a moving contact leaves beside it: what it still does.
 #pragma once
 
+#include <vector>
+
 #include "samcontact/simulation/plastic_state.hpp"
 #include "samcontact/simulation/scene.hpp"
 
@@ -11,15 +13,15 @@ namespace samcontact::simulation {
 /// few values, so that operators on it can be kept.
 Box acting_box(const PlasticState& history, const Box& wanted, int reach);
 
-/// What the strain outside of a box does in it, and to the surface.
+/// What the strain outside of zones does in them, and to the surface.
 struct OutsideStrain {
-  Box surface;         // where the displacement is known: all of the grid along x
-  Field displacement;  // [i][j] of that; empty: nothing acts
-  Field stress;        // [component][k][i][j] of the box
+  Box surface;                // where the displacement is known: all of the grid along x
+  Field displacement;         // [i][j] of that; empty: nothing acts
+  std::vector<Field> stress;  // by zone, [component][k][i][j] of its box; none: nothing acts
 };
 
-/// box: within the grid, from the mirror planes of the history on.
+/// zones: within the grid, from the mirror planes of the history on.
 OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,
-                             const Box& box, operators::ResidualMethod method);
+                             const Zones& zones, operators::ResidualMethod method);
 
 }  // namespace samcontact::simulation

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An inelastic body in an increment: the box that holds its plastic strain and every cell that may
+// An inelastic body in an increment: the zones that hold its plastic strain and every cell that may
 // flow, what the strain does there, and the return to the yield surface.
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "samcontact/simulation/source.hpp"
 #include "samcontact/simulation/state.hpp"
 #include "samcontact/simulation/yield_scan.hpp"
+#include "samcontact/simulation/zone_volume.hpp"
 
 namespace samcontact::simulation {
 
@@ -30,7 +32,9 @@ class PlasticBody {
   operators::Tensor tensor() const { return tensor_; }
   bool has_history() const { return history_ != nullptr; }
   /// Stored: from the mirror planes on.
-  const Box& box() const { return box_; }
+  const Zones& zones() const { return zones_; }
+  /// Where its residual displacement is known, one layer.
+  Box surface() const { return volume_ ? choice_.whole(volume_->surface()) : Box{}; }
   bool strained() const { return strained_; }
   /// What acts on it, in its own cells.
   const operators::Tractions& tractions() const { return offset_ != 0 ? seen_ : *tractions_; }
@@ -38,18 +42,18 @@ class PlasticBody {
   /// The box of all cells where the tractions alone come near yielding; before there is a strain.
   Box near_yield(const YieldScan& scan, HeatOfIncrement& heat) const;
 
-  /// Another box: what is in both stays. Throws MemoryError.
-  void set_box(const Box& box, const operators::Heating& heating, std::span<Source* const> sources,
-               ActiveCells& active);
+  /// Other zones, which hold all unknowns: what is in both stays. Throws MemoryError.
+  void set_zones(const Zones& zones, const operators::Heating& heating,
+                 std::span<Source* const> sources, ActiveCells& active);
 
-  /// The unknowns of its cells are in the box from now on.
+  /// Of a cell, with its unknowns; transformed next.
   void set_strain(std::uint32_t cell, const plasticity::Tensor& strain);
   /// Transforms the strain. active: whether the increment has unknowns.
   void transform(bool active);
   /// Adds what its plastic strain opens to the gap.
   void open(Field& gap);
-  /// Whether its residual displacement, which is known over the box only, could close the gap
-  /// somewhere else, where all bodies displace by no more than `reach` [m].
+  /// Whether its residual displacement could close the gap where it is not known, and where all
+  /// bodies displace by no more than `reach` [m].
   bool may_touch_outside(const Field& gap, double reach) const;
   /// Largest residual displacement at the rim of its window [m], of all copies.
   double rim_displacement() const { return copies_ * rim_displacement_; }
@@ -67,11 +71,6 @@ class PlasticBody {
   plasticity::Return return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
                                 const plasticity::Tensor& guess) const;
 
-  /// The place of a cell of the box in fields of the whole grid.
-  std::size_t grid_cell(std::uint32_t cell) const;
-  /// And back; -1 outside.
-  std::ptrdiff_t box_cell(std::size_t grid_cell) const;
-
   /// Yield stress / 3 G.
   double strain_at_yield() const;
   /// That, or the largest accumulated strain before the increment.
@@ -82,7 +81,12 @@ class PlasticBody {
   std::shared_ptr<const PlasticState> finish();
 
  private:
-  using Found = std::pair<std::uint32_t, plasticity::Tensor>;
+  /// What a look at a layer finds: cells that yield and were not active, and the largest square of
+  /// a von Mises stress over its limit of those that are not.
+  struct Seen {
+    std::vector<std::pair<std::uint32_t, plasticity::Tensor>> yielding;
+    double largest = 0.0;
+  };
   /// Squares of von Mises stresses, over 3.
   struct Limits {
     double first, weakest;
@@ -91,11 +95,14 @@ class PlasticBody {
   const plasticity::Material& material() const { return scene_.materials[index_]; }
   void open(const Box& box, const Field& displacement, Field& gap) const;
   double largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const;
-  /// The square of the von Mises stress over its limit, at most, of a layer's cells that are not
-  /// active.
-  double look_at_layer(int k, const double* layer, const Limits& limits, ActiveCells& active,
-                       std::vector<Found>& found) const;
+  /// first: the number of its first cell; plane: how many it has.
+  Seen look_at_layer(std::size_t first, std::size_t plane, const double* layer,
+                     const Limits& limits, ActiveCells& active) const;
+  /// Adds what else stresses a layer.
+  Field with_given_stress(std::size_t zone, int k, const double* layer) const;
   double yield_limit(std::uint32_t cell) const;
+  /// Factor of the yield stress.
+  double softened(std::uint32_t cell) const;
   /// Before the increment, into the first places; how many.
   std::span<const plasticity::Tensor> backstresses(std::uint32_t cell,
                                                    plasticity::Tensors& place) const;
@@ -109,18 +116,17 @@ class PlasticBody {
   BoxChoice choice_;
   std::shared_ptr<const PlasticState> history_;  // before the increment; null: none
   operators::Tensor tensor_ = operators::Tensor::deviator;
-  Box box_;
-  Scene::Operators operators_;
-  std::vector<operators::VolumeSpectrum> spectrum_;  // one, or none without a box
-  Field strain_;                                     // before the increment plus the last guess
-  Field equivalent_;                                 // before the increment
-  Field backstress_;         // before the increment, [term][component][cell]
-  std::vector<int> active_;  // per cell: its place among the active ones, or -1
+  Zones zones_;
+  std::unique_ptr<ZoneVolume> volume_;  // null: no zones
+  Field strain_;                        // before the increment plus the last guess
+  Field equivalent_;                    // before the increment
+  Field backstress_;                    // before the increment, [term][component][cell]
+  std::vector<int> active_;             // per cell: its place among the active ones, or -1
   bool strained_ = false;
   double rim_displacement_ = 0.0;
-  OutsideStrain outside_;  // what the history outside of the box does
-  Field given_stress_;     // of all but tractions and the strain in the box
-  double offset_ = 0.0;    // of its cells from the grid's, see Placement
+  OutsideStrain outside_;            // what the history outside of the zones does
+  std::vector<Field> given_stress_;  // by zone, of all but tractions and the strain in the zones
+  double offset_ = 0.0;              // of its cells from the grid's, see Placement
   const operators::Tractions* tractions_ = nullptr;
   operators::Tractions seen_;  // from cells at an offset
   std::shared_ptr<const Field> softening_;

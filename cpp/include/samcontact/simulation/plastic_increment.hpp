@@ -67,7 +67,7 @@ class PlasticIncrement {
   bool twins() const;
   /// Whether the last increment was a part of the same steady motion; by what part of it.
   double part_of_last_motion() const;
-  void set_box(PlasticBody& body, const Box& box);
+  void set_zones(PlasticBody& body, const Zones& zones);
   void scatter(const Field& guess);
   contact::Solution solve_contact(const Field& gap, double tol);
   /// Once, when the first contact tells how hot the bodies are.

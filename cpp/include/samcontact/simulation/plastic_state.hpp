@@ -2,6 +2,7 @@
 // Plastic history of one body.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -9,36 +10,47 @@
 #include "samcontact/base/grid.hpp"
 #include "samcontact/operators/volume_spectrum.hpp"
 #include "samcontact/simulation/mirror.hpp"
+#include "samcontact/simulation/zones.hpp"
 
 namespace samcontact::simulation {
 
-/// Fields of a box, [..][k][i][j]: strain by component, equivalent plastic strain, and backstress
-/// by term and five components of the deviator (empty: no kinematic hardening).
+/// Fields of zones, [..][cell]: strain by component, equivalent plastic strain, and backstress by
+/// term and five components of the deviator (empty: no kinematic hardening).
 struct PlasticFields {
-  Box box;
+  Zones zones;
   Field strain, equivalent, backstress;
 };
 
-/// Never changed once made. Cut into columns along the depth and y, one for each i, which the
-/// states of a rolling contact share; the box may reach beyond the grid along x. With mirror planes
-/// it is the part from them on.
+/// Never changed once made. Cut into tiles of the body's lattice, which the states of a rolling
+/// contact share: each keeps the box of those of its cells that have a history. The lattice goes on
+/// beyond the grid. With mirror planes it is the part from them on.
 class PlasticState {
  public:
-  /// `fields` in their box, and otherwise as `before`, of the same symmetry and tensor; null:
-  /// nothing.
+  /// `fields` in their zones, and otherwise as `before`, of the same symmetry and tensor; null:
+  /// nothing. around: belongs to the box of the history, as the zones do. origin: where along x
+  /// tiles are counted from, if nothing was before.
   PlasticState(const PlasticState* before, fft::Symmetry symmetry, operators::Tensor tensor,
-               const PlasticFields& fields);
+               const PlasticFields& fields, const Box& around = {}, int origin = 0);
 
+  /// Of all zones that were ever given.
   const Box& box() const { return box_; }
+  int origin() const { return origin_; }
+  /// Those that hold all cells with a history: one for each tile with some.
+  Zones zones() const;
   fft::Symmetry symmetry() const { return symmetry_; }
   operators::Tensor tensor() const { return tensor_; }
 
-  /// Over any box; zero where there is no history.
-  Field strain(const Box& box) const;
-  Field equivalent(const Box& box) const;
-  Field backstress(const Box& box) const;
-  PlasticFields fields(const Box& box) const;
+  /// Over any zones; zero where there is no history.
+  Field strain(const Zones& zones) const;
+  Field equivalent(const Zones& zones) const;
+  Field backstress(const Zones& zones) const;
+  PlasticFields fields(Zones zones) const;
+  Field strain(const Box& box) const { return strain(Zones({box})); }
+  Field equivalent(const Box& box) const { return equivalent(Zones({box})); }
+  Field backstress(const Box& box) const { return backstress(Zones({box})); }
 
+  /// Whether there is strain outside of zones.
+  bool reaches_beyond(const Zones& zones) const;
   double max_equivalent() const;
   /// Largest sqrt(2/3 e:e) of the strain e.
   double max_strain() const;
@@ -52,21 +64,29 @@ class PlasticState {
   bool operator==(const PlasticState& other) const;
 
  private:
-  struct Column {
-    Field values;  // [strain, equivalent, backstress][k][j]
+  struct Part {
+    Box box;       // of the body's cells
+    Field values;  // [strain, equivalent, backstress][k][i][j]
     double max_equivalent = 0.0, max_strain = 0.0;
   };
 
   int strain_parts() const { return operators::count(tensor_); }
   std::size_t parts() const { return strain_parts() + 1 + backstress_parts_; }
-  Field gather(int first, int count, const Box& box) const;
-  std::shared_ptr<const Column> finished(Field values) const;
+  Box of_body(Box box) const { return box.i0 -= origin_, box; }
+  Box of_grid(Box box) const { return box.i0 += origin_, box; }
+  Field gather(std::size_t first, std::size_t count, const Zones& zones) const;
+  /// fields: by part, of a box of the body.
+  void put(const Box& box, const std::vector<const double*>& fields);
+  std::shared_ptr<const Part> finished(const Box& box, Field values) const;
+  /// One part of the history, as a mirror plane across x, y or both shows it.
+  void put_image(const Part& part, bool across_x, bool across_y, const Grid& grid);
 
   Box box_;
   fft::Symmetry symmetry_;
   operators::Tensor tensor_;
-  int backstress_parts_;
-  std::vector<std::shared_ptr<const Column>> columns_;  // null: all zero
+  std::size_t backstress_parts_ = 0;
+  int origin_;  // the grid's place of the first cell of the body's lattice
+  std::map<Tile, std::shared_ptr<const Part>> tiles_;
 };
 
 /// Whether two histories, or their absence, are the same.

@@ -20,8 +20,8 @@ struct Flow {
   fft::Symmetry symmetry = fft::Symmetry::none;
   Travel advance{};
   struct Body {
-    std::vector<std::uint32_t> cells;  // [k][i][j] of the grid
-    Field strain;                      // [cell][component], as the increment's unknowns
+    std::vector<Cell> cells;
+    Field strain;  // [cell][component], as the increment's unknowns
   };
   std::array<Body, 2> bodies;
   bool operator==(const Flow&) const = default;
@@ -58,8 +58,8 @@ class State {
   operators::ResidualMethod method;
   Travel travel{};
   Travel advance{};  // by which moved() has just taken it there
-  /// Whole boxes in which the plastic strain was last solved for.
-  std::array<Box, 2> flow_box;
+  /// Whole boxes in which the plastic strain was last solved for; disjoint.
+  std::array<std::vector<Box>, 2> flow_boxes;
   std::shared_ptr<const Flow> last_flow;  // null: none, or the bodies stood still
 
   bool converged = true;
@@ -119,8 +119,8 @@ class State {
   Field total_stress(int body, bool with_tractions) const;
   /// As the body's cells see them.
   operators::Tractions tractions_on(int body) const;
-  /// Whether its plastic strain has moved.
-  bool has_moved(int body) const;
+  /// Whether its plastic strain was last solved for elsewhere than in its one box.
+  bool is_elsewhere(int body) const;
 
   std::shared_ptr<const Scene> scene_;
 };

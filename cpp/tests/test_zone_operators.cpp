@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Operators of zones against those of the whole box.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "samcontact/operators/half_space.hpp"
+#include "samcontact/operators/smooth_continuation.hpp"
+#include "samcontact/operators/zone_operators.hpp"
+
+using namespace samcontact;
+using namespace samcontact::operators;
+
+namespace {
+
+const Grid grid(72, 64, 1e-6, 1.25e-6, 8, 0.9e-6);
+const Elastic steel{210e9, 0.3};
+/// Apart, within each other's ring, and touching.
+const std::vector<Box> zones{
+    {4, 6, 14, 11, 5}, {22, 9, 9, 12, 8}, {31, 9, 7, 6, 3}, {40, 40, 20, 18, 6}, {64, 4, 8, 8, 2}};
+
+double number(std::size_t n) { return std::sin(1.7 * static_cast<double>(n) + 0.3); }
+
+/// [component][cell] of the zones: spots that end before their border.
+Field zone_strain(Tensor tensor, std::size_t cells) {
+  Field strain(count(tensor) * cells, 0.0);
+  for (int c = 0; c < count(tensor); ++c) {
+    std::size_t at = c * cells;
+    for (const Box& zone : zones) {
+      for (int k = 0; k < zone.nz; ++k) {
+        for (int i = 0; i < zone.nx; ++i) {
+          for (int j = 0; j < zone.ny; ++j, ++at) {
+            const double x = std::sin(std::numbers::pi * i / (zone.nx - 1)),
+                         y = std::sin(std::numbers::pi * j / (zone.ny - 1));
+            strain[at] = 1e-3 * (1 + number(7 * c)) * x * y * (1 + 0.05 * number(at)) / (1 + k);
+          }
+        }
+      }
+    }
+  }
+  return strain;
+}
+
+/// The same on the grid, [component][k][i][j].
+Field on_grid(const Field& strain, int parts, std::size_t cells) {
+  Field whole(parts * grid.volume_size(), 0.0);
+  for (int c = 0; c < parts; ++c) {
+    std::size_t at = c * cells;
+    for (const Box& zone : zones) {
+      insert(strain.data() + at, zone, whole.data() + c * grid.volume_size(), Box::whole(grid));
+      at += zone.volume_size();
+    }
+  }
+  return whole;
+}
+
+Field spots(double factor) {
+  Field pressure(grid.surface_size(), 0.0);
+  for (const Box& zone : zones) {
+    for (int i = zone.i0 + 2; i < zone.i0 + zone.nx - 2; ++i) {
+      for (int j = zone.j0 + 2; j < zone.j0 + zone.ny - 2; ++j) {
+        const std::size_t at = static_cast<std::size_t>(i) * grid.ny + j;
+        pressure[at] = factor * 1e9 * (1.5 + number(at));
+      }
+    }
+  }
+  return pressure;
+}
+
+struct Error {
+  double squares = 0.0, of = 0.0, largest = 0.0, of_largest = 0.0;
+  void add(double value, double reference) {
+    squares += (value - reference) * (value - reference);
+    of += reference * reference;
+    largest = std::max(largest, std::fabs(value - reference));
+    of_largest = std::max(of_largest, std::fabs(reference));
+  }
+  double rms() const { return std::sqrt(squares / of); }
+  double max() const { return largest / of_largest; }
+};
+
+Field stress_in_zones(ZoneOperators& operators, const Field* strain, const Tractions& tractions,
+                      int parts) {
+  Field out(parts * operators.cells());
+  std::vector<std::size_t> first;
+  std::size_t cells = 0;
+  for (const Box& zone : zones) {
+    first.push_back(cells);
+    cells += zone.volume_size();
+  }
+  operators.for_each_layer(strain != nullptr, tractions, -1.0, [&](int z, int k, const double* layer) {
+    const std::size_t plane = zones[z].surface_size();
+    for (int c = 0; c < parts; ++c) {
+      std::copy_n(layer + c * plane, plane, out.data() + c * cells + first[z] + k * plane);
+    }
+  });
+  return out;
+}
+
+Error against(const Field& own, const Field& whole, int parts, std::size_t cells) {
+  Error error;
+  for (int c = 0; c < parts; ++c) {
+    std::size_t at = c * cells;
+    for (const Box& zone : zones) {
+      Field part(zone.volume_size());
+      extract(whole.data() + c * grid.volume_size(), Box::whole(grid), part.data(), zone);
+      for (const double reference : part) error.add(own[at++], reference);
+    }
+  }
+  return error;
+}
+
+}  // namespace
+
+TEST_CASE("strain and tractions in zones do what they do in the whole box") {
+  const auto medium = half_space(steel);
+  for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
+    const int parts = count(tensor);
+    ZoneOperators operators(std::make_shared<const ZoneTables>(grid, medium, tensor, 1e-5), zones);
+    const VolumeOperators whole(grid, medium,
+                                {tensor, Symmetry::none, ResidualMethod::fast, 1e-5, {}});
+    const Field strain = zone_strain(tensor, operators.cells());
+    const Field everywhere = on_grid(strain, parts, operators.cells());
+
+    Field displacement(grid.surface_size(), 0.0), reference(displacement.size());
+    operators.transform(strain);
+    operators.displacement(displacement.data());
+    VolumeSpectrum spectrum = whole.make_spectrum();
+    forward(whole.transform(), everywhere.data(), spectrum);
+    whole.residual_displacement().apply(spectrum, reference.data());
+    Error moved;
+    for (std::size_t n = 0; n < reference.size(); ++n) moved.add(displacement[n], reference[n]);
+    CHECK(moved.rms() < 3e-4);
+    CHECK(moved.max() < 3e-4);
+
+    const Tractions none{Field(grid.surface_size(), 0.0), {}, {}};
+    const Error residual =
+        against(stress_in_zones(operators, &strain, none, parts),
+                whole.stress(everywhere.data(), nullptr, -1.0), parts, operators.cells());
+    // Harder than flow: weak strain beside a much stronger zone at the end of its ring.
+    CHECK(residual.rms() < 4e-3);
+    CHECK(residual.max() < 1e-2);
+    const Tractions loads{spots(1.0), spots(0.3), spots(-0.2)};
+    const Error elastic = against(stress_in_zones(operators, nullptr, loads, parts),
+                                  whole.stress(nullptr, &loads, -1.0), parts, operators.cells());
+    CHECK(elastic.rms() < 6e-4);
+    CHECK(elastic.max() < 6e-4);
+  }
+}
+
+TEST_CASE("zones beside the grid act on it") {
+  const auto medium = half_space(steel);
+  const std::vector<Box> beside{{-9, 20, 8, 10, 4}};
+  const Grid wide(grid.nx + 24, grid.ny, grid.dx, grid.dy, 8, grid.dz);
+  const auto tables = [&](const Grid& of) {
+    return std::make_shared<const ZoneTables>(of, medium, Tensor::full, 1e-5);
+  };
+  ZoneOperators outside(tables(grid), beside), inside(tables(wide), {{15, 20, 8, 10, 4}});
+  Field strain(6 * outside.cells());
+  for (std::size_t n = 0; n < strain.size(); ++n) strain[n] = 1e-3 * number(n);
+  Field here(grid.surface_size(), 0.0), there(wide.surface_size(), 0.0);
+  outside.transform(strain);
+  outside.displacement(here.data());
+  inside.transform(strain);
+  inside.displacement(there.data());
+  Error error;
+  for (std::size_t n = 0; n < here.size(); ++n) {
+    error.add(here[n], there[n + static_cast<std::size_t>(24) * grid.ny]);
+  }
+  CHECK(error.max() < 1e-4);
+}
+
+TEST_CASE("what smooth continuation leaves, a coarse lattice holds") {
+  const SmoothContinuation split(4, 8);
+  const int reach = split.reach();
+  for (const auto& parity : {kernels::Parity{}, kernels::Parity{true, false, false},
+                             kernels::Parity{true, true, false}}) {
+    Field table(static_cast<std::size_t>(reach) * reach);
+    double largest = 0.0;
+    for (int j = 0; j < reach; ++j) {
+      for (int i = 0; i < reach; ++i) {
+        const double r = std::hypot(i, j, 1.0);
+        double& value = table[static_cast<std::size_t>(j) * reach + i];
+        value = (parity.odd_x ? i / r : 1.0) * (parity.odd_y ? j / r : 1.0) / (r * r);
+        largest = std::max(largest, std::fabs(value));
+      }
+    }
+    const auto most = [](const Field& values) {
+      double found = 0.0;
+      for (const double v : values) found = std::max(found, std::fabs(v));
+      return found;
+    };
+    const double before = most(split.rest(table.data(), parity));
+    const Field inside = split.inside(table.data(), parity);
+    for (int j = 0; j < split.cells(); ++j) {
+      std::copy_n(inside.data() + static_cast<std::size_t>(j) * split.cells(), split.cells(),
+                  table.data() + static_cast<std::size_t>(j) * reach);
+    }
+    CHECK(before > 0.2 * largest);
+    CHECK(most(split.rest(table.data(), parity)) < 5e-3 * largest);
+  }
+}
