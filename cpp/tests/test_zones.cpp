@@ -66,13 +66,13 @@ TEST_CASE("strain, unknowns and history survive a change of zones") {
     ActiveCells active;
     body.meet(state.tractions);
     const auto set = [&](const Zones& zones) {
-      body.set_zones(zones, {}, {}, active);
+      body.set_zones(zones, false, {}, {}, active);
       CHECK(body.zones() == zones);
       body.transform(true);
       body.find_stress(active);
     };
     // The flow of three cells on top of the history.
-    body.set_zones(Zones({a}), {}, {}, active);
+    body.set_zones(Zones({a}), false, {}, {}, active);
     const std::vector<Cell> cells{{13, 16, 0}, {15, 17, 3}, {19, 16, 4}};
     const plasticity::Tensor strain{1e-3, -2e-3, 1e-3, 3e-4, -2e-4, 1e-4};
     for (const Cell& cell : cells) {

@@ -208,7 +208,8 @@ void ZoneOperators::transform(const Field& strain) {
   }
 }
 
-void ZoneOperators::displacement(double* out) {
+void ZoneOperators::displacement(double* out) const {
+  std::fill_n(out, grid_.surface_size(), 0.0);
   const Box surface = Box::surface(grid_);
   Field middle(middle_->plane_size()), far(far_->plane_size());
   far_->operators->residual_displacement().apply(far_->spectrum, far.data());
@@ -304,7 +305,7 @@ const double* ZoneOperators::strain_around(const Around& around, const std::vect
   return planes;
 }
 
-void ZoneOperators::stress_of_zone(int zone, bool strained, const Tractions& tractions,
+void ZoneOperators::stress_of_zone(std::size_t zone, bool strained, const Tractions& tractions,
                                    double shear_sign, const Field& low, const Use& use) {
   Around& around = around_[zone];
   const VolumeOperators& near = *around.operators;
@@ -356,7 +357,7 @@ void ZoneOperators::for_each_layer(bool strained, const Tractions& tractions, do
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
-    stress_of_zone(static_cast<int>(z), strained, tractions, shear_sign, low, use);
+    stress_of_zone(z, strained, tractions, shear_sign, low, use);
   }
 }
 

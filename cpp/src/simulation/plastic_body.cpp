@@ -8,6 +8,7 @@
 
 #include "samcontact/base/memory.hpp"
 #include "samcontact/simulation/box_volume.hpp"
+#include "samcontact/simulation/split_volume.hpp"
 
 namespace samcontact::simulation {
 namespace {
@@ -21,17 +22,27 @@ constexpr double near = 0.9;
 /// docs/architecture.md has the parts.
 constexpr double fast_bytes = 950, exact_bytes = 1800;
 
-double bytes_of(const Zones& zones, operators::ResidualMethod method) {
+/// The same of zones, and a cell of the grid above them.
+constexpr double zone_bytes = 600, lattice_bytes = 40;
+
+double bytes_of(const Zones& zones, bool split, const Grid& grid,
+                operators::ResidualMethod method) {
+  if (split) {
+    const auto surface =
+        static_cast<double>(Box::surface(grid).united(zones.around()).surface_size());
+    return static_cast<double>(zones.cells()) * zone_bytes +
+           surface * zones.around().nz * lattice_bytes;
+  }
   const bool exact = method == operators::ResidualMethod::exact;
   return static_cast<double>(zones.around().volume_size()) * (exact ? exact_bytes : fast_bytes);
 }
 
 /// Before zones of the volume are taken instead of others, which are given back.
-void require_memory_of(const Zones& zones, const Zones& before, operators::ResidualMethod method) {
+void require_memory_of(const Zones& zones, double bytes, double before) {
   const Box& box = zones.around();
-  require_memory(bytes_of(zones, method) - bytes_of(before, method),
-                 "the plastic zone, " + std::to_string(box.nx) + " x " + std::to_string(box.ny) +
-                     " x " + std::to_string(box.nz) + " cells of the grid,");
+  require_memory(bytes - before, "the plastic zone, " + std::to_string(box.nx) + " x " +
+                                     std::to_string(box.ny) + " x " + std::to_string(box.nz) +
+                                     " cells of the grid,");
 }
 
 /// Half the square of a deviator xx, yy, yz, xz, xy.
@@ -71,9 +82,23 @@ Box PlasticBody::near_yield(const YieldScan& scan, HeatOfIncrement& heat) const 
                                : scan.box(tractions(), sign(), limit);
 }
 
-void PlasticBody::set_zones(const Zones& zones, const operators::Heating& heating,
+Columns PlasticBody::near_columns(const YieldScan& scan) const {
+  return scan.columns(tractions(), sign(),
+                      near * weakest_ * material().hardening.yield_stress(0.0));
+}
+
+Columns PlasticBody::yielding_columns(const YieldScan& scan) const {
+  return scan.columns(tractions(), sign(), weakest_ * material().hardening.yield_stress(0.0));
+}
+
+std::vector<Box> PlasticBody::history_boxes() const {
+  return history_ ? history_->zones().boxes() : std::vector<Box>{};
+}
+
+void PlasticBody::set_zones(const Zones& zones, bool split, const operators::Heating& heating,
                             std::span<Source* const> sources, ActiveCells& active) {
-  require_memory_of(zones, zones_, method_);
+  require_memory_of(zones, bytes_of(zones, split, scene_.grid, method_),
+                    bytes_of(zones_, split_, scene_.grid, method_));
   const int parts = operators::count(tensor_);
   const std::size_t cells = zones.cells();
   const std::size_t terms = material().backstresses.size();
@@ -96,7 +121,10 @@ void PlasticBody::set_zones(const Zones& zones, const operators::Heating& heatin
   zones_ = zones;
   // The old one first: the two together may not fit.
   volume_.reset();
-  if (!zones_.empty()) {
+  split_ = split;
+  if (split) {
+    volume_ = std::make_unique<SplitVolume>(scene_.zone_tables(index_, tensor_), zones_);
+  } else if (!zones_.empty()) {
     volume_ =
         std::make_unique<BoxVolume>(scene_, index_, zones_, tensor_, method_, symmetry_, heating);
   }

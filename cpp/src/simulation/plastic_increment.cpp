@@ -88,13 +88,12 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
     if (body.tensor() == Tensor::full) active_.keep_trace();
   }
   for (PlasticBody& body : bodies_) {
-    if (!body.has_history()) continue;
-    set_zones(body, Zones(parts_of(from.flow_boxes[body.index()], scene_.grid, symmetry_)));
+    if (body.has_history()) take_up_zones(body);
   }
 }
 
-void PlasticIncrement::set_zones(PlasticBody& body, const Zones& zones) {
-  body.set_zones(zones, target_.heating[body.index()], sources_, active_);
+void PlasticIncrement::set_zones(PlasticBody& body, const Zones& zones, bool split) {
+  body.set_zones(zones, split, target_.heating[body.index()], sources_, active_);
 }
 
 void PlasticIncrement::scatter(const Field& guess) {
@@ -151,6 +150,9 @@ bool PlasticIncrement::fit_boxes(const Field& gap) {
   const bool touches = may_touch_outside(gap);
   bool grown = false;
   for (PlasticBody& body : bodies_) {
+    const auto [is_split, has_grown] = fit_zones(body);
+    grown = grown || has_grown;
+    if (is_split) continue;
     const Box window = window_of(body.tractions(), grid);
     const Box& before = body.zones().around();
     const Box now = before.empty() ? Box{} : choice_.whole(before);
@@ -176,6 +178,10 @@ bool PlasticIncrement::grow_at_rim() {
   bool grown = false;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     PlasticBody& body = bodies_[b];
+    if (body.is_split()) {
+      grown = grow_zones(body, rims_that_flow(b)) || grown;
+      continue;
+    }
     const Box box = body.zones().around();
     if (box.empty()) continue;
     Box needed = box;

@@ -162,9 +162,22 @@ Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tenso
   return kept_.front().operators;
 }
 
+std::shared_ptr<const operators::ZoneTables> Scene::zone_tables(int body,
+                                                                operators::Tensor tensor) const {
+  require_volume(body);
+  const std::lock_guard lock(mutex_);
+  for (const auto& [medium, tables] : zone_tables_) {
+    if (medium == media[body] && tables->tensor() == tensor) return tables;
+  }
+  auto tables =
+      std::make_shared<const operators::ZoneTables>(grid, media[body], tensor, image_tol_);
+  return zone_tables_.emplace_back(media[body], std::move(tables)).second;
+}
+
 std::size_t Scene::operator_bytes() const {
   const std::lock_guard lock(mutex_);
   std::size_t bytes = 0;
+  for (const auto& [medium, tables] : zone_tables_) bytes += tables->bytes();
   for (const Kept& k : kept_) bytes += k.operators->bytes();
   if (temperature_) bytes += temperature_->bytes();
   const std::lock_guard heat_lock(heat_mutex_);

@@ -82,8 +82,9 @@ YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& hea
   flush();
 }
 
-Box YieldScan::level_box(const Level& level, const operators::Tractions& tractions,
-                         double shear_sign, double limit) const {
+template <class Use>
+void YieldScan::for_beyond(const Level& level, const operators::Tractions& tractions,
+                           double shear_sign, double limit, const Use& use) const {
   const Grid& grid = level.grid;
   const int nz = level.stress.layers();
   operators::VolumeSpectrum spectrum(level.transform, nz, Tensor::deviator);
@@ -97,7 +98,6 @@ Box YieldScan::level_box(const Level& level, const operators::Tractions& tractio
   Field s(5 * n);
   operators::inverse(level.transform, spectrum, s.data());
 
-  Box found;
   const double bound = limit * limit / 3;
   for (int k = 0; k < nz; ++k) {
     for (int i = 0; i < grid.nx; ++i) {
@@ -109,21 +109,36 @@ Box YieldScan::level_box(const Level& level, const operators::Tractions& tractio
         const int i0 = i * level.factor, j0 = j * level.factor;
         // Up to the next depth that is looked at.
         const int below = k + 1 < nz ? level.layers[k + 1] : level.layers[k] + 1;
-        found = found.united({i0, j0, std::min(level.factor, grid_.nx - i0),
-                              std::min(level.factor, grid_.ny - j0), below});
+        use(Box{i0, j0, std::min(level.factor, grid_.nx - i0),
+                std::min(level.factor, grid_.ny - j0), std::min(below, grid_.nz)});
       }
     }
   }
-  return found;
 }
 
 Box YieldScan::box(const operators::Tractions& tractions, double shear_sign, double limit) const {
   Box found;
   for (const auto& level : levels_) {
-    found = found.united(level_box(*level, tractions, shear_sign, limit));
+    for_beyond(*level, tractions, shear_sign, limit,
+               [&](const Box& cells) { found = found.united(cells); });
   }
-  found.nz = std::min(found.nz, grid_.nz);
   return found;
+}
+
+Columns YieldScan::columns(const operators::Tractions& tractions, double shear_sign,
+                           double limit) const {
+  Columns columns{Box::surface(grid_), std::vector<int>(grid_.surface_size(), 0)};
+  for (const auto& level : levels_) {
+    for_beyond(*level, tractions, shear_sign, limit, [&](const Box& cells) {
+      for (int i = cells.i0; i < cells.i0 + cells.nx; ++i) {
+        for (int j = cells.j0; j < cells.j0 + cells.ny; ++j) {
+          int& depth = columns.depth[static_cast<std::size_t>(i) * grid_.ny + j];
+          depth = std::max(depth, cells.nz);
+        }
+      }
+    });
+  }
+  return columns;
 }
 
 std::size_t YieldScan::bytes() const {

@@ -54,10 +54,10 @@ class ZoneOperators {
 
   /// Takes the strain for what follows.
   void transform(const Field& strain);
-  /// Adds its u_z of the surface [m] over the grid, [i][j].
-  void displacement(double* out);
+  /// Its u_z of the surface [m] over the grid, [i][j].
+  void displacement(double* out) const;
   /// stress: [component][i][j] of a layer of a zone.
-  using Use = std::function<void(int zone, int layer, const double* stress)>;
+  using Use = std::function<void(std::size_t zone, int layer, const double* stress)>;
   /// Stress of the strain that was taken, if strained, and of tractions on the grid: calls use in
   /// any order, several at once. Ends the use of the strain.
   void for_each_layer(bool strained, const Tractions& tractions, double shear_sign, const Use& use);
@@ -75,8 +75,8 @@ class ZoneOperators {
   /// That of some zones on the plane around one; of this thread, until it asks again.
   const double* strain_around(const Around& around, const std::vector<int>& zones,
                               const Field& strain) const;
-  void stress_of_zone(int zone, bool strained, const Tractions& tractions, double shear_sign,
-                      const Field& low, const Use& use);
+  void stress_of_zone(std::size_t zone, bool strained, const Tractions& tractions,
+                      double shear_sign, const Field& low, const Use& use);
   void spread_layer(int k, const Field& strain);
   /// What middle and far bands give in the zones, [component][cell].
   Field low_stress(bool strained, const Tractions& tractions, double shear_sign);

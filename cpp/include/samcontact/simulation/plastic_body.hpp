@@ -41,10 +41,18 @@ class PlasticBody {
   double sign() const { return operators::shear_sign(index_); }
   /// The box of all cells where the tractions alone come near yielding; before there is a strain.
   Box near_yield(const YieldScan& scan, HeatOfIncrement& heat) const;
+  /// The columns of those; and of those that yield. Without heat of the past.
+  Columns near_columns(const YieldScan& scan) const;
+  Columns yielding_columns(const YieldScan& scan) const;
 
-  /// Other zones, which hold all unknowns: what is in both stays. Throws MemoryError.
-  void set_zones(const Zones& zones, const operators::Heating& heating,
+  /// Other zones, which hold all unknowns: what is in both stays. split: whether their operators
+  /// are to be those of zones, or that of the box around them, which must hold all tractions then.
+  /// Throws MemoryError.
+  void set_zones(const Zones& zones, bool split, const operators::Heating& heating,
                  std::span<Source* const> sources, ActiveCells& active);
+  bool is_split() const { return split_; }
+  /// Boxes that hold all of the history.
+  std::vector<Box> history_boxes() const;
 
   /// Of a cell, with its unknowns; transformed next.
   void set_strain(std::uint32_t cell, const plasticity::Tensor& strain);
@@ -118,10 +126,11 @@ class PlasticBody {
   operators::Tensor tensor_ = operators::Tensor::deviator;
   Zones zones_;
   std::unique_ptr<ZoneVolume> volume_;  // null: no zones
-  Field strain_;                        // before the increment plus the last guess
-  Field equivalent_;                    // before the increment
-  Field backstress_;                    // before the increment, [term][component][cell]
-  std::vector<int> active_;             // per cell: its place among the active ones, or -1
+  bool split_ = false;
+  Field strain_;             // before the increment plus the last guess
+  Field equivalent_;         // before the increment
+  Field backstress_;         // before the increment, [term][component][cell]
+  std::vector<int> active_;  // per cell: its place among the active ones, or -1
   bool strained_ = false;
   double rim_displacement_ = 0.0;
   OutsideStrain outside_;            // what the history outside of the zones does

@@ -56,6 +56,9 @@ class PlasticIncrement {
   /// The contact of the last evaluation to a finer tolerance; all else stays.
   void refine_contact(double contact_tol, Result& result);
 
+  /// Before a solution is accepted: whether zones had to grow for what yields outside of them.
+  bool grow_beyond();
+
   bool has_plastic_body() const { return !bodies_.empty(); }
 
   /// The state after the increment `mapped` of the last evaluation; ends the use of this object.
@@ -67,7 +70,21 @@ class PlasticIncrement {
   bool twins() const;
   /// Whether the last increment was a part of the same steady motion; by what part of it.
   double part_of_last_motion() const;
-  void set_zones(PlasticBody& body, const Zones& zones);
+  void set_zones(PlasticBody& body, const Zones& zones, bool split = false);
+  /// Whether a body's strain may be solved for in small zones.
+  bool may_split(const PlasticBody& body) const;
+  /// Whether that is less work than in one box.
+  bool is_worth_splitting(const PlasticBody& body, const std::vector<Box>& boxes) const;
+  /// Zones for a body with a history: those of before.
+  void take_up_zones(PlasticBody& body);
+  /// For the elastic stress that was found first; whether the body is split then, and has grown.
+  struct Split {
+    bool is_split, has_grown;
+  };
+  Split fit_zones(PlasticBody& body);
+  bool grow_zones(PlasticBody& body, std::vector<Box> more);
+  /// What zones must hold besides themselves where cells of their rims flow.
+  std::vector<Box> rims_that_flow(std::size_t b) const;
   void scatter(const Field& guess);
   contact::Solution solve_contact(const Field& gap, double tol);
   /// Once, when the first contact tells how hot the bodies are.

@@ -11,6 +11,7 @@
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
+#include "samcontact/operators/zone_operators.hpp"
 #include "samcontact/plasticity/material.hpp"
 #include "samcontact/simulation/mirror.hpp"
 #include "samcontact/simulation/motion.hpp"
@@ -64,6 +65,10 @@ class Scene {
                    operators::ResidualMethod method, fft::Symmetry symmetry,
                    const operators::Heating& heating) const;
 
+  /// Tables of a body's zones, kept as long as the scene. Thread-safe.
+  std::shared_ptr<const operators::ZoneTables> zone_tables(int body,
+                                                           operators::Tensor tensor) const;
+
   /// Mirror planes that gap, friction and grid leave to all fields.
   fft::Symmetry symmetry(const Travel& travel) const;
 
@@ -85,6 +90,9 @@ class Scene {
   fft::Symmetry symmetry_;
   mutable std::mutex mutex_;
   mutable std::list<Kept> kept_;  // the latest used first
+  mutable std::vector<
+      std::pair<operators::SharedMedium, std::shared_ptr<const operators::ZoneTables>>>
+      zone_tables_;
   mutable std::mutex heat_mutex_;
   mutable std::array<std::shared_ptr<const operators::HeatStress>, 2> heat_stress_;
   mutable operators::Heating temperature_heating_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "samcontact/simulation/scene.hpp"
+#include "samcontact/simulation/zone_choice.hpp"
 
 namespace samcontact::simulation {
 
@@ -18,6 +19,9 @@ class YieldScan {
   /// The box of all cells whose von Mises stress under the tractions exceeds `limit` [Pa]; empty
   /// when there is none. Tractions in the body's own frame but for the sign of the shear.
   Box box(const operators::Tractions& tractions, double shear_sign, double limit) const;
+
+  /// The same by column of the grid.
+  Columns columns(const operators::Tractions& tractions, double shear_sign, double limit) const;
 
   std::size_t bytes() const;
 
@@ -34,8 +38,11 @@ class YieldScan {
           const operators::SharedMedium& medium,
           const std::shared_ptr<const operators::HeatStress>& heat);
   };
-  Box level_box(const Level& level, const operators::Tractions& tractions, double shear_sign,
-                double limit) const;
+  /// Calls use(cells of the grid) for each cell of a level beyond the limit; their layers are down
+  /// to the next depth that is looked at.
+  template <class Use>
+  void for_beyond(const Level& level, const operators::Tractions& tractions, double shear_sign,
+                  double limit, const Use& use) const;
 
   Grid grid_;
   std::vector<std::unique_ptr<Level>> levels_;

@@ -65,8 +65,9 @@ class Zones {
   }
   bool operator==(const Zones& other) const { return boxes_ == other.boxes_; }
 
- private:
   std::size_t zone_of(std::size_t number) const;
+
+ private:
   std::ptrdiff_t number_in(std::size_t zone, const Cell& cell) const {
     const Box& box = boxes_[zone];
     const int i = cell.i - box.i0, j = cell.j - box.j0;

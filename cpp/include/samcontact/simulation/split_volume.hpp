@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plastic strain in zones, and tractions, by operators whose cost is that of the zones.
+#pragma once
+
+#include <memory>
+
+#include "samcontact/operators/zone_operators.hpp"
+#include "samcontact/simulation/zone_volume.hpp"
+#include "samcontact/simulation/zones.hpp"
+
+namespace samcontact::simulation {
+
+/// Without mirror planes; knows the displacement of all of the grid.
+class SplitVolume : public ZoneVolume {
+ public:
+  SplitVolume(std::shared_ptr<const operators::ZoneTables> tables, const Zones& zones)
+      : surface_(Box::surface(tables->grid())), operators_(std::move(tables), zones.boxes()) {}
+
+  void transform(const Field& strain) override { operators_.transform(strain); }
+  const Box& surface() const override { return surface_; }
+  void displacement(double* out) const override { operators_.displacement(out); }
+  void for_each_layer(bool strained, const Field&, const operators::Tractions& tractions,
+                      double sign, const Use& use) override {
+    operators_.for_each_layer(strained, tractions, sign, use);
+  }
+
+ private:
+  Box surface_;
+  operators::ZoneOperators operators_;
+};
+
+}  // namespace samcontact::simulation
