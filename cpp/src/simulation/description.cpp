@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "samcontact/simulation/box_choice.hpp"
+
 namespace samcontact::simulation {
 namespace {
 
@@ -20,20 +22,30 @@ bool is_one_of(fft::Symmetry symmetry) {
   return symmetry >= fft::Symmetry::none && symmetry <= fft::Symmetry::xy;
 }
 
-/// Whether it lies in the grid but for x, along which a moving body's may go beyond.
-bool is_across(const Box& box, const Grid& grid) {
-  return std::abs(static_cast<long>(box.i0)) < farthest && box.nx >= 0 && box.nx < farthest &&
-         box.j0 >= 0 && box.j0 <= grid.ny && box.ny >= 0 && box.ny <= grid.ny - box.j0 &&
-         box.nz >= 0 && box.nz <= grid.nz;
+/// Whether it is one, in cells that can be counted.
+bool is_box(const Box& box, const Grid& grid) {
+  const auto counted = [](int first, int count) {
+    return std::abs(static_cast<long>(first)) < farthest && count >= 0 && count < farthest;
+  };
+  const double cells = 1.0 * box.nx * box.ny * box.nz;
+  return counted(box.i0, box.nx) && counted(box.j0, box.ny) && counted(0, box.nz) &&
+         cells < farthest * 8.0 && (box.nz == 0 || grid.has_volume()) &&
+         (grid.period.x == 0 || (box.i0 >= 0 && box.i0 + box.nx <= grid.nx)) &&
+         (grid.period.y == 0 || (box.j0 >= 0 && box.j0 + box.ny <= grid.ny));
 }
 
-void require_consistent(const Flow& flow, const Grid& grid) {
+bool is_consistent(const BoxField& field, const Grid& grid) {
+  return is_box(field.box, grid) && field.values.size() == field.box.volume_size();
+}
+
+void require_consistent(const Flow& flow) {
   bool fits = is_one_of(flow.symmetry);
   for (const auto& body : flow.bodies) {
-    const std::size_t n = body.cells.size();
-    fits = fits && (body.strain.size() == 5 * n || body.strain.size() == 6 * n) &&
+    const std::size_t n = body.cells.size() / 3;
+    fits = fits && body.cells.size() == 3 * n &&
+           (body.strain.size() == 5 * n || body.strain.size() == 6 * n) &&
            std::all_of(body.cells.begin(), body.cells.end(),
-                       [&](std::uint32_t cell) { return cell < grid.volume_size(); });
+                       [](int place) { return std::abs(static_cast<long>(place)) < farthest; });
   }
   require_that(fits, "the flow of the last increment does not fit the grid");
 }
@@ -52,10 +64,10 @@ std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Sc
   require_that(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator,
                "tensor must be 0 or 1");
   const Box part = stored_part(scene.grid, symmetry);
-  require_that(is_across(box, scene.grid) && !box.empty() && box.nz > 0 &&
+  require_that(is_box(box, scene.grid) && !box.empty() && box.nz > 0 &&
                    (symmetry == fft::Symmetry::none || box.j0 == part.j0) &&
                    (symmetry != fft::Symmetry::xy || box.i0 == part.i0),
-               "the box of a plastic history is not in the grid");
+               "the box of a plastic history does not fit the grid");
   const std::size_t cells = box.volume_size();
   const std::size_t terms = scene.materials[body].backstresses.size();
   require_that(fields.strain.size() == operators::count(tensor) * cells &&
@@ -82,12 +94,13 @@ void require_consistent(const State& state) {
   require_that(is_one_of(state.past_symmetry), "past_symmetry must be 0, 1 or 2");
   for (int b = 0; b < 2; ++b) {
     const Box& flow = state.flow_box[b];
-    require_that(is_across(flow, grid) && Box::whole(grid).contains(flow),
-                 "the box of plastic flow is not in the grid");
-    require_that(!state.softening[b] || state.softening[b]->size() == grid.volume_size(),
+    require_that(is_box(flow, grid) && !has_no_end(flow, grid),
+                 "the box of plastic flow is too far from the grid");
+    require_that(!state.softening[b] || (is_consistent(*state.softening[b], grid) &&
+                                         state.softening[b]->box.contains(flow)),
                  "the softening of a body does not fit the grid");
   }
-  if (state.last_flow) require_consistent(*state.last_flow, grid);
+  if (state.last_flow) require_consistent(*state.last_flow);
 }
 
 }  // namespace samcontact::simulation

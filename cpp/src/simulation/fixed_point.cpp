@@ -65,7 +65,10 @@ class FixedPoint {
         evaluate();
       }
     }
-    if (!any(mapped_)) return finish(0);
+    while (!any(mapped_)) {
+      if (!problem_.grow_beyond()) return finish(0);
+      evaluate();
+    }
 
     ++counters_.plastic_solves;
     for (int n = 1; n <= settings_.max_iterations; ++n) {
@@ -75,8 +78,14 @@ class FixedPoint {
       // Cells outside a box that has grown may flow too: look at them before accepting.
       if (!result_.grown && residual_ <= settings_.tol && result_.excess <= settings_.tol) {
         // The wanted tolerance moves a little with every iterate: twice it is near enough.
-        if (contact_tol_ <= 2 * finest) return finish(n);
-        contact_tol_ = finest;
+        if (contact_tol_ > 2 * finest) {
+          contact_tol_ = finest;
+        } else if (!problem_.grow_beyond()) {
+          return finish(n);
+        } else {
+          n = 0;
+          restart();
+        }
       } else {
         contact_tol_ = std::max(contact_tolerance(residual_), finest);
       }
@@ -126,6 +135,14 @@ class FixedPoint {
       for (double& v : f_) v *= 0.5;
     }
     anderson_.next(x_, f_);
+    evaluate();
+    ++counters_.plastic_iterations;
+  }
+
+  /// In boxes that have grown.
+  void restart() {
+    anderson_.reset();
+    best_ = INFINITY;
     evaluate();
     ++counters_.plastic_iterations;
   }

@@ -29,7 +29,7 @@ double bytes_of(const Box& box, operators::ResidualMethod method) {
 void require_memory_of(const Box& box, const Box& before, operators::ResidualMethod method) {
   require_memory(bytes_of(box, method) - bytes_of(before, method),
                  "the plastic zone, " + std::to_string(box.nx) + " x " + std::to_string(box.ny) +
-                     " x " + std::to_string(box.nz) + " cells of the grid,");
+                     " x " + std::to_string(box.nz) + " cells,");
 }
 
 /// Half the square of a deviator xx, yy, yz, xz, xy.
@@ -67,6 +67,14 @@ Box PlasticBody::near_yield(const YieldScan& scan, HeatOfIncrement& heat) const 
   const double limit = near * weakest_ * material().hardening.yield_stress(0.0);
   return heat.has_past(index_) ? heat.above(index_, tractions(), method_, limit)
                                : scan.box(tractions(), sign(), limit);
+}
+
+Box PlasticBody::yield_below(const YieldScan& scan) const {
+  return scan.box_below(tractions(), sign(), material().hardening.yield_stress(0.0));
+}
+
+bool PlasticBody::yields_everywhere(const YieldScan& scan) const {
+  return scan.is_beyond_everywhere(tractions(), sign(), material().hardening.yield_stress(0.0));
 }
 
 void PlasticBody::set_box(const Box& box, const operators::Heating& heating,
@@ -134,7 +142,7 @@ void PlasticBody::open(const Box& box, const Field& displacement, Field& gap) co
   const auto add = [&](int to, const double* u, double part) {
     if (to < 0 || to >= grid.nx) return;
     double* row = gap.data() + static_cast<std::size_t>(to) * grid.ny;
-    for (int j = whole.j0; j < whole.j0 + whole.ny; ++j) {
+    for (int j = std::max(0, whole.j0); j < std::min(grid.ny, whole.j0 + whole.ny); ++j) {
       const int sj = j < box.j0 ? grid.ny - 1 - j : j;
       row[j] += part * u[sj - box.j0];
     }
@@ -183,24 +191,20 @@ void PlasticBody::meet(const operators::Tractions& tractions) {
   if (offset_ != 0) seen_ = seen_from_body(tractions, scene_.grid, offset_);
 }
 
-void PlasticBody::soften(std::shared_ptr<const Field> factor) {
+void PlasticBody::soften(std::shared_ptr<const BoxField> factor) {
   softening_ = std::move(factor);
-  if (softening_) weakest_ = *std::min_element(softening_->begin(), softening_->end());
+  if (!softening_) return;
+  weakest_ = *std::min_element(softening_->values.begin(), softening_->values.end());
 }
 
-std::size_t PlasticBody::grid_cell(std::uint32_t cell) const {
-  const std::size_t j = cell % box_.ny, ki = cell / box_.ny, i = ki % box_.nx, k = ki / box_.nx;
-  const Grid& grid = scene_.grid;
-  return (k * grid.nx + box_.i0 + i) * grid.ny + box_.j0 + j;
+std::array<int, 3> PlasticBody::place(std::uint32_t cell) const {
+  const int j = static_cast<int>(cell % box_.ny), ki = static_cast<int>(cell / box_.ny);
+  return {box_.i0 + ki % box_.nx, box_.j0 + j, ki / box_.nx};
 }
 
-std::ptrdiff_t PlasticBody::box_cell(std::size_t grid_cell) const {
-  const Grid& grid = scene_.grid;
-  const int j = static_cast<int>(grid_cell % grid.ny) - box_.j0;
-  const int i = static_cast<int>(grid_cell / grid.ny % grid.nx) - box_.i0;
-  const int k = static_cast<int>(grid_cell / grid.ny / grid.nx);
-  if (i < 0 || i >= box_.nx || j < 0 || j >= box_.ny || k >= box_.nz) return -1;
-  return (static_cast<std::ptrdiff_t>(k) * box_.nx + i) * box_.ny + j;
+std::ptrdiff_t PlasticBody::cell_at(int i, int j, int k) const {
+  if (!box_.contains({i, j, 1, 1, k + 1})) return -1;
+  return (static_cast<std::ptrdiff_t>(k) * box_.nx + (i - box_.i0)) * box_.ny + (j - box_.j0);
 }
 
 void PlasticBody::activate(std::uint32_t cell, const plasticity::Tensor& deviator,
@@ -283,8 +287,13 @@ double PlasticBody::look_at_layer(int k, const double* layer, const Limits& limi
 
 double PlasticBody::yield_limit(std::uint32_t cell) const {
   double yield_stress = material().hardening.yield_stress(equivalent_[cell]);
-  if (softening_) yield_stress *= (*softening_)[grid_cell(cell)];
+  if (softening_) yield_stress *= factor(cell);
   return yield_stress * yield_stress / 3;
+}
+
+double PlasticBody::factor(std::uint32_t cell) const {
+  const auto [i, j, k] = place(cell);
+  return softening_->at(i, j, k);
 }
 
 std::span<const plasticity::Tensor> PlasticBody::backstresses(std::uint32_t cell,
@@ -301,8 +310,7 @@ plasticity::Return PlasticBody::return_map(std::uint32_t cell, const plasticity:
                                            const plasticity::Tensor& guess) const {
   plasticity::Tensors place;
   return plasticity::radial_return(deviator, guess, equivalent_[cell], material(),
-                                   backstresses(cell, place),
-                                   softening_ ? (*softening_)[grid_cell(cell)] : 1.0);
+                                   backstresses(cell, place), softening_ ? factor(cell) : 1.0);
 }
 
 double PlasticBody::strain_at_yield() const {

@@ -15,20 +15,6 @@ namespace {
 
 using operators::Tensor;
 
-/// Flow at the border of the grid that is little against the strain that is there.
-constexpr double negligible_flow = 1e-4;
-
-/// share: of a cell's flow in the largest strain of its body. Mirror planes lie inside.
-BorderFlow flow_at_border(const Grid& grid, std::size_t cell, double share) {
-  if (share <= negligible_flow) return {};
-  const int j = static_cast<int>(cell % grid.ny), i = static_cast<int>(cell / grid.ny % grid.nx);
-  const int k = static_cast<int>(cell / grid.ny / grid.nx);
-  if (k == grid.nz - 1) return {.bottom = share};
-  const bool at_x = grid.period.x == 0 && (i == 0 || i == grid.nx - 1);
-  const bool at_y = grid.period.y == 0 && (j == 0 || j == grid.ny - 1);
-  return {0.0, at_x ? share : 0.0, at_y ? share : 0.0};
-}
-
 }  // namespace
 
 void Undeformed::open(Field& gap) const {
@@ -94,10 +80,6 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
   }
 }
 
-void PlasticIncrement::set_box(PlasticBody& body, const Box& box) {
-  body.set_box(box, target_.heating[body.index()], sources_, active_);
-}
-
 void PlasticIncrement::scatter(const Field& guess) {
   const std::ptrdiff_t count = active_.size();
 #pragma omp parallel for schedule(static) if (30.0 * count > worth_threads)
@@ -131,63 +113,19 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
 }
 
 void PlasticIncrement::soften() {
-  if (softened_) return;
-  softened_ = true;
   for (PlasticBody& body : bodies_) {
-    const Softening& law = settings_.softening[body.index()];
-    body.soften(heat_.softening(body.index(), law, body.tractions().pressure));
+    Field& pressure = heating_pressure_[body.index()];
+    if (!pressure.empty() || !settings_.softening[body.index()]) continue;
+    pressure = body.tractions().pressure;
+    soften(body, scene_.volume_below(pressure).united(whole_or_none(body)));
   }
 }
 
-bool PlasticIncrement::may_touch_outside(const Field& gap) const {
-  if (gap.empty()) return false;
-  double reach = 0.0;
-  for (const PlasticBody& body : bodies_) reach += body.rim_displacement();
-  return std::any_of(bodies_.begin(), bodies_.end(),
-                     [&](const PlasticBody& body) { return body.may_touch_outside(gap, reach); });
-}
-
-bool PlasticIncrement::fit_boxes(const Field& gap) {
-  const Grid& grid = scene_.grid;
-  const bool touches = may_touch_outside(gap);
-  bool grown = false;
-  for (PlasticBody& body : bodies_) {
-    const Box window = window_of(body.tractions(), grid);
-    const Box now = body.box().empty() ? Box{} : choice_.whole(body.box());
-    Box needed = now;
-    if (!scanned_) {
-      const Box near = body.near_yield(*scans_[body.index()], heat_);
-      if (!near.empty()) needed = needed.united(choice_.with_margin(near));
-    }
-    if (needed.empty()) continue;
-    // The stress is that of the tractions over the box: it must hold all of them.
-    needed = needed.united(window);
-    if (touches) needed = needed.united({0, 0, grid.nx, grid.ny, needed.nz});
-    if (!now.empty() && now.contains(needed)) continue;
-    set_box(body, choice_.fitted(needed.united(choice_.with_margin(window)), body.box()));
-    grown = true;
-  }
-  scanned_ = true;
-  return grown;
-}
-
-bool PlasticIncrement::grow_at_rim() {
-  bool grown = false;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    PlasticBody& body = bodies_[b];
-    const Box box = body.box();
-    if (box.empty()) continue;
-    Box needed = box;
-    for (std::size_t n = 0; n < active_.size(); ++n) {
-      if (active_.cells[n].body != b || active_.equivalent[n] == 0) continue;
-      needed = needed.united(choice_.rim_of(box, active_.cells[n].cell));
-    }
-    needed = choice_.stored(needed);
-    if (box.contains(needed)) continue;
-    set_box(body, choice_.fitted(choice_.whole(needed), box));
-    grown = true;
-  }
-  return grown;
+void PlasticIncrement::soften(PlasticBody& body, const Box& box) {
+  const int b = body.index();
+  const auto& known = body.softening();
+  const Box needed = known ? known->box.united(box) : box;
+  body.soften(heat_.softening(b, settings_.softening[b], heating_pressure_[b], needed));
 }
 
 void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& result) {
@@ -271,9 +209,11 @@ Field PlasticIncrement::first_guess() {
   const std::size_t parts = active_.components();
   for (PlasticBody& body : bodies_) {
     const auto& flow = from_.last_flow->bodies[body.index()];
-    if (flow.strain.size() != parts * flow.cells.size()) return {};
-    for (std::size_t n = 0; n < flow.cells.size(); ++n) {
-      const std::ptrdiff_t cell = body.box_cell(flow.cells[n]);
+    const std::size_t count = flow.cells.size() / 3;
+    if (flow.strain.size() != parts * count) return {};
+    for (std::size_t n = 0; n < count; ++n) {
+      const int* place = flow.cells.data() + 3 * n;
+      const std::ptrdiff_t cell = body.cell_at(place[0], place[1], place[2]);
       if (cell < 0) continue;
       body.activate(static_cast<std::uint32_t>(cell), {}, active_);
       for (std::size_t c = 0; c < parts; ++c) guess.push_back(ratio * flow.strain[n * parts + c]);
@@ -293,7 +233,8 @@ void PlasticIncrement::remember_flow(State& state, const Field& mapped) const {
     if (active_.equivalent[n] == 0) continue;
     const PlasticBody& body = bodies_[active_.cells[n].body];
     auto& kept = flow->bodies[body.index()];
-    kept.cells.push_back(static_cast<std::uint32_t>(body.grid_cell(active_.cells[n].cell)));
+    const auto place = body.place(active_.cells[n].cell);
+    kept.cells.insert(kept.cells.end(), place.begin(), place.end());
     for (std::size_t c = 0; c < parts; ++c) kept.strain.push_back(mapped[n * parts + c]);
   }
   if (flow->bodies[0].cells.empty() && flow->bodies[1].cells.empty()) return;
@@ -308,17 +249,10 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
       if (active_.cells[n].body == b && active_.equivalent[n] != 0) visit(n);
     }
   };
-  // Material that past flow left at the yield stress creeps when it is unloaded, far from the
-  // contact too; where that is little against what is there, the grid need not hold it.
-  double largest = body.strain_scale();
-  for_own_cells([&](std::size_t n) { largest = std::max(largest, active_.equivalent[n]); });
   for_own_cells([&](std::size_t n) {
     const std::uint32_t cell = active_.cells[n].cell;
-    const double equivalent = active_.equivalent[n];
     state.flowed[i] = true;
-    state.border_flow[i] = state.border_flow[i].united(
-        flow_at_border(scene_.grid, body.grid_cell(cell), equivalent / largest));
-    body.flow(cell, active_.get(mapped, n), equivalent);
+    body.flow(cell, active_.get(mapped, n), active_.equivalent[n]);
   });
   state.softening[i] = body.softening();
   if (state.flowed[i]) {
@@ -330,7 +264,6 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
   state.plastic[0] = state.plastic[i];
   state.flow_box[0] = state.flow_box[i];
   state.flowed[0] = state.flowed[i];
-  state.border_flow[0] = state.border_flow[i];
 }
 
 State PlasticIncrement::finish(const Field& mapped, const Result& result) {
@@ -345,16 +278,14 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.load = result.contact.load;
   state.approach = result.contact.motion.approach;
   state.flowed = {};
-  state.border_flow = {};
   state.advance = {};
   remember_flow(state, mapped);
   scatter(mapped);
   for (std::size_t b = 0; b < bodies_.size(); ++b) finish(b, mapped, state);
   if (!target_.is_prescribed()) {
-    Box whole = Box::whole(scene_.grid);
+    const Box surface{0, 0, scene_.grid.nx, scene_.grid.ny, 0};
     const bool known = std::all_of(bodies_.begin(), bodies_.end(), [&](const PlasticBody& body) {
-      whole.nz = body.box().nz;
-      return !state.plastic[body.index()] || choice_.whole(body.box()) == whole;
+      return !state.plastic[body.index()] || choice_.whole(body.box()).contains(surface);
     });
     if (known) state.contact_gap = result.contact.gap;
   }

@@ -37,6 +37,10 @@ class PlasticBody {
   double sign() const { return operators::shear_sign(index_); }
   /// The box of all cells where the tractions alone come near yielding; before there is a strain.
   Box near_yield(const YieldScan& scan, HeatOfIncrement& heat) const;
+  /// The box of all cells below those of the grid where the tractions alone make it yield.
+  Box yield_below(const YieldScan& scan) const;
+  /// Whether it yields down to any depth.
+  bool yields_everywhere(const YieldScan& scan) const;
 
   /// Another box: what is in both stays. Throws MemoryError.
   void set_box(const Box& box, const operators::Heating& heating, std::span<Source* const> sources,
@@ -55,9 +59,9 @@ class PlasticBody {
   double rim_displacement() const { return copies_ * rim_displacement_; }
 
   void meet(const operators::Tractions& tractions);
-  /// Factor of the yield stress [k][i][j] of the grid; null: 1.
-  void soften(std::shared_ptr<const Field> factor);
-  const std::shared_ptr<const Field>& softening() const { return softening_; }
+  /// Factor of the yield stress in a box that holds its own; null: 1.
+  void soften(std::shared_ptr<const BoxField> factor);
+  const std::shared_ptr<const BoxField>& softening() const { return softening_; }
 
   /// Stress of its active cells; cells that yield and were not active are appended. Returns the
   /// smallest (yield stress - von Mises)/yield stress of cells that are not active.
@@ -67,10 +71,10 @@ class PlasticBody {
   plasticity::Return return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
                                 const plasticity::Tensor& guess) const;
 
-  /// The place of a cell of the box in fields of the whole grid.
-  std::size_t grid_cell(std::uint32_t cell) const;
+  /// The place i, j, k of a cell of the box, counted from the grid's first.
+  std::array<int, 3> place(std::uint32_t cell) const;
   /// And back; -1 outside.
-  std::ptrdiff_t box_cell(std::size_t grid_cell) const;
+  std::ptrdiff_t cell_at(int i, int j, int k) const;
 
   /// Yield stress / 3 G.
   double strain_at_yield() const;
@@ -96,6 +100,7 @@ class PlasticBody {
   double look_at_layer(int k, const double* layer, const Limits& limits, ActiveCells& active,
                        std::vector<Found>& found) const;
   double yield_limit(std::uint32_t cell) const;
+  double factor(std::uint32_t cell) const;
   /// Before the increment, into the first places; how many.
   std::span<const plasticity::Tensor> backstresses(std::uint32_t cell,
                                                    plasticity::Tensors& place) const;
@@ -123,7 +128,7 @@ class PlasticBody {
   double offset_ = 0.0;    // of its cells from the grid's, see Placement
   const operators::Tractions* tractions_ = nullptr;
   operators::Tractions seen_;  // from cells at an offset
-  std::shared_ptr<const Field> softening_;
+  std::shared_ptr<const BoxField> softening_;
   double weakest_ = 1.0;  // its smallest value
 };
 

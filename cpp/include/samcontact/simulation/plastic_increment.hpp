@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <stdexcept>
 #include <vector>
 
 #include "samcontact/simulation/active_cells.hpp"
@@ -53,6 +54,10 @@ class PlasticIncrement {
   /// approach.
   Result evaluate(Field& guess, double contact_tol, Field& mapped);
 
+  /// Whether a box had to grow beyond the grid, for what the last evaluation found: evaluate again.
+  /// Iterates may flow where the solution does not.
+  bool grow_beyond();
+
   /// The contact of the last evaluation to a finer tolerance; all else stays.
   void refine_contact(double contact_tol, Result& result);
 
@@ -68,16 +73,23 @@ class PlasticIncrement {
   /// Whether the last increment was a part of the same steady motion; by what part of it.
   double part_of_last_motion() const;
   void set_box(PlasticBody& body, const Box& box);
+  Box whole_or_none(const PlasticBody& body) const;
   void scatter(const Field& guess);
   contact::Solution solve_contact(const Field& gap, double tol);
   /// Once, when the first contact tells how hot the bodies are.
   void soften();
+  /// A body, in a box and where it already is; by the same contact.
+  void soften(PlasticBody& body, const Box& box);
+  std::invalid_argument flows_as_a_whole(const PlasticBody& body) const;
   /// Whether a box had to grow for the contact or, at first, for the elastic stress.
   bool fit_boxes(const Field& gap);
   /// Whether a body may touch where its residual displacement is not known.
   bool may_touch_outside(const Field& gap) const;
-  /// Grows the boxes whose rim flows.
+  /// Grows the boxes whose rim flows, in the grid.
   bool grow_at_rim();
+  /// What the box of a body, number b of the inelastic ones, must hold where cells of its rim flow
+  /// by more than this; stored.
+  Box needed_at_rim(std::size_t b, double negligible) const;
   void return_map(const Field& guess, Field& mapped, Result& result);
   void remember_flow(State& state, const Field& mapped) const;
   /// What a body, number b of the inelastic ones, has become.
@@ -97,7 +109,8 @@ class PlasticIncrement {
   BoxChoice choice_;
   std::vector<PlasticBody> bodies_;  // inelastic ones
   Field gap_;                        // without the elastic displacement, of the last evaluation
-  bool scanned_ = false, softened_ = false;
+  bool scanned_ = false;
+  std::array<Field, 2> heating_pressure_;  // on each body, of the first contact; empty before
   ActiveCells active_;
 };
 

@@ -16,8 +16,14 @@ class YieldScan {
   YieldScan(const Scene& scene, int body, const operators::Heating& heating);
 
   /// The box of all cells whose von Mises stress under the tractions exceeds `limit` [Pa]; empty
-  /// when there is none. Tractions in the body's own frame but for the sign of the shear.
+  /// when there is none. Tractions in the body's own frame but for the sign of the shear. In the
+  /// layers of the grid; without a bottom, as deep as its window is wide.
   Box box(const operators::Tractions& tractions, double shear_sign, double limit) const;
+  /// The same of layers below those of the grid.
+  Box box_below(const operators::Tractions& tractions, double shear_sign, double limit) const;
+  /// Whether a surface that is periodic in both directions exceeds it at any depth.
+  bool is_beyond_everywhere(const operators::Tractions& tractions, double shear_sign,
+                            double limit) const;
 
   std::size_t bytes() const;
 
@@ -38,7 +44,7 @@ class YieldScan {
                 double limit) const;
 
   Grid grid_;
-  std::vector<std::unique_ptr<Level>> levels_;
+  std::vector<std::unique_ptr<Level>> levels_, below_;  // of the grid's layers, and below them
 };
 
 }  // namespace samcontact::simulation
