@@ -52,7 +52,7 @@ void bind_errors(py::module_& m) {
     }
   });
   py::register_exception<GridTooSmallError>(m, "GridTooSmallError", PyExc_ValueError)
-      .attr("__doc__") = "The contact or the plastic zone reaches the border of the grid.";
+      .attr("__doc__") = "The contact reaches the border of the grid.";
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ void bind_base(py::module_& m) {
       .def_readonly("dz", &Grid::dz)
       .def("x", &Grid::x)
       .def("y", &Grid::y)
-      .def("z", &Grid::z);
+      .def("z", [](const Grid& grid, int layers) { return grid.z(layers); }, py::arg("layers"));
 }
 
 }  // namespace samcontact::bindings

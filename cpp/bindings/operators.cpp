@@ -119,7 +119,7 @@ py::array temperature(const Grid& grid, const operators::Heating& heating,
   Field rise;
   {
     const py::gil_scoped_release release;
-    rise = operators::Temperature(grid, heating, z).rise(p.data());
+    rise = operators::Temperature(grid, heating).rise(p.data(), z);
   }
   return volume_array(std::move(rise), grid, static_cast<py::ssize_t>(z.size()));
 }

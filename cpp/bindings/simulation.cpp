@@ -20,43 +20,56 @@ using simulation::Target;
 enum class Rank { surface, scalar, tensor, tensors };
 
 template <Rank rank>
-py::array to_array(Field field, const Grid& grid) {
+py::array to_array(Field field, const Grid& grid, py::ssize_t layers) {
   if constexpr (rank == Rank::surface) return surface_array(std::move(field), grid);
-  if constexpr (rank == Rank::scalar) return volume_array(std::move(field), grid, grid.nz);
-  if constexpr (rank == Rank::tensor) return tensor_array(std::move(field), grid, grid.nz);
-  if constexpr (rank == Rank::tensors) return tensors_array(std::move(field), grid, grid.nz);
+  if constexpr (rank == Rank::scalar) return volume_array(std::move(field), grid, layers);
+  if constexpr (rank == Rank::tensor) return tensor_array(std::move(field), grid, layers);
+  if constexpr (rank == Rank::tensors) return tensors_array(std::move(field), grid, layers);
 }
 
-template <Rank rank>
-auto field_method(Field (State::*method)(int) const) {
+auto surface_method(Field (State::*method)(int) const) {
   return [method](const State& state, int body) {
     Field field;
     {
       const py::gil_scoped_release release;
       field = (state.*method)(body);
     }
-    return to_array<rank>(std::move(field), state.scene().grid);
+    return surface_array(std::move(field), state.scene().grid);
+  };
+}
+
+/// A field of the volume down to a number of layers.
+template <Rank rank>
+auto volume_method(Field (State::*method)(int, simulation::Layers) const) {
+  return [method](const State& state, int body, int layers) {
+    Field field;
+    {
+      const py::gil_scoped_release release;
+      field = (state.*method)(body, layers);
+    }
+    return to_array<rank>(std::move(field), state.scene().grid, layers);
   };
 }
 
 /// A field over the cells first_row <= i < first_row + rows, which may lie beside the grid.
 template <Rank rank>
 auto track_method(Field (State::*method)(int, const Box&) const) {
-  return [method](const State& state, int body, int first_row, int rows) {
+  return [method](const State& state, int body, int first_row, int rows, int layers) {
     const Grid& grid = state.scene().grid;
-    const Box region{first_row, 0, rows, grid.ny, grid.nz};
+    const Box region{first_row, 0, rows, grid.ny, layers};
     Field field;
     {
       const py::gil_scoped_release release;
       field = (state.*method)(body, region);
     }
-    return to_array<rank>(std::move(field), region.grid(grid));
+    return to_array<rank>(std::move(field), region.grid(grid), layers);
   };
 }
 
 void bind_track(py::class_<State>& state) {
   const auto bind = [&](const char* name, auto method) {
-    state.def(name, method, py::arg("body"), py::arg("first_row"), py::arg("rows"));
+    state.def(name, method, py::arg("body"), py::arg("first_row"), py::arg("rows"),
+              py::arg("layers"));
   };
   bind("track_residual_displacement", track_method<Rank::surface>(&State::residual_displacement));
   bind("track_residual_stress", track_method<Rank::tensor>(&State::residual_stress));
@@ -115,29 +128,43 @@ void bind_state(py::module_& m) {
       .def("max_plastic_strain", &State::max_plastic_strain, py::arg("body"))
       .def_readonly("converged", &State::converged)
       .def_readonly("warnings", &State::warnings)
-      .def("stress", field_method<Rank::tensor>(&State::stress), py::arg("body"))
-      .def("residual_stress", field_method<Rank::tensor>(&State::residual_stress), py::arg("body"))
-      .def("backstress", field_method<Rank::tensors>(&State::backstress), py::arg("body"))
-      .def("plastic_strain", field_method<Rank::tensor>(&State::plastic_strain), py::arg("body"))
+      .def("layers", &State::layers)
+      .def(
+          "strain_beyond",
+          [](const State& state, int body) -> py::object {
+            const Box box = state.strain_beyond(body);
+            if (box.empty()) return py::none();
+            return py::make_tuple(box.i0, box.j0, box.nx, box.ny, box.nz);
+          },
+          py::arg("body"))
       .def(
           "softening",
           [](const State& state, int body) -> py::object {
             if (!state.softening[body]) return py::none();
+            const auto& [box, values] = *state.softening[body];
             const Grid& grid = state.scene().grid;
-            return volume_array(*state.softening[body], grid, grid.nz);
+            const Box here{0, 0, grid.nx, grid.ny, box.nz};
+            Field factor(here.volume_size());
+            extract(values.data(), box, factor.data(), here);
+            return volume_array(std::move(factor), grid, box.nz);
           },
-          py::arg("body"))
-      .def("temperature", field_method<Rank::scalar>(&State::temperature), py::arg("body"))
-      .def("surface_temperature", field_method<Rank::surface>(&State::surface_temperature),
-           py::arg("body"))
-      .def("von_mises", field_method<Rank::scalar>(&State::von_mises), py::arg("body"))
-      .def("hydrostatic", field_method<Rank::scalar>(&State::hydrostatic), py::arg("body"))
-      .def("equivalent_plastic_strain",
-           field_method<Rank::scalar>(&State::equivalent_plastic_strain), py::arg("body"))
-      .def("residual_displacement", field_method<Rank::surface>(&State::residual_displacement),
-           py::arg("body"))
-      .def("surface_displacement", field_method<Rank::surface>(&State::surface_displacement),
-           py::arg("body"));
+          py::arg("body"));
+  const auto bind = [&](const char* name, auto method) {
+    bound.def(name, method, py::arg("body"), py::arg("layers"));
+  };
+  bind("stress", volume_method<Rank::tensor>(&State::stress));
+  bind("residual_stress", volume_method<Rank::tensor>(&State::residual_stress));
+  bind("backstress", volume_method<Rank::tensors>(&State::backstress));
+  bind("plastic_strain", volume_method<Rank::tensor>(&State::plastic_strain));
+  bind("temperature", volume_method<Rank::scalar>(&State::temperature));
+  bind("equivalent_plastic_strain", volume_method<Rank::scalar>(&State::equivalent_plastic_strain));
+  const auto bind_surface = [&](const char* name, auto method) {
+    bound.def(name, surface_method(method), py::arg("body"));
+  };
+  bind_surface("surface_temperature", &State::surface_temperature);
+  bind_surface("residual_displacement",
+               static_cast<Field (State::*)(int) const>(&State::residual_displacement));
+  bind_surface("surface_displacement", &State::surface_displacement);
 }
 
 /// A Python function of the rise of temperature (nx, ny, nz), called with the GIL.
@@ -147,9 +174,9 @@ simulation::Softening softening_law(const py::object& law, const Grid& grid) {
     const py::gil_scoped_acquire gil;
     std::default_delete<py::object>()(p);
   });
-  return [kept, grid](const Field& rise) {
+  return [kept, grid](const Field& rise, const Box& box) {
     const py::gil_scoped_acquire gil;
-    const py::array factor = (*kept)(volume_array(rise, grid, grid.nz));
+    const py::array factor = (*kept)(volume_array(rise, box.grid(grid), box.nz));
     return to_field(factor.cast<Array>());
   };
 }
@@ -261,8 +288,9 @@ void bind_simulation(py::module_& m) {
           "set_plastic_state",
           [](Simulation& s, int body, int first_row, const Array& strain,
              const py::object& equivalent, const py::object& backstress) {
-            s.set_plastic_state(body, first_row, static_cast<int>(strain.shape(2)),
-                                to_field(strain), to_field_or_empty(equivalent),
+            const Box box{first_row, 0, static_cast<int>(strain.shape(2)), s.scene().grid.ny,
+                          static_cast<int>(strain.shape(1))};
+            s.set_plastic_state(body, box, to_field(strain), to_field_or_empty(equivalent),
                                 to_field_or_empty(backstress));
           },
           py::arg("body"), py::arg("first_row"), py::arg("strain"), py::arg("equivalent"),

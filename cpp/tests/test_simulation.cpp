@@ -27,7 +27,8 @@ const Settings usual{.tol = 1e-6,
 struct Stopped : std::exception {};
 
 Simulation small_scene(const plasticity::Material& lower, const Settings& settings = usual) {
-  const Grid grid(17, 15, 60e-6, 60e-6, lower.is_plastic() ? 12 : 0, 60e-6);
+  const bool layered = lower.is_plastic();
+  const Grid grid(17, 15, 60e-6, 60e-6, layered ? 12 : 0, layered ? 60e-6 : 0.0);
   Field gap(grid.surface_size());
   const auto x = grid.x(), y = grid.y();
   for (int i = 0; i < grid.nx; ++i) {

@@ -11,7 +11,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-import scipy
 
 from . import hertz
 from ._core import ConvergenceError, GridTooSmallError
@@ -43,25 +42,6 @@ class Expected:
             return self.contact.a, self.contact.a
         a, b = self.contact.a_x, self.contact.a_y
         return max(a, b), min(a, b)
-
-    def yield_depth(self, body: Material) -> float | None:
-        """Depth down to which a body would yield under this pressure [m], on the axis.
-
-        0 where it does not; None where it is not known (an elliptic contact).
-        """
-        contact = self.contact
-        if not isinstance(contact, hertz.PointContact) or not body.is_plastic:
-            return None
-        limit = float(body.yield_stress(0.0))
-        largest, depth = contact.max_von_mises(body.nu)
-        if largest <= limit:
-            return 0.0
-
-        def beyond(z: float) -> float:
-            radial, axial = contact.axis_stress(z, body.nu)
-            return abs(float(axial) - float(radial)) - limit
-
-        return float(scipy.optimize.brentq(beyond, depth, 1e3 * depth * math.sqrt(largest / limit)))
 
     def __str__(self) -> str:
         long, short = self.semi_axes
@@ -135,10 +115,10 @@ class Scene:
             return None
 
     def require_room(self, load: float | None = None, approach: float | None = None) -> None:
-        """Raise GridTooSmallError when the Hertz contact, or what yields below it, does not fit.
+        """Raise GridTooSmallError when the Hertz contact does not fit.
 
-        Before a solve that would end so after a while: contact and plastic zone of bodies that
-        yield are not smaller than those of elastic ones.
+        Before a solve that would end so after a while: the contact of bodies that yield is not
+        smaller than that of elastic ones.
         """
         expected, grid = self.hertz(load, approach), self.grid
         if expected is None:
@@ -153,15 +133,6 @@ class Scene:
                 f"{expected}: enlarge nx dx and ny dy to {lengths(2.5 * long, 2.5 * short)} or more"
                 f"{_ASK}"
             )
-        height = grid.nz * (grid.dz or 0.0)
-        for number, body in enumerate(self.bodies, 1):
-            depth = expected.yield_depth(body)
-            if depth is not None and 0 < height < 0.8 * depth:
-                raise GridTooSmallError(
-                    f"{where} the plastic zone of body {number} reaches the bottom of the volume "
-                    f"({quantity(height, 'm')}): elastically it would yield down to "
-                    f"{quantity(depth, 'm')}. {expected}: enlarge nz dz{_ASK}"
-                )
 
     @contextmanager
     def beside(self, load: float | None = None, approach: float | None = None) -> Iterator[None]:

@@ -79,14 +79,14 @@ def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> Non
         raise ValueError(f"{name} must be at most {longest:.3g} s, got {time:.3g} s")
 
 
-def core_law(body: Material, grid: Grid) -> Callable[[FloatArray], FloatArray] | None:
+def core_law(body: Material) -> Callable[[FloatArray], FloatArray] | None:
     """The law of softening of a body as the core calls it: (nx, ny, nz) in, depth-major out."""
-    law, shape = body.softening, grid.volume_shape
+    law = body.softening
     if law is None:
         return None
 
     def factor(rise: FloatArray) -> FloatArray:
-        checked = finite_array("factor of softening", law(rise), shape)
+        checked = finite_array("factor of softening", law(rise), rise.shape)
         return np.ascontiguousarray(np.moveaxis(checked, 2, 0))
 
     return factor

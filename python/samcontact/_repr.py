@@ -161,7 +161,7 @@ def material_rows(material: Any) -> Rows:
 def simulation_rows(simulation: Any) -> Rows:
     """Scene and present state of a simulation."""
     grid, state = simulation.grid, simulation.state
-    cells = counts(*(grid.volume_shape if grid.dz is not None else grid.surface_shape))
+    cells = counts(*(grid.volume_shape if grid.nz > 0 else grid.surface_shape))
     sizes = lengths(*(size for size in (grid.dx, grid.dy, grid.dz) if size is not None))
     return [
         ("grid", f"{cells} cells of {sizes}"),

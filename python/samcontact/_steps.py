@@ -151,12 +151,13 @@ def plastic_fields(
     first: int | None,
 ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
     """Arguments of `Simulation.set_plastic_strain`, depth-major; terms: number of backstresses."""
-    rows, ny, nz = grid.volume_shape
+    given = np.shape(strain)
+    fits = len(given) == 4 and min(given) > 0
+    rows = grid.nx
     if first is not None:
         integer("first", first)
-        given = np.shape(strain)
-        rows = given[1] if len(given) == 4 and given[1] > 0 else rows
-    shape = (rows, ny, nz)
+        rows = given[1] if fits else rows
+    shape = (rows, grid.ny, given[3] if fits else grid.nz)
     checked = finite_array("strain", strain, (6, *shape))
     history = centre = None
     if equivalent is not None:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from . import resolution
 from ._expected import Scene
+from ._repr import quantity
 from .contact import GridTooSmallWarning
 from .state import State
 
@@ -29,6 +30,7 @@ class Told:
     of_pressure: bool = False
     looks_at_steps: bool = True
     """Whether steps are warned of by themselves; a run looks at its grid as a whole."""
+    of_cut: bool = False
     largest_load: float = 0.0
 
     @contextmanager
@@ -44,6 +46,9 @@ class Told:
         """After an increment; complaints: of the border of the grid, by the core."""
         for complaint in complaints:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
+        if not self.of_cut and (text := _cut_text(state)):
+            self.of_cut = True
+            warnings.warn(text, GridTooSmallWarning, stacklevel=stacklevel + 1)
         if self.looks_at_steps and state.load > self.largest_load:
             self.largest_load = state.load
             warned = resolution.warn_of_step(state, scene, stacklevel=stacklevel + 1)
@@ -62,3 +67,29 @@ class Told:
                     PlasticStrainWarning,
                     stacklevel=stacklevel + 1,
                 )
+
+
+def _cut_text(state: State) -> str:
+    """Where plastic strain lies that fields do not show."""
+    grid, core = state.grid, state._core
+    for body in (1, 2):
+        box = core.strain_beyond(body - 1)
+        if box is None:
+            continue
+        first_x, first_y, nx, ny, nz = box
+        where, remedy = [], []
+        if grid.nz and nz > grid.nz:
+            depths = [quantity(n * (grid.dz or 0.0), "m") for n in (nz, grid.nz)]
+            where.append(f"{depths[0]} deep, below nz dz = {depths[1]}")
+            remedy.append("leave nz out")
+        for axis, first, cells, n, d in (
+            ("x", first_x, nx, grid.nx, grid.dx), ("y", first_y, ny, grid.ny, grid.dy),
+        ):  # fmt: skip
+            if first < 0 or first + cells > n:
+                where.append(f"beside the grid along {axis}, over {quantity(cells * d, 'm')}")
+                remedy.append(f"enlarge n{axis}")
+        return (
+            f"plastic strain of body {body} lies {' and '.join(where)}: it acts as all of it, but "
+            f"fields do not show it; to see it, {' and '.join(remedy)}"
+        )
+    return ""

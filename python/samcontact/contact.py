@@ -23,7 +23,7 @@ from .operators import depths_of, shear_components
 
 
 class GridTooSmallWarning(UserWarning):
-    """The contact or the plastic zone reaches the border of the grid."""
+    """The contact reaches the border of the grid, or fields do not show all plastic strain."""
 
 
 def require_type(name: str, value: Any, kind: type) -> None:

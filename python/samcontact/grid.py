@@ -29,9 +29,11 @@ class Grid(Shown):
     dx, dy : float
         Cell sizes [m], > 0.
     nz : int, optional
-        Layers; 0 (the default) is a surface-only grid.
+        Layers that fields of a state have, and a `Track`. By default they have as many as there is
+        plastic strain and stress under the contact to see: `State.depths`. Plastic flow goes as
+        deep and as wide as it does, whatever nz is and the sides of the grid are.
     dz : float, optional
-        Layer thickness [m]; needed when nz > 0.
+        Layer thickness [m]; without it there is the surface only.
     periodic : {"", "x", "y", "xy"}, optional
         Directions in which bodies, tractions and strains repeat themselves for ever, with the
         period nx dx, or ny dy, of the grid; default none: beyond it the surfaces are free. Along
@@ -41,8 +43,8 @@ class Grid(Shown):
     Raises
     ------
     ValueError, TypeError
-        A count or size that is not positive, a size below 1e-75 or above 1e75 m, dz without nz or
-        nz without dz, an odd number of cells, other than one, along a periodic direction, or cells
+        A count or size that is not positive, a size below 1e-75 or above 1e75 m, nz without dz, an
+        odd number of cells, other than one, along a periodic direction, or cells
         longer than eight periods across.
 
     Notes
@@ -71,8 +73,6 @@ class Grid(Shown):
             object.__setattr__(self, name, number(name, getattr(self, name)))
         if self.nz > 0 and self.dz is None:
             raise ValueError(f"dz must be a finite number > 0 [m] when nz = {self.nz}, got None")
-        if self.nz == 0 and self.dz is not None:
-            raise ValueError(f"nz must be an integer > 0 when dz = {self.dz!r} is given, got 0")
         if self.dz is not None:
             object.__setattr__(self, "dz", number("dz", self.dz))
         choice("periodic", self.periodic, ("", "x", "y", "xy"))
@@ -105,8 +105,17 @@ class Grid(Shown):
 
     @cached_property
     def z(self) -> FloatArray:
-        """Mid-depths of the layers [m], shape (nz,)."""
-        return read_only(np.array(self._core.z()))
+        """Mid-depths of the layers [m], shape (nz,); ValueError where nz is not given."""
+        return self.depths(self.volume_shape[2])
+
+    def depths(self, layers: int) -> FloatArray:
+        """Mid-depths of the first layers [m], shape (layers,)."""
+        return read_only(np.array(self._core.z(layers)))
+
+    @property
+    def has_volume(self) -> bool:
+        """Whether there are layers below the surface."""
+        return self.dz is not None
 
     @property
     def along_x(self) -> bool:
@@ -125,7 +134,11 @@ class Grid(Shown):
 
     @property
     def volume_shape(self) -> tuple[int, int, int]:
-        """Shape of a scalar volume field, (nx, ny, nz)."""
+        """Shape of a scalar volume field, (nx, ny, nz); ValueError where nz is not given."""
+        if self.nz == 0 and self.has_volume:
+            raise ValueError(
+                "nz is not given: a field has as many layers as its state needs, see State.depths"
+            )
         return (self.nx, self.ny, self.nz)
 
     @property
@@ -137,10 +150,9 @@ class Grid(Shown):
         rows = [("cells", counts(self.nx, self.ny)), ("cell size", lengths(self.dx, self.dy))]
         extent = [self.nx * self.dx, self.ny * self.dy]
         if self.dz is not None:
-            rows = [
-                ("cells", counts(self.nx, self.ny, self.nz)),
-                ("cell size", lengths(self.dx, self.dy, self.dz)),
-            ]
+            rows[1] = ("cell size", lengths(self.dx, self.dy, self.dz))
+        if self.dz is not None and self.nz > 0:
+            rows[0] = ("cells", counts(self.nx, self.ny, self.nz))
             extent.append(self.nz * self.dz)
         rows.append(("extent", lengths(*extent)))
         if self.periodic:

@@ -184,8 +184,7 @@ def warn_of_unseen(
 ) -> bool:
     """Warn of layers that cannot show whether a body yields below a contact; whether it did.
 
-    Where the contact presses hard enough and there are fewer than `few` layers in its half width,
-    or they end above where the stress is largest.
+    Where the contact presses hard enough and there are fewer than `few` layers in its half width.
     """
     spot, grid = main_spot(peak.pressure, peak.grid.periodic), peak.grid
     if spot is None or grid.dz is None:
@@ -196,16 +195,12 @@ def warn_of_unseen(
         yields = last.max_equivalent_plastic_strain(body) > 0
         if yields or not material.is_plastic or hardest < float(material.yield_stress(0.0)):
             continue
-        if half / grid.dz < few:
-            fault = f"too thick: dz = {quantity(grid.dz, 'm')}"
-        elif grid.nz * grid.dz < _CLASSIC_DEPTH * half:
-            fault = f"too few: they end at nz dz = {quantity(grid.nz * grid.dz, 'm')}"
-        else:
+        if half / grid.dz >= few:
             continue
         text = (
             f"at load {peak.load:.6g} N body {body} does not yield, but the contact's half width is"
             f" {quantity(half, 'm')}, and the stress is largest at half to {_CLASSIC_DEPTH} of that"
-            f" depth: the layers are {fault}"
+            f" depth: the layers are too thick, dz = {quantity(grid.dz, 'm')}"
         )
         warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
         return True

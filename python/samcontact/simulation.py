@@ -41,7 +41,7 @@ class Simulation(Configured, Shown):
     Parameters
     ----------
     grid : Grid
-        Needs layers (nz, dz) when a body is inelastic.
+        Needs layers (dz) when a body is inelastic.
     body1, body2 : Material
         Upper and lower body; any of them inelastic, at most one rigid.
     gap : array_like, shape (nx, ny)
@@ -58,7 +58,7 @@ class Simulation(Configured, Shown):
         order. By default increments are taken as given; the error of backward Euler is of first
         order in them.
     on_border : {"error", "warn"}, optional
-        What to do when the contact or the plastic zone reaches the border of the grid.
+        What to do when the contact reaches the border of the grid.
     max_iterations : int, optional
         Of the plastic fixed point, before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
@@ -115,7 +115,7 @@ class Simulation(Configured, Shown):
         require_type("body1", body1, Material)
         require_type("body2", body2, Material)
         self.grid, self.body1, self.body2 = grid, body1, body2
-        scanned = grid.nz > 0 and (body1.is_plastic or body2.is_plastic)
+        scanned = grid.has_volume and (body1.is_plastic or body2.is_plastic)
         cell = _memory.SIMULATION + (_memory.YIELD_SCAN if scanned else 0.0)
         _memory.require_for_grid("a simulation", grid, _memory.surface(grid, cell))
         checked = np.array(finite_array("gap", gap, grid.surface_shape), order="C")
@@ -148,7 +148,7 @@ class Simulation(Configured, Shown):
             friction=self.friction,
             settings=settings.to_core(grid.dx),
             march=self._heat.history or (0.0, 0.0),
-            softening=[core_law(body, grid) for body in (body1, body2)],
+            softening=[core_law(body) for body in (body1, body2)],
             reliefs=[relief_rows(f"relief{n}", r, grid) for n, r in ((1, relief1), (2, relief2))],
         )
 
@@ -216,7 +216,8 @@ class Simulation(Configured, Shown):
         PlasticStrainWarning
             Once in a simulation, when the largest equivalent plastic strain passes 5 %.
         GridTooSmallWarning
-            With on_border="warn", where there would be a GridTooSmallError.
+            With on_border="warn", where there would be a GridTooSmallError. Once in a simulation,
+            where plastic strain lies below nz dz or beside the grid: fields do not show it there.
         ResolutionWarning
             Once in a simulation, when the contact is fewer than 4 cells across, or a plastic zone
             beyond the strain at yield fewer than 4 layers high; `run` warns below 8.
@@ -341,7 +342,8 @@ class Simulation(Configured, Shown):
         ----------
         body : {1, 2}
         strain : array_like, shape (6, nx, ny, nz)
-            Any symmetric strain, tensor components xx, yy, zz, yz, xz, xy [-].
+            Any symmetric strain, tensor components xx, yy, zz, yz, xz, xy [-], in any number nz of
+            layers from the surface on.
         equivalent : array_like, shape (nx, ny, nz), optional
             Accumulated equivalent plastic strain [-], >= 0; default 0.
         backstress : array_like, shape (terms, 6, nx, ny, nz), optional

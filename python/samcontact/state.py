@@ -30,12 +30,16 @@ class State(Fixed, Shown):
 
     Tensor components are xx, yy, zz, yz, xz, xy in the frame of the body (z into it); tension is
     positive. Methods take body = 1 or 2; those of volume fields raise ValueError for a grid without
-    layers or a rigid body. They are read-only, and what was computed last is kept for the next who
-    asks for it. A pickle or copy stands for itself, with a simulation of its own.
+    layers or a rigid body. Their nz layers lie at `depths`. They are read-only, and what was
+    computed last is kept for the next who asks for it. A pickle or copy stands for itself, with a
+    simulation of its own.
     """
 
-    def __init__(self, core: Any, simulation: Standing, heat: Heat) -> None:
+    def __init__(
+        self, core: Any, simulation: Standing, heat: Heat, layers: int | None = None
+    ) -> None:
         self.grid = simulation.grid
+        self._given_layers = layers
         self._tracks: dict[tuple[int, int], Track] = {}
         self._core = core
         self._simulation = simulation
@@ -43,6 +47,25 @@ class State(Fixed, Shown):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return restored_state, (type(self._simulation), snapshot(self._simulation, self))
+
+    @cached_property
+    def depths(self) -> FloatArray:
+        """Mid-depths of the layers that volume fields have [m], shape (nz,).
+
+        Those of the grid. Where it has no nz they hold all plastic strain of both bodies so far,
+        and the stress down to one and a half radii below the spots in contact; 8 at least.
+        """
+        return self.grid.depths(self._layers)
+
+    @property
+    def _layers(self) -> int:
+        return self._core.layers() if self._given_layers is None else self._given_layers
+
+    def _down_to(self, layers: int) -> State:
+        """The same moment, whose volume fields have another number of layers."""
+        if layers == self._layers:
+            return self
+        return State(self._core, self._simulation, self._heat, layers)
 
     @property
     def pressure(self) -> FloatArray:
@@ -141,7 +164,7 @@ class State(Fixed, Shown):
             raise ValueError(f"margin must be at most {MOST_CELLS // 4} cells, got {cells}")
         key = body, cells
         if key not in self._tracks:
-            self._tracks[key] = Track(self._core, self.grid, body, cells)
+            self._tracks[key] = Track(self._core, self.grid, body, cells, self._layers)
         return self._tracks[key]
 
     @property
@@ -246,8 +269,16 @@ class State(Fixed, Shown):
 
     def softening(self, body: int = 2) -> FloatArray:
         """Factor of the yield stress by thermal softening [-], shape (nx, ny, nz)."""
-        factor = self._core.softening(choice("body", body, (1, 2)) - 1)
-        return np.ones(self.grid.volume_shape) if factor is None else factor
+        known = self._core.softening(choice("body", body, (1, 2)) - 1)
+        factor = np.ones((*self.grid.surface_shape, self._layers))
+        if known is None:
+            return factor
+        layers = min(self._layers, known.shape[2])
+        factor[:, :, :layers] = known[:, :, :layers]
+        law = (self._simulation.body1, self._simulation.body2)[body - 1].softening
+        if layers < self._layers and law is not None:
+            factor[:, :, layers:] = law(self.temperature(body)[:, :, layers:])
+        return factor
 
     def _field(
         self, name: str, body: int, compute: Callable[[], FloatArray] | None = None
@@ -262,8 +293,11 @@ class State(Fixed, Shown):
             exact = strained and self._simulation.residual_stress == "exact"
             cell = _memory.EXACT_RESIDUAL if exact else _memory.VOLUME_FIELD
             what = f"the field {name}"
-            _memory.require_for_grid(what, self.grid, _memory.volume(self.grid, cell))
-        field: FloatArray = getattr(self._core, name)(index)
+            needed = _memory.volume(self.grid, cell, self._layers)
+            _memory.require_for_grid(what, self.grid, needed)
+            field: FloatArray = getattr(self._core, name)(index, self._layers)
+        else:
+            field = getattr(self._core, name)(index)
         return field
 
     def _rows(self) -> Rows:

@@ -28,7 +28,7 @@ class Track(Fixed):
     where the contact stood on the body at the start of the simulation.
     """
 
-    def __init__(self, core: Any, grid: Grid, body: int, margin: int) -> None:
+    def __init__(self, core: Any, grid: Grid, body: int, margin: int, layers: int) -> None:
         self.body = body
         start, rows = core.history_rows(body - 1) or (0, grid.nx)
         self._first_row = start - margin
@@ -39,8 +39,8 @@ class Track(Fixed):
             grid.ny,
             grid.dx,
             grid.dy,
-            nz=grid.nz,
-            dz=grid.dz if grid.nz else None,
+            nz=layers if grid.has_volume else 0,
+            dz=grid.dz,
         )
         """The cells of the track; its own x is counted from the middle, see `x`."""
         # The body's cell number n stood at (n - (nx - 1)/2) dx of the grid at the start.
@@ -109,7 +109,7 @@ class Track(Fixed):
         plane, tensor = ("x", "y"), ("component", "x", "y", "z")
         fields: dict[str, tuple[str, ...]] = {"residual_displacement": plane}
         coordinates = {"x": TRACK["x"].variable("x", self.x, self.body)}
-        layered = volume and self.grid.nz > 0
+        layered = volume and self.grid.has_volume
         if layered:
             fields |= {
                 "residual_stress": tensor,
@@ -136,7 +136,7 @@ class Track(Fixed):
         needed = _memory.volume(self.grid, cell)
         _memory.require_for_grid(f"the field {name} of a track", self.grid, needed)
         method = getattr(self._core, f"track_{name}")
-        field: FloatArray = method(self.body - 1, self._first_row, self.grid.nx)
+        field: FloatArray = method(self.body - 1, self._first_row, self.grid.nx, self.grid.nz)
         return field
 
     def __repr__(self) -> str:

@@ -35,6 +35,14 @@ class FakeState:
         else:
             self.pressure, self.approach = np.zeros(shape), 0.0
 
+    @property
+    def depths(self):
+        return self.grid.z
+
+    def _down_to(self, layers):
+        assert layers == self.grid.nz
+        return self
+
     def _pattern(self):
         grid = self.grid
         i = np.arange(grid.nx)[:, None, None]
@@ -61,6 +69,9 @@ class FakeState:
         return self._pattern() * 1e-9 * body
 
     def max_plastic_strain(self, body=2):
+        return self.max_equivalent_plastic_strain(body)
+
+    def max_equivalent_plastic_strain(self, body=2):
         return float(self.equivalent_plastic_strain(body=body).max())
 
     def residual_displacement(self, body=2):

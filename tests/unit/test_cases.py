@@ -78,8 +78,8 @@ def test_every_law_and_shape_is_accepted(write):
         ("dx = 60e-6", "dx = inf", r"grid\.dx: input should be a finite number, got inf"),
         ("dx = 60e-6", 'dx = "60"', r"grid\.dx: must be a number and a unit .* m, got '60'"),
         ("dx = 60e-6\n", "", r"grid\.dx: required field is missing"),
-        ("dz = 60e-6\n", "", r"grid: nz and dz go together"),
-        ("nz = 12\ndz = 60e-6", "", r"body2 is inelastic \(swift\): \[grid\] needs nz and dz"),
+        ("dz = 60e-6\n", "", r"grid: nz needs dz: give both, or dz alone"),
+        ("nz = 12\ndz = 60e-6", "", r"body2 is inelastic \(swift\): \[grid\] needs dz"),
         (
             "C = 20",
             "C = 20\nK = 1",

@@ -294,7 +294,7 @@ def test_every_field_of_every_section_is_tried():
         (
             {"grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}, "output": {"volume": "all"},
              "body1": {"law": "rigid"}, "body2": {"law": "elastic", "E": 1e9, "nu": 0.3}},
-            r"output\.volume = 'all' needs a \[grid\] with nz and dz",
+            r"output\.volume = 'all' needs a \[grid\] with dz",
         ),
         ({"heat": None, "path": [{"load": 1.0}]}, r"body1\.thermal is of frictional"),
         (

@@ -84,17 +84,14 @@ def test_one_increment_warns_of_what_cannot_be_mended_and_once():
     assert told(lambda: scene(cells=5).step(load=LOAD)) == []
 
 
-@pytest.mark.parametrize(
-    ("layers", "depth", "fault"), [(0.5, 2, "too thick"), (20, 0.1, "too few")]
-)
-def test_layers_that_cannot_show_yield_are_told(layers, depth, fault):
+def test_layers_that_cannot_show_yield_are_told():
     soft = sc.Material.perfect_plastic(210e9, 0.3, 2.2e9)  # yields just below 0.4 radii
-    run = scene(8, layers, depth, body2=soft, on_border="warn")
+    run = scene(8, 0.5, 2, body2=soft)
     (text,) = told(lambda: run.run([{"load": LOAD}], progress=False))
     assert "does not yield" in text
-    assert fault in text
+    assert "too thick" in text
     hard = sc.Material.perfect_plastic(210e9, 0.3, 9e9)
-    assert told(lambda: scene(8, layers, depth, body2=hard).step(load=LOAD)) == []
+    assert told(lambda: scene(8, 0.5, 2, body2=hard).step(load=LOAD)) == []
 
 
 def test_a_dataset_has_the_counts_and_a_report_fails_below_four():
@@ -131,14 +128,6 @@ def test_a_modulus_in_gigapascals_is_named_with_hertz_and_before_the_solve():
     simulation = sc.Simulation(grid, slip, slip, gap)
     with pytest.raises(sc.GridTooSmallError, match=text):
         simulation.run([{"load": 1e-9}, {"load": LOAD}], progress=False)
-    assert simulation.counters["contact_solves"] == 0
-
-
-def test_a_volume_that_is_much_too_shallow_is_refused_before_the_solve():
-    simulation = scene(8, layers=16, depth=0.25)
-    text = r"reaches the bottom .* would yield down to \d+\.?\d* µm\. Hertz: radius"
-    with pytest.raises(sc.GridTooSmallError, match=text):
-        simulation.step(load=LOAD)
     assert simulation.counters["contact_solves"] == 0
 
 

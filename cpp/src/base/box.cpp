@@ -46,12 +46,6 @@ Box Box::united(const Box& other) const {
           std::max(j0 + ny, other.j0 + other.ny) - j, depth};
 }
 
-Box Box::widened(int cells, const Grid& within) const {
-  const int i = std::max(0, i0 - cells), j = std::max(0, j0 - cells);
-  return {i, j, std::min(within.nx, i0 + nx + cells) - i, std::min(within.ny, j0 + ny + cells) - j,
-          std::min(within.nz, nz + cells)};
-}
-
 void insert(const double* small, const Box& from, double* large, const Box& into) {
   for_each_row(from, into, [&](std::size_t row, std::size_t other) {
     std::copy_n(small + row, from.ny, large + other);

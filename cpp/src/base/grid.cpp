@@ -33,13 +33,13 @@ std::vector<double> centres(int n, double d) {
 }  // namespace
 
 Grid::Grid(int nx_, int ny_, double dx_, double dy_, int nz_, double dz_)
-    : nx(nx_), ny(ny_), nz(nz_), dx(dx_), dy(dy_), dz(nz_ > 0 ? dz_ : 0.0) {
+    : nx(nx_), ny(ny_), nz(nz_), dx(dx_), dy(dy_), dz(dz_) {
   require(nx > 0, "nx", "an integer > 0", nx);
   require(ny > 0, "ny", "an integer > 0", ny);
   require(nz >= 0, "nz", "an integer >= 0", nz);
   require_size("dx", dx);
   require_size("dy", dy);
-  if (nz > 0) require_size("dz", dz);
+  if (nz > 0 || dz != 0) require_size("dz", dz);
 }
 
 Grid Grid::joined(bool along_x, bool along_y) const {
@@ -68,9 +68,9 @@ bool Grid::can_be_coarsened(int factor) const {
 std::vector<double> Grid::x() const { return centres(nx, dx); }
 std::vector<double> Grid::y() const { return centres(ny, dy); }
 
-std::vector<double> Grid::z() const {
-  std::vector<double> c(nz);
-  for (int k = 0; k < nz; ++k) c[k] = (k + 0.5) * dz;
+std::vector<double> Grid::z(int layers) const {
+  std::vector<double> c(layers);
+  for (int k = 0; k < layers; ++k) c[k] = (k + 0.5) * dz;
   return c;
 }
 

@@ -9,6 +9,8 @@ namespace {
 
 /// Numbers in the tables of all layers beyond which they are computed anew for each box.
 constexpr double most_kept = 64e6;
+/// Of a volume without bottom.
+constexpr int usual_layers = 64;
 
 ParityParts cropped(const ParityParts& from, int from_nx, const Grid& grid) {
   ParityParts to;
@@ -28,7 +30,8 @@ ParityParts cropped(const ParityParts& from, int from_nx, const Grid& grid) {
 HeatStress::HeatStress(const Grid& widest, SharedMedium medium, const Heating& heating)
     : widest_(widest), medium_(std::move(medium)), heating_(heating) {
   const double parts = (heating.speed_x != 0 ? 2 : 1) * (heating.speed_y != 0 ? 2 : 1);
-  const double numbers = 6 * parts * widest.surface_size() * std::max(widest.nz, 1);
+  const int layers = widest.nz > 0 ? widest.nz : usual_layers;
+  const double numbers = 6 * parts * widest.surface_size() * layers;
   // Closed forms are as fast as a copy.
   keeps_ = !heating.is_steady_at_rest() && numbers <= most_kept;
 }

@@ -8,9 +8,20 @@
 namespace samcontact::simulation {
 namespace {
 
-/// One extent of a box that holds [begin, end) of a grid of n cells, and had `before` cells: with
-/// room to grow, and a count that transforms fast. As much is added at both ends: contacts that are
-/// mirror images have boxes that are.
+/// Cells around what must be in a box.
+constexpr int margin = 2;
+/// The largest box, in widths of the grid.
+constexpr int most_widths = 3;
+
+/// [begin, end) with a margin, within [0, n) unless it reaches the end of that.
+void widen(int n, int& begin, int& end) {
+  begin = begin > 0 ? std::max(0, begin - margin) : begin - margin;
+  end = end < n ? std::min(n, end + margin) : end + margin;
+}
+
+/// One extent of a box that holds [begin, end), and had `before` cells: with room to grow, and a
+/// count that transforms fast. It stays in the grid's n cells where they hold what is needed. As
+/// much is added at both ends: contacts that are mirror images have boxes that are.
 void fit_extent(int n, int before, bool mirrored, int& begin, int& end) {
   if (mirrored) {
     begin = std::min(begin, n - end);
@@ -21,12 +32,30 @@ void fit_extent(int n, int before, bool mirrored, int& begin, int& end) {
   if (before > 0 && cells > before) cells = std::max(cells, before + before / 4);
   const auto good = [](int count) { return (fft::good_even_size(2 * count - 1) + 1) / 2; };
   for (cells = good(cells); (cells - needed) % 2 != 0;) cells = good(cells + 1);
-  if (cells > n - n / 8) cells = n;
-  begin = cells == n ? 0 : std::clamp(begin - (cells - needed) / 2, 0, n - cells);
+  const bool inside = begin >= 0 && end <= n;
+  if (inside && cells > n - n / 8) cells = n;
+  begin -= (cells - needed) / 2;
+  if (inside) begin = std::clamp(begin, 0, n - cells);
   end = begin + cells;
 }
 
 }  // namespace
+
+Box BoxChoice::with_margin(const Box& box) const {
+  int i0 = box.i0, i1 = box.i0 + box.nx, j0 = box.j0, j1 = box.j0 + box.ny;
+  widen(grid_.nx, i0, i1);
+  widen(grid_.ny, j0, j1);
+  if (grid_.period.x > 0) {
+    i0 = std::max(i0, 0);
+    i1 = std::min(i1, grid_.nx);
+  }
+  if (grid_.period.y > 0) {
+    j0 = std::max(j0, 0);
+    j1 = std::min(j1, grid_.ny);
+  }
+  const int nz = box.nz < grid_.nz ? std::min(grid_.nz, box.nz + margin) : box.nz + margin;
+  return {i0, j0, i1 - i0, j1 - j0, nz};
+}
 
 Box BoxChoice::fitted(const Box& needed, const Box& before) const {
   const Box old = before.empty() ? Box{} : whole(before);
@@ -46,8 +75,7 @@ Box BoxChoice::fitted(const Box& needed, const Box& before) const {
   }
   int nz = needed.nz;
   if (before.nz > 0 && nz > before.nz) nz = std::max(nz, before.nz + before.nz / 4);
-  nz = std::min(nz, grid_.nz);
-  if (nz > grid_.nz - grid_.nz / 8) nz = grid_.nz;
+  if (needed.nz <= grid_.nz && nz > grid_.nz - grid_.nz / 8) nz = grid_.nz;
   return stored({i0, j0, i1 - i0, j1 - j0, nz});
 }
 
@@ -58,6 +86,12 @@ Box BoxChoice::rim_of(const Box& box, const Cell& cell) const {
   return rim ? with_margin({cell.i, cell.j, 1, 1, cell.k + 1}) : box;
 }
 
+Box BoxChoice::in_grid_or(const Box& box, const Box& needed) const {
+  Box allowed = box.united(Box::whole(grid_));
+  if (grid_.nz == 0) allowed.nz = std::max(allowed.nz, needed.nz);
+  return needed.intersected(allowed);
+}
+
 Box BoxChoice::stored(Box box) const {
   const Box part = stored_part(grid_, symmetry_);
   const int i1 = box.i0 + box.nx, j1 = box.j0 + box.ny;
@@ -66,6 +100,12 @@ Box BoxChoice::stored(Box box) const {
   box.nx = i1 - box.i0;
   box.ny = j1 - box.j0;
   return box;
+}
+
+bool has_no_end(const Box& box, const Grid& grid) {
+  const double width = most_widths * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
+  const double depth = std::max(width, 2 * grid.nz * grid.dz);
+  return box.nx * grid.dx > width || box.ny * grid.dy > width || box.nz * grid.dz > depth;
 }
 
 Box window_of(const operators::Tractions& tractions, const Grid& grid) {

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "samcontact/simulation/box_choice.hpp"
+
 namespace samcontact::simulation {
 namespace {
 
@@ -22,11 +24,20 @@ bool is_one_of(fft::Symmetry symmetry) {
   return symmetry >= fft::Symmetry::none && symmetry <= fft::Symmetry::xy;
 }
 
-/// Whether it lies in the grid but for x, along which a moving body's may go beyond.
-bool is_across(const Box& box, const Grid& grid) {
-  return std::abs(static_cast<long>(box.i0)) < farthest && box.nx >= 0 && box.nx < farthest &&
-         box.j0 >= 0 && box.j0 <= grid.ny && box.ny >= 0 && box.ny <= grid.ny - box.j0 &&
-         box.nz >= 0 && box.nz <= grid.nz;
+/// Whether it is one, in cells that can be counted.
+bool is_box(const Box& box, const Grid& grid) {
+  const auto counted = [](int first, int count) {
+    return std::abs(static_cast<long>(first)) < farthest && count >= 0 && count < farthest;
+  };
+  const double cells = 1.0 * box.nx * box.ny * box.nz;
+  return counted(box.i0, box.nx) && counted(box.j0, box.ny) && counted(0, box.nz) &&
+         cells < farthest * 8.0 && (box.nz == 0 || grid.has_volume()) &&
+         (grid.period.x == 0 || (box.i0 >= 0 && box.i0 + box.nx <= grid.nx)) &&
+         (grid.period.y == 0 || (box.j0 >= 0 && box.j0 + box.ny <= grid.ny));
+}
+
+bool is_consistent(const BoxField& field, const Grid& grid) {
+  return is_box(field.box, grid) && field.values.size() == field.box.volume_size();
 }
 
 void require_consistent(const Flow& flow) {
@@ -64,14 +75,14 @@ std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Sc
                "tensor must be 0 or 1");
   require_that(std::abs(static_cast<long>(origin)) < farthest, "origin is out of range");
   const Box part = stored_part(scene.grid, symmetry);
-  require_that(is_across(box, scene.grid) && !box.empty() && box.nz > 0 &&
+  require_that(is_box(box, scene.grid) && !box.empty() && box.nz > 0 &&
                    (symmetry == fft::Symmetry::none || box.j0 == part.j0) &&
                    (symmetry != fft::Symmetry::xy || box.i0 == part.i0),
-               "the box of a plastic history is not in the grid");
+               "the box of a plastic history does not fit the grid");
   const std::size_t terms = scene.materials[body].backstresses.size();
   std::size_t cells = 0;
   for (const Box& zone : zones) {
-    require_that(is_across(zone, scene.grid) && !zone.empty() && zone.nz > 0 && box.contains(zone),
+    require_that(is_box(zone, scene.grid) && !zone.empty() && zone.nz > 0 && box.contains(zone),
                  "the zones of a plastic history are not in its box");
     cells += zone.volume_size();
     require_that(cells <= equivalent.size(), no_fit);
@@ -102,17 +113,16 @@ void require_consistent(const State& state) {
                "residual_method must be 0 or 1");
   require_that(is_one_of(state.past_symmetry), "past_symmetry must be 0, 1 or 2");
   for (int b = 0; b < 2; ++b) {
-    std::size_t cells = 0;
     for (const Box& box : state.flow_boxes[b]) {
-      require_that(is_across(box, grid) && !box.empty() && Box::whole(grid).contains(box),
-                   "the boxes of plastic flow are not in the grid");
-      cells += box.surface_size();
-      require_that(cells <= grid.surface_size(), "the boxes of plastic flow have cells in common");
+      require_that(is_box(box, grid) && !box.empty() && !has_no_end(box, grid),
+                   "the boxes of plastic flow are too far from the grid");
     }
     require_that(are_disjoint(state.flow_boxes[b]),
                  "the boxes of plastic flow have cells in common");
-    require_that(!state.softening[b] || state.softening[b]->size() == grid.volume_size(),
-                 "the softening of a body does not fit the grid");
+    require_that(
+        !state.softening[b] || (is_consistent(*state.softening[b], grid) &&
+                                state.softening[b]->box.contains(around(state.flow_boxes[b]))),
+        "the softening of a body does not fit the grid");
   }
   if (state.last_flow) require_consistent(*state.last_flow);
 }

@@ -113,10 +113,7 @@ Target between(const State& from, const Target& target, double fraction) {
 
 /// Flow of an earlier part of the increment.
 void add_flow(const State& earlier, State& state) {
-  for (int b = 0; b < 2; ++b) {
-    state.flowed[b] |= earlier.flowed[b];
-    state.border_flow[b] = state.border_flow[b].united(earlier.border_flow[b]);
-  }
+  for (int b = 0; b < 2; ++b) state.flowed[b] |= earlier.flowed[b];
 }
 
 }  // namespace
@@ -130,7 +127,6 @@ Division::Division(const State& from, const Target& target, const Settings& sett
       scans_(std::move(scans)),
       moment_(from) {
   moment_.flowed = {};
-  moment_.border_flow = {};
 }
 
 Target Division::part_of(const State& from, double start, double end) const {

@@ -139,7 +139,7 @@ class FixedPoint {
     ++counters_.plastic_iterations;
   }
 
-  /// In zones that have grown.
+  /// In boxes that have grown.
   void restart() {
     anderson_.reset();
     best_ = INFINITY;

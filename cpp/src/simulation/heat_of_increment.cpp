@@ -12,6 +12,25 @@ namespace samcontact::simulation {
 
 using operators::Tensor;
 
+namespace {
+
+/// Calls use(index) for each cell of a box in order, the index being that of the cell in layers
+/// [k][i][j] below the grid. Past heat is known there only: beside it that of the nearest cell is
+/// taken.
+template <class Use>
+void for_cells(const Box& box, const Grid& grid, const Use& use) {
+  for (int k = 0; k < box.nz; ++k) {
+    for (int i = box.i0; i < box.i0 + box.nx; ++i) {
+      const std::size_t row = static_cast<std::size_t>(k) * grid.nx + std::clamp(i, 0, grid.nx - 1);
+      for (int j = box.j0; j < box.j0 + box.ny; ++j) {
+        use(row * grid.ny + std::clamp(j, 0, grid.ny - 1));
+      }
+    }
+  }
+}
+
+}  // namespace
+
 HeatOfIncrement::HeatOfIncrement(const Scene& scene, const Target& target)
     : scene_(scene), target_(target) {
   if (target.is_prescribed()) return;
@@ -28,69 +47,72 @@ void HeatOfIncrement::open(Field& gap) const {
   }
 }
 
-const Field& HeatOfIncrement::past_stress(int body) {
+const Field& HeatOfIncrement::past_stress(int body, int layers) {
+  const Grid& grid = scene_.grid;
   Field& stress = stress_[body];
-  if (stress.empty()) {
-    stress = target_.past[body]->stress(target_.duration, scene_.grid.z());
+  const std::size_t least = 6 * grid.surface_size() * layers;
+  if (stress.size() < least) {
+    stress = target_.past[body]->stress(target_.duration, grid.z(std::max(layers, grid.nz)));
   }
   return stress;
 }
 
 void HeatOfIncrement::stress(int body, const Box& box, Tensor tensor, Field& sum) {
   if (!has_past(body)) return;
-  const Field& stress = past_stress(body);
-  const Box whole = Box::whole(scene_.grid);
-  const std::size_t cells = whole.volume_size(), boxed = box.volume_size();
-  Field out(operators::count(tensor) * boxed), component(cells);
+  const Field& stress = past_stress(body, box.nz);
+  const std::size_t cells = stress.size() / 6;
+  Field out(operators::count(tensor) * box.volume_size());
   double* to = out.data();
   for (const int c : operators::components(tensor)) {
     const bool deviator = tensor == Tensor::deviator && c < 3;
-    for (std::size_t n = 0; n < cells; ++n) {
+    for_cells(box, scene_.grid, [&](std::size_t n) {
       const double mean = (stress[n] + stress[cells + n] + stress[2 * cells + n]) / 3;
-      component[n] = stress[c * cells + n] - (deviator ? mean : 0.0);
-    }
-    extract(component.data(), whole, to, box);
-    to += boxed;
+      *to++ = stress[c * cells + n] - (deviator ? mean : 0.0);
+    });
   }
   add_to(sum, std::move(out));
 }
 
 Box HeatOfIncrement::above(int body, const operators::Tractions& tractions,
                            operators::ResidualMethod method, double limit) {
-  const Box whole = Box::whole(scene_.grid);
+  const Box below = scene_.volume_below(tractions.pressure);
   const auto operators =
-      scene_.volume(body, whole, Tensor::full, method, fft::Symmetry::none, target_.heating[body]);
+      scene_.volume(body, below, Tensor::full, method, fft::Symmetry::none, target_.heating[body]);
   const Field stress = operators->stress(nullptr, &tractions, operators::shear_sign(body));
-  const Field& past = past_stress(body);
-  const std::size_t cells = whole.volume_size();
+  const Field& past = past_stress(body, below.nz);
+  const std::size_t cells = below.volume_size(), stride = past.size() / 6;
   Box found;
   for (std::size_t n = 0; n < cells; ++n) {
     plasticity::Tensor s;
-    for (int c = 0; c < 6; ++c) s[c] = stress[c * cells + n] + past[c * cells + n];
+    for (int c = 0; c < 6; ++c) s[c] = stress[c * cells + n] + past[c * stride + n];
     if (plasticity::von_mises(s) <= limit) continue;
-    const int j = static_cast<int>(n % whole.ny), i = static_cast<int>(n / whole.ny % whole.nx);
-    const int k = static_cast<int>(n / whole.ny / whole.nx);
+    const int j = static_cast<int>(n % below.ny), i = static_cast<int>(n / below.ny % below.nx);
+    const int k = static_cast<int>(n / below.ny / below.nx);
     found = found.united({i, j, 1, 1, k + 1});
   }
   return found;
 }
 
-std::shared_ptr<const Field> HeatOfIncrement::softening(int body, const Softening& law,
-                                                        const Field& pressure) const {
+std::shared_ptr<const BoxField> HeatOfIncrement::softening(int body, const Softening& law,
+                                                           const Field& pressure,
+                                                           const Box& box) const {
   if (!law) return nullptr;
-  const auto& heat = target_.heating[body];
-  Field rise = scene_.temperature(heat)->rise(pressure.data());
+  const Grid& grid = scene_.grid;
+  const auto depths = grid.z(box.nz);
+  const auto operators = scene_.temperature(target_.heating[body], box);
+  Field rise = operators->rise(window({pressure, {}, {}}, grid, box).pressure.data(), depths);
   if (has_past(body)) {
-    const Field more = target_.past[body]->temperature(target_.duration, scene_.grid.z());
-    for (std::size_t n = 0; n < rise.size(); ++n) rise[n] += more[n];
+    const Field more = target_.past[body]->temperature(target_.duration, depths);
+    double* to = rise.data();
+    for_cells(box, grid, [&](std::size_t n) { *to++ += more[n]; });
   }
   const std::string name = "softening of body " + std::to_string(body + 1);
-  Field factor = law(rise);
+  Field factor = law(rise, box);
   require(factor.size() == rise.size(), name, "a value for each cell of the grid",
           static_cast<double>(factor.size()));
   for (const double f : factor) require(f > 0 && f <= 1, name, "in (0, 1]", f);
   if (*std::min_element(factor.begin(), factor.end()) == 1) return nullptr;
-  return std::make_shared<const Field>(std::move(factor));
+  return std::make_shared<const BoxField>(BoxField{box, std::move(factor)});
 }
 
 }  // namespace samcontact::simulation

@@ -42,7 +42,7 @@ void require_memory_of(const Zones& zones, double bytes, double before) {
   const Box& box = zones.around();
   require_memory(bytes - before, "the plastic zone, " + std::to_string(box.nx) + " x " +
                                      std::to_string(box.ny) + " x " + std::to_string(box.nz) +
-                                     " cells of the grid,");
+                                     " cells,");
 }
 
 /// Half the square of a deviator xx, yy, yz, xz, xy.
@@ -80,6 +80,14 @@ Box PlasticBody::near_yield(const YieldScan& scan, HeatOfIncrement& heat) const 
   const double limit = near * weakest_ * material().hardening.yield_stress(0.0);
   return heat.has_past(index_) ? heat.above(index_, tractions(), method_, limit)
                                : scan.box(tractions(), sign(), limit);
+}
+
+Box PlasticBody::yield_below(const YieldScan& scan) const {
+  return scan.box_below(tractions(), sign(), material().hardening.yield_stress(0.0));
+}
+
+bool PlasticBody::yields_everywhere(const YieldScan& scan) const {
+  return scan.is_beyond_everywhere(tractions(), sign(), material().hardening.yield_stress(0.0));
 }
 
 Columns PlasticBody::near_columns(const YieldScan& scan) const {
@@ -173,7 +181,7 @@ void PlasticBody::open(const Box& box, const Field& displacement, Field& gap) co
   const auto add = [&](int to, const double* u, double part) {
     if (to < 0 || to >= grid.nx) return;
     double* row = gap.data() + static_cast<std::size_t>(to) * grid.ny;
-    for (int j = whole.j0; j < whole.j0 + whole.ny; ++j) {
+    for (int j = std::max(0, whole.j0); j < std::min(grid.ny, whole.j0 + whole.ny); ++j) {
       const int sj = j < box.j0 ? grid.ny - 1 - j : j;
       row[j] += part * u[sj - box.j0];
     }
@@ -222,9 +230,10 @@ void PlasticBody::meet(const operators::Tractions& tractions) {
   if (offset_ != 0) seen_ = seen_from_body(tractions, scene_.grid, offset_);
 }
 
-void PlasticBody::soften(std::shared_ptr<const Field> factor) {
+void PlasticBody::soften(std::shared_ptr<const BoxField> factor) {
   softening_ = std::move(factor);
-  if (softening_) weakest_ = *std::min_element(softening_->begin(), softening_->end());
+  if (!softening_) return;
+  weakest_ = *std::min_element(softening_->values.begin(), softening_->values.end());
 }
 
 void PlasticBody::activate(std::uint32_t cell, const plasticity::Tensor& deviator,
@@ -323,9 +332,8 @@ double PlasticBody::yield_limit(std::uint32_t cell) const {
 
 double PlasticBody::softened(std::uint32_t cell) const {
   if (!softening_) return 1.0;
-  const Cell at = zones_.cell(cell);
-  const Grid& grid = scene_.grid;
-  return (*softening_)[(static_cast<std::size_t>(at.k) * grid.nx + at.i) * grid.ny + at.j];
+  const auto [i, j, k] = zones_.cell(cell);
+  return softening_->at(i, j, k);
 }
 
 std::span<const plasticity::Tensor> PlasticBody::backstresses(std::uint32_t cell,

@@ -15,19 +15,6 @@ namespace {
 
 using operators::Tensor;
 
-/// Flow at the border of the grid that is little against the strain that is there.
-constexpr double negligible_flow = 1e-4;
-
-/// share: of a cell's flow in the largest strain of its body. Mirror planes lie inside.
-BorderFlow flow_at_border(const Grid& grid, const Cell& cell, double share) {
-  if (share <= negligible_flow) return {};
-  const auto [i, j, k] = cell;
-  if (k == grid.nz - 1) return {.bottom = share};
-  const bool at_x = grid.period.x == 0 && (i == 0 || i == grid.nx - 1);
-  const bool at_y = grid.period.y == 0 && (j == 0 || j == grid.ny - 1);
-  return {0.0, at_x ? share : 0.0, at_y ? share : 0.0};
-}
-
 }  // namespace
 
 void Undeformed::open(Field& gap) const {
@@ -92,10 +79,6 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
   }
 }
 
-void PlasticIncrement::set_zones(PlasticBody& body, const Zones& zones, bool split) {
-  body.set_zones(zones, split, target_.heating[body.index()], sources_, active_);
-}
-
 void PlasticIncrement::scatter(const Field& guess) {
   const std::ptrdiff_t count = active_.size();
 #pragma omp parallel for schedule(static) if (30.0 * count > worth_threads)
@@ -129,73 +112,19 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
 }
 
 void PlasticIncrement::soften() {
-  if (softened_) return;
-  softened_ = true;
   for (PlasticBody& body : bodies_) {
-    const Softening& law = settings_.softening[body.index()];
-    body.soften(heat_.softening(body.index(), law, body.tractions().pressure));
+    Field& pressure = heating_pressure_[body.index()];
+    if (!pressure.empty() || !settings_.softening[body.index()]) continue;
+    pressure = body.tractions().pressure;
+    soften(body, scene_.volume_below(pressure).united(whole_or_none(body)));
   }
 }
 
-bool PlasticIncrement::may_touch_outside(const Field& gap) const {
-  if (gap.empty()) return false;
-  double reach = 0.0;
-  for (const PlasticBody& body : bodies_) reach += body.rim_displacement();
-  return std::any_of(bodies_.begin(), bodies_.end(),
-                     [&](const PlasticBody& body) { return body.may_touch_outside(gap, reach); });
-}
-
-bool PlasticIncrement::fit_boxes(const Field& gap) {
-  const Grid& grid = scene_.grid;
-  const bool touches = may_touch_outside(gap);
-  bool grown = false;
-  for (PlasticBody& body : bodies_) {
-    const auto [is_split, has_grown] = fit_zones(body);
-    grown = grown || has_grown;
-    if (is_split) continue;
-    const Box window = window_of(body.tractions(), grid);
-    const Box& before = body.zones().around();
-    const Box now = before.empty() ? Box{} : choice_.whole(before);
-    Box needed = now;
-    if (!scanned_) {
-      const Box near = body.near_yield(*scans_[body.index()], heat_);
-      if (!near.empty()) needed = needed.united(choice_.with_margin(near));
-    }
-    if (needed.empty()) continue;
-    // The stress is that of the tractions over the box: it must hold all of them.
-    needed = needed.united(window);
-    if (touches) needed = needed.united({0, 0, grid.nx, grid.ny, needed.nz});
-    if (body.zones().count() == 1 && now.contains(needed)) continue;
-    const Box margin = choice_.with_margin(window);
-    set_zones(body, Zones({choice_.fitted(needed.united(margin), before)}));
-    grown = true;
-  }
-  scanned_ = true;
-  return grown;
-}
-
-bool PlasticIncrement::grow_at_rim() {
-  bool grown = false;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    PlasticBody& body = bodies_[b];
-    if (body.is_split()) {
-      grown = grow_zones(body, rims_that_flow(b)) || grown;
-      continue;
-    }
-    const Box box = body.zones().around();
-    if (box.empty()) continue;
-    Box needed = box;
-    for (std::size_t n = 0; n < active_.size(); ++n) {
-      if (active_.cells[n].body != b || active_.equivalent[n] == 0) continue;
-      const Cell cell = body.zones().cell(active_.cells[n].cell);
-      needed = needed.united(choice_.rim_of(box, cell));
-    }
-    needed = choice_.stored(needed);
-    if (box.contains(needed)) continue;
-    set_zones(body, Zones({choice_.fitted(choice_.whole(needed), box)}));
-    grown = true;
-  }
-  return grown;
+void PlasticIncrement::soften(PlasticBody& body, const Box& box) {
+  const int b = body.index();
+  const auto& known = body.softening();
+  const Box needed = known ? known->box.united(box) : box;
+  body.soften(heat_.softening(b, settings_.softening[b], heating_pressure_[b], needed));
 }
 
 void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& result) {
@@ -316,17 +245,10 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
       if (active_.cells[n].body == b && active_.equivalent[n] != 0) visit(n);
     }
   };
-  // Material that past flow left at the yield stress creeps when it is unloaded, far from the
-  // contact too; where that is little against what is there, the grid need not hold it.
-  double largest = body.strain_scale();
-  for_own_cells([&](std::size_t n) { largest = std::max(largest, active_.equivalent[n]); });
   for_own_cells([&](std::size_t n) {
     const std::uint32_t cell = active_.cells[n].cell;
-    const double equivalent = active_.equivalent[n];
     state.flowed[i] = true;
-    state.border_flow[i] = state.border_flow[i].united(
-        flow_at_border(scene_.grid, body.zones().cell(cell), equivalent / largest));
-    body.flow(cell, active_.get(mapped, n), equivalent);
+    body.flow(cell, active_.get(mapped, n), active_.equivalent[n]);
   });
   state.softening[i] = body.softening();
   if (state.flowed[i]) {
@@ -338,7 +260,6 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
   state.plastic[0] = state.plastic[i];
   state.flow_boxes[0] = state.flow_boxes[i];
   state.flowed[0] = state.flowed[i];
-  state.border_flow[0] = state.border_flow[i];
 }
 
 State PlasticIncrement::finish(const Field& mapped, const Result& result) {
@@ -353,14 +274,14 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.load = result.contact.load;
   state.approach = result.contact.motion.approach;
   state.flowed = {};
-  state.border_flow = {};
   state.advance = {};
   remember_flow(state, mapped);
   scatter(mapped);
   for (std::size_t b = 0; b < bodies_.size(); ++b) finish(b, mapped, state);
   if (!target_.is_prescribed()) {
+    const Box surface = Box::surface(scene_.grid);
     const bool known = std::all_of(bodies_.begin(), bodies_.end(), [&](const PlasticBody& body) {
-      return !state.plastic[body.index()] || body.surface() == Box::surface(scene_.grid);
+      return !state.plastic[body.index()] || body.surface().contains(surface);
     });
     if (known) state.contact_gap = result.contact.gap;
   }

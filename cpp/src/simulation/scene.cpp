@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,6 +17,32 @@ namespace {
 constexpr std::size_t most_kept = 6;
 /// Cells beyond which the operators of a box that was outgrown are not kept.
 constexpr std::size_t large_box = 1'000'000;
+
+/// Where the volume has no bottom: depth of fields in radii of a contact, and fewest layers.
+constexpr double depth_in_radii = 1.5;
+constexpr int fewest_layers = 8;
+
+/// Radius of the spots under pressure, a circle's from its mean chord, along the direction in which
+/// they are shorter [m].
+double spot_radius(const Field& pressure, const Grid& grid) {
+  std::size_t cells = 0, chords_x = 0, chords_y = 0;
+  const auto touches = [&](int i, int j) {
+    return i >= 0 && j >= 0 && pressure[static_cast<std::size_t>(i) * grid.ny + j] > 0;
+  };
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      if (!touches(i, j)) continue;
+      ++cells;
+      if (!touches(i - 1, j)) ++chords_x;
+      if (!touches(i, j - 1)) ++chords_y;
+    }
+  }
+  if (cells == 0) return 0.0;
+  const double area = static_cast<double>(cells);
+  const double across_x = area * grid.dx / static_cast<double>(chords_x);
+  const double across_y = area * grid.dy / static_cast<double>(chords_y);
+  return 2 / std::numbers::pi * std::min(across_x, across_y);
+}
 
 std::array<operators::SharedMedium, 2> media_of(const plasticity::Material& body1,
                                                 const plasticity::Material& body2) {
@@ -98,14 +125,20 @@ std::shared_ptr<const contact::ContactSolver> Scene::solver(
   return solver_;
 }
 
-std::shared_ptr<const operators::Temperature> Scene::temperature(
-    const operators::Heating& heating) const {
+std::shared_ptr<const operators::Temperature> Scene::temperature(const operators::Heating& heating,
+                                                                 const Box& box) const {
   const std::lock_guard lock(mutex_);
-  if (!temperature_ || temperature_heating_ != heating) {
-    temperature_ = std::make_shared<const operators::Temperature>(grid, heating, grid.z());
-    temperature_heating_ = heating;
+  const auto found =
+      std::find_if(temperatures_.begin(), temperatures_.end(), [&](const auto& kept) {
+        return kept->heating() == heating && kept->grid().nx == box.nx && kept->grid().ny == box.ny;
+      });
+  if (found != temperatures_.end()) {
+    temperatures_.splice(temperatures_.begin(), temperatures_, found);
+    return temperatures_.front();
   }
-  return temperature_;
+  temperatures_.push_front(std::make_shared<const operators::Temperature>(box.grid(grid), heating));
+  if (temperatures_.size() > 2) temperatures_.pop_back();
+  return temperatures_.front();
 }
 
 std::shared_ptr<const operators::HeatStress> Scene::heat_stress(
@@ -122,12 +155,20 @@ std::shared_ptr<const operators::HeatStress> Scene::heat_stress(
 operators::HeatHistory Scene::heat_history(int body, const operators::Heating& heating) const {
   return media[body]->heat_history(
       grid, heating,
-      {.shortest = march.shortest, .longest = march.longest, .in_depth = grid.nz > 0});
+      {.shortest = march.shortest, .longest = march.longest, .in_depth = grid.has_volume()});
+}
+
+Box Scene::volume_below(const Field& pressure) const {
+  Box box = Box::whole(grid);
+  if (grid.nz > 0 || !grid.has_volume()) return box;
+  const double depth = depth_in_radii * spot_radius(pressure, grid);
+  box.nz = std::max(fewest_layers, static_cast<int>(std::ceil(depth / grid.dz)));
+  return box;
 }
 
 void Scene::require_volume(int body) const {
-  if (grid.nz == 0) {
-    throw std::invalid_argument("nz is 0: fields below the surface need a grid with nz and dz");
+  if (!grid.has_volume()) {
+    throw std::invalid_argument("the grid has no dz: fields below the surface need layers");
   }
   if (media[body]->is_rigid()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
@@ -179,7 +220,7 @@ std::size_t Scene::operator_bytes() const {
   std::size_t bytes = 0;
   for (const auto& [medium, tables] : zone_tables_) bytes += tables->bytes();
   for (const Kept& k : kept_) bytes += k.operators->bytes();
-  if (temperature_) bytes += temperature_->bytes();
+  for (const auto& kept : temperatures_) bytes += kept->bytes();
   const std::lock_guard heat_lock(heat_mutex_);
   for (int b = 0; b < 2; ++b) {
     if (heat_stress_[b] && (b == 0 || heat_stress_[1] != heat_stress_[0])) {

@@ -35,23 +35,6 @@ std::string shape_text(std::initializer_list<int> extents) {
   return shape + ")";
 }
 
-/// Where plastic flow of an increment meets the bottom or sides of the volume, and how much.
-std::string flow_at_border(const Grid& grid, const BorderFlow& flow) {
-  const auto much = [](double share) {
-    return ", where it flows by " + to_short_text(100 * share) +
-           " % of its largest plastic strain: enlarge ";
-  };
-  if (flow.bottom > 0) {
-    return "bottom of the volume (" + to_text(grid.nz * grid.dz) + " m)" + much(flow.bottom) +
-           "nz dz";
-  }
-  const bool x = flow.across_x > 0, y = flow.across_y > 0;
-  if (!x && !y) return {};
-  return "sides of the volume (" + to_text(grid.nx * grid.dx) + " m x " +
-         to_text(grid.ny * grid.dy) + " m)" + much(std::max(flow.across_x, flow.across_y)) +
-         (x ? "nx dx" : "") + (x && y ? " and " : "") + (y ? "ny dy" : "");
-}
-
 /// Throws std::invalid_argument unless there is one deviator for each law, within its limit.
 void check_backstress(const std::vector<plasticity::Backstress>& laws, const Field& backstress,
                       const Grid& grid) {
@@ -85,9 +68,9 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
                                    settings.image_tol, march, settings.reach, std::move(reliefs)))),
       settings_(settings),
       state_(scene_, settings.residual_stress) {
-  if (grid.nz == 0 && (body1.is_plastic() || body2.is_plastic())) {
+  if (!grid.has_volume() && (body1.is_plastic() || body2.is_plastic())) {
     throw std::invalid_argument(
-        "nz must be > 0 for an inelastic body: give the grid layers with nz and dz");
+        "dz must be given for an inelastic body: its layers are as many as it needs");
   }
   scans({});
 }
@@ -115,22 +98,12 @@ void Simulation::check(const Target& target) const {
 
 std::vector<std::string> Simulation::border_complaints(const State& reached,
                                                        const Target& target) const {
-  std::vector<std::string> complaints;
-  const auto add = [&](std::string what) {
-    if (what.empty()) return;
-    if (settings_.on_border == contact::OnBorder::error) throw contact::too_small(what);
-    complaints.push_back(std::move(what));
-  };
-  if (!target.is_prescribed()) {
-    add(contact::border_complaint(scene_->grid, reached.tractions.pressure, describe(target)));
-  }
-  for (int b = 0; b < 2; ++b) {
-    const auto where = flow_at_border(scene_->grid, reached.border_flow[b]);
-    if (where.empty()) continue;
-    add("at " + describe(target) + " the plastic zone of body " + std::to_string(b + 1) +
-        " reaches the " + where);
-  }
-  return complaints;
+  if (target.is_prescribed()) return {};
+  std::string what =
+      contact::border_complaint(scene_->grid, reached.tractions.pressure, describe(target));
+  if (what.empty()) return {};
+  if (settings_.on_border == contact::OnBorder::error) throw contact::too_small(what);
+  return {std::move(what)};
 }
 
 const State& Simulation::step(const Target& target) {
@@ -147,9 +120,8 @@ const State& Simulation::step(const Target& target) {
   return state_;
 }
 
-void Simulation::set_plastic_state(int body, int first_row, int rows, const Field& strain,
+void Simulation::set_plastic_state(int body, const Box& whole, const Field& strain,
                                    const Field& equivalent, const Field& backstress) {
-  const Box whole{first_row, 0, rows, scene_->grid.ny, scene_->grid.nz};
   const Grid grid = whole.grid(scene_->grid);
   if (!scene_->materials[body].is_plastic()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
@@ -177,7 +149,7 @@ void Simulation::set_plastic_state(int body, int first_row, int rows, const Fiel
     if (empty) continue;
     const int j = static_cast<int>(n % grid.ny), i = static_cast<int>(n / grid.ny % grid.nx);
     const int k = static_cast<int>(n / grid.ny / grid.nx);
-    box = box.united({first_row + i, j, 1, 1, k + 1});
+    box = box.united({whole.i0 + i, whole.j0 + j, 1, 1, k + 1});
   }
   state_.contact_gap.clear();
   if (box.empty()) {
@@ -205,7 +177,8 @@ void Simulation::set_plastic_state(int body, int first_row, int rows, const Fiel
     }
   }
   state_.plastic[body] = remade(record, *scene_, body);
-  state_.flow_boxes[body] = {box.intersected(Box::whole(scene_->grid))};
+  const Grid& window = scene_->grid;
+  state_.flow_boxes[body] = {box.intersected({0, 0, window.nx, window.ny, box.nz})};
 }
 
 void Simulation::restore(const State& state, const Counters& counters) {

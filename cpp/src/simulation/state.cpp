@@ -16,21 +16,18 @@ namespace {
 
 using operators::Tensor;
 
-/// scalar[i] = f(tensor of cell i).
-template <class F>
-Field reduce_tensor(const Field& tensor, const F& f) {
-  const std::ptrdiff_t n = tensor.size() / 6;
-  Field scalar(n);
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    scalar[i] = f(plasticity::Tensor{tensor[i], tensor[n + i], tensor[2 * n + i], tensor[3 * n + i],
-                                     tensor[4 * n + i], tensor[5 * n + i]});
-  }
-  return scalar;
-}
-
 void add(const Field& from, Field& to) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
+}
+
+/// The part of a tensor field over a box that lies in its own.
+Field cut(const Field& tensor, const Box& from, const Box& to) {
+  if (from == to) return tensor;
+  Field out(6 * to.volume_size());
+  for (int c = 0; c < 6; ++c) {
+    extract(tensor.data() + c * from.volume_size(), from, out.data() + c * to.volume_size(), to);
+  }
+  return out;
 }
 
 /// All six components of the deviator of n cells.
@@ -62,8 +59,8 @@ operators::Tractions window(const operators::Tractions& tractions, const Grid& g
   operators::Tractions out;
   const auto cut = [&](const Field& from, Field& to) {
     if (from.empty()) return;
-    to.resize(box.surface_size());
-    extract(from.data(), surface, to.data(), part);
+    to.assign(box.surface_size(), 0.0);
+    copy_common(from.data(), surface, to.data(), part);
   };
   cut(tractions.pressure, out.pressure);
   cut(tractions.shear_x, out.shear_x);
@@ -150,29 +147,44 @@ bool State::is_elsewhere(int body) const {
   return flow_boxes[body] != std::vector{whole};
 }
 
-Field State::total_stress(int body, bool with_tractions) const {
+int State::layers() const {
+  Box box = scene_->volume_below(tractions.pressure);
+  if (scene_->grid.nz > 0) return box.nz;
+  for (const auto& history : plastic) {
+    if (history) box.nz = std::max(box.nz, history->box().nz);
+  }
+  return box.nz;
+}
+
+Box State::below(Layers layers) const {
+  const Grid& grid = scene_->grid;
+  return {0, 0, grid.nx, grid.ny, layers ? *layers : this->layers()};
+}
+
+/// region: all of the window.
+Field State::total_stress(int body, bool with_tractions, const Box& region) const {
   const Grid& grid = scene_->grid;
   scene_->require_volume(body);
   const double sign = operators::shear_sign(body);
-  const Box whole = Box::whole(grid);
-  if (!plastic[body] && !with_tractions) return Field(6 * grid.volume_size(), 0.0);
+  if (!plastic[body] && !with_tractions) return Field(6 * region.volume_size(), 0.0);
   const operators::Heating heat = with_tractions ? heating[body] : operators::Heating{};
   const operators::Tractions loads = tractions_on(body);
   const auto of_tractions = [&] {
-    return scene_->volume(body, whole, Tensor::full, method, fft::Symmetry::none, heat)
+    return scene_->volume(body, region, Tensor::full, method, fft::Symmetry::none, heat)
         ->stress(nullptr, &loads, sign);
   };
   if (is_elsewhere(body)) {
-    Field out = residual_stress(body, whole);
+    Field out = residual_stress(body, region);
     if (with_tractions) add(of_tractions(), out);
     return out;
   }
+  if (!plastic[body]) return of_tractions();
 
   // In the box the very stress that the flow was computed with: the fast operator depends a little
   // on period and mirrors.
   const bool exact = method == operators::ResidualMethod::exact;
   auto symmetry = fft::Symmetry::none;
-  if (plastic[body] && !exact) {
+  if (!exact) {
     symmetry = plastic[body]->symmetry();
     if (with_tractions) {
       symmetry = common(symmetry, symmetry_of(tractions, grid));
@@ -181,16 +193,18 @@ Field State::total_stress(int body, bool with_tractions) const {
     }
   }
   const auto history = unfolded(plastic[body], grid, symmetry);
-  const Box box = history ? whole_box(history->box(), grid, symmetry) : Box{};
+  const Box box = whole_box(history->box(), grid, symmetry), around = region.united(box);
 
   Field out;
-  if (exact || box != whole) {
-    const Field strain = history ? plastic_strain(body, whole) : Field{};
-    out = scene_->volume(body, whole, Tensor::full, method, fft::Symmetry::none, heat)
-              ->stress(history ? strain.data() : nullptr, with_tractions ? &loads : nullptr, sign);
-    if (!history || exact) return out;
+  if (exact || box != around) {
+    const Field strain = plastic_strain(body, around);
+    const operators::Tractions all = window(loads, grid, around);
+    out = cut(scene_->volume(body, around, Tensor::full, method, fft::Symmetry::none, heat)
+                  ->stress(strain.data(), with_tractions ? &all : nullptr, sign),
+              around, region);
+    if (exact) return out;
   } else {
-    out.resize(6 * grid.volume_size());
+    out.resize(6 * region.volume_size());
   }
   const auto operators = scene_->volume(body, box, Tensor::full, method, symmetry, heat);
   const operators::Tractions here = window(loads, grid, history->box());
@@ -199,13 +213,14 @@ Field State::total_stress(int body, bool with_tractions) const {
       operators->stress(six_components(history->strain(stored), history->tensor()).data(),
                         with_tractions ? &here : nullptr, sign);
   Field plane(box.surface_size());
-  Box layer = box, surface = Box::surface(grid);
-  layer.nz = 1;
+  Box layer = box, surface = region;
+  layer.nz = surface.nz = 1;
   for (int c = 0; c < 6; ++c) {
-    for (int k = 0; k < box.nz; ++k) {
+    for (int k = 0; k < std::min(box.nz, region.nz); ++k) {
       unfold(part.data() + (c * box.nz + k) * stored.surface_size(), stored, symmetry,
              c == 4 || c == 5, c == 3 || c == 5, plane.data(), box, grid);
-      insert(plane.data(), layer, out.data() + (c * grid.nz + k) * grid.surface_size(), surface);
+      copy_common(plane.data(), layer, out.data() + (c * region.nz + k) * region.surface_size(),
+                  surface);
     }
   }
   return out;
@@ -213,40 +228,28 @@ Field State::total_stress(int body, bool with_tractions) const {
 
 Field State::residual_stress(int body, const Box& region) const {
   scene_->require_volume(body);
-  Field out(6 * region.volume_size(), 0.0);
-  if (!plastic[body]) return out;
+  if (!plastic[body]) return Field(6 * region.volume_size(), 0.0);
   const auto history = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
   const Box around = acting_box(*history, region, scene_->reach);
   const auto operators =
       scene_->volume(body, around, Tensor::full, method, fft::Symmetry::none, {});
   const Field strain = six_components(history->strain(around), history->tensor());
-  const Field stress = operators->stress(strain.data(), nullptr, 1.0);
-  for (int c = 0; c < 6; ++c) {
-    extract(stress.data() + c * around.volume_size(), around, out.data() + c * region.volume_size(),
-            region);
-  }
-  return out;
+  return cut(operators->stress(strain.data(), nullptr, 1.0), around, region);
 }
 
-Field State::stress(int body) const {
-  Field stress = total_stress(body, true);
-  if (past[body]) add(past[body]->stress(duration, scene_->grid.z()), stress);
+Field State::stress(int body, Layers layers) const {
+  const Box region = below(layers);
+  Field stress = total_stress(body, true, region);
+  if (past[body]) add(past[body]->stress(duration, scene_->grid.z(region.nz)), stress);
   return stress;
 }
 
-Field State::residual_stress(int body) const { return total_stress(body, false); }
-
-Field State::von_mises(int body) const {
-  return reduce_tensor(stress(body), plasticity::von_mises);
+Field State::residual_stress(int body, Layers layers) const {
+  return total_stress(body, false, below(layers));
 }
 
-Field State::hydrostatic(int body) const {
-  return reduce_tensor(stress(body),
-                       [](const plasticity::Tensor& s) { return (s[0] + s[1] + s[2]) / 3; });
-}
-
-Field State::plastic_strain(int body) const {
-  return plastic_strain(body, Box::whole(scene_->grid));
+Field State::plastic_strain(int body, Layers layers) const {
+  return plastic_strain(body, below(layers));
 }
 
 Field State::plastic_strain(int body, const Box& region) const {
@@ -256,14 +259,30 @@ Field State::plastic_strain(int body, const Box& region) const {
   return six_components(history->strain(region), history->tensor());
 }
 
-Field State::equivalent_plastic_strain(int body) const {
-  return equivalent_plastic_strain(body, Box::whole(scene_->grid));
+Field State::equivalent_plastic_strain(int body, Layers layers) const {
+  return equivalent_plastic_strain(body, below(layers));
 }
 
 Field State::equivalent_plastic_strain(int body, const Box& region) const {
   scene_->require_volume(body);
   if (!plastic[body]) return Field(region.volume_size(), 0.0);
   return unfolded(plastic[body], scene_->grid, fft::Symmetry::none)->equivalent(region);
+}
+
+Box State::strain_beyond(int body) const {
+  if (!plastic[body]) return {};
+  const Grid& grid = scene_->grid;
+  const auto history = plastic[body];
+  const Box whole = whole_box(history->box(), grid, history->symmetry());
+  Box seen{0, 0, grid.nx, grid.ny, grid.nz > 0 ? grid.nz : whole.nz};
+  const Box flow = around(flow_boxes[body]);
+  if (travel != Travel{} || (flow.i0 >= 0 && flow.i0 + flow.nx <= grid.nx)) {
+    seen.i0 = whole.i0;
+    seen.nx = whole.nx;
+  }
+  if (seen.contains(whole)) return {};
+  const Box strained = whole_box(history->zones().around(), grid, history->symmetry());
+  return seen.contains(strained) ? Box{} : strained;
 }
 
 double State::max_equivalent_plastic_strain(int body) const {
@@ -274,7 +293,7 @@ double State::max_plastic_strain(int body) const {
   return plastic[body] ? plastic[body]->max_strain() : 0.0;
 }
 
-Field State::backstress(int body) const { return backstress(body, Box::whole(scene_->grid)); }
+Field State::backstress(int body, Layers layers) const { return backstress(body, below(layers)); }
 
 Field State::backstress(int body, const Box& region) const {
   scene_->require_volume(body);
@@ -324,18 +343,20 @@ Field State::surface_displacement(int body) const {
   return out;
 }
 
-Field State::temperature(int body) const {
+Field State::temperature(int body, Layers layers) const {
   scene_->require_volume(body);
   const Field pressure = tractions_on(body).pressure;
-  Field rise = scene_->temperature(heating[body])->rise(pressure.data());
-  if (past[body]) add(past[body]->temperature(duration, scene_->grid.z()), rise);
+  const Box region = below(layers);
+  const auto depths = scene_->grid.z(region.nz);
+  Field rise = scene_->temperature(heating[body], region)->rise(pressure.data(), depths);
+  if (past[body]) add(past[body]->temperature(duration, depths), rise);
   return rise;
 }
 
 Field State::surface_temperature(int body) const {
   const std::array surface{0.0};
   Field rise =
-      operators::Temperature(scene_->grid, heating[body], surface).rise(tractions.pressure.data());
+      operators::Temperature(scene_->grid, heating[body]).rise(tractions.pressure.data(), surface);
   if (past[body]) add(past[body]->temperature(duration, surface), rise);
   return rise;
 }

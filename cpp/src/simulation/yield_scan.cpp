@@ -14,6 +14,7 @@ using operators::Tensor;
 constexpr double cells_per_depth = 8.0;
 /// Depths follow each other by at most this part of the depth, or half a cell.
 constexpr double depth_step = 0.125;
+constexpr double most_layers = 1e6;
 
 Grid coarsened(const Grid& grid, int factor) {
   const auto cells = [factor](int n) { return (n + factor - 1) / factor; };
@@ -64,13 +65,18 @@ YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& hea
   int factor = 1;
   const auto flush = [&] {
     if (layers.empty()) return;
-    levels_.push_back(
-        std::make_unique<Level>(grid_, factor, std::move(layers), scene.media[body], heat));
+    const bool lower = grid_.nz > 0 && layers.front() >= grid_.nz;
+    (lower ? below_ : levels_)
+        .push_back(
+            std::make_unique<Level>(grid_, factor, std::move(layers), scene.media[body], heat));
     layers.clear();
   };
-  for (int k = 0; k < grid_.nz; ++k) {
+  // As deep as the window is wide, or the grid if it is deeper.
+  const double width = std::max(grid_.nx * grid_.dx, grid_.ny * grid_.dy) / grid_.dz;
+  const int deepest = std::max(grid_.nz, static_cast<int>(std::min(std::ceil(width), most_layers)));
+  for (int k = 0; k < deepest; ++k) {
     const double z = (k + 0.5) * grid_.dz;
-    if (z < next && k + 1 < grid_.nz) continue;
+    if (z < next && k + 1 != grid_.nz && k + 1 < deepest) continue;
     next = z + std::max(half, depth_step * z);
     if (z >= 2 * factor * cell * cells_per_depth && 4 * factor <= widest &&
         grid_.can_be_coarsened(2 * factor)) {
@@ -78,6 +84,7 @@ YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& hea
       factor *= 2;
     }
     layers.push_back(k);
+    if (k + 1 == grid_.nz) flush();
   }
   flush();
 }
@@ -110,17 +117,33 @@ void YieldScan::for_beyond(const Level& level, const operators::Tractions& tract
         // Up to the next depth that is looked at.
         const int below = k + 1 < nz ? level.layers[k + 1] : level.layers[k] + 1;
         use(Box{i0, j0, std::min(level.factor, grid_.nx - i0),
-                std::min(level.factor, grid_.ny - j0), std::min(below, grid_.nz)});
+                std::min(level.factor, grid_.ny - j0), below});
       }
     }
   }
 }
 
+Box YieldScan::level_box(const Level& level, const operators::Tractions& tractions,
+                         double shear_sign, double limit) const {
+  Box found;
+  for_beyond(level, tractions, shear_sign, limit,
+             [&](const Box& cells) { found = found.united(cells); });
+  return found;
+}
+
 Box YieldScan::box(const operators::Tractions& tractions, double shear_sign, double limit) const {
   Box found;
   for (const auto& level : levels_) {
-    for_beyond(*level, tractions, shear_sign, limit,
-               [&](const Box& cells) { found = found.united(cells); });
+    found = found.united(level_box(*level, tractions, shear_sign, limit));
+  }
+  return found;
+}
+
+Box YieldScan::box_below(const operators::Tractions& tractions, double shear_sign,
+                         double limit) const {
+  Box found;
+  for (const auto& level : below_) {
+    found = found.united(level_box(*level, tractions, shear_sign, limit));
   }
   return found;
 }
@@ -128,22 +151,34 @@ Box YieldScan::box(const operators::Tractions& tractions, double shear_sign, dou
 Columns YieldScan::columns(const operators::Tractions& tractions, double shear_sign,
                            double limit) const {
   Columns columns{Box::surface(grid_), std::vector<int>(grid_.surface_size(), 0)};
-  for (const auto& level : levels_) {
-    for_beyond(*level, tractions, shear_sign, limit, [&](const Box& cells) {
-      for (int i = cells.i0; i < cells.i0 + cells.nx; ++i) {
-        for (int j = cells.j0; j < cells.j0 + cells.ny; ++j) {
-          int& depth = columns.depth[static_cast<std::size_t>(i) * grid_.ny + j];
-          depth = std::max(depth, cells.nz);
-        }
+  const auto deepen = [&](const Box& cells) {
+    for (int i = cells.i0; i < cells.i0 + cells.nx; ++i) {
+      for (int j = cells.j0; j < cells.j0 + cells.ny; ++j) {
+        int& depth = columns.depth[static_cast<std::size_t>(i) * grid_.ny + j];
+        depth = std::max(depth, cells.nz);
       }
-    });
+    }
+  };
+  for (const auto* levels : {&levels_, &below_}) {
+    for (const auto& level : *levels) for_beyond(*level, tractions, shear_sign, limit, deepen);
   }
   return columns;
 }
 
+bool YieldScan::is_beyond_everywhere(const operators::Tractions& tractions, double shear_sign,
+                                     double limit) const {
+  if (grid_.period.x == 0 || grid_.period.y == 0) return false;
+  // There is nothing but the mean left of the stress at the depth of a period.
+  const Level& level = below_.empty() ? *levels_.back() : *below_.back();
+  const Box found = level_box(level, tractions, shear_sign, limit);
+  return found.nz > level.layers.back() && found.surface_size() == grid_.surface_size();
+}
+
 std::size_t YieldScan::bytes() const {
   std::size_t bytes = 0;
-  for (const auto& level : levels_) bytes += level->stress.bytes();
+  for (const auto* levels : {&levels_, &below_}) {
+    for (const auto& level : *levels) bytes += level->stress.bytes();
+  }
   return bytes;
 }
 

@@ -62,8 +62,8 @@ class Case(CaseFile):
         if all(body.law == "rigid" for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
         for name, body in zip(("body1", "body2"), bodies, strict=True):
-            if body.is_plastic and self.grid.nz == 0:
-                raise ValueError(f"{name} is inelastic ({body.law}): [grid] needs nz and dz")
+            if body.is_plastic and self.grid.dz is None:
+                raise ValueError(f"{name} is inelastic ({body.law}): [grid] needs dz")
         marches = self.heat is not None and self.heat.history is not None
         for index, segment in enumerate(self.path):
             if segment.is_timed != marches:
@@ -72,7 +72,7 @@ class Case(CaseFile):
                     f"path[{index}]: {name} and heat.history go together: give both or neither"
                 )
         selected = self.output.body
-        stored = self.grid.nz > 0 and self.wear is None
+        stored = self.grid.dz is not None and self.wear is None
         if stored and bodies[selected - 1].law == "rigid":
             raise ValueError(
                 f"output.body = {selected} is rigid and has no stresses: set it to {3 - selected}"

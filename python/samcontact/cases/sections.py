@@ -46,8 +46,8 @@ class GridSection(Section):
 
     @model_validator(mode="after")
     def _volume_is_complete(self) -> GridSection:
-        if (self.nz > 0) != (self.dz is not None):
-            raise ValueError("nz and dz go together: give both (nz >= 1) or neither")
+        if self.nz > 0 and self.dz is None:
+            raise ValueError("nz needs dz: give both, or dz alone for as many layers as are needed")
         return self
 
     def build(self) -> Grid:

@@ -24,10 +24,10 @@ def require_all_used(case: Case) -> None:
     if case.wear is not None:
         for name in sorted(given):
             raise ValueError(f"output.{name} is not for a case with [wear]: leave it out")
-    if case.grid.nz == 0 and "volume" in given and case.output.volume != "none":
+    if case.grid.dz is None and "volume" in given and case.output.volume != "none":
         raise ValueError(
-            f"output.volume = {case.output.volume!r} needs a [grid] with nz and dz: give them, or "
-            "leave it out"
+            f"output.volume = {case.output.volume!r} needs a [grid] with dz: give it, or leave "
+            "it out"
         )
 
 

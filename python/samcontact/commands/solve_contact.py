@@ -39,7 +39,7 @@ def solve_contact(
     With `resume`, each increment leaves a checkpoint. Without it whatever ends the run before all
     files are written leaves them all. An error after some increments leaves these as results, too.
     """
-    if animate and not (case.moves and case.grid.nz > 0):
+    if animate and not (case.moves and case.grid.dz is not None):
         raise ValueError("--animate needs a path that moves a body, and a grid with layers")
     simulation, path = case.build()
     who = describe(simulation, path=path)
@@ -109,7 +109,7 @@ class _Run:
 
         shown = increments_shown(dataset, self.case.output.body)
         there = dataset.get("volume_increment", ())
-        if self.simulation.grid.nz == 0 or shown <= set(np.asarray(there).tolist()):
+        if not self.simulation.grid.has_volume or shown <= set(np.asarray(there).tolist()):
             return dataset
         return results.to_dataset(self.simulation, self.states, self.case, volume=sorted(shown))
 

@@ -15,7 +15,13 @@ from matplotlib.lines import Line2D
 
 from .._checks import FloatArray, choice, positive
 from .._quantities import CONTACT
-from .parts import edges, finish, nearest, new_figure
+from .parts import (
+    edges,
+    finish,
+    nearest,
+    new_figure,
+    require_volume,
+)
 from .track import positions_on_body
 
 if TYPE_CHECKING:
@@ -62,8 +68,10 @@ def rolling_animation(
     choice("quantity", quantity, _QUANTITIES)
     positive("interval", interval)
     grid = states[0].grid
-    if grid.nz == 0 or grid.dz is None:
-        raise ValueError("grid must have a volume (nz >= 1), got nz = 0")
+    require_volume(grid)
+    assert grid.dz is not None
+    depths = max((state.depths for state in states), key=len)
+    states = [state._down_to(len(depths)) for state in states]
     row = nearest(grid.y, 0.0)
 
     windows = [positions_on_body(state, body) for state in states]
@@ -78,7 +86,7 @@ def rolling_animation(
     pressures = [state.pressure[:, row] * 1e-9 for state in states]
 
     shown = CONTACT[quantity]
-    across, depth = edges(x, grid.dx) * 1e6, edges(grid.z, grid.dz) * 1e6
+    across, depth = edges(x, grid.dx) * 1e6, edges(depths, grid.dz) * 1e6
     ratio = min(max(0.8 * _WIDTH * depth[-1] / (across[-1] - across[0]), 1.4), 3.0)
     figure = new_figure(_WIDTH, ratio + 4.0)
     above, middle, below = figure.subplots(3, 1, sharex=True, height_ratios=[1.5, ratio, 1.5])
@@ -157,7 +165,7 @@ def _section(
     """The plane y = 0 on all cells x of the body, shape (len(x), nz); NaN: not computed."""
     # beyond the track nothing has yielded, but there are stresses
     beyond = 0.0 if quantity == "equivalent_plastic_strain" else np.nan
-    values = np.full((len(x), state.grid.nz), beyond)
+    values = np.full((len(x), len(state.depths)), beyond)
     track = state.track(body=body)
     field = "residual_von_mises" if quantity == "von_mises" else quantity
     rows = np.round((track.x - x[0]) / state.grid.dx).astype(int)

@@ -19,6 +19,7 @@ from .parts import (
     COMPONENTS,
     SECTIONS,
     axes_or_new,
+    depths_of,
     edges,
     finish,
     nearest,
@@ -150,9 +151,9 @@ def section(
     """
     choice("plane", plane, ("y", "x"))
     choice("quantity", quantity, SECTIONS)
-    if grid.nz == 0 or grid.dz is None:
-        raise ValueError("grid must have a volume (nz >= 1), got nz = 0")
-    values = finite_array("field", field, (grid.nx, grid.ny, grid.nz))
+    depths = depths_of(grid, field)
+    values = finite_array("field", field, (grid.nx, grid.ny, len(depths)))
+    assert grid.dz is not None
     finite("position", position)
     if plane == "y":
         values = values[:, nearest(grid.y, position), :]
@@ -160,7 +161,7 @@ def section(
     else:
         values = values[nearest(grid.x, position), :, :]
         across, name = edges(grid.y, grid.dy), "y"
-    return show_section(ax, across, edges(grid.z, grid.dz), values, quantity, name, label)
+    return show_section(ax, across, edges(depths, grid.dz), values, quantity, name, label)
 
 
 def load_approach(
@@ -308,11 +309,10 @@ def axis_profile(
     ValueError
         No volume, wrong shape, or an unknown component.
     """
-    if grid.nz == 0:
-        raise ValueError("grid must have a volume (nz >= 1), got nz = 0")
+    depths = depths_of(grid, stress)
     for component in components:
         choice("components", component, ("von_mises", "hydrostatic", *COMPONENTS))
-    tensor = finite_array("stress", stress, (6, grid.nx, grid.ny, grid.nz))
+    tensor = finite_array("stress", stress, (6, grid.nx, grid.ny, len(depths)))
     tensor = tensor[:, nearest(grid.x, 0.0), nearest(grid.y, 0.0)]
     lines = dict(zip(COMPONENTS, tensor, strict=True))
     lines |= {"von_mises": von_mises(tensor), "hydrostatic": tensor[:3].mean(axis=0)}
@@ -320,8 +320,8 @@ def axis_profile(
     for name in components:
         label = rf"$\sigma_{{{name}}}$" if name in COMPONENTS else CONTACT[name].heading
         values = lines[name] * CONTACT["stress"].factor
-        ax.plot(values, np.asarray(grid.z) * 1e6, linewidth=1.2, label=label)
-    ax.set_ylim(float(np.max(grid.z)) * 1e6, 0.0)
+        ax.plot(values, depths * 1e6, linewidth=1.2, label=label)
+    ax.set_ylim(float(depths[-1]) * 1e6, 0.0)
     ax.xaxis.set_major_locator(
         MaxNLocator(5, steps=[1, 2, 5, 10])
     )  # five digits and a sign are wide

@@ -54,6 +54,19 @@ def draw(figure: Figure, target: Path | BinaryIO, **options: Any) -> None:
         raise OSError(f"cannot draw a figure: {error}") from error
 
 
+def depths_of(grid: Grid, field: ArrayLike) -> FloatArray:
+    """Mid-depths of the layers of a volume field [m]: those of the grid, or as many as it has."""
+    require_volume(grid)
+    shape = np.shape(field)
+    return grid.depths(grid.nz or (shape[-1] if shape else 1))
+
+
+def require_volume(grid: Grid) -> None:
+    """Raise ValueError for a grid of the surface only."""
+    if not grid.has_volume:
+        raise ValueError("grid must have a volume, got one without dz")
+
+
 def section_height(width: float, across: float, depth: float) -> float:
     """Of the figure of one section [in], so that nothing is left blank: see `new_figure`."""
     return min(max(0.75 * width * depth / across, 0.5), 1.5 * width) + 0.95

@@ -20,12 +20,14 @@ from .parts import (
     COMPONENTS,
     add_to_title,
     axes_or_new,
+    depths_of,
     edges,
     elsewhere,
     finish,
     nearest,
     new_figure,
     place,
+    require_volume,
     row_of_interest,
     section_height,
     show_section,
@@ -132,7 +134,7 @@ def track_section(
     """
     choice("quantity", quantity, (*_RESIDUAL, *COMPONENTS))
     grid = grid_of(track)
-    _require_volume(grid.nz)
+    require_volume(grid)
     if quantity in COMPONENTS:
         field = track["residual_stress"].sel(component=quantity).values
         name, label = "stress", rf"residual $\sigma_{{{quantity}}}$"
@@ -177,7 +179,7 @@ def loaded_section(
     """
     choice("body", body, (1, 2))
     choice("quantity", quantity, (*_LOADED, *COMPONENTS))
-    _require_volume(state.grid.nz)
+    require_volume(state.grid)
     if quantity in COMPONENTS:
         field = state.stress(body=body)[COMPONENTS[quantity]]
         name, label = "stress", rf"$\sigma_{{{quantity}}}$"
@@ -185,11 +187,6 @@ def loaded_section(
         field, name, label = getattr(state, quantity)(body=body), quantity, None
     x, along = positions_on_body(state, body), f"x on body {body}"
     return _section(state.grid, x, field, ax, name, plane, position, label, along)
-
-
-def _require_volume(nz: int) -> None:
-    if nz == 0:
-        raise ValueError("grid must have a volume (nz >= 1), got nz = 0")
 
 
 def _section(
@@ -205,6 +202,7 @@ def _section(
 ) -> Axes:
     choice("plane", plane, ("y", "x"))
     finite("position", position)
+    depths = depths_of(grid, field)
     assert grid.dz is not None
     if plane == "y":
         values, across = field[:, nearest(grid.y, position), :], edges(x, grid.dx)
@@ -212,7 +210,7 @@ def _section(
     else:
         values, across, name = field[nearest(x, position)], edges(grid.y, grid.dy), "y"
     return show_section(
-        ax, across, edges(grid.z, grid.dz), values, quantity, name, label, titled=True
+        ax, across, edges(depths, grid.dz), values, quantity, name, label, titled=True
     )
 
 

@@ -111,10 +111,12 @@ def to_dataset(
     _add_scalars(dataset, states)
     _add_surface(dataset, simulation, states)
     heated = _add_temperatures(dataset, simulation, states)
-    if simulation.grid.nz > 0:
+    if simulation.grid.has_volume:
         bodies = _stored_bodies(simulation, body)
         _add_maxima(dataset, states, bodies)
         chosen = _chosen(dataset, volume)
+        states = _on_common_depths(states, [states[i] for i in chosen] or states[-1:])
+        dataset.coords["z"] = CONTACT["z"].variable("z", np.asarray(states[-1].depths))
         if chosen:
             _add_volume(dataset, states, bodies, heated, chosen)
     inelastic = _inelastic(simulation)
@@ -130,8 +132,13 @@ def completeness(stopped_by: str) -> dict[str, int | str]:
 
 
 def _coordinates(simulation: Simulation) -> dict[str, xr.Variable]:
-    axes = "xyz" if simulation.grid.nz > 0 else "xy"
-    return {n: CONTACT[n].variable(n, np.asarray(getattr(simulation.grid, n))) for n in axes}
+    return {n: CONTACT[n].variable(n, np.asarray(getattr(simulation.grid, n))) for n in "xy"}
+
+
+def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
+    """As deep as the deepest of those with stored fields, and as the last, whose track is."""
+    layers = max(len(state.depths) for state in (*stored, states[-1]))
+    return [state._down_to(layers) for state in states]
 
 
 def _add_scalars(dataset: xr.Dataset, states: Sequence[State]) -> None:
@@ -200,7 +207,7 @@ def _add_maxima(dataset: xr.Dataset, states: Sequence[State], bodies: dict[int, 
         stress = [float(np.max(s.von_mises(body=body))) for s in states]
         add(dataset, "max_von_mises", "increment", stress, body)
         if inelastic:
-            strain = [float(np.max(s.equivalent_plastic_strain(body=body))) for s in states]
+            strain = [s.max_equivalent_plastic_strain(body=body) for s in states]
             add(dataset, "max_equivalent_plastic_strain", "increment", strain, body)
 
 

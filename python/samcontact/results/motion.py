@@ -42,9 +42,6 @@ def add_motion(
         offset = [state.offset(body=body) for state in states]
         if any(offset):
             add(dataset, "offset", "increment", offset, body)
-        # the largest may have left the grid
-        largest = [state.max_equivalent_plastic_strain(body=body) for state in states]
-        dataset[f"max_equivalent_plastic_strain_body{body}"].values[:] = largest
         if body in moved:
             track = states[-1].track(body=body).to_dataset(volume=volume)
             names = {name: f"track_{name}_body{body}" for name in TRACK if name in track.variables}

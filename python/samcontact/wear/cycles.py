@@ -205,6 +205,11 @@ def _solve(scene: Scene, standing: Standing) -> Moments:
 
 def _strain_of(state: State, body: int) -> Strain | None:
     """The plastic strain of an inelastic body along its whole track; None without any."""
+    if state._core.strain_beyond(body - 1) is not None:
+        raise ValueError(
+            f"plastic strain of body {body} lies below nz dz or beside the grid, where wear does "
+            "not see it: enlarge nz, nx or ny"
+        )
     track = state.track(body, margin=0)
     equivalent = track.equivalent_plastic_strain()
     strain = track.plastic_strain()

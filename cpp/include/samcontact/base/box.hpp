@@ -33,8 +33,6 @@ struct Box {
   Box intersected(const Box& other) const;
   /// Smallest box that contains both; an empty one counts for its depth only.
   Box united(const Box& other) const;
-  /// Wider by `cells` on every side and at the bottom, within the grid.
-  Box widened(int cells, const Grid& within) const;
 };
 
 /// The smallest box of one layer around the surface cells that a predicate of their index picks.

@@ -20,7 +20,7 @@ class ConvergenceError : public std::runtime_error {
   double residual_;
 };
 
-/// The contact or the plastic zone needs more room than the grid has.
+/// The contact needs more room than the grid has.
 class GridTooSmallError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

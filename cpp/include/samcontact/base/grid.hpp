@@ -19,7 +19,7 @@ struct Period {
 };
 
 /// Cell-centred grid. x_i = (i - (nx-1)/2) dx [m], y likewise; layer k spans [k dz, (k+1) dz] with
-/// z into the body. nz = 0 means surface only; dz is then 0.
+/// z into the body. Without nz the volume has no bottom; without dz there is the surface only.
 ///
 /// Index orders in the core: a surface field is [i][j] (y fastest); a volume field is depth-major,
 /// [k][i][j]; a tensor field is [component][k][i][j] with components xx, yy, zz, yz, xz, xy.
@@ -29,7 +29,7 @@ struct Grid {
   Period period;  // a part of a grid has the period of the whole
 
   /// Throws std::invalid_argument when a count is not positive (nz: negative) or a size is not a
-  /// positive finite number.
+  /// positive finite number (dz: 0 where nz is).
   Grid(int nx, int ny, double dx, double dy, int nz = 0, double dz = 0.0);
 
   /// The same, its ends joined along x, y or both. Throws std::invalid_argument unless there is an
@@ -41,12 +41,14 @@ struct Grid {
 
   std::size_t surface_size() const { return static_cast<std::size_t>(nx) * ny; }
   std::size_t volume_size() const { return surface_size() * nz; }
+  bool has_volume() const { return dz > 0; }
   double cell_area() const { return dx * dy; }
 
   std::vector<double> x() const;
   std::vector<double> y() const;
-  /// Mid-depths of the layers [m].
-  std::vector<double> z() const;
+  /// Mid-depths of its layers, or of the first ones [m].
+  std::vector<double> z() const { return z(nz); }
+  std::vector<double> z(int layers) const;
 };
 
 }  // namespace samcontact

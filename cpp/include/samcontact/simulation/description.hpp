@@ -62,6 +62,12 @@ void describe(R& r, Visitor& visit) {
   visit("backstress", r.backstress);
 }
 
+template <Is<BoxField> F, class Visitor>
+void describe(F& f, Visitor& visit) {
+  visit("box", f.box);
+  visit("values", f.values);
+}
+
 template <Is<Flow> F, class Visitor>
 void describe(F& f, Visitor& visit) {
   visit("mirrored", f.symmetry);

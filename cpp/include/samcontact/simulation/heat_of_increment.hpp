@@ -20,21 +20,23 @@ class HeatOfIncrement : public Source {
   /// Of past heat.
   void open(Field& gap) const override;
   void stress(int body, const Box& box, operators::Tensor tensor, Field& sum) override;
-  /// All cells of the grid whose von Mises stress, under tractions and past heat, exceeds `limit`.
+  /// All cells below the grid whose von Mises stress, under tractions and past heat, exceeds
+  /// `limit`.
   Box above(int body, const operators::Tractions& tractions, operators::ResidualMethod method,
             double limit);
-  /// Factor of the yield stress [k][i][j] of the grid under a pressure; null: 1 everywhere. Throws
+  /// Factor of the yield stress in a box under a pressure; null: 1 everywhere. Throws
   /// std::invalid_argument for a law that gives what is none.
-  std::shared_ptr<const Field> softening(int body, const Softening& law,
-                                         const Field& pressure) const;
+  std::shared_ptr<const BoxField> softening(int body, const Softening& law, const Field& pressure,
+                                            const Box& box) const;
 
  private:
-  const Field& past_stress(int body);
+  /// Below the grid's window, in these layers and maybe more.
+  const Field& past_stress(int body, int layers);
 
   const Scene& scene_;
   const Target& target_;
   std::vector<Field> displacement_;
-  std::array<Field, 2> stress_;  // of the whole grid, when it was asked for
+  std::array<Field, 2> stress_;  // when it was asked for
 };
 
 }  // namespace samcontact::simulation

@@ -44,6 +44,10 @@ class PlasticBody {
   /// The columns of those; and of those that yield. Without heat of the past.
   Columns near_columns(const YieldScan& scan) const;
   Columns yielding_columns(const YieldScan& scan) const;
+  /// The box of all cells below those of the grid where the tractions alone make it yield.
+  Box yield_below(const YieldScan& scan) const;
+  /// Whether it yields down to any depth.
+  bool yields_everywhere(const YieldScan& scan) const;
 
   /// Other zones, which hold all unknowns: what is in both stays. split: whether their operators
   /// are to be those of zones, or that of the box around them, which must hold all tractions then.
@@ -67,9 +71,9 @@ class PlasticBody {
   double rim_displacement() const { return copies_ * rim_displacement_; }
 
   void meet(const operators::Tractions& tractions);
-  /// Factor of the yield stress [k][i][j] of the grid; null: 1.
-  void soften(std::shared_ptr<const Field> factor);
-  const std::shared_ptr<const Field>& softening() const { return softening_; }
+  /// Factor of the yield stress in a box that holds its own; null: 1.
+  void soften(std::shared_ptr<const BoxField> factor);
+  const std::shared_ptr<const BoxField>& softening() const { return softening_; }
 
   /// Stress of its active cells; cells that yield and were not active are appended. Returns the
   /// smallest (yield stress - von Mises)/yield stress of cells that are not active.
@@ -138,7 +142,7 @@ class PlasticBody {
   double offset_ = 0.0;              // of its cells from the grid's, see Placement
   const operators::Tractions* tractions_ = nullptr;
   operators::Tractions seen_;  // from cells at an offset
-  std::shared_ptr<const Field> softening_;
+  std::shared_ptr<const BoxField> softening_;
   double weakest_ = 1.0;  // its smallest value
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <stdexcept>
 #include <vector>
 
 #include "samcontact/simulation/active_cells.hpp"
@@ -53,11 +54,12 @@ class PlasticIncrement {
   /// approach.
   Result evaluate(Field& guess, double contact_tol, Field& mapped);
 
+  /// Whether a box had to grow beyond the grid, or zones for what yields outside of them, for what
+  /// the last evaluation found: evaluate again. Iterates may flow where the solution does not.
+  bool grow_beyond();
+
   /// The contact of the last evaluation to a finer tolerance; all else stays.
   void refine_contact(double contact_tol, Result& result);
-
-  /// Before a solution is accepted: whether zones had to grow for what yields outside of them.
-  bool grow_beyond();
 
   bool has_plastic_body() const { return !bodies_.empty(); }
 
@@ -71,6 +73,8 @@ class PlasticIncrement {
   /// Whether the last increment was a part of the same steady motion; by what part of it.
   double part_of_last_motion() const;
   void set_zones(PlasticBody& body, const Zones& zones, bool split = false);
+  /// In one box, which is stored.
+  void set_box(PlasticBody& body, const Box& box) { set_zones(body, Zones({box})); }
   /// Whether a body's strain may be solved for in small zones.
   bool may_split(const PlasticBody& body) const;
   /// Whether that is less work than in one box.
@@ -85,16 +89,26 @@ class PlasticIncrement {
   bool grow_zones(PlasticBody& body, std::vector<Box> more);
   /// What zones must hold besides themselves where cells of their rims flow.
   std::vector<Box> rims_that_flow(std::size_t b) const;
+  /// Grows zones for what yields outside of them.
+  bool grow_for_yield(PlasticBody& body);
+  /// The box around a body's zones, whole; empty before there are some.
+  Box whole_or_none(const PlasticBody& body) const;
   void scatter(const Field& guess);
   contact::Solution solve_contact(const Field& gap, double tol);
   /// Once, when the first contact tells how hot the bodies are.
   void soften();
+  /// A body, in a box and where it already is; by the same contact.
+  void soften(PlasticBody& body, const Box& box);
+  std::invalid_argument flows_as_a_whole(const PlasticBody& body) const;
   /// Whether a box had to grow for the contact or, at first, for the elastic stress.
   bool fit_boxes(const Field& gap);
   /// Whether a body may touch where its residual displacement is not known.
   bool may_touch_outside(const Field& gap) const;
-  /// Grows the boxes whose rim flows.
+  /// Grows the boxes whose rim flows, in the grid.
   bool grow_at_rim();
+  /// What the box of a body, number b of the inelastic ones, must hold where cells of its rim flow
+  /// by more than this; stored.
+  Box needed_at_rim(std::size_t b, double negligible) const;
   void return_map(const Field& guess, Field& mapped, Result& result);
   void remember_flow(State& state, const Field& mapped) const;
   /// What a body, number b of the inelastic ones, has become.
@@ -114,7 +128,8 @@ class PlasticIncrement {
   BoxChoice choice_;
   std::vector<PlasticBody> bodies_;  // inelastic ones
   Field gap_;                        // without the elastic displacement, of the last evaluation
-  bool scanned_ = false, softened_ = false;
+  bool scanned_ = false;
+  std::array<Field, 2> heating_pressure_;  // on each body, of the first contact; empty before
   ActiveCells active_;
 };
 

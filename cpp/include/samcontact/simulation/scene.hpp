@@ -45,9 +45,9 @@ class Scene {
   /// The contact of the scene with this heat; the last one is kept. Thread-safe.
   std::shared_ptr<const contact::ContactSolver> solver(const operators::HeatingPair& heating) const;
 
-  /// At mid-depth of the layers; the last one is kept. Thread-safe.
-  std::shared_ptr<const operators::Temperature> temperature(
-      const operators::Heating& heating) const;
+  /// Over the window of a box; the last two are kept. Thread-safe.
+  std::shared_ptr<const operators::Temperature> temperature(const operators::Heating& heating,
+                                                            const Box& box) const;
 
   /// Tables of a body's heat, null without; the last one of each body is kept. Thread-safe.
   std::shared_ptr<const operators::HeatStress> heat_stress(int body,
@@ -55,6 +55,9 @@ class Scene {
   /// An empty history of the heat that enters a body as told.
   operators::HeatHistory heat_history(int body, const operators::Heating& heating) const;
 
+  /// The cells of the grid, and the layers in which the stress under a pressure is seen: as many as
+  /// the grid has, or down to one and a half radii of the spots in contact.
+  Box volume_below(const Field& pressure) const;
   /// Throws std::invalid_argument for a grid without volume or a rigid body.
   void require_volume(int body) const;
 
@@ -95,8 +98,7 @@ class Scene {
       zone_tables_;
   mutable std::mutex heat_mutex_;
   mutable std::array<std::shared_ptr<const operators::HeatStress>, 2> heat_stress_;
-  mutable operators::Heating temperature_heating_;
-  mutable std::shared_ptr<const operators::Temperature> temperature_;
+  mutable std::list<std::shared_ptr<const operators::Temperature>> temperatures_;  // latest first
   mutable operators::HeatingPair solver_heating_;
   mutable std::shared_ptr<const contact::ContactSolver> solver_;
 };

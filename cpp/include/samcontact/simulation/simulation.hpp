@@ -29,8 +29,8 @@ struct Target {
   bool is_approach() const { return !is_prescribed() && !drive.normal.is_force(); }
 };
 
-/// Factor of a body's yield stress, both [k][i][j] of the grid, from the rise of temperature [K].
-using Softening = std::function<Field(const Field& temperature)>;
+/// Factor of a body's yield stress from the rise of temperature [K], both [k][i][j] of a box.
+using Softening = std::function<Field(const Field& temperature, const Box& box)>;
 
 /// Defaults and ranges are the caller's.
 struct Settings {
@@ -76,10 +76,9 @@ class Simulation {
   const State& step(const Target& target);
 
   /// Plastic state of body 0 or 1 to go on from: any symmetric strain, e.g. a given eigenstrain.
-  /// Over `rows` rows of cells from one of the grid's on, or from one before it. Without equivalent
-  /// plastic strain or backstress when these are empty.
-  void set_plastic_state(int body, int first_row, int rows, const Field& strain,
-                         const Field& equivalent, const Field& backstress);
+  /// Over the cells of a box. Without equivalent plastic strain or backstress when these are empty.
+  void set_plastic_state(int body, const Box& whole, const Field& strain, const Field& equivalent,
+                         const Field& backstress);
 
   /// Continues from a saved state of the same scene.
   void restore(const State& state, const Counters& counters);

@@ -3,10 +3,9 @@
 // volume on demand.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,16 +26,17 @@ struct Flow {
   bool operator==(const Flow&) const = default;
 };
 
-/// Largest plastic flow of an increment at the border of the grid, over the body's largest plastic
-/// strain: at the bottom, and above it at the sides across x and y; 0 where it is negligible.
-struct BorderFlow {
-  double bottom = 0.0, across_x = 0.0, across_y = 0.0;
-  /// The larger ones of both.
-  BorderFlow united(const BorderFlow& other) const {
-    return {std::max(bottom, other.bottom), std::max(across_x, other.across_x),
-            std::max(across_y, other.across_y)};
+/// A scalar field of the cells of a box, [k][i][j].
+struct BoxField {
+  Box box;
+  Field values;
+  double at(int i, int j, int k) const {
+    return values[(static_cast<std::size_t>(k) * box.nx + (i - box.i0)) * box.ny + (j - box.j0)];
   }
 };
+
+/// How many; none: as many as a state has.
+using Layers = std::optional<int>;
 
 class State {
  public:
@@ -50,8 +50,8 @@ class State {
   PastHeat past;                                    // of all steps before, seen from their end
   fft::Symmetry past_symmetry = fft::Symmetry::xy;  // mirror planes of that
   double time = 0.0, duration = 0.0;                // [s], of a march, and of its last step
-  /// Factor of the yield stress [k][i][j] of the grid; null: 1.
-  std::array<std::shared_ptr<const Field>, 2> softening;
+  /// Factor of the yield stress over the grid, and where the body may flow beyond; null: 1.
+  std::array<std::shared_ptr<const BoxField>, 2> softening;
   double load = 0.0;      // [N]
   double approach = 0.0;  // [m]; NaN under prescribed tractions
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
@@ -66,9 +66,7 @@ class State {
   int plastic_iterations = 0, contact_iterations = 0, substeps = 0;
   double plastic_residual = 0.0;  // relative change of the plastic strain increment when accepted
   double yield_excess = 0.0;      // max (von Mises - yield)/yield when accepted
-  /// In this increment: whether a body flowed, and how much at the border of the grid.
-  std::array<bool, 2> flowed{};
-  std::array<BorderFlow, 2> border_flow{};
+  std::array<bool, 2> flowed{};   // whether a body flowed in this increment
   std::vector<std::string> warnings;
 
   const Scene& scene() const { return *scene_; }
@@ -85,21 +83,26 @@ class State {
   /// Separation of the surfaces under load [i][j] [m]; under prescribed tractions for approach 0.
   Field gap() const;
 
+  /// How many layers fields of the volume have: those of the grid, or enough for all plastic strain
+  /// and for the stress under the contact.
+  int layers() const;
+
   /// Fields of a body (0 or 1), layers at mid-depth: [component][k][i][j] or [k][i][j], in the
   /// body's cells (see Placement). Throw std::invalid_argument for a grid without volume or a rigid
   /// body.
-  Field stress(int body) const;
-  Field residual_stress(int body) const;
-  Field von_mises(int body) const;
-  Field hydrostatic(int body) const;
-  Field plastic_strain(int body) const;
-  Field equivalent_plastic_strain(int body) const;
+  Field stress(int body, Layers layers = {}) const;
+  Field residual_stress(int body, Layers layers = {}) const;
+  Field plastic_strain(int body, Layers layers = {}) const;
+  Field equivalent_plastic_strain(int body, Layers layers = {}) const;
+  /// The cells with plastic strain, where fields do not have all of them; else empty. Along x
+  /// only what has flowed where it is: what has moved is on the track.
+  Box strain_beyond(int body) const;
   /// Largest accumulated equivalent plastic strain, and largest sqrt(2/3 e:e) of the plastic
   /// strain, which flow to and fro does not raise; 0 for a body without.
   double max_equivalent_plastic_strain(int body) const;
   double max_plastic_strain(int body) const;
   /// [term][component][k][i][j], as many terms as the material has backstresses.
-  Field backstress(int body) const;
+  Field backstress(int body, Layers layers = {}) const;
   Field backstress(int body, const Box& region) const;
   /// Fields of the plastic strain over cells of the body beside or in the grid; [i][j] or
   /// [component][k][i][j] of the region.
@@ -112,11 +115,13 @@ class State {
   Field residual_displacement(int body) const;
   Field surface_displacement(int body) const;
   /// Rise of temperature [K] at mid-depth of the layers [k][i][j], and of the surface [i][j].
-  Field temperature(int body) const;
+  Field temperature(int body, Layers layers = {}) const;
   Field surface_temperature(int body) const;
 
  private:
-  Field total_stress(int body, bool with_tractions) const;
+  Field total_stress(int body, bool with_tractions, const Box& region) const;
+  /// The cells of the grid down to a number of layers.
+  Box below(Layers layers) const;
   /// As the body's cells see them.
   operators::Tractions tractions_on(int body) const;
   /// Whether its plastic strain was last solved for elsewhere than in its one box.
@@ -125,7 +130,7 @@ class State {
   std::shared_ptr<const Scene> scene_;
 };
 
-/// The part of the surface fields over a box.
+/// The part of the surface fields over a box; 0 beside the grid.
 operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,
                             const Box& box);
 

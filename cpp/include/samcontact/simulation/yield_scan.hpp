@@ -17,10 +17,15 @@ class YieldScan {
   YieldScan(const Scene& scene, int body, const operators::Heating& heating);
 
   /// The box of all cells whose von Mises stress under the tractions exceeds `limit` [Pa]; empty
-  /// when there is none. Tractions in the body's own frame but for the sign of the shear.
+  /// when there is none. Tractions in the body's own frame but for the sign of the shear. In the
+  /// layers of the grid; without a bottom, as deep as its window is wide.
   Box box(const operators::Tractions& tractions, double shear_sign, double limit) const;
-
-  /// The same by column of the grid.
+  /// The same of layers below those of the grid.
+  Box box_below(const operators::Tractions& tractions, double shear_sign, double limit) const;
+  /// Whether a surface that is periodic in both directions exceeds it at any depth.
+  bool is_beyond_everywhere(const operators::Tractions& tractions, double shear_sign,
+                            double limit) const;
+  /// By column of the grid, down to any depth.
   Columns columns(const operators::Tractions& tractions, double shear_sign, double limit) const;
 
   std::size_t bytes() const;
@@ -43,9 +48,11 @@ class YieldScan {
   template <class Use>
   void for_beyond(const Level& level, const operators::Tractions& tractions, double shear_sign,
                   double limit, const Use& use) const;
+  Box level_box(const Level& level, const operators::Tractions& tractions, double shear_sign,
+                double limit) const;
 
   Grid grid_;
-  std::vector<std::unique_ptr<Level>> levels_;
+  std::vector<std::unique_ptr<Level>> levels_, below_;  // of the grid's layers, and below them
 };
 
 }  // namespace samcontact::simulation

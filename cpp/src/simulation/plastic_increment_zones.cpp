@@ -90,23 +90,18 @@ std::vector<Box> PlasticIncrement::rims_that_flow(std::size_t b) const {
   return needed;
 }
 
-bool PlasticIncrement::grow_beyond() {
-  bool grown = false;
-  for (PlasticBody& body : bodies_) {
-    if (!body.is_split()) continue;
-    Columns columns = body.yielding_columns(*scans_[body.index()]);
-    for (const Box& zone : body.zones().boxes()) {
-      const Box common = zone.intersected(columns.window);
-      for (int i = common.i0; i < common.i0 + common.nx; ++i) {
-        for (int j = common.j0; j < common.j0 + common.ny; ++j) {
-          int& depth = columns.depth[static_cast<std::size_t>(i) * columns.window.ny + j];
-          if (depth <= zone.nz) depth = 0;
-        }
+bool PlasticIncrement::grow_for_yield(PlasticBody& body) {
+  Columns columns = body.yielding_columns(*scans_[body.index()]);
+  for (const Box& zone : body.zones().boxes()) {
+    const Box common = zone.intersected(columns.window);
+    for (int i = common.i0; i < common.i0 + common.nx; ++i) {
+      for (int j = common.j0; j < common.j0 + common.ny; ++j) {
+        int& depth = columns.depth[static_cast<std::size_t>(i) * columns.window.ny + j];
+        if (depth <= zone.nz) depth = 0;
       }
     }
-    grown = grow_zones(body, boxes_around(columns)) || grown;
   }
-  return grown;
+  return grow_zones(body, boxes_around(columns));
 }
 
 }  // namespace samcontact::simulation
