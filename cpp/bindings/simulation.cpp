@@ -242,7 +242,7 @@ void bind_settings(py::module_& m) {
   py::class_<Settings>(m, "Settings")
       .def(py::init([](double tol, double increment_tol, int max_iterations,
                        const std::string& on_border, const std::string& residual_stress,
-                       double image_tol, int reach) {
+                       double image_tol, bool one_zone, int reach) {
              using operators::ResidualMethod;
              return Settings{.tol = tol,
                              .increment_tol = increment_tol,
@@ -252,11 +252,12 @@ void bind_settings(py::module_& m) {
                              .residual_stress = residual_stress == "exact" ? ResidualMethod::exact
                                                                            : ResidualMethod::fast,
                              .image_tol = image_tol,
-                             .reach = reach};
+                             .reach = reach,
+                             .one_zone = one_zone};
            }),
            py::kw_only(), py::arg("tol"), py::arg("increment_tol"), py::arg("max_iterations"),
            py::arg("on_border"), py::arg("residual_stress"), py::arg("image_tol"),
-           py::arg("reach"));
+           py::arg("one_zone"), py::arg("reach"));
 }
 
 }  // namespace

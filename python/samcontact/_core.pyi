@@ -161,6 +161,7 @@ class Settings:
         on_border: str,
         residual_stress: str,
         image_tol: float,
+        one_zone: bool,
         reach: int,
     ) -> None: ...
 

@@ -122,6 +122,7 @@ class Settings(ContactSettings):
     increment_tol: float | None = _setting(None, Range(gt=0.0, lt=1.0))
     residual_stress: str = _setting("fast", Words(("fast", "exact")))
     image_tol: float = _setting(1e-3, Range(ge=1e-6, le=0.1))
+    zones: str = _setting("auto", Words(("auto", "one")))
     reach: float | None = _setting(None, Range(ge=0.0, unit="m"))
 
     def __post_init__(self) -> None:
@@ -138,6 +139,7 @@ class Settings(ContactSettings):
         given = asdict(self)
         del given["friction"]  # of the scene
         given["increment_tol"] = self.increment_tol or 0.0
+        given["one_zone"] = given.pop("zones") == "one"
         given["reach"] = round(in_cells("reach", given["reach"], dx))
         return _core.Settings(**given)
 

@@ -69,6 +69,11 @@ class Simulation(Configured, Shown):
     image_tol : float, optional
         With "fast": error due to the periodicity of the transforms, relative to the largest
         residual stress; in [1e-6, 0.1].
+    zones : {"auto", "one"}, optional
+        Whether the plastic strain of a body is solved for in many small boxes where that is less
+        work, as on rough surfaces, or in one box always. The two differ by about 1e-3 of the
+        residual stress; docs/theory.md, "Zones". Contacts that move, have mirror planes or heat, or
+        are periodic are solved in one box.
     heat : Heat, optional
         Frictional heat; default none, `Heat(0.0)`.
     relief1, relief2 : Relief, optional
@@ -90,6 +95,7 @@ class Simulation(Configured, Shown):
     increment_tol: float | None
     residual_stress: str
     image_tol: float
+    zones: str
     reach: float
 
     def __init__(
@@ -106,6 +112,7 @@ class Simulation(Configured, Shown):
         max_iterations: int = Settings.max_iterations,
         residual_stress: str = Settings.residual_stress,
         image_tol: float = Settings.image_tol,
+        zones: str = Settings.zones,
         heat: Heat | None = None,
         relief1: Relief | None = None,
         relief2: Relief | None = None,
@@ -128,6 +135,7 @@ class Simulation(Configured, Shown):
             max_iterations=max_iterations,
             residual_stress=residual_stress,
             image_tol=image_tol,
+            zones=zones,
             reach=grid.nx * grid.dx if reach is None else reach,
         )
         self._configure(settings)

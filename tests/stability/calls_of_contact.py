@@ -127,7 +127,7 @@ CALLS = [
         sc.Simulation,
         {
             **BODIES, "body1": HOT, "body2": HOT, "gap": GAP, **HEATED, **SETTINGS,
-            "increment_tol": 1e-2, "residual_stress": "exact", "image_tol": 1e-3,
+            "increment_tol": 1e-2, "residual_stress": "exact", "image_tol": 1e-3, "zones": "auto",
             "relief1": FLAT, "relief2": FLAT, "reach": 1e-4,
         },
     ),

@@ -44,6 +44,8 @@ struct Settings {
   double image_tol;
   /// How far beyond the grid plastic strain acts along x [cells].
   int reach;
+  /// Plastic strain in one box always, never in small zones.
+  bool one_zone = false;
   int max_halvings = 8;
   /// By body; empty: none. Asked once an increment, or part of one.
   std::array<Softening, 2> softening = {};
