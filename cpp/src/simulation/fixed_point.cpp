@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
@@ -71,6 +72,7 @@ class FixedPoint {
     }
 
     ++counters_.plastic_solves;
+    int before = 0;  // until boxes grew
     for (int n = 1; n <= settings_.max_iterations; ++n) {
       check_interrupt();
       advance();
@@ -81,9 +83,9 @@ class FixedPoint {
         if (contact_tol_ > 2 * finest) {
           contact_tol_ = finest;
         } else if (!problem_.grow_beyond()) {
-          return finish(n);
+          return finish(before + n);
         } else {
-          n = 0;
+          before += std::exchange(n, 0);
           restart();
         }
       } else {
