@@ -92,6 +92,24 @@ void bind_track(py::class_<State>& state) {
           py::arg("body"));
 }
 
+void bind_fields(py::class_<State>& bound) {
+  const auto bind = [&](const char* name, auto method) {
+    bound.def(name, method, py::arg("body"), py::arg("layers"));
+  };
+  bind("stress", volume_method<Rank::tensor>(&State::stress));
+  bind("residual_stress", volume_method<Rank::tensor>(&State::residual_stress));
+  bind("backstress", volume_method<Rank::tensors>(&State::backstress));
+  bind("plastic_strain", volume_method<Rank::tensor>(&State::plastic_strain));
+  bind("temperature", volume_method<Rank::scalar>(&State::temperature));
+  bind("equivalent_plastic_strain", volume_method<Rank::scalar>(&State::equivalent_plastic_strain));
+  const auto bind_surface = [&](const char* name, Field (State::*method)(int) const) {
+    bound.def(name, surface_method(method), py::arg("body"));
+  };
+  bind_surface("surface_temperature", &State::surface_temperature);
+  bind_surface("residual_displacement", &State::residual_displacement);
+  bind_surface("surface_displacement", &State::surface_displacement);
+}
+
 void bind_state(py::module_& m) {
   py::class_<State> bound(m, "State");
   bind_track(bound);
@@ -149,22 +167,7 @@ void bind_state(py::module_& m) {
             return volume_array(std::move(factor), grid, box.nz);
           },
           py::arg("body"));
-  const auto bind = [&](const char* name, auto method) {
-    bound.def(name, method, py::arg("body"), py::arg("layers"));
-  };
-  bind("stress", volume_method<Rank::tensor>(&State::stress));
-  bind("residual_stress", volume_method<Rank::tensor>(&State::residual_stress));
-  bind("backstress", volume_method<Rank::tensors>(&State::backstress));
-  bind("plastic_strain", volume_method<Rank::tensor>(&State::plastic_strain));
-  bind("temperature", volume_method<Rank::scalar>(&State::temperature));
-  bind("equivalent_plastic_strain", volume_method<Rank::scalar>(&State::equivalent_plastic_strain));
-  const auto bind_surface = [&](const char* name, auto method) {
-    bound.def(name, surface_method(method), py::arg("body"));
-  };
-  bind_surface("surface_temperature", &State::surface_temperature);
-  bind_surface("residual_displacement",
-               static_cast<Field (State::*)(int) const>(&State::residual_displacement));
-  bind_surface("surface_displacement", &State::surface_displacement);
+  bind_fields(bound);
 }
 
 /// A Python function of the rise of temperature (nx, ny, nz), called with the GIL.

@@ -38,7 +38,7 @@ double spot_radius(const Field& pressure, const Grid& grid) {
     }
   }
   if (cells == 0) return 0.0;
-  const double area = static_cast<double>(cells);
+  const auto area = static_cast<double>(cells);
   const double across_x = area * grid.dx / static_cast<double>(chords_x);
   const double across_y = area * grid.dy / static_cast<double>(chords_y);
   return 2 / std::numbers::pi * std::min(across_x, across_y);

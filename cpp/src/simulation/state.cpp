@@ -8,7 +8,6 @@
 
 #include "samcontact/operators/surface_displacement.hpp"
 #include "samcontact/operators/temperature.hpp"
-#include "samcontact/plasticity/return_mapping.hpp"
 #include "samcontact/simulation/outside_strain.hpp"
 
 namespace samcontact::simulation {
@@ -46,6 +45,23 @@ Field six_components(Field strain, Tensor tensor) {
   Field full(6 * n);
   complete(strain.data(), n, full.data());
   return full;
+}
+
+/// Puts a tensor field of a stored box into one of a region, where the whole box is in it.
+void put_unfolded(const Field& part, const Box& stored, fft::Symmetry symmetry, const Grid& grid,
+                  const Box& region, Field& out) {
+  const Box box = whole_box(stored, grid, symmetry);
+  Field plane(box.surface_size());
+  Box layer = box, surface = region;
+  layer.nz = surface.nz = 1;
+  for (int c = 0; c < 6; ++c) {
+    for (int k = 0; k < std::min(box.nz, region.nz); ++k) {
+      unfold(part.data() + (c * box.nz + k) * stored.surface_size(), stored, symmetry,
+             c == 4 || c == 5, c == 3 || c == 5, plane.data(), box, grid);
+      copy_common(plane.data(), layer, out.data() + (c * region.nz + k) * region.surface_size(),
+                  surface);
+    }
+  }
 }
 
 }  // namespace
@@ -212,17 +228,7 @@ Field State::total_stress(int body, bool with_tractions, const Box& region) cons
   const Field part =
       operators->stress(six_components(history->strain(stored), history->tensor()).data(),
                         with_tractions ? &here : nullptr, sign);
-  Field plane(box.surface_size());
-  Box layer = box, surface = region;
-  layer.nz = surface.nz = 1;
-  for (int c = 0; c < 6; ++c) {
-    for (int k = 0; k < std::min(box.nz, region.nz); ++k) {
-      unfold(part.data() + (c * box.nz + k) * stored.surface_size(), stored, symmetry,
-             c == 4 || c == 5, c == 3 || c == 5, plane.data(), box, grid);
-      copy_common(plane.data(), layer, out.data() + (c * region.nz + k) * region.surface_size(),
-                  surface);
-    }
-  }
+  put_unfolded(part, stored, symmetry, grid, region, out);
   return out;
 }
 
