@@ -9,6 +9,7 @@
 
 #include "samcontact/operators/half_space.hpp"
 #include "samcontact/operators/smooth_continuation.hpp"
+#include "samcontact/operators/stress_bound.hpp"
 #include "samcontact/operators/zone_operators.hpp"
 
 using namespace samcontact;
@@ -149,6 +150,46 @@ TEST_CASE("strain and tractions in zones do what they do in the whole box") {
                                   whole.stress(nullptr, &loads, -1.0), parts, operators.cells());
     CHECK(elastic.rms() < 6e-4);
     CHECK(elastic.max() < 6e-4);
+  }
+}
+
+TEST_CASE("the von Mises stress of tractions is within its bound") {
+  const auto medium = half_space(steel);
+  const VolumeOperators whole(grid, medium,
+                              {Tensor::deviator, Symmetry::none, ResidualMethod::fast, 1e-5, {}});
+  const auto tables = std::make_shared<const ZoneTables>(grid, medium, Tensor::deviator, 1e-5);
+  std::vector<double> depths;
+  for (int k = 0; k < grid.nz; ++k) depths.push_back((k + 0.5) * grid.dz);
+  const StressBound bound(tables, depths);
+  for (const double friction : {0.0, 0.3}) {
+    const Tractions loads{spots(1.0), friction > 0 ? spots(friction) : Field{}, {}};
+    const Field s = whole.stress(nullptr, &loads, 1.0);
+    const double most = *std::max_element(loads.pressure.begin(), loads.pressure.end());
+    const std::size_t cells = grid.volume_size();
+    double lowest = 1.0, sum = 0.0, sum_of_bounds = 0.0;
+    bound.for_each_depth(loads, 1.0, [&](int k, const double* blocks) {
+      for (int i = 0; i < grid.nx; ++i) {
+        for (int j = 0; j < grid.ny; ++j) {
+          const std::size_t n = (static_cast<std::size_t>(k) * grid.nx + i) * grid.ny + j;
+          const double xx = s[n], yy = s[cells + n], yz = s[2 * cells + n], xz = s[3 * cells + n],
+                       xy = s[4 * cells + n];
+          const double stress =
+              std::sqrt(3 * (xx * xx + yy * yy + xx * yy + yz * yz + xz * xz + xy * xy));
+          const double above =
+              blocks[static_cast<std::size_t>(i / StressBound::block) * bound.blocks_y() +
+                     j / StressBound::block];
+#pragma omp critical
+          {
+            lowest = std::min(lowest, (above - stress) / most);
+            sum += stress;
+            sum_of_bounds += above;
+          }
+        }
+      }
+    });
+    // What is smooth is taken at the corners of blocks.
+    CHECK(lowest > -0.02);
+    CHECK(sum_of_bounds < 2 * sum);
   }
 }
 

@@ -82,12 +82,21 @@ ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tens
                        double image_tol)
     : grid_(grid), tensor_(tensor), image_tol_(image_tol), media_(bands_of(medium, grid)) {}
 
-ZoneTables::Operators ZoneTables::of(Band band, int nx, int ny, int layers) const {
-  const int step = spacing(band);
-  Grid lattice(nx, ny, step * grid_.dx, step * grid_.dy, layers, grid_.dz);
-  if (band != Band::far) lattice.period = {nx, ny, 0.0};
+Grid ZoneTables::lattice(Band band, const NodeSpread& nodes, int layers) const {
+  const int step = spacing(band), nx = nodes.x().count(), ny = nodes.y().count();
+  if (band == Band::far) {
+    return {nx + fading_nodes, ny + fading_nodes, step * grid_.dx, step * grid_.dy, layers,
+            grid_.dz};
+  }
+  Grid lattice(fft::good_even_size(nx + middle_ring), fft::good_even_size(ny + middle_ring),
+               step * grid_.dx, step * grid_.dy, layers, grid_.dz);
+  lattice.period = {lattice.nx, lattice.ny, 0.0};
+  return lattice;
+}
+
+ZoneTables::Operators ZoneTables::of(Band band, const Grid& lattice) const {
   const std::lock_guard lock(mutex_);
-  auto& place = kept_[{static_cast<int>(band), nx, ny, layers}];
+  auto& place = kept_[{static_cast<int>(band), lattice.nx, lattice.ny, lattice.nz}];
   if (!place) {
     place = std::make_shared<const VolumeOperators>(
         lattice, media_[static_cast<int>(band)],
@@ -134,7 +143,9 @@ void ZoneOperators::add_ring(const Box& zone) {
     box.nz = std::max(box.nz, zones_[z].nz);
   }
   const int mx = fft::good_even_size(box.nx), my = fft::good_even_size(box.ny);
-  auto near = tables_->of(Band::near, mx, my, box.nz);
+  Grid plane(mx, my, grid_.dx, grid_.dy, box.nz, grid_.dz);
+  plane.period = {mx, my, 0.0};
+  auto near = tables_->of(Band::near, plane);
   VolumeSpectrum spectrum = near->make_spectrum();
   around_.push_back({box, mx, my, std::move(inside), std::move(near), std::move(spectrum), {}});
 }
@@ -142,15 +153,12 @@ void ZoneOperators::add_ring(const Box& zone) {
 void ZoneOperators::make_lattices() {
   Box cells = Box::surface(grid_);
   for (const Box& zone : zones_) cells = cells.united(zone);
-  const auto middle_size = [](const Nodes& nodes) {
-    return fft::good_even_size(nodes.count() + middle_ring);
-  };
   const NodeSpread middle(spacing(Band::middle), cells);
   middle_ = std::make_unique<Lattice>(
-      middle, tables_->of(Band::middle, middle_size(middle.x()), middle_size(middle.y()), layers_));
+      middle, tables_->of(Band::middle, tables_->lattice(Band::middle, middle, layers_)));
   const NodeSpread far(spacing(Band::far) / spacing(Band::middle), middle_->rows());
-  far_ = std::make_unique<Lattice>(far, tables_->of(Band::far, far.x().count() + fading_nodes,
-                                                    far.y().count() + fading_nodes, layers_));
+  far_ = std::make_unique<Lattice>(
+      far, tables_->of(Band::far, tables_->lattice(Band::far, far, layers_)));
 }
 
 /// Not in the loops over zones: what is kept is made once, by all threads.

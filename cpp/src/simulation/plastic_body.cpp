@@ -18,6 +18,9 @@ using operators::Tensor;
 /// Elastic stress above this part of the yield stress belongs into the box.
 constexpr double near = 0.9;
 
+/// Cells of a surface beyond which a bound of the stress says where a body may yield.
+constexpr std::size_t large_surface = 255 * 255;
+
 /// Memory of an increment a cell of its box where all of them flow and it is divided; as measured,
 /// docs/architecture.md has the parts.
 constexpr double fast_bytes = 950, exact_bytes = 1800;
@@ -90,13 +93,19 @@ bool PlasticBody::yields_everywhere(const YieldScan& scan) const {
   return scan.is_beyond_everywhere(tractions(), sign(), material().hardening.yield_stress(0.0));
 }
 
+Columns PlasticBody::columns_beyond(double part, const YieldScan& scan) const {
+  const double limit = part * weakest_ * material().hardening.yield_stress(0.0);
+  return scene_.grid.surface_size() > large_surface
+             ? scene_.zone_scan(index_)->columns(tractions(), sign(), limit)
+             : scan.columns(tractions(), sign(), limit);
+}
+
 Columns PlasticBody::near_columns(const YieldScan& scan) const {
-  return scan.columns(tractions(), sign(),
-                      near * weakest_ * material().hardening.yield_stress(0.0));
+  return columns_beyond(near, scan);
 }
 
 Columns PlasticBody::yielding_columns(const YieldScan& scan) const {
-  return scan.columns(tractions(), sign(), weakest_ * material().hardening.yield_stress(0.0));
+  return columns_beyond(1.0, scan);
 }
 
 std::vector<Box> PlasticBody::history_boxes() const {

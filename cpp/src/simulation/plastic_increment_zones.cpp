@@ -22,9 +22,9 @@ Box widened(const Box& box, int cells) {
 
 bool PlasticIncrement::may_split(const PlasticBody& body) const {
   const int b = body.index();
-  return !settings_.one_zone && symmetry_ == fft::Symmetry::none && from_.method == operators::ResidualMethod::fast &&
-         !scene_.grid.period.is_on() && from_.travel == Travel{} && !target_.heating[b].is_on() &&
-         !heat_.has_past(b);
+  return !settings_.one_zone && symmetry_ == fft::Symmetry::none &&
+         from_.method == operators::ResidualMethod::fast && !scene_.grid.period.is_on() &&
+         from_.travel == Travel{} && !target_.heating[b].is_on() && !heat_.has_past(b);
 }
 
 bool PlasticIncrement::is_worth_splitting(const PlasticBody& body,

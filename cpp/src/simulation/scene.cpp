@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "samcontact/operators/half_space.hpp"
+#include "samcontact/simulation/yield_scan.hpp"
 
 namespace samcontact::simulation {
 namespace {
@@ -213,6 +214,14 @@ std::shared_ptr<const operators::ZoneTables> Scene::zone_tables(int body,
   auto tables =
       std::make_shared<const operators::ZoneTables>(grid, media[body], tensor, image_tol_);
   return zone_tables_.emplace_back(media[body], std::move(tables)).second;
+}
+
+std::shared_ptr<const ZoneScan> Scene::zone_scan(int body) const {
+  const auto tables = zone_tables(body, operators::Tensor::deviator);
+  const std::lock_guard lock(mutex_);
+  auto& scan = zone_scans_[media[0] == media[body] ? 0 : body];
+  if (!scan) scan = std::make_shared<const ZoneScan>(tables);
+  return scan;
 }
 
 std::size_t Scene::operator_bytes() const {

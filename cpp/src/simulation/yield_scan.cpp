@@ -30,6 +30,22 @@ std::vector<double> depths(const Grid& grid, const std::vector<int>& layers) {
   return z;
 }
 
+/// As deep as the window is wide, or the grid if it is deeper.
+std::vector<int> scanned_layers(const Grid& grid) {
+  const double half = 0.5 * std::min(grid.dx, grid.dy);
+  const double width = std::max(grid.nx * grid.dx, grid.ny * grid.dy) / grid.dz;
+  const int deepest = std::max(grid.nz, static_cast<int>(std::min(std::ceil(width), most_layers)));
+  std::vector<int> layers;
+  double next = 0.0;
+  for (int k = 0; k < deepest; ++k) {
+    const double z = (k + 0.5) * grid.dz;
+    if (z < next && k + 1 != grid.nz && k + 1 < deepest) continue;
+    next = z + std::max(half, depth_step * z);
+    layers.push_back(k);
+  }
+  return layers;
+}
+
 /// Means over factor x factor cells; beyond the border nothing.
 Field average(const Field& fine, const Grid& grid, const Grid& coarse, int factor) {
   if (factor == 1) return fine;
@@ -58,9 +74,8 @@ YieldScan::Level::Level(const Grid& fine, int factor_, std::vector<int> layers_,
 YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& heating)
     : grid_(scene.grid) {
   const auto heat = scene.heat_stress(body, heating);
-  const double cell = std::max(grid_.dx, grid_.dy), half = 0.5 * std::min(grid_.dx, grid_.dy);
+  const double cell = std::max(grid_.dx, grid_.dy);
   const int widest = std::max(grid_.nx, grid_.ny);
-  double next = 0.0;
   std::vector<int> layers;
   int factor = 1;
   const auto flush = [&] {
@@ -71,14 +86,8 @@ YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& hea
             std::make_unique<Level>(grid_, factor, std::move(layers), scene.media[body], heat));
     layers.clear();
   };
-  // As deep as the window is wide, or the grid if it is deeper.
-  const double width = std::max(grid_.nx * grid_.dx, grid_.ny * grid_.dy) / grid_.dz;
-  const int deepest = std::max(grid_.nz, static_cast<int>(std::min(std::ceil(width), most_layers)));
-  for (int k = 0; k < deepest; ++k) {
-    const double z = (k + 0.5) * grid_.dz;
-    if (z < next && k + 1 != grid_.nz && k + 1 < deepest) continue;
-    next = z + std::max(half, depth_step * z);
-    if (z >= 2 * factor * cell * cells_per_depth && 4 * factor <= widest &&
+  for (const int k : scanned_layers(grid_)) {
+    if ((k + 0.5) * grid_.dz >= 2 * factor * cell * cells_per_depth && 4 * factor <= widest &&
         grid_.can_be_coarsened(2 * factor)) {
       flush();
       factor *= 2;
@@ -180,6 +189,38 @@ std::size_t YieldScan::bytes() const {
     for (const auto& level : *levels) bytes += level->stress.bytes();
   }
   return bytes;
+}
+
+ZoneScan::ZoneScan(const std::shared_ptr<const operators::ZoneTables>& tables)
+    : grid_(tables->grid()),
+      layers_(scanned_layers(grid_)),
+      bound_(tables, depths(grid_, layers_)) {}
+
+Columns ZoneScan::columns(const operators::Tractions& tractions, double shear_sign,
+                          double limit) const {
+  constexpr int block = operators::StressBound::block;
+  const int nx = bound_.blocks_x(), ny = bound_.blocks_y();
+  // Of blocks, by depth.
+  std::vector<std::vector<std::size_t>> beyond(layers_.size());
+  bound_.for_each_depth(tractions, shear_sign, [&](int depth, const double* bound) {
+    for (std::size_t n = 0; n < static_cast<std::size_t>(nx) * ny; ++n) {
+      if (bound[n] > limit) beyond[depth].push_back(n);
+    }
+  });
+  Columns columns{Box::surface(grid_), std::vector<int>(grid_.surface_size(), 0)};
+  for (std::size_t d = 0; d < layers_.size(); ++d) {
+    // Down to the next depth that is looked at.
+    const int below = d + 1 < layers_.size() ? layers_[d + 1] : layers_[d] + 1;
+    for (const std::size_t n : beyond[d]) {
+      const int i0 = static_cast<int>(n / ny) * block, j0 = static_cast<int>(n % ny) * block;
+      for (int i = i0; i < std::min(grid_.nx, i0 + block); ++i) {
+        for (int j = j0; j < std::min(grid_.ny, j0 + block); ++j) {
+          columns.depth[static_cast<std::size_t>(i) * grid_.ny + j] = below;
+        }
+      }
+    }
+  }
+  return columns;
 }
 
 }  // namespace samcontact::simulation

@@ -25,8 +25,11 @@ class ZoneTables {
 
   const Grid& grid() const { return grid_; }
   Tensor tensor() const { return tensor_; }
-  /// On lattices of nx x ny nodes and so many layers.
-  Operators of(Band band, int nx, int ny, int layers) const;
+  const SharedMedium& medium(Band band) const { return media_[static_cast<int>(band)]; }
+  /// The planes of some nodes of a band, and so many layers.
+  Grid lattice(Band band, const NodeSpread& nodes, int layers) const;
+  /// On a lattice.
+  Operators of(Band band, const Grid& lattice) const;
   /// Those that nobody uses go.
   void forget_unused() const;
   std::size_t bytes() const;

@@ -104,6 +104,8 @@ class PlasticBody {
     double first, weakest;
   };
 
+  /// Where the tractions stress it beyond a part of its yield stress.
+  Columns columns_beyond(double part, const YieldScan& scan) const;
   const plasticity::Material& material() const { return scene_.materials[index_]; }
   void open(const Box& box, const Field& displacement, Field& gap) const;
   double largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const;

@@ -19,6 +19,8 @@
 
 namespace samcontact::simulation {
 
+class ZoneScan;
+
 /// Bodies are indexed 0 (upper) and 1 (lower).
 class Scene {
  public:
@@ -72,6 +74,9 @@ class Scene {
   std::shared_ptr<const operators::ZoneTables> zone_tables(int body,
                                                            operators::Tensor tensor) const;
 
+  /// Where a body yields under tractions; kept likewise. Thread-safe.
+  std::shared_ptr<const ZoneScan> zone_scan(int body) const;
+
   /// Mirror planes that gap, friction and grid leave to all fields.
   fft::Symmetry symmetry(const Travel& travel) const;
 
@@ -96,6 +101,7 @@ class Scene {
   mutable std::vector<
       std::pair<operators::SharedMedium, std::shared_ptr<const operators::ZoneTables>>>
       zone_tables_;
+  mutable std::array<std::shared_ptr<const ZoneScan>, 2> zone_scans_;
   mutable std::mutex heat_mutex_;
   mutable std::array<std::shared_ptr<const operators::HeatStress>, 2> heat_stress_;
   mutable std::list<std::shared_ptr<const operators::Temperature>> temperatures_;  // latest first

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "samcontact/operators/stress_bound.hpp"
 #include "samcontact/simulation/scene.hpp"
 #include "samcontact/simulation/zone_choice.hpp"
 
@@ -53,6 +54,21 @@ class YieldScan {
 
   Grid grid_;
   std::vector<std::unique_ptr<Level>> levels_, below_;  // of the grid's layers, and below them
+};
+
+/// The same by columns, from a bound of the stress, at a cost that large surfaces can bear; without
+/// heat.
+class ZoneScan {
+ public:
+  explicit ZoneScan(const std::shared_ptr<const operators::ZoneTables>& tables);
+
+  /// Columns of the grid, down to below the deepest cell whose stress may exceed the limit.
+  Columns columns(const operators::Tractions& tractions, double shear_sign, double limit) const;
+
+ private:
+  Grid grid_;
+  std::vector<int> layers_;  // that are looked at
+  operators::StressBound bound_;
 };
 
 }  // namespace samcontact::simulation

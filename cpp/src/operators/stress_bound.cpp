@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/stress_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "samcontact/base/interrupt.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+/// Depths whose spectra are taken together.
+constexpr std::size_t together = 8;
+/// Depth in cells from which on a band is below 1e-3 of the pressure.
+constexpr double near_ends = 10.0, middle_ends = 48.0;
+
+constexpr int parts = 5;
+
+/// From the five components of a deviator, `step` apart.
+double von_mises(const double* s, std::size_t step) {
+  const double xx = s[0], yy = s[step], yz = s[2 * step], xz = s[3 * step], xy = s[4 * step];
+  return std::sqrt(3 * (xx * xx + yy * yy + xx * yy + yz * yz + xz * xz + xy * xy));
+}
+
+Box rows_of(const NodeSpread& nodes) {
+  return {nodes.x().first(), nodes.y().first(), nodes.x().count(), nodes.y().count(), 1};
+}
+
+NodeSpread middle_nodes(const Grid& grid) {
+  // The corners of the last blocks lie one cell further.
+  Box cells = Box::surface(grid);
+  cells.nx += 2;
+  cells.ny += 2;
+  return {spacing(Band::middle), cells};
+}
+
+}  // namespace
+
+struct StressBound::Group {
+  int first;  // number of its first depth
+  std::vector<double> depths;
+  bool has_middle;
+  TractionStress middle, far;
+
+  Group(const StressBound& of, int first_, const std::vector<double>& depths_, bool has_middle_)
+      : first(first_),
+        depths(depths_),
+        has_middle(has_middle_),
+        middle(of.tables_->lattice(Band::middle, of.middle_, 0), of.middle_transform_,
+               of.tables_->medium(Band::middle), {}, depths, Tensor::deviator),
+        far(of.tables_->lattice(Band::far, of.far_, 0), of.far_transform_,
+            of.tables_->medium(Band::far), {}, depths, Tensor::deviator) {}
+};
+
+struct StressBound::Loads {
+  const Tractions& cells;
+  Tractions middle, far;
+};
+
+StressBound::StressBound(std::shared_ptr<const ZoneTables> tables,
+                         const std::vector<double>& depths)
+    : tables_(std::move(tables)),
+      middle_(middle_nodes(tables_->grid())),
+      far_(spacing(Band::far) / spacing(Band::middle), rows_of(middle_)),
+      middle_transform_(tables_->lattice(Band::middle, middle_, 0), Symmetry::none),
+      far_transform_(tables_->lattice(Band::far, far_, 0), Symmetry::none) {
+  const Grid& grid = tables_->grid();
+  const double cell = std::min(grid.dx, grid.dy);
+  for (std::size_t n = 0; n < depths.size();) {
+    std::size_t end = std::min(n + together, depths.size());
+    const bool has_middle = depths[n] < middle_ends * cell;
+    while (has_middle && depths[end - 1] >= middle_ends * cell) --end;
+    std::vector<double> some(depths.begin() + static_cast<std::ptrdiff_t>(n),
+                             depths.begin() + static_cast<std::ptrdiff_t>(end));
+    groups_.push_back(std::make_unique<const Group>(*this, static_cast<int>(n), some, has_middle));
+    n = end;
+  }
+}
+
+StressBound::~StressBound() = default;
+
+int StressBound::blocks_x() const { return (tables_->grid().nx + block - 1) / block; }
+int StressBound::blocks_y() const { return (tables_->grid().ny + block - 1) / block; }
+
+Field StressBound::at_corners(const Field& nodes) const {
+  const Box rows = rows_of(middle_);
+  const int nx = blocks_x() + 1, ny = blocks_y() + 1;
+  const std::size_t plane = static_cast<std::size_t>(nx) * ny;
+  // First cells of blocks lie alike between the nodes.
+  const auto &wx = middle_.x().weights(0), &wy = middle_.y().weights(0);
+  const int a0 = middle_.x().place(0), b0 = middle_.y().place(0);
+  Field values(parts * plane), line(rows.ny);
+  for (int c = 0; c < parts; ++c) {
+    for (int i = 0; i < nx; ++i) {
+      const double* from =
+          nodes.data() + (static_cast<std::size_t>(c) * rows.nx + a0 + i) * rows.ny;
+      for (int b = 0; b < rows.ny; ++b) {
+        double sum = 0.0;
+        for (int m = 0; m < window_width; ++m) {
+          sum += wx[m] * from[static_cast<std::ptrdiff_t>(m) * rows.ny + b];
+        }
+        line[b] = sum;
+      }
+      double* to = values.data() + c * plane + static_cast<std::size_t>(i) * ny;
+      for (int j = 0; j < ny; ++j) {
+        double sum = 0.0;
+        for (int m = 0; m < window_width; ++m) sum += wy[m] * line[b0 + j + m];
+        to[j] = sum;
+      }
+    }
+  }
+  Field out(plane);
+  for (std::size_t n = 0; n < plane; ++n) out[n] = von_mises(values.data() + n, plane);
+  return out;
+}
+
+Field StressBound::near_part(double depth, const Tractions& tractions) const {
+  const Grid& grid = tables_->grid();
+  constexpr int reach = range(Band::near);
+  Field sum(grid.surface_size(), 0.0);
+  if (depth >= near_ends * std::min(grid.dx, grid.dy)) return sum;
+  Grid around(2 * reach, 2 * reach, grid.dx, grid.dy);
+  around.period = {2 * reach, 2 * reach, 0.0};
+  const KernelOffsets offsets(around, 2 * reach, 2 * reach);
+  const std::size_t step = static_cast<std::size_t>(offsets.nx) * offsets.ny;
+  for (const Traction kind : all_tractions) {
+    const Field& field = tractions.of(kind);
+    if (field.empty()) continue;
+    const Field table =
+        tables_->medium(Band::near)->stress(kind, around, offsets, depth, Tensor::deviator);
+    Field norm(step);
+    for (std::size_t n = 0; n < step; ++n) norm[n] = von_mises(table.data() + n, step);
+    for (int i = 0; i < grid.nx; ++i) {
+      for (int j = 0; j < grid.ny; ++j) {
+        const double load = std::fabs(field[static_cast<std::size_t>(i) * grid.ny + j]);
+        if (load == 0) continue;
+        for (int x = std::max(0, i - reach + 1); x < std::min(grid.nx, i + reach); ++x) {
+          const double* row = norm.data() + std::abs(x - i);
+          double* to = sum.data() + static_cast<std::size_t>(x) * grid.ny;
+          for (int y = std::max(0, j - reach + 1); y < std::min(grid.ny, j + reach); ++y) {
+            to[y] += load * row[static_cast<std::ptrdiff_t>(std::abs(y - j)) * offsets.nx];
+          }
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+void StressBound::look_at(const Group& group, const Loads& loads, double shear_sign,
+                          const Use& use) const {
+  const Grid& grid = tables_->grid();
+  const int count = static_cast<int>(group.depths.size());
+  const auto spectrum_of = [&](const VolumeTransform& transform, const TractionStress& stress,
+                               const Tractions& tractions) {
+    VolumeSpectrum spectrum(transform, count, Tensor::deviator);
+    stress.add(tractions, shear_sign, spectrum);
+    return spectrum;
+  };
+  VolumeSpectrum far = spectrum_of(far_transform_, group.far, loads.far);
+  VolumeSpectrum middle = group.has_middle
+                              ? spectrum_of(middle_transform_, group.middle, loads.middle)
+                              : VolumeSpectrum(middle_transform_, 0, Tensor::deviator);
+  check_interrupt();
+  const Box rows = rows_of(middle_);
+  const std::size_t far_plane = far_transform_.plane_size();
+  const std::size_t middle_plane = middle_transform_.plane_size();
+#pragma omp parallel for schedule(dynamic)
+  for (int k = 0; k < count; ++k) {
+    Field far_layer(parts * far_plane), nodes(parts * rows.surface_size(), 0.0);
+    inverse(far_transform_, far, k, far_layer.data());
+    if (group.has_middle) {
+      Field layer(parts * middle_plane);
+      inverse(middle_transform_, middle, k, layer.data());
+      const Box whole{rows.i0, rows.j0, middle_transform_.nx(), middle_transform_.ny(), 1};
+      for (int c = 0; c < parts; ++c) {
+        extract(layer.data() + c * middle_plane, whole, nodes.data() + c * rows.surface_size(),
+                rows);
+      }
+    }
+    for (int c = 0; c < parts; ++c) {
+      far_.gather(far_layer.data() + c * far_plane, far_transform_.ny(), rows,
+                  nodes.data() + c * rows.surface_size());
+    }
+    const Field corners = at_corners(nodes), near = near_part(group.depths[k], loads.cells);
+    const int nx = blocks_x(), ny = blocks_y();
+    Field bound(static_cast<std::size_t>(nx) * ny);
+    for (int i = 0; i < nx; ++i) {
+      const double* row = corners.data() + static_cast<std::size_t>(i) * (ny + 1);
+      for (int j = 0; j < ny; ++j) {
+        double most = 0.0;
+        for (int x = i * block; x < std::min(grid.nx, (i + 1) * block); ++x) {
+          for (int y = j * block; y < std::min(grid.ny, (j + 1) * block); ++y) {
+            most = std::max(most, near[static_cast<std::size_t>(x) * grid.ny + y]);
+          }
+        }
+        bound[static_cast<std::size_t>(i) * ny + j] =
+            most + std::max({row[j], row[j + 1], row[ny + 1 + j], row[ny + 2 + j]});
+      }
+    }
+    use(group.first + k, bound.data());
+  }
+}
+
+void StressBound::for_each_depth(const Tractions& tractions, double shear_sign,
+                                 const Use& use) const {
+  Loads loads{tractions, {}, {}};
+  const Grid& grid = tables_->grid();
+  const auto spread = [&](const Field& cells, Field& middle, Field& far) {
+    if (cells.empty()) return;
+    middle.assign(middle_transform_.plane_size(), 0.0);
+    far.assign(far_transform_.plane_size(), 0.0);
+    middle_.spread(cells.data(), grid.ny, Box::surface(grid), middle.data(),
+                   middle_transform_.ny());
+    far_.spread(middle.data(), middle_transform_.ny(), rows_of(middle_), far.data(),
+                far_transform_.ny());
+  };
+  spread(tractions.pressure, loads.middle.pressure, loads.far.pressure);
+  spread(tractions.shear_x, loads.middle.shear_x, loads.far.shear_x);
+  spread(tractions.shear_y, loads.middle.shear_y, loads.far.shear_y);
+  for (const auto& group : groups_) look_at(*group, loads, shear_sign, use);
+}
+
+std::size_t StressBound::bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& group : groups_) bytes += group->middle.bytes() + group->far.bytes();
+  return bytes;
+}
+
+}  // namespace samcontact::operators
