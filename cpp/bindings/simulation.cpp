@@ -144,6 +144,7 @@ void bind_state(py::module_& m) {
           py::arg("body"))
       .def("max_equivalent_plastic_strain", &State::max_equivalent_plastic_strain, py::arg("body"))
       .def("max_plastic_strain", &State::max_plastic_strain, py::arg("body"))
+      .def("plastic_cells", &State::plastic_cells, py::arg("body"))
       .def_readonly("converged", &State::converged)
       .def_readonly("warnings", &State::warnings)
       .def("layers", &State::layers)

@@ -214,12 +214,8 @@ class State(Fixed, Shown):
         return self._field("hydrostatic", body, lambda: self.stress(body)[:3].mean(axis=0))
 
     def plastic_cells(self) -> int:
-        """How many cells of both bodies have yielded so far, on their whole tracks."""
-        bodies = (body for body in (1, 2) if self.max_equivalent_plastic_strain(body) > 0)
-        return sum(
-            int(np.count_nonzero(self.track(body, margin=0).equivalent_plastic_strain()))
-            for body in bodies
-        )
+        """How many cells of both bodies have yielded so far, wherever they lie."""
+        return int(self._core.plastic_cells(0)) + int(self._core.plastic_cells(1))
 
     def plastic_strain(self, body: int = 2) -> FloatArray:
         """Plastic strain [-], tensor components, shape (6, nx, ny, nz)."""

@@ -172,6 +172,16 @@ double PlasticState::max_equivalent() const {
   return largest;
 }
 
+std::size_t PlasticState::yielded_cells() const {
+  std::size_t count = 0;
+  for (const auto& [tile, part] : tiles_) {
+    const auto cells = static_cast<std::ptrdiff_t>(part->box.volume_size());
+    const auto first = part->values.begin() + strain_parts() * cells;
+    count += std::count_if(first, first + cells, [](double g) { return g > 0; });
+  }
+  return count;
+}
+
 double PlasticState::max_strain() const {
   double largest = 0.0;
   for (const auto& [tile, part] : tiles_) largest = std::max(largest, part->max_strain);

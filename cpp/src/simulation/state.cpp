@@ -291,6 +291,11 @@ Box State::strain_beyond(int body) const {
   return seen.contains(strained) ? Box{} : strained;
 }
 
+std::size_t State::plastic_cells(int body) const {
+  const auto whole = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
+  return whole ? whole->yielded_cells() : 0;
+}
+
 double State::max_equivalent_plastic_strain(int body) const {
   return plastic[body] ? plastic[body]->max_equivalent() : 0.0;
 }
@@ -315,8 +320,23 @@ Field State::backstress(int body, const Box& region) const {
   return out;
 }
 
+bool State::is_in_zones(int body) const {
+  const auto& history = plastic[body];
+  return history && flow_boxes[body].size() > 1 && history->symmetry() == fft::Symmetry::none &&
+         method == operators::ResidualMethod::fast && !scene_->grid.period.is_on() &&
+         travel == Travel{} && !history->reaches_beyond(Zones(flow_boxes[body]));
+}
+
 Field State::residual_displacement(int body) const {
   const Grid& grid = scene_->grid;
+  if (is_in_zones(body)) {
+    const PlasticState& history = *plastic[body];
+    operators::ZoneOperators zones(scene_->zone_tables(body, history.tensor()), flow_boxes[body]);
+    Field out(grid.surface_size());
+    zones.transform(history.strain(Zones(flow_boxes[body])));
+    zones.displacement(out.data());
+    return out;
+  }
   const Field own = residual_displacement(body, {0, 0, grid.nx, grid.ny, 0});
   return seen_from_body(own, grid, -placement().offset[body]);
 }

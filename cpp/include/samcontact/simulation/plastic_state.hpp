@@ -51,6 +51,8 @@ class PlasticState {
 
   /// Whether there is strain outside of zones.
   bool reaches_beyond(const Zones& zones) const;
+  /// Cells with equivalent plastic strain; with mirror planes those that are stored.
+  std::size_t yielded_cells() const;
   double max_equivalent() const;
   /// Largest sqrt(2/3 e:e) of the strain e.
   double max_strain() const;

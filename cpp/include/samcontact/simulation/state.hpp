@@ -100,6 +100,8 @@ class State {
   /// Largest accumulated equivalent plastic strain, and largest sqrt(2/3 e:e) of the plastic
   /// strain, which flow to and fro does not raise; 0 for a body without.
   double max_equivalent_plastic_strain(int body) const;
+  /// Cells that have yielded, wherever they lie.
+  std::size_t plastic_cells(int body) const;
   double max_plastic_strain(int body) const;
   /// [term][component][k][i][j], as many terms as the material has backstresses.
   Field backstress(int body, Layers layers = {}) const;
@@ -124,6 +126,8 @@ class State {
   Box below(Layers layers) const;
   /// As the body's cells see them.
   operators::Tractions tractions_on(int body) const;
+  /// Whether its plastic strain was solved for in small zones, where it still lies.
+  bool is_in_zones(int body) const;
   /// Whether its plastic strain was last solved for elsewhere than in its one box.
   bool is_elsewhere(int body) const;
 
