@@ -105,7 +105,8 @@ Box BoxChoice::stored(Box box) const {
 bool has_no_end(const Box& box, const Grid& grid) {
   const double width = most_widths * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
   const double depth = std::max(width, 2 * grid.nz * grid.dz);
-  return box.nx * grid.dx > width || box.ny * grid.dy > width || box.nz * grid.dz > depth;
+  const Box all = box.united(Box::surface(grid));
+  return all.nx * grid.dx > width || all.ny * grid.dy > width || all.nz * grid.dz > depth;
 }
 
 Box window_of(const operators::Tractions& tractions, const Grid& grid) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small zones of an increment instead of one box.
+#include "samcontact/simulation/plastic_increment.hpp"
+
 #include <algorithm>
 #include <utility>
 
-#include "samcontact/simulation/plastic_increment.hpp"
 #include "samcontact/simulation/zone_choice.hpp"
 
 namespace samcontact::simulation {

@@ -35,7 +35,8 @@ class BoxChoice {
   fft::Symmetry symmetry_;
 };
 
-/// Whether a whole box is too large for anything but a half-space that flows as a whole.
+/// Whether a whole box reaches too far from the grid for anything but a half-space that flows as a
+/// whole.
 bool has_no_end(const Box& box, const Grid& grid);
 
 /// The cells of the grid where tractions act; no layers.
