@@ -55,8 +55,7 @@ class Simulation(Configured, Shown):
         In [10 tol, 1): divide increments in which a body yields so that the error of their
         division stays below this, in pressure and equivalent plastic strain relative to their
         maxima. Each part is solved as a whole and in halves, which are extrapolated to second
-        order. By default increments are taken as given; the error of backward Euler is of first
-        order in them.
+        order. By default increments are taken as given, with errors of first order.
     on_border : {"error", "warn"}, optional
         What to do when the contact reaches the border of the grid.
     max_iterations : int, optional
@@ -70,10 +69,9 @@ class Simulation(Configured, Shown):
         With "fast": error due to the periodicity of the transforms, relative to the largest
         residual stress; in [1e-6, 0.1].
     zones : {"auto", "one"}, optional
-        Whether the plastic strain of a body is solved for in many small boxes where that is less
-        work, as on rough surfaces, or in one box always. The two differ by about 1e-3 of the
-        residual stress; docs/theory.md, "Zones". Contacts that move, have mirror planes or heat, or
-        are periodic are solved in one box.
+        Whether plastic strain is solved for in many small boxes where that is less work, as on
+        rough surfaces, or always in one. They differ by about 1e-3 of the residual stress;
+        docs/theory.md, "Zones". What moves, is heated, periodic or mirrored is solved in one.
     heat : Heat, optional
         Frictional heat; default none, `Heat(0.0)`.
     relief1, relief2 : Relief, optional
@@ -146,8 +144,7 @@ class Simulation(Configured, Shown):
         self.relief1, self.relief2 = relief1, relief2
         relieved = relief1 is not None or relief2 is not None
         self._scene = _expected.Scene(grid, self.initial_gap, (body1, body2), relieved)
-        self._told = Told()
-        self._turn = Turn()
+        self._told, self._turn = Told(), Turn()
         self._core = _core.Simulation(
             grid=grid._core,
             body1=body1._core,

@@ -99,6 +99,7 @@ def last_wear():
 WORN = last_wear()
 
 CALLS = [
+    ("Grid.depths", GRID.depths, {"layers": 3}),
     (
         "ContactSolver",
         sc.ContactSolver,

@@ -45,6 +45,7 @@ def test_defaults_and_steps(write):
         "increment_tol": None,
         "residual_stress": "fast",
         "image_tol": 1e-3,
+        "zones": "auto",
         "reach": None,
     }
     assert (case.output.body, case.output.volume, case.output.figures) == (2, "peak_and_last", True)

@@ -123,7 +123,8 @@ def test_what_was_given_is_told_and_kept(tmp_path):
     grid = sc.Grid(5, 5, 1e-5, 1e-5)
     given = {
         "friction": 0.1, "tol": 1e-5, "on_border": "warn", "max_iterations": 9,
-        "increment_tol": 1e-3, "residual_stress": "exact", "image_tol": 1e-2, "reach": 2e-5,
+        "increment_tol": 1e-3, "residual_stress": "exact", "image_tol": 1e-2, "zones": "one",
+            "reach": 2e-5,
     }  # fmt: skip
     assert set(given) == {item.name for item in fields(Settings)}
     body = sc.Material.elastic(1e11, 0.3)

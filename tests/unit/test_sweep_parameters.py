@@ -40,7 +40,7 @@ def none_solved(monkeypatch):
             "product",
             r"body1\.E: .*number and a unit that converts to Pa, got 'stiff'",
         ),
-        ({"grid.nz": [12, 0]}, "product", r"grid: nz and dz go together.*\(sweep: grid\.nz = 0\)"),
+        ({"grid.dz": [0.0]}, "product", r"grid\.dz: .*\(sweep: grid\.dz = 0\.0\)"),
         ({"body1.nu": list(np.arange(0.5, 0.9, 0.01))}, "product", r"\nand 30 more$"),
         ({"body1.E": [2e11], "body1.nu": [0.2, 0.3]}, "zip", r"body1\.E 1, body1\.nu 2"),
         ({"body1.E": [2e11]}, "grid", "mode must be one of 'product', 'zip', got 'grid'"),
