@@ -83,6 +83,7 @@ std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& ela
     const py::gil_scoped_release release;
     const Box whole = Box::whole(grid);
     std::vector<Box> zones;
+    zones.reserve(boxes.size());
     for (const auto& [i0, j0, nx, ny, nz] : boxes) zones.push_back({i0, j0, nx, ny, nz});
     operators::ZoneOperators operators(
         std::make_shared<const operators::ZoneTables>(grid, operators::half_space(elastic),

@@ -159,6 +159,7 @@ TEST_CASE("the von Mises stress of tractions is within its bound") {
                               {Tensor::deviator, Symmetry::none, ResidualMethod::fast, 1e-5, {}});
   const auto tables = std::make_shared<const ZoneTables>(grid, medium, Tensor::deviator, 1e-5);
   std::vector<double> depths;
+  depths.reserve(grid.nz);
   for (int k = 0; k < grid.nz; ++k) depths.push_back((k + 0.5) * grid.dz);
   const StressBound bound(tables, depths);
   for (const double friction : {0.0, 0.3}) {

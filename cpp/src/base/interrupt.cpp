@@ -11,6 +11,8 @@ namespace {
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<InterruptCheck> installed_check{nullptr};
 
+// Of each thread.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 thread_local int uninterrupted = 0;
 
 }  // namespace

@@ -71,8 +71,8 @@ StressBound::StressBound(std::shared_ptr<const ZoneTables> tables,
     std::size_t end = std::min(n + together, depths.size());
     const bool has_middle = depths[n] < middle_ends * cell;
     while (has_middle && depths[end - 1] >= middle_ends * cell) --end;
-    std::vector<double> some(depths.begin() + static_cast<std::ptrdiff_t>(n),
-                             depths.begin() + static_cast<std::ptrdiff_t>(end));
+    const std::vector<double> some(depths.begin() + static_cast<std::ptrdiff_t>(n),
+                                   depths.begin() + static_cast<std::ptrdiff_t>(end));
     groups_.push_back(std::make_unique<const Group>(*this, static_cast<int>(n), some, has_middle));
     n = end;
   }

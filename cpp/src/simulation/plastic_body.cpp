@@ -19,7 +19,7 @@ using operators::Tensor;
 constexpr double near = 0.9;
 
 /// Cells of a surface beyond which a bound of the stress says where a body may yield.
-constexpr std::size_t large_surface = 255 * 255;
+constexpr std::size_t large_surface = 65000;
 
 /// Memory of an increment a cell of its box where all of them flow and it is divided; as measured,
 /// docs/architecture.md has the parts.

@@ -2,7 +2,6 @@
 // Small zones of an increment instead of one box.
 #include "samcontact/simulation/plastic_increment.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "samcontact/simulation/zone_choice.hpp"
