@@ -85,7 +85,7 @@ class FixedPoint {
         } else if (!problem_.grow_beyond()) {
           return finish(before + n);
         } else {
-          before += std::exchange(n, 0);
+          before += std::exchange(n, 0) + 1;  // restart evaluates too
           restart();
         }
       } else {
