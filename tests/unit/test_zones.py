@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contacts with plastic strain in many small zones are those with one box around all of it."""
+
+import os
+import pickle
+import subprocess
+import sys
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from rough_scenes import (
+    CELLS,
+    ELASTIC,
+    GAP,
+    KINEMATIC,
+    LAYERS,
+    NU,
+    PERCENT,
+    PERFECT,
+    RIGID,
+    SIZE,
+    SOFT,
+    STEEL,
+    E,
+    errors,
+    rms,
+    rough_gap,
+    same,
+    simulation,
+    zone_counts,
+    zones_of,
+)
+
+import samcontact as sc
+from samcontact import _core, operators
+
+pytestmark = pytest.mark.filterwarnings(
+    "ignore::samcontact.GridTooSmallWarning", "ignore::samcontact.PlasticStrainWarning"
+)
+HOT = STEEL.with_thermal(45.0, 12e-6, 12e-6)
+PATH = (2, 3, 0.5, 3.5)
+"""Percent of the surface in contact; what is prescribed for the third unloads."""
+
+
+def both(*bodies, **options):
+    """The same contact in zones and in one box."""
+    return [simulation(*bodies, zones=zones, **options) for zones in ("auto", "one")]
+
+
+def plastic(sim):
+    return [body for body, law in ((1, sim.body1), (2, sim.body2)) if law.is_plastic]
+
+
+def assert_close(state, expected, bodies, tol=1e-3):
+    found = errors(state, expected, bodies)
+    assert max(found.values()) < tol, found
+    assert state.contact_area == pytest.approx(expected.contact_area, rel=1e-3)
+    assert state.gap.mean() == pytest.approx(expected.gap.mean(), rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("body1", "body2", "options"),
+    [
+        (RIGID, STEEL, {}),
+        (RIGID, STEEL, {"friction": 0.3}),
+        (ELASTIC, KINEMATIC, {"friction": 0.2}),
+        (RIGID, PERFECT, {}),
+        (SOFT, STEEL, {}),
+        (STEEL, STEEL, {}),
+    ],
+    ids=["hardening", "friction", "kinematic", "perfect", "unlike bodies", "equal bodies"],
+)
+def test_zones_give_the_fields_of_one_box(body1, body2, options):
+    sims = both(body1, body2, **options)
+    bodies = plastic(sims[0])
+    for step, percent in enumerate(PATH):
+        zones, one = (sim.step(load=percent * PERCENT) for sim in sims)
+        assert_close(zones, one, bodies)
+        many, single = (zone_counts(sim) for sim in sims)
+        assert max(many) > 1 or step > 0
+        assert max(single) == 1
+
+
+def test_under_a_prescribed_pressure():
+    pressures = [sim.step(load=2 * PERCENT).pressure for sim in [simulation(friction=0.2)]]
+    sims = both(friction=0.2)
+    for factor in (1.0, 1.05, 0.2):
+        zones, one = (sim.step(pressure=factor * pressures[0]) for sim in sims)
+        assert_close(zones, one, [2])
+    assert zone_counts(sims[0])[1] > 1 == zone_counts(sims[1])[1]
+
+
+def test_iterations_are_counted_where_zones_grow():
+    sim = simulation(RIGID, PERFECT)
+    states = sim.run([{"load": 2 * PERCENT}, {"load": 4 * PERCENT}], progress=False)
+    assert sum(state.iterations for state in states) == sim.counters["plastic_iterations"]
+
+
+def test_a_spot_at_the_border_is_that_of_a_wider_grid():
+    """Its zone reaches beyond the window."""
+    beside, inside = 12, slice(12, -12)
+    gap = rough_gap(bowl=0.0)  # periodic
+    i, _ = np.unravel_index(np.argmin(gap), gap.shape)
+    gap = np.roll(gap, 1 - i, axis=0)
+    wide = sc.Grid(CELLS + 2 * beside, CELLS + 2 * beside, SIZE, SIZE, LAYERS, SIZE)
+    sims = [
+        simulation(gap=gap, friction=0.3),
+        simulation(grid=wide, gap=np.pad(gap, beside, constant_values=1e-3), friction=0.3),
+    ]
+    for percent in PATH[:3]:
+        state, wider = (sim.step(load=percent * PERCENT) for sim in sims)
+        assert state.pressure[0].any()
+        strain = wider.equivalent_plastic_strain()
+        assert strain[:beside].any()
+        assert rms(state.pressure, wider.pressure[inside, inside]) < 3e-4
+        assert rms(state.equivalent_plastic_strain(), strain[inside, inside]) < 3e-4
+        print_ = wider.residual_displacement()[..., inside, inside]
+        assert rms(state.residual_displacement(), print_) < 3e-4
+    assert min(zone_counts(sim)[1] for sim in sims) > 1
+
+
+def test_a_grid_without_nz_changes_no_digit():
+    opened = simulation(grid=sc.Grid(CELLS, CELLS, SIZE, SIZE, dz=SIZE))
+    for sim in (opened, layered := simulation()):
+        sim.run([{"load": percent * PERCENT} for percent in PATH[:3]], progress=False)
+    layers = len(opened.state.depths)
+    np.testing.assert_array_equal(opened.state.pressure, layered.state.pressure)
+    np.testing.assert_array_equal(
+        opened.state.plastic_strain(), layered.state.plastic_strain()[..., :layers]
+    )
+    assert zone_counts(opened) == zone_counts(layered)
+
+
+@pytest.mark.parametrize(
+    ("bodies", "options", "steps"),
+    [
+        ((RIGID, STEEL), {"residual_stress": "exact"}, [{}]),
+        ((RIGID, STEEL), {"grid": sc.Grid(CELLS, CELLS, SIZE, SIZE, 10, SIZE, "xy")}, [{}]),
+        ((RIGID, STEEL), {"gap": GAP + GAP[::-1]}, [{}]),
+        ((ELASTIC, HOT), {"friction": 0.2, "heat": sc.Heat([0.0, 0.1])}, [{}]),
+        ((RIGID, STEEL), {"friction": 0.1}, [{"advance": (0.0, 2 * SIZE)}] * 2),
+    ],
+    ids=["exact", "periodic", "mirrors", "heat", "moving"],
+)
+def test_what_cannot_be_split_stays_in_one_box(bodies, options, steps):
+    sims = both(*bodies, **options)
+    for more in steps:
+        zones, one = (sim.step(load=2 * PERCENT, **more) for sim in sims)
+        assert same(zones, one)
+    assert zone_counts(sims[0]) == zone_counts(sims[1]) == [0, 1]
+
+
+def test_a_contact_that_begins_to_move_goes_on_in_one_box():
+    sims = both(friction=0.1)
+    steps = [{}, {"advance": (0.0, 2 * SIZE)}, {"advance": (0.0, SIZE)}]
+    for more, many in zip(steps, (True, False, False), strict=True):
+        zones, one = (sim.step(load=2 * PERCENT, **more) for sim in sims)
+        assert_close(zones, one, [2])
+        assert (zone_counts(sims[0])[1] > 1) is many
+
+
+def test_going_on_from_a_file_or_a_pickle_changes_no_digit(tmp_path):
+    sim = simulation(SOFT, KINEMATIC, friction=0.1)
+    sim.step(load=PERCENT)
+    assert min(zone_counts(sim)) > 1
+    sim.save(tmp_path / "state.h5")
+    others = [sc.Simulation.load(tmp_path / "state.h5"), pickle.loads(pickle.dumps(sim))]
+    for percent in (2, 0.2):
+        state = sim.step(load=percent * PERCENT)
+        for other in others:
+            assert same(other.step(load=percent * PERCENT), state, [1, 2])
+    assert [zone_counts(other) for other in others] == [zone_counts(sim)] * 2
+    assert [other.counters for other in others] == [sim.counters] * 2
+
+
+THREADS = """
+import hashlib, warnings
+warnings.simplefilter("ignore")
+from rough_scenes import *
+sim = simulation(SOFT, PERFECT, friction=0.2)
+for percent in (1, 1.5, 0.2):
+    state = sim.step(load=percent * PERCENT)
+    assert min(zone_counts(sim)) > 1, zone_counts(sim)
+    parts = [state.stress(2), *fields(state, (1, 2)).values()]
+    print(state.iterations, hashlib.sha256(b"".join(x.tobytes() for x in parts)).hexdigest())
+"""
+
+
+def test_the_number_of_threads_changes_no_digit():
+    here = str(Path(__file__).parent)
+    paths = os.pathsep.join([here, *filter(None, [os.environ.get("PYTHONPATH")])])
+    told = [
+        subprocess.run(
+            [sys.executable, "-c", THREADS],
+            env=os.environ | {"OMP_NUM_THREADS": str(threads), "PYTHONPATH": paths},
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for threads in (1, 3)
+    ]
+    assert told[0] == told[1]
+    assert len(told[0].splitlines()) == 3
+
+
+@pytest.mark.parametrize("cycles", [12, pytest.param(100, marks=pytest.mark.slow)])
+def test_cycles_shake_down_as_in_one_box(cycles):
+    """Perfect plasticity opposes no drift: errors that feed on flow would show."""
+    sums = []
+    for sim in both(RIGID, PERFECT, friction=0.1):
+        strains = []
+        for _ in range(cycles):
+            state = sim.step(load=3 * PERCENT)
+            strains.append(state.equivalent_plastic_strain().sum())
+            sim.step(load=2.4 * PERCENT)
+        sums.append(strains)
+    zones, one = np.array(sums)
+    np.testing.assert_allclose(zones, one, rtol=1e-3)
+    assert zones[-1] / zones[0] - 1 < 1e-3
+    assert zones[-1] / zones[-4] - 1 < 1e-5
+
+
+@pytest.fixture(scope="module")
+def solved():
+    """A state, and the boxes of its zones as far as they lie in its grid."""
+    grid = sc.Grid(128, 128, SIZE, SIZE, 14, SIZE)
+    sim = simulation(grid=grid, gap=rough_gap(0.0, grid), friction=0.2)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        state = sim.step(load=16 * PERCENT)
+    zones = zones_of(sim, 2)
+    begin, end = np.maximum(zones[:, :2], 0), zones[:, :2] + zones[:, 2:4]
+    zones = np.hstack([begin, np.minimum(end, 128) - begin, np.minimum(zones[:, 4:], 14)])
+    assert len(zones) > 10
+    return state, zones.tolist()
+
+
+class TestOperators:
+    """Of zones, at the plastic cells of a rough contact, against those of one box around all."""
+
+    def compared(self, solved, strain=0.0, pressure=0.0, shear=0.0):
+        """Stress, its reference, at the plastic cells; the surface displacement."""
+        state, zones = solved
+        grid, flows = state.grid, state.equivalent_plastic_strain() > 0
+        strain, pressure = strain * state.plastic_strain(), pressure * state.pressure
+        sheared = np.stack([shear * state.pressure, 0 * state.pressure])
+        stress, displacement = _core.operators.zone_fields(
+            grid._core, _core.Elastic.isotropic(E, NU), zones,
+            np.ascontiguousarray(np.moveaxis(strain, 3, 1)), pressure, sheared[0], 1e-6,
+        )  # fmt: skip
+        expected = operators.surface_stress(grid, pressure, grid.z, NU, shear=sheared)
+        if strain.any():
+            expected = operators.residual_stress(grid, strain, E, NU, method="fast", image_tol=1e-6)
+        return stress[:, flows], expected[:, flows], displacement
+
+    def test_residual_stress_and_displacement(self, solved):
+        stress, expected, displacement = self.compared(solved, strain=1.0)
+        assert rms(stress, expected) < 1.5e-3
+        assert abs(stress - expected).max() < 3e-3 * abs(expected).max()
+        strain = solved[0].plastic_strain()  # without what lies beside the grid
+        expected = operators.residual_displacement(solved[0].grid, strain, NU)
+        assert rms(displacement, expected) < 3e-4
+
+    @pytest.mark.parametrize("load", [{"pressure": 1.0}, {"shear": 1.0}])
+    def test_stress_of_tractions(self, solved, load):
+        stress, expected, _ = self.compared(solved, **load)
+        assert rms(stress, expected) < 1e-3
+        assert abs(stress - expected).max() < 1e-3 * abs(expected).max()
