@@ -186,6 +186,37 @@ def test_unloading_is_elastic(run):
     assert np.array_equal(before, run.unloaded.equivalent_plastic_strain())
 
 
+class Shallow(Run):
+    """With few layers to show; plastic flow goes deeper."""
+
+    def _grid(self, radius, cells, width, depth):
+        return super()._grid(radius, cells, width, 0.5)
+
+
+class Open(Run):
+    """Without layers given."""
+
+    def _grid(self, radius, cells, width, depth):
+        grid = super()._grid(radius, cells, width, depth)
+        return sc.Grid(grid.nx, grid.ny, grid.dx, grid.dy, dz=grid.dz)
+
+
+@pytest.mark.filterwarnings("ignore:.*plastic strain:samcontact.GridTooSmallWarning")
+@pytest.mark.parametrize("name", ["2b1500", "1b"])
+def test_depth_need_not_be_known(name):
+    deep, without, shallow = (kind(name, cells=8, increments=6) for kind in (Run, Open, Shallow))
+    expected = deep.scalars()
+    for quantity, (value, _) in without.scalars().items():
+        assert value == pytest.approx(expected[quantity][0], rel=1e-4), quantity
+    assert without.loaded.depths[-1] > shallow.loaded.depths[-1] == shallow.grid.z[-1]
+    for ours, theirs in ((shallow.loaded, deep.loaded), (shallow.unloaded, deep.unloaded)):
+        for quantity in ("max_equivalent_plastic_strain", "max_plastic_strain"):
+            assert getattr(ours, quantity)() == pytest.approx(getattr(theirs, quantity)(), rel=1e-4)
+        np.testing.assert_allclose(
+            ours.residual_displacement(), theirs.residual_displacement(), rtol=0, atol=1e-11
+        )
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_differences_fall_with_refinement(name, measured):
