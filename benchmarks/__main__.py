@@ -17,6 +17,7 @@ PARTS = (
     "elastic_rough",
     "plastic_smooth",
     "plastic_rough",
+    "plastic_zones",
     "operators",
     "images",
     "nano_indentation",

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rough contacts that yield at many spots: plastic strain in zones, and in one box around them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import samcontact as sc
+
+from .harness import Meter, Task, relative_error, rms_error, work_of
+from .steel import STEEL
+
+NAME = "plastic_zones"
+TITLE = "Plastic zones of rough surfaces"
+CELL = 1e-6  # m
+SLOPE = 0.06  # rms
+SHORTEST = 8  # cells of the shortest wave
+ROLL_OFF = 64  # cells
+HARDNESS = 4.2e9  # Pa: load over contact area, nearly
+BOWL = 3.0  # height of the border over the rms of the roughness: it keeps the contact inside
+
+
+def tasks(quick: bool, folder: Path) -> list[Task]:
+    sizes = (96,) if quick else (128, 256, 512)
+    found = []
+    for n in sizes:
+        for percent in (2, 5):
+            stored = str(folder / f"{NAME}-{n}-{percent}.npz")
+            for method, function in (("one box", "make_reference"), ("zones", "solve")):
+                given = {"n": n, "percent": percent, "file": stored}
+                found.append(
+                    Task(NAME, f"{percent} % in contact", method, function, given, "one box")
+                )
+    return found
+
+
+def gap(grid: sc.Grid) -> np.ndarray:
+    """A self-affine surface of a rigid flat, in a bowl."""
+    rough = sc.surfaces.rough_self_affine(
+        grid, 1e-6, 0.8, wavelength_min=SHORTEST * CELL, roll_off=ROLL_OFF * CELL, seed=7
+    )
+    slopes = np.gradient(rough, CELL)
+    rough *= SLOPE / np.sqrt(np.mean(slopes[0] ** 2 + slopes[1] ** 2))
+    x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
+    side = np.maximum(np.abs(x), np.abs(y)) / (0.5 * grid.nx * CELL)
+    return np.asarray(rough - rough.min() + BOWL * rough.std() * side**8)
+
+
+def run(meter: Meter, n: int, percent: float, zones: str) -> tuple[sc.Simulation, sc.State]:
+    grid = sc.Grid(n, n, CELL, CELL, dz=CELL)
+    surface, area = gap(grid), (n * CELL) ** 2
+
+    def press() -> tuple[sc.Simulation, sc.State]:
+        simulation = sc.Simulation(grid, sc.Material.rigid(), STEEL, surface, tol=1e-3, zones=zones)
+        for part in (0.5, 1.0):
+            state = simulation.step(load=part * percent / 100 * HARDNESS * area)
+        return simulation, state
+
+    return meter(press)
+
+
+def summary(simulation: sc.Simulation, state: sc.State) -> dict[str, Any]:
+    grid = simulation.grid
+    return {
+        "cells": grid.nx * grid.ny * len(state.depths),
+        "across": grid.nx,
+        "contact_fraction": float(np.mean(state.pressure > 0)),
+        "plastic_cells": state.plastic_cells(),
+        **work_of(simulation),
+    }
+
+
+def numbers(state: sc.State) -> dict[str, Any]:
+    return {
+        "pressure": state.pressure,
+        "print": state.residual_displacement(),
+        "area": state.contact_area,
+        "gap": state.gap.mean(),
+        "strain": state.max_equivalent_plastic_strain(),
+    }
+
+
+def make_reference(meter: Meter, n: int, percent: float, file: str) -> dict[str, Any]:
+    simulation, state = run(meter, n, percent, "one")
+    np.savez(file, **numbers(state))
+    return summary(simulation, state)
+
+
+def solve(meter: Meter, n: int, percent: float, file: str) -> dict[str, Any]:
+    simulation, state = run(meter, n, percent, "auto")
+    ours = numbers(state)
+    with np.load(file) as whole:
+        errors = {
+            "pressure, rms": rms_error(ours["pressure"], whole["pressure"]),
+            "print, rms": rms_error(ours["print"], whole["print"]),
+            "contact area": relative_error(ours["area"], whole["area"]),
+            "mean gap": relative_error(ours["gap"], whole["gap"]),
+            "largest plastic strain": relative_error(ours["strain"], whole["strain"]),
+        }
+    return {**summary(simulation, state), "errors": errors}
