@@ -75,6 +75,38 @@ def edit(draw):
     return edited
 
 
+@st.composite
+def change_boxes(draw, name):
+    """A function that changes boxes, [box][i0, j0, nx, ny, nz], of an open HDF5 file."""
+    how = draw(st.sampled_from(["shift", "shift", "value", "repeat", "remove", "turn", "split"]))
+    box, part = draw(st.integers(0, 100)), draw(st.integers(0, 4))
+    far = st.sampled_from([-(2**31), 2**31 - 1, 2**32, -(2**63), 2**63 - 1, 10**6, -(10**6)])
+    number = draw(st.one_of(st.integers(-40, 40), st.integers(-3, 3), far))
+
+    def changed(file):
+        boxes = file[name][...]
+        at = box % len(boxes)
+        if how == "shift":
+            boxes[at] += np.where(np.arange(5) == part, number, 0)  # may overflow
+        elif how == "value":
+            boxes[at, part] = number
+        elif how == "repeat":
+            boxes = np.insert(boxes, 0, boxes[at], axis=0)
+        elif how == "remove":
+            boxes = np.delete(boxes, at, axis=0)
+        elif how == "turn":
+            boxes = np.roll(boxes, number % 7, axis=part % 2)
+        else:
+            half = boxes[at].copy()
+            half[2] //= 2
+            boxes[at, [0, 2]] += [half[2], -half[2]]
+            boxes = np.insert(boxes, at, half, axis=0)
+        del file[name]
+        file[name] = boxes
+
+    return changed
+
+
 def change_array(array, how, number, value):
     values, owner, name = array[()], array.parent, array.name
     if how == "value":

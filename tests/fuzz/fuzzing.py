@@ -14,6 +14,7 @@ INPUTS = {
     "flipped or cut bytes of a journal": (60, 1200),
     "flipped or cut bytes of results": (60, 1200),
     "edited parts of checkpoints": (250, 5000),
+    "boxes of zones in checkpoints": (60, 1200),
     "edited parts of wear checkpoints": (100, 2000),
     "edited parts of results": (60, 1200),
     "files of heights": (200, 4000),

@@ -6,11 +6,13 @@ import warnings
 
 import numpy as np
 import pytest
-from damaging import damage, edit, write_edited
+from damaging import change_boxes, damage, edit, write_edited
 from fuzzing import tried, try_all, unless_refused
 from hypothesis import strategies as st
 
 import samcontact as sc
+from rough_scenes import PERCENT, RIGID, zones_of
+from rough_scenes import simulation as rough_simulation
 from samcontact import wear
 from samcontact.runs.file import DAMAGED, CheckpointError
 from samcontact.wear import checkpoint as wear_checkpoint
@@ -93,6 +95,36 @@ def test_edited_parts(saved, tmp_path, count):
             assert np.isfinite(simulation.state.track(body, margin=0).plastic_strain()).all()
 
     try_all(check, count, change=edit())
+
+
+@tried("boxes of zones in checkpoints")
+def test_changed_boxes(tmp_path, count):
+    """What is not refused can be gone on from; an error of a step is a documented one."""
+    first, file = tmp_path / "first.h5", tmp_path / "state.h5"
+    simulation = rough_simulation(RIGID, STEEL, tol=1e-2)
+    simulation.step(load=PERCENT)
+    simulation.save(first)
+    content, boxes = first.read_bytes(), zones_of(simulation, 2)
+    assert len(boxes) > 4
+    some, refused = 3 * np.prod(boxes[:, 2:], axis=1).sum(), 0
+
+    def check(name, data):
+        nonlocal refused
+        write_edited(content, file, data.draw(change_boxes(f"state/{name}")))
+        simulation = unless_refused(lambda: sc.Simulation.load(file), CheckpointError, str(file))
+        refused += simulation is None
+        if simulation is None or np.prod(zones_of(simulation, 2)[:, 2:], axis=1).sum() > some:
+            return
+        state = unless_refused(
+            lambda: simulation.step(load=1.2 * PERCENT), (ValueError, sc.ConvergenceError)
+        )
+        if state is not None:
+            assert np.isfinite(state.pressure).all()
+            assert np.isfinite(state.plastic_strain()).all()
+
+    names = st.sampled_from(["history2/zones", "flow_boxes2"])
+    try_all(check, count, name=names, data=st.data())
+    assert refused > 0.3 * count
 
 
 @tried("flipped or cut bytes of a journal")

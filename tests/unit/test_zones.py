@@ -10,6 +10,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
+import samcontact as sc
 from rough_scenes import (
     CELLS,
     ELASTIC,
@@ -32,8 +34,6 @@ from rough_scenes import (
     zone_counts,
     zones_of,
 )
-
-import samcontact as sc
 from samcontact import _core, operators
 
 pytestmark = pytest.mark.filterwarnings(
@@ -189,7 +189,7 @@ for percent in (1, 1.5, 0.2):
 
 
 def test_the_number_of_threads_changes_no_digit():
-    here = str(Path(__file__).parent)
+    here = str(Path(__file__).parents[1])
     paths = os.pathsep.join([here, *filter(None, [os.environ.get("PYTHONPATH")])])
     told = [
         subprocess.run(
