@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
+#include <stdexcept>
+
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/operators/half_space.hpp"
@@ -84,7 +86,12 @@ std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& ela
     const Box whole = Box::whole(grid);
     std::vector<Box> zones;
     zones.reserve(boxes.size());
-    for (const auto& [i0, j0, nx, ny, nz] : boxes) zones.push_back({i0, j0, nx, ny, nz});
+    for (const auto& [i0, j0, nx, ny, nz] : boxes) {
+      const bool inside = i0 >= 0 && j0 >= 0 && nx > 0 && ny > 0 && nz > 0 && nx <= grid.nx - i0 &&
+                          ny <= grid.ny - j0 && nz <= grid.nz;
+      if (!inside) throw std::invalid_argument("a zone is empty or not in the grid");
+      zones.push_back({i0, j0, nx, ny, nz});
+    }
     operators::ZoneOperators operators(
         std::make_shared<const operators::ZoneTables>(grid, operators::half_space(elastic),
                                                       operators::Tensor::full, image_tol),
