@@ -76,6 +76,7 @@ std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Sc
   require_that(std::abs(static_cast<long>(origin)) < farthest, "origin is out of range");
   const Box part = stored_part(scene.grid, symmetry);
   require_that(is_box(box, scene.grid) && !box.empty() && box.nz > 0 &&
+                   !has_no_end({0, 0, 1, 1, box.nz}, scene.grid) &&
                    (symmetry == fft::Symmetry::none || box.j0 == part.j0) &&
                    (symmetry != fft::Symmetry::xy || box.i0 == part.i0),
                "the box of a plastic history does not fit the grid");
