@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Neither the number of OpenMP threads nor other Python threads change a digit."""
 
-import os
-import subprocess
-import sys
 import threading
 
 import numpy as np
 import pytest
 
 import samcontact as sc
+from openmp import told_with
 
 CONTACT = """
 import hashlib, samcontact as sc
@@ -86,16 +84,7 @@ def test_two_simulations_at_once_give_the_digits_of_each_alone():
     ids=["contact", "rough", "simulation", "mirrored", "whole"],
 )
 def test_same_digits_for_any_number_of_openmp_threads(script):
-    answers = [
-        subprocess.run(
-            [sys.executable, "-c", script],
-            env=os.environ | {"OMP_NUM_THREADS": str(threads)},
-            capture_output=True,
-            text=True,
-            check=True,
-        ).stdout
-        for threads in (1, 2)
-    ]
+    answers = told_with(script, 1, 2)
     assert answers[0] == answers[1]
     iterations, digest = answers[0].split()
     assert int(iterations) > 0

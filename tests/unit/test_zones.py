@@ -1,17 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contacts with plastic strain in many small zones are those with one box around all of it."""
 
-import os
 import pickle
-import subprocess
-import sys
 import warnings
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import samcontact as sc
+from openmp import told_with
 from rough_scenes import (
     CELLS,
     ELASTIC,
@@ -189,18 +186,7 @@ for percent in (1, 1.5, 0.2):
 
 
 def test_the_number_of_threads_changes_no_digit():
-    here = str(Path(__file__).parents[1])
-    paths = os.pathsep.join([here, *filter(None, [os.environ.get("PYTHONPATH")])])
-    told = [
-        subprocess.run(
-            [sys.executable, "-c", THREADS],
-            env=os.environ | {"OMP_NUM_THREADS": str(threads), "PYTHONPATH": paths},
-            capture_output=True,
-            text=True,
-            check=True,
-        ).stdout
-        for threads in (1, 3)
-    ]
+    told = told_with(THREADS, 1, 3)
     assert told[0] == told[1]
     assert len(told[0].splitlines()) == 3
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "samcontact/base/smooth_step.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
 #include "samcontact/operators/node_spread.hpp"
 #include "samcontact/operators/smooth_continuation.hpp"
@@ -20,7 +21,7 @@ constexpr double pi = std::numbers::pi;
 
 /// Where a table is split: the near part ends at cells of the lattice, the middle one at nodes of
 /// the far one.
-constexpr int near_cells = range(Band::near), middle_cells = 2 * spacing(Band::far);
+constexpr int near_cells = near_range, middle_cells = 2 * spacing(Band::far);
 
 /// Low pass, 1 at q = 0 and gone at 0.9 of the highest wavenumber of nodes `factor` cells apart: a
 /// step smoothed by a Gaussian, even in q, so that the rest is of short range.
@@ -37,8 +38,7 @@ double window_gain(Band band, double k) {
   return gain * gain;
 }
 
-}  // namespace
-
+/// Share of a band in the residual stress of a wave, wavenumbers in 1/cell: the three add up to 1.
 double share(Band band, double kx, double ky) {
   const double q = std::hypot(kx, ky);
   const double middle = low_pass(q, spacing(Band::middle), 1.6);
@@ -52,8 +52,6 @@ double share(Band band, double kx, double ky) {
       return far;
   }
 }
-
-namespace {
 
 /// The tables of all bands of one medium. Thread-safe.
 class BandTables {
@@ -125,8 +123,8 @@ void replace(const Field& inside, int cells, double* table, int width) {
   }
 }
 
-void subtract(const Field& part, Field& from) {
-  for (std::size_t n = 0; n < from.size(); ++n) from[n] -= part[n];
+void subtract(const Field& part, double* from) {
+  for (std::size_t n = 0; n < part.size(); ++n) from[n] -= part[n];
 }
 
 std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const Parities& parities,
@@ -153,9 +151,8 @@ std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const
       }
     }
     replace(middle_.inside(table, parities[c]), middle_cells, table, wide);
-    subtract(near_.rest(around.data(), parities[c]), around);
-    const Field rest = middle_.rest(table, parities[c]);
-    for (std::size_t n = 0; n < rest.size(); ++n) table[n] -= rest[n];
+    subtract(near_.rest(around.data(), parities[c]), around.data());
+    subtract(middle_.rest(table, parities[c]), table);
     for (int j = 0; j < close; j += spacing(Band::middle)) {
       for (int i = 0; i < close; i += spacing(Band::middle)) {
         split->middle.push_back(around[j * close + i] - table[j * wide + i]);
@@ -183,7 +180,7 @@ void sharpen(Band band, const KernelOffsets& offsets, int mx, int my,
     for (int n = 0; n < count; ++n) {
       const double part = static_cast<double>(n) / (count - 1);
       const double above = (part - clear_band) / (1 - clear_band);
-      factor[n] = falling(above) / window_gain(band, part * pi / spacing(band));
+      factor[n] = rising(1 - above) / window_gain(band, part * pi / spacing(band));
     }
     return factor;
   };
@@ -250,7 +247,7 @@ Field BandTables::far_tables(const Split& split, const KernelOffsets& offsets,
     for (int j = 0; j < ny; ++j) {
       for (int i = 0; i < nx; ++i) {
         const auto fades = [](int n, int count) {
-          return falling(1 - static_cast<double>(count - n) / fading_nodes);
+          return rising(static_cast<double>(count - n) / fading_nodes);
         };
         table[static_cast<std::size_t>(j) * nx + i] *= fades(i, nx) * fades(j, ny);
       }

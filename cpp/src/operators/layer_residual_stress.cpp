@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "samcontact/base/flush_denormals.hpp"
+#include "samcontact/base/smooth_step.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/operators/image_correction.hpp"
 #include "samcontact/operators/layer_sweep.hpp"
@@ -21,10 +22,7 @@ constexpr double blended_from = 0.85;
 
 /// Share of a wavenumber, relative to the highest; with that of its alias 1. Three derivatives are
 /// continuous.
-double blended(double k) {
-  const double s = std::clamp((2 - blended_from - k) / (2 * (1 - blended_from)), 0.0, 1.0);
-  return s * s * s * s * (35 + s * (-84 + s * (70 - 20 * s)));
-}
+double blended(double k) { return rising((2 - blended_from - k) / (2 * (1 - blended_from))); }
 
 /// With yz and xz multiplied by i all is real; what is stored lacks (-i) for each mirrored
 /// direction in which the component is odd.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "samcontact/base/smooth_step.hpp"
+
 namespace samcontact::operators {
 namespace {
 
@@ -16,15 +18,10 @@ constexpr int fades_from = 2, gone_at = 6;
 
 }  // namespace
 
-double falling(double s) {
-  const double t = 1 - std::clamp(s, 0.0, 1.0);
-  return t * t * t * t * (35 + t * (-84 + t * (70 - 20 * t)));
-}
-
 SmoothContinuation::SmoothContinuation(int factor, int cells)
     : cells_(cells), reach_(gone_at * cells), fade_(reach_) {
   for (int n = 0; n < reach_; ++n) {
-    fade_[n] = falling(static_cast<double>(n - fades_from * cells) / (reach_ - fades_from * cells));
+    fade_[n] = rising(static_cast<double>(reach_ - n) / (reach_ - fades_from * cells));
   }
   const double cut = clear_band * std::numbers::pi / factor;
   for (const bool odd : {false, true}) {
@@ -63,7 +60,7 @@ Eigen::MatrixXd SmoothContinuation::make_low(int factor, int reach, bool odd) {
   Eigen::VectorXd filter = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(reach));
   for (int n = 0; n < points; ++n) {
     const double part = (n + 0.5) / points;
-    const double weight = falling((part - clear_band) / (1 - clear_band)) / (points * factor);
+    const double weight = rising((1 - part) / (1 - clear_band)) / (points * factor);
     for (int d = 0; d < 2 * reach; ++d) filter[d] += weight * std::cos(part * highest * d);
   }
   Eigen::MatrixXd low(reach, reach);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "samcontact/base/deviator.hpp"
 #include "samcontact/base/interrupt.hpp"
 
 namespace samcontact::operators {
@@ -20,11 +21,7 @@ constexpr int parts = 5;
 /// From the five components of a deviator, `step` apart.
 double von_mises(const double* s, std::size_t step) {
   const double xx = s[0], yy = s[step], yz = s[2 * step], xz = s[3 * step], xy = s[4 * step];
-  return std::sqrt(3 * (xx * xx + yy * yy + xx * yy + yz * yz + xz * xz + xy * xy));
-}
-
-Box rows_of(const NodeSpread& nodes) {
-  return {nodes.x().first(), nodes.y().first(), nodes.x().count(), nodes.y().count(), 1};
+  return std::sqrt(3 * second_invariant(xx, yy, yz, xz, xy));
 }
 
 NodeSpread middle_nodes(const Grid& grid) {
@@ -62,7 +59,7 @@ StressBound::StressBound(std::shared_ptr<const ZoneTables> tables,
                          const std::vector<double>& depths)
     : tables_(std::move(tables)),
       middle_(middle_nodes(tables_->grid())),
-      far_(spacing(Band::far) / spacing(Band::middle), rows_of(middle_)),
+      far_(spacing(Band::far) / spacing(Band::middle), middle_.box()),
       middle_transform_(tables_->lattice(Band::middle, middle_, 0), Symmetry::none),
       far_transform_(tables_->lattice(Band::far, far_, 0), Symmetry::none) {
   const Grid& grid = tables_->grid();
@@ -84,7 +81,7 @@ int StressBound::blocks_x() const { return (tables_->grid().nx + block - 1) / bl
 int StressBound::blocks_y() const { return (tables_->grid().ny + block - 1) / block; }
 
 Field StressBound::at_corners(const Field& nodes) const {
-  const Box rows = rows_of(middle_);
+  const Box rows = middle_.box();
   const int nx = blocks_x() + 1, ny = blocks_y() + 1;
   const std::size_t plane = static_cast<std::size_t>(nx) * ny;
   // First cells of blocks lie alike between the nodes.
@@ -117,7 +114,7 @@ Field StressBound::at_corners(const Field& nodes) const {
 
 Field StressBound::near_part(double depth, const Tractions& tractions) const {
   const Grid& grid = tables_->grid();
-  constexpr int reach = range(Band::near);
+  constexpr int reach = near_range;
   Field sum(grid.surface_size(), 0.0);
   if (depth >= near_ends * std::min(grid.dx, grid.dy)) return sum;
   Grid around(2 * reach, 2 * reach, grid.dx, grid.dy);
@@ -163,7 +160,7 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
                               ? spectrum_of(middle_transform_, group.middle, loads.middle)
                               : VolumeSpectrum(middle_transform_, 0, Tensor::deviator);
   check_interrupt();
-  const Box rows = rows_of(middle_);
+  const Box rows = middle_.box();
   const std::size_t far_plane = far_transform_.plane_size();
   const std::size_t middle_plane = middle_transform_.plane_size();
 #pragma omp parallel for schedule(dynamic)
@@ -205,20 +202,11 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
 
 void StressBound::for_each_depth(const Tractions& tractions, double shear_sign,
                                  const Use& use) const {
-  Loads loads{tractions, {}, {}};
   const Grid& grid = tables_->grid();
-  const auto spread = [&](const Field& cells, Field& middle, Field& far) {
-    if (cells.empty()) return;
-    middle.assign(middle_transform_.plane_size(), 0.0);
-    far.assign(far_transform_.plane_size(), 0.0);
-    middle_.spread(cells.data(), grid.ny, Box::surface(grid), middle.data(),
-                   middle_transform_.ny());
-    far_.spread(middle.data(), middle_transform_.ny(), rows_of(middle_), far.data(),
-                far_transform_.ny());
-  };
-  spread(tractions.pressure, loads.middle.pressure, loads.far.pressure);
-  spread(tractions.shear_x, loads.middle.shear_x, loads.far.shear_x);
-  spread(tractions.shear_y, loads.middle.shear_y, loads.far.shear_y);
+  const Grid middle = tables_->lattice(Band::middle, middle_, 0);
+  Loads loads{tractions, spread(tractions, Box::surface(grid), grid.ny, middle_, middle), {}};
+  loads.far =
+      spread(loads.middle, middle_.box(), middle.ny, far_, tables_->lattice(Band::far, far_, 0));
   for (const auto& group : groups_) look_at(*group, loads, shear_sign, use);
 }
 

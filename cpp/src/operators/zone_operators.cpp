@@ -13,7 +13,7 @@ namespace samcontact::operators {
 namespace {
 
 /// Cells of the ring around a zone: the near band's range.
-constexpr int ring = range(Band::near);
+constexpr int ring = near_range;
 /// Nodes between the ends of the middle plane: its band is at its end there but for 1e-4 of the
 /// residual stress.
 constexpr int middle_ring = 10;
@@ -62,14 +62,9 @@ struct ZoneOperators::Lattice {
 
   std::size_t plane_size() const { return operators->grid().surface_size(); }
   int pitch() const { return operators->grid().ny; }
-  /// The nodes that cells reach, as cells of the next lattice.
-  Box rows() const {
-    const Nodes &x = nodes.x(), &y = nodes.y();
-    return {x.first(), y.first(), x.count(), y.count(), 1};
-  }
-  /// Their part of a plane.
+  /// The part of a plane that cells reach.
   Field tight(const double* plane) const {
-    const Box box = rows();
+    const Box box = nodes.box();
     Field out(box.surface_size());
     for (std::ptrdiff_t a = 0; a < box.nx; ++a) {
       std::copy_n(plane + a * pitch(), box.ny, out.data() + a * box.ny);
@@ -77,6 +72,18 @@ struct ZoneOperators::Lattice {
     return out;
   }
 };
+
+Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodeSpread& nodes,
+                 const Grid& lattice) {
+  const auto spread_one = [&](const Field& from) {
+    Field to;
+    if (from.empty()) return to;
+    to.assign(lattice.surface_size(), 0.0);
+    nodes.spread(from.data(), pitch, box, to.data(), lattice.ny);
+    return to;
+  };
+  return {spread_one(cells.pressure), spread_one(cells.shear_x), spread_one(cells.shear_y)};
+}
 
 ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor,
                        double image_tol)
@@ -156,19 +163,9 @@ void ZoneOperators::make_lattices() {
   const NodeSpread middle(spacing(Band::middle), cells);
   middle_ = std::make_unique<Lattice>(
       middle, tables_->of(Band::middle, tables_->lattice(Band::middle, middle, layers_)));
-  const NodeSpread far(spacing(Band::far) / spacing(Band::middle), middle_->rows());
+  const NodeSpread far(spacing(Band::far) / spacing(Band::middle), middle_->nodes.box());
   far_ = std::make_unique<Lattice>(
       far, tables_->of(Band::far, tables_->lattice(Band::far, far, layers_)));
-}
-
-/// Not in the loops over zones: what is kept is made once, by all threads.
-void ZoneOperators::prepare(bool strained) const {
-  for (const Around& around : around_) {
-    if (strained) {
-      std::ignore = around.operators->residual_stress();
-      std::ignore = around.operators->residual_displacement();
-    }
-  }
 }
 
 void ZoneOperators::spread_layer(int k, const Field& strain) {
@@ -187,7 +184,7 @@ void ZoneOperators::spread_layer(int k, const Field& strain) {
   middle_->spectrum.used[k] = any;
   if (!any) return;
   for (int c = 0; c < parts; ++c) {
-    far_->nodes.spread(nodes + c * middle, middle_->pitch(), middle_->rows(),
+    far_->nodes.spread(nodes + c * middle, middle_->pitch(), middle_->nodes.box(),
                        far_strain_.data() + (static_cast<std::size_t>(c) * layers_ + k) * far,
                        far_->pitch());
   }
@@ -201,7 +198,11 @@ void ZoneOperators::transform(const Field& strain) {
   for (int k = 0; k < layers_; ++k) spread_layer(k, strain);
   forward(far_->operators->transform(), far_strain_.data(), far_->spectrum);
 
-  prepare(true);
+  // Not in the loop over zones: what is kept is made once, by all threads.
+  for (const Around& around : around_) {
+    std::ignore = around.operators->residual_stress();
+    std::ignore = around.operators->residual_displacement();
+  }
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
@@ -223,8 +224,8 @@ void ZoneOperators::displacement(double* out) const {
   far_->operators->residual_displacement().apply(far_->spectrum, far.data());
   middle_->operators->residual_displacement().apply(middle_->spectrum, middle.data());
   Field tight = middle_->tight(middle.data());
-  far_->nodes.gather(far.data(), far_->pitch(), middle_->rows(), tight.data());
-  middle_->nodes.gather(tight.data(), middle_->rows().ny, surface, out);
+  far_->nodes.gather(far.data(), far_->pitch(), middle_->nodes.box(), tight.data());
+  middle_->nodes.gather(tight.data(), middle_->nodes.box().ny, surface, out);
   for (const Around& around : around_) {
     const Box& box = around.box;
     for (int i = std::max(0, box.i0); i < std::min(grid_.nx, box.i0 + box.nx); ++i) {
@@ -240,19 +241,11 @@ void ZoneOperators::displacement(double* out) const {
 Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, double shear_sign) {
   const int parts = count(tensor_);
   const std::size_t middle = middle_->plane_size(), far = far_->plane_size();
-  const Box rows = middle_->rows();
-  Tractions on_middle, on_far;
-  const auto spread = [&](const Field& cells, Field& to_middle, Field& to_far) {
-    if (cells.empty()) return;
-    to_middle.assign(middle, 0.0);
-    to_far.assign(far, 0.0);
-    middle_->nodes.spread(cells.data(), grid_.ny, Box::surface(grid_), to_middle.data(),
-                          middle_->pitch());
-    far_->nodes.spread(to_middle.data(), middle_->pitch(), rows, to_far.data(), far_->pitch());
-  };
-  spread(tractions.pressure, on_middle.pressure, on_far.pressure);
-  spread(tractions.shear_x, on_middle.shear_x, on_far.shear_x);
-  spread(tractions.shear_y, on_middle.shear_y, on_far.shear_y);
+  const Box rows = middle_->nodes.box();
+  const Tractions on_middle =
+      spread(tractions, Box::surface(grid_), grid_.ny, middle_->nodes, middle_->operators->grid());
+  const Tractions on_far =
+      spread(on_middle, rows, middle_->pitch(), far_->nodes, far_->operators->grid());
   if (!strained) {
     for (Lattice* lattice : {middle_.get(), far_.get()}) {
       std::fill(lattice->spectrum.data.begin(), lattice->spectrum.data.end(), 0.0);
@@ -360,21 +353,12 @@ void ZoneOperators::stress_of_zone(std::size_t zone, bool strained, const Tracti
 void ZoneOperators::for_each_layer(bool strained, const Tractions& tractions, double shear_sign,
                                    const Use& use) {
   const Field low = low_stress(strained, tractions, shear_sign);
-  prepare(strained);
   check_interrupt();
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
     stress_of_zone(z, strained, tractions, shear_sign, low, use);
   }
-}
-
-std::size_t ZoneOperators::bytes() const {
-  std::size_t bytes = tables_->bytes();
-  for (const Lattice* lattice : {middle_.get(), far_.get()}) {
-    bytes += lattice->spectrum.data.size() * sizeof(double);
-  }
-  return bytes;
 }
 
 }  // namespace samcontact::operators

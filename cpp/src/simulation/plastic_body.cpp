@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "samcontact/base/deviator.hpp"
 #include "samcontact/base/memory.hpp"
 #include "samcontact/simulation/box_volume.hpp"
 #include "samcontact/simulation/split_volume.hpp"
@@ -46,11 +47,6 @@ void require_memory_of(const Zones& zones, double bytes, double before) {
   require_memory(bytes - before, "the plastic zone, " + std::to_string(box.nx) + " x " +
                                      std::to_string(box.ny) + " x " + std::to_string(box.nz) +
                                      " cells,");
-}
-
-/// Half the square of a deviator xx, yy, yz, xz, xy.
-double second_invariant(const std::array<double, 5>& s) {
-  return s[0] * s[0] + s[1] * s[1] + s[0] * s[1] + s[2] * s[2] + s[3] * s[3] + s[4] * s[4];
 }
 
 /// Sum of the backstresses of a cell: xx, yy, yz, xz, xy.
@@ -316,7 +312,8 @@ PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plan
         const auto x = centre(backstress_, cells, cell);
         for (int c = 0; c < 5; ++c) effective[c] -= x[c];
       }
-      const double second = second_invariant(effective);
+      const double second =
+          second_invariant(effective[0], effective[1], effective[2], effective[3], effective[4]);
       const bool own = second > limits.weakest && (softening_ || equivalent_[cell] > 0);
       const double limit = own ? yield_limit(static_cast<std::uint32_t>(cell)) : limits.first;
       highest = std::max(highest, second / limit);

@@ -48,9 +48,8 @@ bool PlasticIncrement::fit_boxes(const Field& gap) {
   const bool touches = may_touch_outside(gap);
   bool grown = false;
   for (PlasticBody& body : bodies_) {
-    const auto [is_split, has_grown] = fit_zones(body);
-    grown = grown || has_grown;
-    if (is_split) continue;
+    grown = fit_zones(body) || grown;
+    if (body.is_split()) continue;
     const Box window = window_of(body.tractions(), grid);
     const Box now = whole_or_none(body);
     Box needed = now;

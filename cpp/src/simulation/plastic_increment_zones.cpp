@@ -50,19 +50,17 @@ void PlasticIncrement::take_up_zones(PlasticBody& body) {
   set_zones(body, parts.size() == 1 ? Zones(parts) : Zones({choice_.fitted(around(parts), {})}));
 }
 
-PlasticIncrement::Split PlasticIncrement::fit_zones(PlasticBody& body) {
-  const bool first = !scanned_ && body.zones().empty();
-  if (scanned_ || !(body.is_split() || (first && may_split(body)))) {
-    return {body.is_split(), false};
-  }
+bool PlasticIncrement::fit_zones(PlasticBody& body) {
+  const bool first = body.zones().empty();
+  if (scanned_ || !(body.is_split() || (first && may_split(body)))) return false;
   std::vector<Box> boxes = body.zones().boxes();
   const auto near = boxes_around(body.near_columns(*scans_[body.index()]));
   boxes.insert(boxes.end(), near.begin(), near.end());
   boxes = merged(std::move(boxes));
-  if (first && !is_worth_splitting(body, boxes)) return {false, false};
-  if (boxes == body.zones().boxes()) return {true, false};
+  if (first && !is_worth_splitting(body, boxes)) return false;
+  if (boxes == body.zones().boxes()) return false;
   set_zones(body, Zones(std::move(boxes)), true);
-  return {true, true};
+  return true;
 }
 
 bool PlasticIncrement::grow_zones(PlasticBody& body, std::vector<Box> more) {

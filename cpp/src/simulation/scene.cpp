@@ -228,6 +228,7 @@ std::size_t Scene::operator_bytes() const {
   const std::lock_guard lock(mutex_);
   std::size_t bytes = 0;
   for (const auto& [medium, tables] : zone_tables_) bytes += tables->bytes();
+  for (const auto& scan : zone_scans_) bytes += scan ? scan->bytes() : 0;
   for (const Kept& k : kept_) bytes += k.operators->bytes();
   for (const auto& kept : temperatures_) bytes += kept->bytes();
   const std::lock_guard heat_lock(heat_mutex_);

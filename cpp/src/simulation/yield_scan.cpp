@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "samcontact/base/deviator.hpp"
+
 namespace samcontact::simulation {
 namespace {
 
@@ -119,9 +121,10 @@ void YieldScan::for_beyond(const Level& level, const operators::Tractions& tract
     for (int i = 0; i < grid.nx; ++i) {
       for (int j = 0; j < grid.ny; ++j) {
         const std::size_t at = k * plane + static_cast<std::size_t>(i) * grid.ny + j;
-        const double xx = s[at], yy = s[n + at], yz = s[2 * n + at], xz = s[3 * n + at],
-                     xy = s[4 * n + at];
-        if (xx * xx + yy * yy + xx * yy + yz * yz + xz * xz + xy * xy <= bound) continue;
+        if (second_invariant(s[at], s[n + at], s[2 * n + at], s[3 * n + at], s[4 * n + at]) <=
+            bound) {
+          continue;
+        }
         const int i0 = i * level.factor, j0 = j * level.factor;
         // Up to the next depth that is looked at.
         const int below = k + 1 < nz ? level.layers[k + 1] : level.layers[k] + 1;
@@ -140,18 +143,10 @@ Box YieldScan::level_box(const Level& level, const operators::Tractions& tractio
   return found;
 }
 
-Box YieldScan::box(const operators::Tractions& tractions, double shear_sign, double limit) const {
+Box YieldScan::box(const Levels& levels, const operators::Tractions& tractions, double shear_sign,
+                   double limit) const {
   Box found;
-  for (const auto& level : levels_) {
-    found = found.united(level_box(*level, tractions, shear_sign, limit));
-  }
-  return found;
-}
-
-Box YieldScan::box_below(const operators::Tractions& tractions, double shear_sign,
-                         double limit) const {
-  Box found;
-  for (const auto& level : below_) {
+  for (const auto& level : levels) {
     found = found.united(level_box(*level, tractions, shear_sign, limit));
   }
   return found;

@@ -18,7 +18,7 @@ using operators::spacing;
 /// Cells around what must be in a zone, and below it.
 constexpr int margin = 2;
 
-double padded(int cells) { return fft::good_even_size(cells + 2 * operators::range(Band::near)); }
+double padded(int cells) { return fft::good_even_size(cells + 2 * operators::near_range); }
 
 double cost(const Box& zone) { return padded(zone.nx) * padded(zone.ny) * zone.nz; }
 

@@ -13,13 +13,10 @@ enum class Band { near, middle, far };
 
 /// Cells between the nodes of a band.
 constexpr int spacing(Band band) { return band == Band::near ? 1 : band == Band::middle ? 2 : 8; }
-/// Nodes of a band beyond which it has no influence; the far one has no end.
-constexpr int range(Band band) { return band == Band::near ? 6 : 18; }
+/// Cells beyond which the near band has no influence.
+inline constexpr int near_range = 6;
 /// Nodes at the end of the far lattice that must stay empty: there its tables fade out.
 inline constexpr int fading_nodes = 12;
-
-/// Share of a band in the residual stress of a wave, wavenumbers in 1/cell: the three add up to 1.
-double share(Band band, double kx, double ky);
 
 /// The media of the bands of a medium, near, middle and far, on lattices of their nodes: those of
 /// near and middle ones are periodic. cells: what nodes stand for, a grid without a period;

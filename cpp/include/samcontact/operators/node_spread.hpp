@@ -52,6 +52,8 @@ class NodeSpread {
 
   const Nodes& x() const { return x_; }
   const Nodes& y() const { return y_; }
+  /// The nodes, as cells of another lattice.
+  Box box() const { return {x_.first(), y_.first(), x_.count(), y_.count(), 1}; }
   /// Adds what the cells of a box give to the nodes.
   void spread(const double* cells, int cell_pitch, const Box& box, double* nodes, int pitch) const;
   /// Adds what the nodes give to the cells of a box.

@@ -11,8 +11,6 @@
 
 namespace samcontact::operators {
 
-/// From 1 at 0 to 0 at 1, with three continuous derivatives.
-double falling(double s);
 /// Up to this part of the highest wavenumber of a lattice it holds a table as it is.
 inline constexpr double clear_band = 0.8;
 

@@ -43,6 +43,11 @@ class ZoneTables {
   mutable std::map<std::array<int, 4>, Operators> kept_;
 };
 
+/// Tractions on the cells of a box, or on nodes, in rows of `pitch` numbers, on the nodes of a
+/// lattice.
+Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodeSpread& nodes,
+                 const Grid& lattice);
+
 /// Not thread-safe; several threads work inside. Digits do not depend on their number.
 class ZoneOperators {
  public:
@@ -65,8 +70,6 @@ class ZoneOperators {
   /// any order, several at once. Ends the use of the strain.
   void for_each_layer(bool strained, const Tractions& tractions, double shear_sign, const Use& use);
 
-  std::size_t bytes() const;
-
  private:
   /// A zone with the ring around it, on a periodic plane.
   struct Around;
@@ -74,7 +77,6 @@ class ZoneOperators {
 
   void make_lattices();
   void add_ring(const Box& zone);
-  void prepare(bool strained) const;
   /// That of some zones on the plane around one; of this thread, until it asks again.
   const double* strain_around(const Around& around, const std::vector<int>& zones,
                               const Field& strain) const;

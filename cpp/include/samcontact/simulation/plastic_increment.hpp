@@ -81,11 +81,9 @@ class PlasticIncrement {
   bool is_worth_splitting(const PlasticBody& body, const std::vector<Box>& boxes) const;
   /// Zones for a body with a history: those of before.
   void take_up_zones(PlasticBody& body);
-  /// For the elastic stress that was found first; whether the body is split then, and has grown.
-  struct Split {
-    bool is_split, has_grown;
-  };
-  Split fit_zones(PlasticBody& body);
+  /// Whether zones had to grow for the elastic stress that was found first; there may be none
+  /// before.
+  bool fit_zones(PlasticBody& body);
   bool grow_zones(PlasticBody& body, std::vector<Box> more);
   /// What zones must hold besides themselves where cells of their rims flow.
   std::vector<Box> rims_that_flow(std::size_t b) const;

@@ -20,9 +20,13 @@ class YieldScan {
   /// The box of all cells whose von Mises stress under the tractions exceeds `limit` [Pa]; empty
   /// when there is none. Tractions in the body's own frame but for the sign of the shear. In the
   /// layers of the grid; without a bottom, as deep as its window is wide.
-  Box box(const operators::Tractions& tractions, double shear_sign, double limit) const;
+  Box box(const operators::Tractions& tractions, double shear_sign, double limit) const {
+    return box(levels_, tractions, shear_sign, limit);
+  }
   /// The same of layers below those of the grid.
-  Box box_below(const operators::Tractions& tractions, double shear_sign, double limit) const;
+  Box box_below(const operators::Tractions& tractions, double shear_sign, double limit) const {
+    return box(below_, tractions, shear_sign, limit);
+  }
   /// Whether a surface that is periodic in both directions exceeds it at any depth.
   bool is_beyond_everywhere(const operators::Tractions& tractions, double shear_sign,
                             double limit) const;
@@ -49,11 +53,14 @@ class YieldScan {
   template <class Use>
   void for_beyond(const Level& level, const operators::Tractions& tractions, double shear_sign,
                   double limit, const Use& use) const;
+  using Levels = std::vector<std::unique_ptr<Level>>;
+  Box box(const Levels& levels, const operators::Tractions& tractions, double shear_sign,
+          double limit) const;
   Box level_box(const Level& level, const operators::Tractions& tractions, double shear_sign,
                 double limit) const;
 
   Grid grid_;
-  std::vector<std::unique_ptr<Level>> levels_, below_;  // of the grid's layers, and below them
+  Levels levels_, below_;  // of the grid's layers, and below them
 };
 
 /// The same by columns, from a bound of the stress, at a cost that large surfaces can bear; without
@@ -64,6 +71,8 @@ class ZoneScan {
 
   /// Columns of the grid, down to below the deepest cell whose stress may exceed the limit.
   Columns columns(const operators::Tractions& tractions, double shear_sign, double limit) const;
+
+  std::size_t bytes() const { return bound_.bytes(); }
 
  private:
   Grid grid_;

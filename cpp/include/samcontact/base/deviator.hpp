@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace samcontact {
+
+/// Half the square of a deviator, a third of that of its von Mises stress.
+inline double second_invariant(double xx, double yy, double yz, double xz, double xy) {
+  return xx * xx + yy * yy + xx * yy + yz * yz + xz * xz + xy * xy;
+}
+
+}  // namespace samcontact
