@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Invariants of deviatoric tensors.
 #pragma once
 
 namespace samcontact {

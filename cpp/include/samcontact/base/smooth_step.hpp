@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The step by which windows and bands go over into each other.
 #pragma once
 
 #include <algorithm>
