@@ -107,7 +107,7 @@ std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& ela
     }
     operators.transform(own);
     operators.displacement(displacement.data());
-    operators.for_each_layer(true, tractions, 1.0, [&](std::size_t z, int k, const double* layer) {
+    operators.for_each_layer(&own, tractions, 1.0, [&](std::size_t z, int k, const double* layer) {
       Box plane = zones[z];
       plane.nz = 1;
       for (int c = 0; c < 6; ++c) {

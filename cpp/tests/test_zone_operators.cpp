@@ -92,13 +92,12 @@ Field stress_in_zones(ZoneOperators& operators, const Field* strain, const Tract
     first.push_back(cells);
     cells += zone.volume_size();
   }
-  operators.for_each_layer(
-      strain != nullptr, tractions, -1.0, [&](std::size_t z, int k, const double* layer) {
-        const std::size_t plane = zones[z].surface_size();
-        for (int c = 0; c < parts; ++c) {
-          std::copy_n(layer + c * plane, plane, out.data() + c * cells + first[z] + k * plane);
-        }
-      });
+  operators.for_each_layer(strain, tractions, -1.0, [&](std::size_t z, int k, const double* layer) {
+    const std::size_t plane = zones[z].surface_size();
+    for (int c = 0; c < parts; ++c) {
+      std::copy_n(layer + c * plane, plane, out.data() + c * cells + first[z] + k * plane);
+    }
+  });
   return out;
 }
 

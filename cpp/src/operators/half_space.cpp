@@ -108,7 +108,7 @@ class HalfSpace : public Medium {
       return sums_.sum(grid, CellOffsets::lattice(offsets.nx, offsets.ny), cell,
                        exchanged_components);
     };
-    return std::make_unique<ResidualDisplacement>(grid, transform, layer, tensor);
+    return std::make_unique<ResidualDisplacement>(grid, transform, layer, grid.nz, tensor);
   }
 
   ParityParts heat_displacement(const Heating& heating, double dx, double dy,

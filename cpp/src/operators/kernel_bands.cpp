@@ -66,6 +66,13 @@ class BandTables {
 
   const SharedMedium& medium() const { return medium_; }
 
+  /// Layers whose strain moves the surface by a band: below, that has fallen to 1e-4.
+  int strained_layers(Band band, const Grid& grid) const {
+    if (band == Band::far) return grid.nz;
+    const double depth = (band == Band::near ? 12 : 30) * std::max(cells_.dx, cells_.dy);
+    return static_cast<int>(std::min<double>(grid.nz, std::ceil(depth / grid.dz)));
+  }
+
   /// [component][j][i] at nodes 0..offsets - 1 of the band.
   Field stress(Band band, Traction traction, const KernelOffsets& offsets, double z,
                Tensor tensor) const {
@@ -312,7 +319,8 @@ class BandMedium : public Medium {
                                                               Tensor tensor) const override {
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
     const auto layer = [&](int k) { return tables_->residual_displacement(band_, offsets, k); };
-    return std::make_unique<ResidualDisplacement>(grid, transform, layer, tensor);
+    return std::make_unique<ResidualDisplacement>(grid, transform, layer,
+                                                  tables_->strained_layers(band_, grid), tensor);
   }
 
   Field compliance(Traction, Axis, const Grid&, const CellOffsets&) const override { fail(); }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "samcontact/base/multiversion.hpp"
 #include "samcontact/kernels/gauss.hpp"
 
 namespace samcontact::operators {
@@ -17,6 +18,49 @@ double window(double nodes) {
 }
 
 int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+/// Numbers of one thread and one user: what it has once taken stays with it.
+template <int user>
+double* scratch(std::size_t count) {
+  static thread_local Field buffer;
+  if (buffer.size() < count) buffer.resize(count);
+  return buffer.data();
+}
+
+static_assert(window_width == 6);
+/// Weighted sums of six numbers in a row are added.
+SAMCONTACT_MULTIVERSION
+void add_windows(const double* from, const double* w, int count, double* to) {
+  for (int t = 0; t < count; ++t) {
+    to[t] += w[0] * from[t] + w[1] * from[t + 1] + w[2] * from[t + 2] + w[3] * from[t + 3] +
+             w[4] * from[t + 4] + w[5] * from[t + 5];
+  }
+}
+
+SAMCONTACT_MULTIVERSION
+void add_reversed_windows(const double* from, const double* w, int count, double* to) {
+  for (int t = 0; t < count; ++t) {
+    to[t] += w[5] * from[t] + w[4] * from[t + 1] + w[3] * from[t + 2] + w[2] * from[t + 3] +
+             w[1] * from[t + 4] + w[0] * from[t + 5];
+  }
+}
+
+SAMCONTACT_MULTIVERSION
+void add_to_rows(const double* row, const double* w, int width, double* to, std::ptrdiff_t pitch) {
+  for (int m = 0; m < window_width; ++m, to += pitch) {
+    for (int b = 0; b < width; ++b) to[b] += w[m] * row[b];
+  }
+}
+
+SAMCONTACT_MULTIVERSION
+void sum_of_rows(const double* from, std::ptrdiff_t pitch, const double* w, int width,
+                 double* row) {
+  for (int b = 0; b < width; ++b) {
+    double sum = 0.0;
+    for (int m = 0; m < window_width; ++m) sum += w[m] * from[m * pitch + b];
+    row[b] = sum;
+  }
+}
 
 }  // namespace
 
@@ -65,62 +109,51 @@ NodeSpread::NodeSpread(int factor, const Box& cells)
 // Cells of one phase are `factor` apart and reach nodes one after the other.
 
 void Nodes::spread(const double* cells, int first_cell, int count, double* nodes) const {
+  constexpr int ends = window_width - 1;
   const int origin = place(first_cell);
-  std::vector<double> line(count / factor_ + 1);
+  double* line = scratch<0>(count / factor_ + 1 + 2 * ends);
+  std::fill_n(line, ends, 0.0);
   for (int r = 0; r < std::min(factor_, count); ++r) {
-    const auto& w = weights(first_cell + r);
     const int n = (count - r + factor_ - 1) / factor_;
-    for (int t = 0; t < n; ++t) line[t] = cells[r + t * factor_];
-    double* to = nodes + place(first_cell + r) - origin;
-    for (int m = 0; m < window_width; ++m) {
-      for (int t = 0; t < n; ++t) to[t + m] += w[m] * line[t];
-    }
+    for (int t = 0; t < n; ++t) line[ends + t] = cells[r + t * factor_];
+    std::fill_n(line + ends + n, ends, 0.0);
+    add_reversed_windows(line, weights(first_cell + r).data(), n + ends,
+                         nodes + place(first_cell + r) - origin);
   }
 }
 
 void Nodes::gather(const double* nodes, int first_cell, int count, double* cells) const {
   const int origin = place(first_cell);
+  double* line = scratch<0>(count / factor_ + 1);
   for (int r = 0; r < std::min(factor_, count); ++r) {
-    const auto& w = weights(first_cell + r);
     const int n = (count - r + factor_ - 1) / factor_;
-    const double* from = nodes + place(first_cell + r) - origin;
-    for (int t = 0; t < n; ++t) {
-      double sum = 0.0;
-      for (int m = 0; m < window_width; ++m) sum += w[m] * from[t + m];
-      cells[r + t * factor_] += sum;
-    }
+    std::fill_n(line, n, 0.0);
+    add_windows(nodes + place(first_cell + r) - origin, weights(first_cell + r).data(), n, line);
+    for (int t = 0; t < n; ++t) cells[r + t * factor_] += line[t];
   }
 }
 
 void NodeSpread::spread(const double* cells, int cell_pitch, const Box& box, double* nodes,
                         int pitch) const {
   const int b0 = y_.place(box.j0), width = y_.place(box.j0 + box.ny - 1) + window_width - b0;
-  std::vector<double> row(width);
+  double* row = scratch<1>(width);
   for (int i = 0; i < box.nx; ++i) {
     const double* from = cells + static_cast<std::size_t>(i) * cell_pitch;
     if (std::all_of(from, from + box.ny, [](double v) { return v == 0; })) continue;
-    std::fill(row.begin(), row.end(), 0.0);
-    y_.spread(from, box.j0, box.ny, row.data());
-    const auto& weights = x_.weights(box.i0 + i);
-    for (int m = 0; m < window_width; ++m) {
-      double* to = nodes + static_cast<std::size_t>(x_.place(box.i0 + i) + m) * pitch + b0;
-      for (int b = 0; b < width; ++b) to[b] += weights[m] * row[b];
-    }
+    std::fill_n(row, width, 0.0);
+    y_.spread(from, box.j0, box.ny, row);
+    add_to_rows(row, x_.weights(box.i0 + i).data(), width,
+                nodes + static_cast<std::size_t>(x_.place(box.i0 + i)) * pitch + b0, pitch);
   }
 }
 
 void NodeSpread::gather(const double* nodes, int pitch, const Box& box, double* cells) const {
   const int b0 = y_.place(box.j0), width = y_.place(box.j0 + box.ny - 1) + window_width - b0;
-  std::vector<double> row(width);
+  double* row = scratch<1>(width);
   for (int i = 0; i < box.nx; ++i) {
     const double* from = nodes + static_cast<std::size_t>(x_.place(box.i0 + i)) * pitch + b0;
-    const auto& w = x_.weights(box.i0 + i);
-    for (int b = 0; b < width; ++b) {
-      double sum = 0.0;
-      for (int m = 0; m < window_width; ++m) sum += w[m] * from[m * pitch + b];
-      row[b] = sum;
-    }
-    y_.gather(row.data(), box.j0, box.ny, cells + static_cast<std::size_t>(i) * box.ny);
+    sum_of_rows(from, pitch, x_.weights(box.i0 + i).data(), width, row);
+    y_.gather(row, box.j0, box.ny, cells + static_cast<std::size_t>(i) * box.ny);
   }
 }
 

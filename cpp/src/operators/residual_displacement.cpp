@@ -14,9 +14,9 @@
 
 namespace samcontact::operators {
 
-ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
+ResidualDisplacement::ResidualDisplacement(const VolumeTransform& transform, int layers,
                                            Tensor tensor)
-    : transform_(&transform), nz_(grid.nz), tensor_(tensor) {
+    : transform_(&transform), nz_(layers), tensor_(tensor) {
   const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
   spectra_.resize(spectrum.size() * count(tensor) * nz_);
 }
@@ -36,7 +36,7 @@ void ResidualDisplacement::store(const fft::ParitySpectrum& spectrum, int compon
 
 ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
                                            double nu, Tensor tensor)
-    : ResidualDisplacement(grid, transform, tensor) {
+    : ResidualDisplacement(transform, grid.nz, tensor) {
   const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
   const CornerLattice lattice{grid.nx, grid.ny, grid.dy / grid.dx};
   const double dz = grid.dz / grid.dx;
@@ -63,8 +63,8 @@ ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransfo
 
 ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
                                            const std::function<Field(int layer)>& tables,
-                                           Tensor tensor)
-    : ResidualDisplacement(grid, transform, tensor) {
+                                           int layers, Tensor tensor)
+    : ResidualDisplacement(transform, layers, tensor) {
   const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
   const KernelOffsets offsets(grid, transform.mx(), transform.my());
   const std::size_t plane = static_cast<std::size_t>(offsets.nx) * offsets.ny;

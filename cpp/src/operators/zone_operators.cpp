@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "samcontact/base/interrupt.hpp"
@@ -28,16 +29,22 @@ double* zeros(std::size_t count) {
   return buffer.data();
 }
 
-double fade(int outside) {
-  const double r = std::max(0.0, outside - 0.5) / ring;
-  const double s = std::clamp((r - fades_from) / (1 - fades_from), 0.0, 1.0);
-  const double c = std::cos(0.5 * std::numbers::pi * s);
-  return c * c;
+/// Weights of the strain along one axis, of a zone of `count` cells and its ring.
+Field fades(int count) {
+  Field weights(count + 2 * ring);
+  for (int n = 0; n < count + 2 * ring; ++n) {
+    const int outside = std::max({0, ring - n, n - (ring + count) + 1});
+    const double r = std::max(0.0, outside - 0.5) / ring;
+    const double s = std::clamp((r - fades_from) / (1 - fades_from), 0.0, 1.0);
+    weights[n] = std::pow(std::cos(0.5 * std::numbers::pi * s), 2);
+  }
+  return weights;
 }
 
-/// Cells by which a place lies outside of [begin, begin + count).
-int outside(int at, int begin, int count) {
-  return std::max({0, begin - at, at - (begin + count) + 1});
+VolumeSpectrum without_strain(const VolumeOperators& operators) {
+  VolumeSpectrum spectrum = operators.make_spectrum();
+  std::fill(spectrum.data.begin(), spectrum.data.end(), 0.0);
+  return spectrum;
 }
 
 }  // namespace
@@ -47,8 +54,11 @@ struct ZoneOperators::Around {
   int mx, my;              // the plane
   std::vector<int> zones;  // that have cells in it
   ZoneTables::Operators operators;
-  VolumeSpectrum spectrum;  // of all strain in it
-  Field displacement;       // [i][j] of the plane, of the zone's own strain
+  Field fade_x, fade_y;  // weights of the strain in it
+  Field displacement;    // [i][j] of the plane, of the zone's own strain
+  // Of the strain, where the zone is alone: then one transform serves displacement and stress.
+  std::optional<VolumeSpectrum> spectrum;
+  bool is_alone() const { return zones.size() == 1; }
 };
 
 /// The nodes of a band, with the strain's spectrum.
@@ -152,9 +162,15 @@ void ZoneOperators::add_ring(const Box& zone) {
   const int mx = fft::good_even_size(box.nx), my = fft::good_even_size(box.ny);
   Grid plane(mx, my, grid_.dx, grid_.dy, box.nz, grid_.dz);
   plane.period = {mx, my, 0.0};
-  auto near = tables_->of(Band::near, plane);
-  VolumeSpectrum spectrum = near->make_spectrum();
-  around_.push_back({box, mx, my, std::move(inside), std::move(near), std::move(spectrum), {}});
+  around_.push_back({box,
+                     mx,
+                     my,
+                     std::move(inside),
+                     tables_->of(Band::near, plane),
+                     fades(zone.nx),
+                     fades(zone.ny),
+                     {},
+                     {}});
 }
 
 void ZoneOperators::make_lattices() {
@@ -208,12 +224,12 @@ void ZoneOperators::transform(const Field& strain) {
     const Uninterrupted quiet;
     Around& around = around_[z];
     const VolumeOperators& near = *around.operators;
+    const ResidualDisplacement& displacement = near.residual_displacement();
+    const int layers = around.is_alone() ? around.box.nz : displacement.layers();
+    VolumeSpectrum own = spectrum_around(around, {static_cast<int>(z)}, layers, strain);
     around.displacement.resize(near.grid().surface_size());
-    forward(near.transform(), strain_around(around, {static_cast<int>(z)}, strain),
-            around.spectrum);
-    near.residual_displacement().apply(around.spectrum, around.displacement.data());
-    if (around.zones.size() == 1) continue;
-    forward(near.transform(), strain_around(around, around.zones, strain), around.spectrum);
+    displacement.apply(own, around.displacement.data());
+    if (around.is_alone()) around.spectrum = std::move(own);
   }
 }
 
@@ -227,13 +243,13 @@ void ZoneOperators::displacement(double* out) const {
   far_->nodes.gather(far.data(), far_->pitch(), middle_->nodes.box(), tight.data());
   middle_->nodes.gather(tight.data(), middle_->nodes.box().ny, surface, out);
   for (const Around& around : around_) {
-    const Box& box = around.box;
-    for (int i = std::max(0, box.i0); i < std::min(grid_.nx, box.i0 + box.nx); ++i) {
-      for (int j = std::max(0, box.j0); j < std::min(grid_.ny, box.j0 + box.ny); ++j) {
-        const std::size_t row = i - box.i0, column = j - box.j0;
-        out[static_cast<std::size_t>(i) * grid_.ny + j] +=
-            around.displacement[row * around.my + column];
-      }
+    const Box box = around.box.intersected(surface);
+    for (int i = box.i0; i < box.i0 + box.nx; ++i) {
+      const double* row = around.displacement.data() +
+                          static_cast<std::ptrdiff_t>(i - around.box.i0) * around.my -
+                          around.box.j0;
+      double* to = out + static_cast<std::size_t>(i) * grid_.ny;
+      for (int j = box.j0; j < box.j0 + box.ny; ++j) to[j] += row[j];
     }
   }
 }
@@ -276,38 +292,48 @@ Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, doubl
   return low;
 }
 
+VolumeSpectrum ZoneOperators::spectrum_around(const Around& around, const std::vector<int>& zones,
+                                              int layers, const Field& strain) const {
+  const VolumeTransform& transform = around.operators->transform();
+  VolumeSpectrum spectrum(transform, layers, tensor_);
+  for (int k = 0; k < layers; ++k) {
+    const auto is_in = [&](int z) { return k < zones_[z].nz; };
+    spectrum.used[k] = std::any_of(zones.begin(), zones.end(), is_in);
+    if (!spectrum.used[k]) continue;
+    forward(transform, strain_around(around, zones, k, strain), spectrum, k);
+  }
+  return spectrum;
+}
+
 const double* ZoneOperators::strain_around(const Around& around, const std::vector<int>& zones,
-                                           const Field& strain) const {
-  const Grid& grid = around.operators->grid();
+                                           int k, const Field& strain) const {
   const int parts = count(tensor_);
   const Box& own = around.box;
-  double* planes = zeros(parts * grid.volume_size());
+  const std::size_t plane = static_cast<std::size_t>(around.mx) * around.my;
+  double* planes = zeros(parts * plane);
   for (const int z : zones) {
     const Box& zone = zones_[z];
+    if (k >= zone.nz) continue;
     const Box common = own.intersected(zone);
+    const double* y = around.fade_y.data() + common.j0 - own.j0;
     for (int c = 0; c < parts; ++c) {
-      for (int k = 0; k < zone.nz; ++k) {
-        for (int i = common.i0; i < common.i0 + common.nx; ++i) {
-          const double* from = strain.data() + c * cells_ + first_[z] +
-                               (static_cast<std::size_t>(k) * zone.nx + i - zone.i0) * zone.ny -
-                               zone.j0;
-          double* to =
-              planes +
-              ((static_cast<std::size_t>(c) * grid.nz + k) * grid.nx + i - own.i0) * grid.ny -
-              own.j0;
-          const double x = fade(outside(i, own.i0 + ring, own.nx - 2 * ring));
-          for (int j = common.j0; j < common.j0 + common.ny; ++j) {
-            to[j] = from[j] * x * fade(outside(j, own.j0 + ring, own.ny - 2 * ring));
-          }
-        }
+      for (int i = common.i0; i < common.i0 + common.nx; ++i) {
+        const double* from = strain.data() + c * cells_ + first_[z] +
+                             (static_cast<std::size_t>(k) * zone.nx + i - zone.i0) * zone.ny +
+                             common.j0 - zone.j0;
+        double* to = planes + c * plane + static_cast<std::ptrdiff_t>(i - own.i0) * around.my +
+                     common.j0 - own.j0;
+        const double x = around.fade_x[i - own.i0];
+        for (int j = 0; j < common.ny; ++j) to[j] = from[j] * x * y[j];
       }
     }
   }
   return planes;
 }
 
-void ZoneOperators::stress_of_zone(std::size_t zone, bool strained, const Tractions& tractions,
-                                   double shear_sign, const Field& low, const Use& use) {
+void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
+                                   const Tractions& tractions, double shear_sign, const Field& low,
+                                   const Use& use) {
   Around& around = around_[zone];
   const VolumeOperators& near = *around.operators;
   const Box& box = zones_[zone];
@@ -327,11 +353,15 @@ void ZoneOperators::stress_of_zone(std::size_t zone, bool strained, const Tracti
   cut(tractions.pressure, here.pressure);
   cut(tractions.shear_x, here.shear_x);
   cut(tractions.shear_y, here.shear_y);
-  if (!strained) std::fill(around.spectrum.data.begin(), around.spectrum.data.end(), 0.0);
+  VolumeSpectrum spectrum = strain == nullptr ? without_strain(near)
+                            : around.spectrum
+                                ? std::move(*around.spectrum)
+                                : spectrum_around(around, around.zones, around.box.nz, *strain);
+  around.spectrum.reset();
   // A plane with a period has no images to be found from the strain.
   const double unused = 0.0;
   Field sum(parts * size);
-  near.for_each_layer(around.spectrum, strained ? &unused : nullptr, any ? &here : nullptr,
+  near.for_each_layer(spectrum, strain != nullptr ? &unused : nullptr, any ? &here : nullptr,
                       shear_sign, [&](int k, const double* stress) {
                         if (k >= box.nz) return;
                         for (int c = 0; c < parts; ++c) {
@@ -350,14 +380,14 @@ void ZoneOperators::stress_of_zone(std::size_t zone, bool strained, const Tracti
                       });
 }
 
-void ZoneOperators::for_each_layer(bool strained, const Tractions& tractions, double shear_sign,
-                                   const Use& use) {
-  const Field low = low_stress(strained, tractions, shear_sign);
+void ZoneOperators::for_each_layer(const Field* strain, const Tractions& tractions,
+                                   double shear_sign, const Use& use) {
+  const Field low = low_stress(strain != nullptr, tractions, shear_sign);
   check_interrupt();
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
-    stress_of_zone(z, strained, tractions, shear_sign, low, use);
+    stress_of_zone(z, strain, tractions, shear_sign, low, use);
   }
 }
 

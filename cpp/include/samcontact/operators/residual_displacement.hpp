@@ -17,18 +17,19 @@ class ResidualDisplacement {
   ResidualDisplacement(const Grid& grid, const VolumeTransform& transform, double nu,
                        Tensor tensor);
 
-  /// The same from tables of a layer under the full tensor, [component][j][i] [m], on the offsets
-  /// of KernelOffsets.
+  /// The same from tables of the first layers under the full tensor, [component][j][i] [m], on the
+  /// offsets of KernelOffsets; those below do nothing.
   ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
-                       const std::function<Field(int layer)>& tables, Tensor tensor);
+                       const std::function<Field(int layer)>& tables, int layers, Tensor tensor);
 
   /// displacement [i][j] [m] of the eigenstrain whose spectrum is given.
   void apply(const VolumeSpectrum& strain, double* displacement) const;
 
+  int layers() const { return nz_; }
   std::size_t bytes() const { return spectra_.size() * sizeof(double); }
 
  private:
-  ResidualDisplacement(const Grid& grid, const VolumeTransform& transform, Tensor tensor);
+  ResidualDisplacement(const VolumeTransform& transform, int layers, Tensor tensor);
   /// Puts the table of a component on one layer, [j][i] on the quarter plane, into its place.
   void store(const fft::ParitySpectrum& spectrum, int component, int layer, double* quarter);
 

@@ -66,9 +66,10 @@ class ZoneOperators {
   void displacement(double* out) const;
   /// stress: [component][i][j] of a layer of a zone.
   using Use = std::function<void(std::size_t zone, int layer, const double* stress)>;
-  /// Stress of the strain that was taken, if strained, and of tractions on the grid: calls use in
-  /// any order, several at once. Ends the use of the strain.
-  void for_each_layer(bool strained, const Tractions& tractions, double shear_sign, const Use& use);
+  /// Stress of the strain, which is the one that was taken, or none (null), and of tractions on the
+  /// grid: calls use in any order, several at once. What was taken is then used up.
+  void for_each_layer(const Field* strain, const Tractions& tractions, double shear_sign,
+                      const Use& use);
 
  private:
   /// A zone with the ring around it, on a periodic plane.
@@ -77,10 +78,13 @@ class ZoneOperators {
 
   void make_lattices();
   void add_ring(const Box& zone);
-  /// That of some zones on the plane around one; of this thread, until it asks again.
-  const double* strain_around(const Around& around, const std::vector<int>& zones,
+  /// Of the first layers of the strain in some zones, on the plane around one.
+  VolumeSpectrum spectrum_around(const Around& around, const std::vector<int>& zones, int layers,
+                                 const Field& strain) const;
+  /// A layer of that strain; of this thread, until it asks again.
+  const double* strain_around(const Around& around, const std::vector<int>& zones, int k,
                               const Field& strain) const;
-  void stress_of_zone(std::size_t zone, bool strained, const Tractions& tractions,
+  void stress_of_zone(std::size_t zone, const Field* strain, const Tractions& tractions,
                       double shear_sign, const Field& low, const Use& use);
   void spread_layer(int k, const Field& strain);
   /// What middle and far bands give in the zones, [component][cell].

@@ -19,9 +19,9 @@ class SplitVolume : public ZoneVolume {
   void transform(const Field& strain) override { operators_.transform(strain); }
   const Box& surface() const override { return surface_; }
   void displacement(double* out) const override { operators_.displacement(out); }
-  void for_each_layer(bool strained, const Field&, const operators::Tractions& tractions,
+  void for_each_layer(bool strained, const Field& strain, const operators::Tractions& tractions,
                       double sign, const Use& use) override {
-    operators_.for_each_layer(strained, tractions, sign, use);
+    operators_.for_each_layer(strained ? &strain : nullptr, tractions, sign, use);
   }
 
  private:
