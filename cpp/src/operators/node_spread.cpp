@@ -147,12 +147,19 @@ void NodeSpread::spread(const double* cells, int cell_pitch, const Box& box, dou
   }
 }
 
-void NodeSpread::gather(const double* nodes, int pitch, const Box& box, double* cells) const {
-  const int b0 = y_.place(box.j0), width = y_.place(box.j0 + box.ny - 1) + window_width - b0;
-  double* row = scratch<1>(width);
+Box NodeSpread::reached(const Box& box) const {
+  const int a0 = x_.place(box.i0), b0 = y_.place(box.j0);
+  return {x_.first() + a0, y_.first() + b0, x_.place(box.i0 + box.nx - 1) + window_width - a0,
+          y_.place(box.j0 + box.ny - 1) + window_width - b0, 1};
+}
+
+void NodeSpread::gather(const double* nodes, const Box& of, const Box& box, double* cells) const {
+  const Box part = reached(box);
+  double* row = scratch<1>(part.ny);
   for (int i = 0; i < box.nx; ++i) {
-    const double* from = nodes + static_cast<std::size_t>(x_.place(box.i0 + i)) * pitch + b0;
-    sum_of_rows(from, pitch, x_.weights(box.i0 + i).data(), width, row);
+    const int a = x_.first() + x_.place(box.i0 + i) - of.i0;
+    const double* from = nodes + static_cast<std::ptrdiff_t>(a) * of.ny + part.j0 - of.j0;
+    sum_of_rows(from, of.ny, x_.weights(box.i0 + i).data(), part.ny, row);
     y_.gather(row, box.j0, box.ny, cells + static_cast<std::size_t>(i) * box.ny);
   }
 }

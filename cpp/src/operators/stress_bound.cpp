@@ -176,8 +176,9 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
                 rows);
       }
     }
+    const Box far_nodes{far_.box().i0, far_.box().j0, far_transform_.nx(), far_transform_.ny(), 1};
     for (int c = 0; c < parts; ++c) {
-      far_.gather(far_layer.data() + c * far_plane, far_transform_.ny(), rows,
+      far_.gather(far_layer.data() + c * far_plane, far_nodes, rows,
                   nodes.data() + c * rows.surface_size());
     }
     const Field corners = at_corners(nodes), near = near_part(group.depths[k], loads.cells);

@@ -72,14 +72,10 @@ struct ZoneOperators::Lattice {
 
   std::size_t plane_size() const { return operators->grid().surface_size(); }
   int pitch() const { return operators->grid().ny; }
-  /// The part of a plane that cells reach.
-  Field tight(const double* plane) const {
-    const Box box = nodes.box();
-    Field out(box.surface_size());
-    for (std::ptrdiff_t a = 0; a < box.nx; ++a) {
-      std::copy_n(plane + a * pitch(), box.ny, out.data() + a * box.ny);
-    }
-    return out;
+  /// The nodes of its planes.
+  Box planes() const {
+    const Grid& grid = operators->grid();
+    return {nodes.box().i0, nodes.box().j0, grid.nx, grid.ny, 1};
   }
 };
 
@@ -239,9 +235,7 @@ void ZoneOperators::displacement(double* out) const {
   Field middle(middle_->plane_size()), far(far_->plane_size());
   far_->operators->residual_displacement().apply(far_->spectrum, far.data());
   middle_->operators->residual_displacement().apply(middle_->spectrum, middle.data());
-  Field tight = middle_->tight(middle.data());
-  far_->nodes.gather(far.data(), far_->pitch(), middle_->nodes.box(), tight.data());
-  middle_->nodes.gather(tight.data(), middle_->nodes.box().ny, surface, out);
+  gather_low(far.data(), middle.data(), surface, out);
   for (const Around& around : around_) {
     const Box box = around.box.intersected(surface);
     for (int i = box.i0; i < box.i0 + box.nx; ++i) {
@@ -252,6 +246,15 @@ void ZoneOperators::displacement(double* out) const {
       for (int j = box.j0; j < box.j0 + box.ny; ++j) to[j] += row[j];
     }
   }
+}
+
+void ZoneOperators::gather_low(const double* far, const double* middle, const Box& box,
+                               double* cells) const {
+  const Box nodes = middle_->nodes.reached(box);
+  Field sum(nodes.surface_size());
+  extract(middle, middle_->planes(), sum.data(), nodes);
+  far_->nodes.gather(far, far_->planes(), nodes, sum.data());
+  middle_->nodes.gather(sum.data(), nodes, box, cells);
 }
 
 Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, double shear_sign) {
@@ -277,15 +280,13 @@ Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, doubl
   Field low(parts * cells_, 0.0);
   middle_->operators->for_each_layer(
       middle_->spectrum, some, &on_middle, shear_sign, [&](int k, const double* stress) {
-        for (int c = 0; c < parts; ++c) {
-          Field tight = middle_->tight(stress + c * middle);
-          far_->nodes.gather(far_stress.data() + (static_cast<std::size_t>(k) * parts + c) * far,
-                             far_->pitch(), rows, tight.data());
-          for (std::size_t z = 0; z < zones_.size(); ++z) {
-            if (k >= zones_[z].nz) continue;
-            middle_->nodes.gather(
-                tight.data(), rows.ny, zones_[z],
-                low.data() + c * cells_ + first_[z] + k * zones_[z].surface_size());
+        for (std::size_t z = 0; z < zones_.size(); ++z) {
+          if (k >= zones_[z].nz) continue;
+          double* of_zone = low.data() + first_[z] + k * zones_[z].surface_size();
+          for (int c = 0; c < parts; ++c) {
+            const std::size_t from = (static_cast<std::size_t>(k) * parts + c) * far;
+            gather_low(far_stress.data() + from, stress + c * middle, zones_[z],
+                       of_zone + c * cells_);
           }
         }
       });

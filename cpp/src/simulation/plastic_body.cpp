@@ -89,19 +89,11 @@ bool PlasticBody::yields_everywhere(const YieldScan& scan) const {
   return scan.is_beyond_everywhere(tractions(), sign(), material().hardening.yield_stress(0.0));
 }
 
-Columns PlasticBody::columns_beyond(double part, const YieldScan& scan) const {
-  const double limit = part * weakest_ * material().hardening.yield_stress(0.0);
+Columns PlasticBody::yielding_columns(const YieldScan& scan) const {
+  const double limit = weakest_ * material().hardening.yield_stress(0.0);
   return scene_.grid.surface_size() > large_surface
              ? scene_.zone_scan(index_)->columns(tractions(), sign(), limit)
              : scan.columns(tractions(), sign(), limit);
-}
-
-Columns PlasticBody::near_columns(const YieldScan& scan) const {
-  return columns_beyond(near, scan);
-}
-
-Columns PlasticBody::yielding_columns(const YieldScan& scan) const {
-  return columns_beyond(1.0, scan);
 }
 
 std::vector<Box> PlasticBody::history_boxes() const {

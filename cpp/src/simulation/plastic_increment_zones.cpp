@@ -12,7 +12,7 @@ namespace {
 /// Of the work of one box, that of zones must be less than this part.
 constexpr double worth = 0.7;
 /// Cells by which a zone grows where its rim flows.
-constexpr int growth = 4;
+constexpr int growth = 2;
 
 Box widened(const Box& box, int cells) {
   return {box.i0 - cells, box.j0 - cells, box.nx + 2 * cells, box.ny + 2 * cells, box.nz + cells};
@@ -54,7 +54,7 @@ bool PlasticIncrement::fit_zones(PlasticBody& body) {
   const bool first = body.zones().empty();
   if (scanned_ || !(body.is_split() || (first && may_split(body)))) return false;
   std::vector<Box> boxes = body.zones().boxes();
-  const auto near = boxes_around(body.near_columns(*scans_[body.index()]));
+  const auto near = boxes_around(body.yielding_columns(*scans_[body.index()]));
   boxes.insert(boxes.end(), near.begin(), near.end());
   boxes = merged(std::move(boxes));
   if (first && !is_worth_splitting(body, boxes)) return false;

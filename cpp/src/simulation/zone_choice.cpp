@@ -16,7 +16,7 @@ using operators::Band;
 using operators::spacing;
 
 /// Cells around what must be in a zone, and below it.
-constexpr int margin = 2;
+constexpr int margin = 1;
 
 double padded(int cells) { return fft::good_even_size(cells + 2 * operators::near_range); }
 

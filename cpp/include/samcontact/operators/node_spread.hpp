@@ -52,12 +52,15 @@ class NodeSpread {
 
   const Nodes& x() const { return x_; }
   const Nodes& y() const { return y_; }
-  /// The nodes, as cells of another lattice.
+  /// All nodes, as cells of another lattice.
   Box box() const { return {x_.first(), y_.first(), x_.count(), y_.count(), 1}; }
   /// Adds what the cells of a box give to the nodes.
   void spread(const double* cells, int cell_pitch, const Box& box, double* nodes, int pitch) const;
-  /// Adds what the nodes give to the cells of a box.
-  void gather(const double* nodes, int pitch, const Box& box, double* cells) const;
+  /// Adds what nodes, a plane over the box `of` that has all which are reached, give to the cells
+  /// of a box.
+  void gather(const double* nodes, const Box& of, const Box& box, double* cells) const;
+  /// The nodes that the cells of a box reach, as cells of another lattice.
+  Box reached(const Box& box) const;
 
  private:
   Nodes x_, y_;

@@ -87,6 +87,8 @@ class ZoneOperators {
   void stress_of_zone(std::size_t zone, const Field* strain, const Tractions& tractions,
                       double shear_sign, const Field& low, const Use& use);
   void spread_layer(int k, const Field& strain);
+  /// Adds what planes of far and middle nodes give to the cells of a box, one layer.
+  void gather_low(const double* far, const double* middle, const Box& box, double* cells) const;
   /// What middle and far bands give in the zones, [component][cell].
   Field low_stress(bool strained, const Tractions& tractions, double shear_sign);
 

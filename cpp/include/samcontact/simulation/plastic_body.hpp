@@ -41,8 +41,7 @@ class PlasticBody {
   double sign() const { return operators::shear_sign(index_); }
   /// The box of all cells where the tractions alone come near yielding; before there is a strain.
   Box near_yield(const YieldScan& scan, HeatOfIncrement& heat) const;
-  /// The columns of those; and of those that yield. Without heat of the past.
-  Columns near_columns(const YieldScan& scan) const;
+  /// The columns of those that yield. Without heat of the past.
   Columns yielding_columns(const YieldScan& scan) const;
   /// The box of all cells below those of the grid where the tractions alone make it yield.
   Box yield_below(const YieldScan& scan) const;
@@ -104,8 +103,6 @@ class PlasticBody {
     double first, weakest;
   };
 
-  /// Where the tractions stress it beyond a part of its yield stress.
-  Columns columns_beyond(double part, const YieldScan& scan) const;
   const plasticity::Material& material() const { return scene_.materials[index_]; }
   void open(const Box& box, const Field& displacement, Field& gap) const;
   double largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const;
