@@ -51,32 +51,58 @@ auto volume_method(Field (State::*method)(int, simulation::Layers) const) {
   };
 }
 
-/// A field over the cells first_row <= i < first_row + rows, which may lie beside the grid.
+/// First cell and sizes (i0, j0, nx, ny, nz), as Python has boxes.
+using BoxTuple = std::array<int, 5>;
+BoxTuple to_tuple(const Box& box) { return {box.i0, box.j0, box.nx, box.ny, box.nz}; }
+
+/// A field over the cells of a box, which may lie beside the grid.
 template <Rank rank>
-auto track_method(Field (State::*method)(int, const Box&) const) {
-  return [method](const State& state, int body, int first_row, int rows, int layers) {
-    const Grid& grid = state.scene().grid;
-    const Box region{first_row, 0, rows, grid.ny, layers};
+auto box_method(Field (State::*method)(int, const Box&) const) {
+  return [method](const State& state, int body, const BoxTuple& cells) {
+    const auto& [i0, j0, nx, ny, nz] = cells;
+    const Box box{i0, j0, nx, ny, nz};
     Field field;
     {
       const py::gil_scoped_release release;
-      field = (state.*method)(body, region);
+      field = (state.*method)(body, box);
     }
-    return to_array<rank>(std::move(field), region.grid(grid), layers);
+    return to_array<rank>(std::move(field), box.grid(state.scene().grid), nz);
   };
 }
 
-void bind_track(py::class_<State>& state) {
+void bind_boxes(py::class_<State>& state) {
   const auto bind = [&](const char* name, auto method) {
-    state.def(name, method, py::arg("body"), py::arg("first_row"), py::arg("rows"),
-              py::arg("layers"));
+    state.def(name, method, py::arg("body"), py::arg("box"));
   };
-  bind("track_residual_displacement", track_method<Rank::surface>(&State::residual_displacement));
-  bind("track_residual_stress", track_method<Rank::tensor>(&State::residual_stress));
-  bind("track_plastic_strain", track_method<Rank::tensor>(&State::plastic_strain));
-  bind("track_equivalent_plastic_strain",
-       track_method<Rank::scalar>(&State::equivalent_plastic_strain));
-  bind("track_backstress", track_method<Rank::tensors>(&State::backstress));
+  bind("residual_displacement_in", box_method<Rank::surface>(&State::residual_displacement));
+  bind("residual_stress_in", box_method<Rank::tensor>(&State::residual_stress));
+  bind("plastic_strain_in", box_method<Rank::tensor>(&State::plastic_strain));
+  bind("equivalent_plastic_strain_in", box_method<Rank::scalar>(&State::equivalent_plastic_strain));
+  bind("backstress_in", box_method<Rank::tensors>(&State::backstress));
+  state
+      .def(
+          "zones",
+          [](const State& s, int body) {
+            std::vector<BoxTuple> zones;
+            for (const Box& zone : s.zones(body)) zones.push_back(to_tuple(zone));
+            return zones;
+          },
+          py::arg("body"))
+      .def(
+          "stress_in_zones",
+          [](const State& s, int body, bool loaded) {
+            Field field;
+            {
+              const py::gil_scoped_release release;
+              field = s.stress_in_zones(body, loaded);
+            }
+            const auto size = static_cast<py::ssize_t>(field.size());
+            return own(std::move(field), {size}, {item});
+          },
+          py::arg("body"), py::arg("loaded"));
+}
+
+void bind_track(py::class_<State>& state) {
   state.def_property_readonly("origin", [](const State& s) { return s.placement().origin; })
       .def_property_readonly("offset", [](const State& s) { return s.placement().offset; })
       .def_property_readonly("first_cell", [](const State& s) { return s.placement().first; })
@@ -112,6 +138,7 @@ void bind_fields(py::class_<State>& bound) {
 
 void bind_state(py::module_& m) {
   py::class_<State> bound(m, "State");
+  bind_boxes(bound);
   bind_track(bound);
   bound
       .def("content",
@@ -153,7 +180,7 @@ void bind_state(py::module_& m) {
           [](const State& state, int body) -> py::object {
             const Box box = state.strain_beyond(body);
             if (box.empty()) return py::none();
-            return py::make_tuple(box.i0, box.j0, box.nx, box.ny, box.nz);
+            return py::cast(to_tuple(box));
           },
           py::arg("body"))
       .def(

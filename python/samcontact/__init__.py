@@ -40,6 +40,7 @@ from .simulation import Simulation
 from .state import State
 from .sweeps import SweepInterrupted, sweep
 from .track import Track
+from .zone import Zone
 
 __all__ = [
     "CheckpointError",
@@ -59,6 +60,7 @@ __all__ = [
     "State",
     "SweepInterrupted",
     "Track",
+    "Zone",
     "__version__",
     "asperities",
     "bearings",

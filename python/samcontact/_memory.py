@@ -30,6 +30,8 @@ STRESS_OF_TRACTIONS, TEMPERATURE = 56.0, 35.0
 """Of a cell of a layer."""
 FAST_RESIDUAL, EXACT_RESIDUAL = 350.0, 1200.0
 """Of a cell of the volume: stress of a strain of six components, its print."""
+ZONE_FIELD = 200.0
+"""Of a cell of a zone: stress."""
 VOLUME_FIELD = 300.0
 """Of a cell of the volume: a field of a state; where the residual stress is exact, as that."""
 

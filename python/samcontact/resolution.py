@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import hertz
 from ._checks import FloatArray
 from ._repr import lengths, quantity
+from .zone import strained_extent
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -141,6 +142,11 @@ def layers_across(equivalent: ArrayLike) -> float:
     return float(strained[-1] - strained[0] + 1) if strained.size else math.nan
 
 
+def plastic_layers(extent: Sequence[tuple[int, int]]) -> float:
+    """The same of what `strained_extent` finds."""
+    return float(extent[2][1] - extent[2][0] + 1) if extent else math.nan
+
+
 def warn_of_contact(
     solution: ContactSolution | State, scene: Scene, few: int = FEW, *, stacklevel: int
 ) -> bool:
@@ -166,7 +172,7 @@ def warn_of_zone(states: Sequence[State], body: int, few: int = FEW, *, stacklev
 
     In the state where it is highest: a moving body carries its strain out of the grid.
     """
-    heights = [layers_across(state.equivalent_plastic_strain(body)) for state in states]
+    heights = [plastic_layers(strained_extent(state, body)) for state in states]
     layers = max((height for height in heights if height > 0), default=math.nan)
     if not layers < few:
         return False

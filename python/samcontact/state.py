@@ -18,6 +18,7 @@ from ._tensors import von_mises
 from .checkpoint import Standing, restored_state, snapshot
 from .heat import Heat
 from .track import Track
+from .zone import Zone, ZoneStress
 
 _VOLUME = (
     "stress", "residual_stress", "plastic_strain", "equivalent_plastic_strain", "backstress",
@@ -166,6 +167,23 @@ class State(Fixed, Shown):
         if key not in self._tracks:
             self._tracks[key] = Track(self._core, self.grid, body, cells, self._layers)
         return self._tracks[key]
+
+    def zones(self, body: int = 2) -> tuple[Zone, ...]:
+        """Boxes of cells that hold all plastic strain of a body, without common cells.
+
+        Parameters
+        ----------
+        body : {1, 2}
+
+        Returns
+        -------
+        tuple of Zone
+            Those in which the strain was solved for, where they are several (see `Simulation`);
+            else one, or none without plastic strain. Their fields take the memory of the zones
+            instead of that of all layers of the grid.
+        """
+        found = ZoneStress(self._core, choice("body", body, (1, 2)))
+        return tuple(Zone(self.grid, body, number, found) for number in range(len(found.boxes)))
 
     @property
     def converged(self) -> bool:

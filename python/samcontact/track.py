@@ -135,8 +135,9 @@ class Track(Fixed):
         cell = _memory.FAST_RESIDUAL if name.startswith("residual") else _memory.VOLUME_FIELD
         needed = _memory.volume(self.grid, cell)
         _memory.require_for_grid(f"the field {name} of a track", self.grid, needed)
-        method = getattr(self._core, f"track_{name}")
-        field: FloatArray = method(self.body - 1, self._first_row, self.grid.nx, self.grid.nz)
+        method = getattr(self._core, f"{name}_in")
+        box = self._first_row, 0, self.grid.nx, self.grid.ny, self.grid.nz
+        field: FloatArray = method(self.body - 1, box)
         return field
 
     def __repr__(self) -> str:

@@ -31,6 +31,7 @@ SOLVER = sc.ContactSolver(GRID, HOT, HOT, heat=sc.Heat((0.0, 0.01), time=1.0, re
 SIMULATION = sc.Simulation(**BODIES, gap=GAP, tol=1e-4)
 STATE = SIMULATION.step(load=LOAD)
 TRACK = STATE.track(2, margin=0)
+ZONE = STATE.zones(2)[0]
 MARCHED = {"heat": sc.Heat((0.0, 0.01), history=(1e-4, 1e-2)), "friction": 0.1}
 MARCHING = sc.Simulation(GRID, HOT, HOT, GAP, **MARCHED)
 SETTABLE = sc.Simulation(GRID, STEEL, KINEMATIC, GAP, tol=1e-4)
@@ -80,12 +81,13 @@ BODY_FIELDS = (
     "offset", "stress", "residual_stress", "von_mises", "hydrostatic", "plastic_strain",
     "equivalent_plastic_strain", "backstress", "max_equivalent_plastic_strain",
     "max_plastic_strain", "relief", "residual_displacement", "surface_displacement", "temperature",
-    "surface_temperature", "softening",
+    "surface_temperature", "softening", "zones",
 )  # fmt: skip
 TRACK_FIELDS = (
     "residual_displacement", "residual_stress", "residual_von_mises", "residual_hydrostatic",
     "plastic_strain", "equivalent_plastic_strain", "backstress",
 )  # fmt: skip
+ZONE_FIELDS = ("stress", "residual_stress", "plastic_strain", "equivalent_plastic_strain")
 
 
 def last_wear():
@@ -162,6 +164,7 @@ CALLS = [
     ("State.track", STATE.track, {"body": 2, "margin": 1}),
     ("State.plastic_cells", STATE.plastic_cells, {}),
     *((f"State.{name}", getattr(STATE, name), {"body": 2}) for name in BODY_FIELDS),
+    *((f"Zone.{name}", getattr(ZONE, name), {}) for name in ZONE_FIELDS),
     *((f"Track.{name}", getattr(TRACK, name), {}) for name in TRACK_FIELDS),
     ("Track.to_dataset", TRACK.to_dataset, {"volume": True}),
     (

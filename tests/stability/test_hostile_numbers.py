@@ -19,7 +19,7 @@ MADE_BY_THE_PACKAGE = {
     "ContactSolution", "State", "Track", "asperities.Tugging", "bearings.LoadZone",
     "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalSlidingSphere",
     "critical.CriticalSphere", "flattening.Flattening", "hertz.EllipticContact",
-    "hertz.LineContact", "hertz.PointContact", "wear.Cycle", "wear.WearResult",
+    "hertz.LineContact", "hertz.PointContact", "wear.Cycle", "wear.WearResult", "Zone",
 }  # fmt: skip
 """Results: only their methods take arguments of the user."""
 

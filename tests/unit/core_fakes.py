@@ -68,6 +68,11 @@ class FakeState:
     def equivalent_plastic_strain(self, body=2):
         return self._pattern() * 1e-9 * body
 
+    def zones(self, body=2):
+        strain = self.equivalent_plastic_strain(body)
+        whole = {"first": (0, 0), "shape": strain.shape}
+        return (SimpleNamespace(**whole, equivalent_plastic_strain=lambda: strain),)
+
     def max_plastic_strain(self, body=2):
         return self.max_equivalent_plastic_strain(body)
 

@@ -32,6 +32,7 @@ from rough_scenes import (
     zones_of,
 )
 from samcontact import _core, operators
+from samcontact.zone import strained_extent
 
 pytestmark = pytest.mark.filterwarnings(
     "ignore::samcontact.GridTooSmallWarning", "ignore::samcontact.PlasticStrainWarning"
@@ -221,6 +222,44 @@ def solved():
     zones = np.hstack([begin, np.minimum(end, 128) - begin, np.minimum(zones[:, 4:], 14)])
     assert len(zones) > 10
     return state, zones.tolist()
+
+
+@pytest.mark.parametrize("zones", ["auto", "one"])
+def test_fields_of_zones_are_those_of_the_grid_where_there_is_plastic_strain(zones):
+    sim = simulation(SOFT, STEEL, friction=0.2, zones=zones)
+    sim.step(load=2 * PERCENT)
+    state = sim.step(load=3 * PERCENT)
+    for body in (1, 2):
+        boxes = state.zones(body)
+        assert (len(boxes) > 1) is (zones == "auto")
+        for name in ("equivalent_plastic_strain", "plastic_strain", "residual_stress", "stress"):
+            expected = getattr(state, name)(body)
+            found = np.zeros_like(expected)
+            for zone in boxes:
+                place = []
+                for first, n, cells in zip(
+                    (*zone.first, 0), zone.shape, found.shape[-3:], strict=True
+                ):
+                    at = first + np.arange(n)
+                    place.append((at[(at >= 0) & (at < cells)], (at >= 0) & (at < cells)))
+                (i, inside_x), (j, inside_y), (k, inside_z) = place
+                shown = getattr(zone, name)()[..., inside_x, :, :][..., inside_y, :][..., inside_z]
+                found[..., i[:, None, None], j[:, None], k] = shown
+            flows = state.equivalent_plastic_strain(body) > 0
+            exact = zones == "one" or "strain" in name
+            assert rms(found[..., flows], expected[..., flows]) <= (0 if exact else 2e-3)
+            if "strain" in name:
+                assert np.array_equal(found, expected)
+        assert_shows(state, body)
+
+
+def assert_shows(state, body):
+    strained = np.nonzero(state.equivalent_plastic_strain(body))
+    assert strained_extent(state, body) == [(at.min(), at.max()) for at in strained]
+    zone = state.zones(body)[0]
+    assert np.array_equal(
+        zone.x, sc.Grid(CELLS, CELLS, SIZE, SIZE).x[zone.first[0] :][: zone.shape[0]]
+    )
 
 
 class TestOperators:

@@ -9,6 +9,7 @@
 #include "samcontact/operators/surface_displacement.hpp"
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/simulation/outside_strain.hpp"
+#include "samcontact/simulation/tensor_fields.hpp"
 
 namespace samcontact::simulation {
 namespace {
@@ -17,34 +18,6 @@ using operators::Tensor;
 
 void add(const Field& from, Field& to) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
-}
-
-/// The part of a tensor field over a box that lies in its own.
-Field cut(const Field& tensor, const Box& from, const Box& to) {
-  if (from == to) return tensor;
-  Field out(6 * to.volume_size());
-  for (int c = 0; c < 6; ++c) {
-    extract(tensor.data() + c * from.volume_size(), from, out.data() + c * to.volume_size(), to);
-  }
-  return out;
-}
-
-/// All six components of the deviator of n cells.
-void complete(const double* deviator, std::size_t n, double* full) {
-  int place = 0;
-  for (const int c : operators::components(Tensor::deviator)) {
-    std::copy_n(deviator + place++ * n, n, full + c * n);
-  }
-  for (std::size_t i = 0; i < n; ++i) full[2 * n + i] = -(full[i] + full[n + i]);
-}
-
-/// All six components of a strain with those of `tensor`.
-Field six_components(Field strain, Tensor tensor) {
-  if (tensor == Tensor::full) return strain;
-  const std::size_t n = strain.size() / 5;
-  Field full(6 * n);
-  complete(strain.data(), n, full.data());
-  return full;
 }
 
 /// Puts a tensor field of a stored box into one of a region, where the whole box is in it.
@@ -318,13 +291,6 @@ Field State::backstress(int body, const Box& region) const {
     complete(deviators.data() + 5 * n * cells, cells, out.data() + 6 * n * cells);
   }
   return out;
-}
-
-bool State::is_in_zones(int body) const {
-  const auto& history = plastic[body];
-  return history && flow_boxes[body].size() > 1 && history->symmetry() == fft::Symmetry::none &&
-         method == operators::ResidualMethod::fast && !scene_->grid.period.is_on() &&
-         travel == Travel{} && !history->reaches_beyond(Zones(flow_boxes[body]));
 }
 
 Field State::residual_displacement(int body) const {

@@ -10,7 +10,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from ..resolution import cells_across, layers_across
+from ..resolution import cells_across, plastic_layers
+from ..zone import strained_extent
 from .motion import add
 
 if TYPE_CHECKING:
@@ -31,9 +32,10 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
 
     margins = [
         free_cells(
-            np.asarray(state.pressure) != 0,
-            along_x=not state.grid.along_x,
-            along_y=not state.grid.along_y,
+            extent_of(state.pressure != 0),
+            state.grid.surface_shape,
+            not state.grid.along_x,
+            not state.grid.along_y,
         )
         for state in states
     ]
@@ -64,21 +66,33 @@ def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], lis
     margins, layers, moved = [], [], False
     for state in states:
         moved = moved or any(state.travel)
-        strained = np.asarray(state.equivalent_plastic_strain(body=body)) > 0
-        grid = state.grid
-        margins.append(
-            free_cells(strained, along_x=not (moved or grid.along_x), along_y=not grid.along_y)
-        )
-        layers.append(layers_across(strained))
+        extent, grid = strained_extent(state, body), state.grid
+        shape = (*grid.surface_shape, len(state.depths))
+        beside = not (moved or grid.along_x), not grid.along_y
+        margins.append(free_cells(extent, shape, *beside))
+        layers.append(plastic_layers(extent))
     return margins, layers
 
 
-def free_cells(inside: NDArray[np.bool_], *, along_x: bool = True, along_y: bool = True) -> float:
+def extent_of(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and last cell inside along each axis; empty where none is."""
+    return [(int(at.min()), int(at.max())) for at in np.nonzero(inside) if at.size]
+
+
+def free_cells(
+    extent: Sequence[tuple[int, int]],
+    shape: Sequence[int],
+    along_x: bool = True,
+    along_y: bool = True,
+) -> float:
     """Least number of cells between those inside and the border: sides and, in a volume, bottom.
 
     Parameters
     ----------
-    inside : ndarray of bool, shape (nx, ny) or (nx, ny, nz)
+    extent : sequence of (int, int)
+        First and last cell inside, along x, y and in a volume z.
+    shape : sequence of int
+        Of the grid.
     along_x, along_y : bool, optional
         Whether the sides across x, and across y, count.
 
@@ -87,15 +101,10 @@ def free_cells(inside: NDArray[np.bool_], *, along_x: bool = True, along_y: bool
     float
         A whole number, 0 at the border; NaN where nothing is inside, or no side counts.
     """
-    if not np.any(inside):
-        return float("nan")
     free = []
-    for axis in range(inside.ndim):
-        if axis < 2 and not (along_x, along_y)[axis]:
-            continue
-        others = tuple(other for other in range(inside.ndim) if other != axis)
-        (taken,) = np.nonzero(np.any(inside, axis=others))
-        free.append(inside.shape[axis] - 1 - int(taken[-1]))
-        if axis < 2:  # the top of a volume is the surface
-            free.append(int(taken[0]))
+    counted = along_x, along_y, True
+    for axis, (first, last) in enumerate(extent):
+        if counted[axis]:
+            # the top of a volume is the surface
+            free += [shape[axis] - 1 - last, *([first] if axis < 2 else [])]
     return float(min(free, default=np.nan))

@@ -113,6 +113,12 @@ class State {
   Field plastic_strain(int body, const Box& region) const;
   Field equivalent_plastic_strain(int body, const Box& region) const;
 
+  /// Disjoint boxes with all plastic strain of a body: those it was solved for in, or one box of
+  /// what fields show.
+  std::vector<Box> zones(int body) const;
+  /// Stress in them, all of it or that of the plastic strain, [zone][component][k][i][j].
+  Field stress_in_zones(int body, bool with_tractions) const;
+
   /// Surface fields [i][j] [m], positive into the body: of the plastic strain, and of all.
   Field residual_displacement(int body) const;
   Field surface_displacement(int body) const;
@@ -128,6 +134,8 @@ class State {
   operators::Tractions tractions_on(int body) const;
   /// Whether its plastic strain was solved for in small zones, where it still lies.
   bool is_in_zones(int body) const;
+  /// The same, and all stress is that of the strain and of tractions.
+  bool shows_zones(int body) const;
   /// Whether its plastic strain was last solved for elsewhere than in its one box.
   bool is_elsewhere(int body) const;
 
