@@ -114,6 +114,7 @@ CONTACT = {
     "contact_cells": Q(
         "1", "cells across the spot under the largest pressure", "cells", "across the contact"
     ),
+    "area_uncertainty": Q("1", "contact area, relative uncertainty", "%", "area uncertain"),
     "plastic_residual": Q(
         "1", "relative change of the plastic strain when accepted", "", "plastic residual"
     ),

@@ -191,7 +191,8 @@ class ContactSolver(Configured):
         Warns
         -----
         ResolutionWarning
-            The contact is fewer than 8 cells across.
+            The contact is fewer than 8 cells across, or the area of several spots uncertain by more
+            than 10 %.
         ElasticStrainWarning
             The largest pressure is more than half the contact modulus.
         GridTooSmallWarning

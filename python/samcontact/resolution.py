@@ -28,6 +28,12 @@ FEW = 8
 """Cells across a contact, and layers of a plastic zone, below which there is a warning."""
 TOO_FEW = 4
 """Below this results are numbers of the grid: the check of a report fails."""
+AREA_OF_A_SIDE = (math.pi - 1 + math.log(2)) / 24
+"""Of a cell: by how much each side of the outline of a spot makes its area uncertain."""
+ROUND_SPOT = 16 / math.pi * AREA_OF_A_SIDE
+"""That of a round spot, times its diameter in cells."""
+UNCERTAIN, TOO_UNCERTAIN = 0.1, 0.2
+"""Of the area of a contact of several spots: a warning, and the failed check of a report."""
 LARGEST_STRAIN = 0.5
 """Of the largest pressure over E*: that of a Hertz contact with a/R = 0.8."""
 _CLASSIC_DEPTH = 0.8
@@ -71,19 +77,30 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
     -------
     pair of slice, or None without contact
     """
-    field: FloatArray = np.asarray(pressure, dtype=np.float64)
-    peak = np.unravel_index(int(field.argmax()), field.shape)
-    if not field[peak] > 0:
+    labels, peak = _labelled(pressure, periodic)
+    if not labels[peak]:
         return None
+    rows, columns = scipy.ndimage.find_objects((labels == labels[peak]).astype(np.int8))[0]
+    return rows, columns
+
+
+def spots(pressure: ArrayLike, periodic: str = "") -> int:
+    """How many spots of touching cells, also by a corner, there are; the arguments as before."""
+    return int(_labelled(pressure, periodic)[0].max())
+
+
+def _labelled(pressure: ArrayLike, periodic: str) -> tuple[NDArray[np.int32], tuple[int, int]]:
+    """Numbers of the spots, and the cell of the largest pressure: in the middle where periodic."""
+    field: FloatArray = np.asarray(pressure, dtype=np.float64)
+    peak = divmod(int(field.argmax()), field.shape[1])
     shifts = [
         n // 2 - at if name in periodic else 0
         for name, at, n in zip("xy", peak, field.shape, strict=True)
     ]
     field = np.roll(field, shifts, (0, 1))
-    peak = tuple(at + shift for at, shift in zip(peak, shifts, strict=True))
-    spots, _ = scipy.ndimage.label(field > 0, structure=np.ones((3, 3)))
-    rows, columns = scipy.ndimage.find_objects((spots == spots[peak]).astype(np.int8))[0]
-    return rows, columns
+    labels: NDArray[np.int32]
+    labels, _ = scipy.ndimage.label(field > 0, structure=np.ones((3, 3)))
+    return labels, (peak[0] + shifts[0], peak[1] + shifts[1])
 
 
 def cells_across(pressure: ArrayLike, periodic: str = "") -> float:
@@ -108,6 +125,37 @@ def cells_across(pressure: ArrayLike, periodic: str = "") -> float:
     sides = [s.stop - s.start for s in spot]
     inside = [side for side, n in zip(sides, np.shape(pressure), strict=True) if side < n]
     return float(min(inside)) if inside else math.nan
+
+
+def area_uncertainty(pressure: ArrayLike, periodic: str = "") -> float:
+    """Relative uncertainty of a contact area whose spots are resolved coarsely.
+
+    (pi - 1 + ln 2)/24 of the sides that cells in contact share with those that are not, over the
+    cells in contact: what counting cells is wrong by, on average over directions, for spots with
+    smooth outlines (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). A
+    round spot has 0.6 over its diameter in cells.
+
+    Parameters
+    ----------
+    pressure : array_like, shape (nx, ny)
+        [Pa], >= 0.
+    periodic : {"", "x", "y", "xy"}, optional
+        As of a Grid.
+
+    Returns
+    -------
+    float
+        NaN without contact. The border of the grid is no side.
+    """
+    inside = np.asarray(pressure) > 0
+    if not inside.any():
+        return math.nan
+    sides = 0
+    for axis, name in enumerate("xy"):
+        sides += np.count_nonzero(np.diff(inside, axis=axis))
+        if name in periodic:
+            sides += np.count_nonzero(inside.take(0, axis) ^ inside.take(-1, axis))
+    return float(AREA_OF_A_SIDE * sides / np.count_nonzero(inside))
 
 
 def _is_wide(pressure: FloatArray) -> bool:
@@ -150,8 +198,10 @@ def plastic_layers(extent: Sequence[tuple[int, int]]) -> float:
 def warn_of_contact(
     solution: ContactSolution | State, scene: Scene, few: int = FEW, *, stacklevel: int
 ) -> bool:
-    """Warn when fewer than `few` cells lie across a contact; whether it did."""
+    """Warn when fewer than `few` cells lie across a contact, or its spots; whether it did."""
     pressure, grid = solution.pressure, scene.grid
+    if _warn_of_spots(solution, scene, few, stacklevel=stacklevel + 1):
+        return True
     if _is_wide(pressure) or not (cells := cells_across(pressure, grid.periodic)) < few:
         return False
     text = (
@@ -163,6 +213,24 @@ def warn_of_contact(
         text += f"{expected}: take cells of at most {widest}. Lengths are in metres"
     else:
         text += "Take smaller cells; lengths are in metres"
+    warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
+    return True
+
+
+def _warn_of_spots(
+    solution: ContactSolution | State, scene: Scene, few: int, *, stacklevel: int
+) -> bool:
+    limit = UNCERTAIN if few >= FEW else TOO_UNCERTAIN
+    pressure, grid = solution.pressure, scene.grid
+    share = area_uncertainty(pressure, grid.periodic)
+    if not share > limit or (count := spots(pressure, grid.periodic)) < 2:
+        return False
+    text = (
+        f"at load {solution.load:.6g} N the contact area is uncertain by about {100 * share:.0f} "
+        f"%, and the mean pressure with it: its {count} spots are {ROUND_SPOT / share:.1f} cells "
+        f"across ({lengths(grid.dx, grid.dy)}). Take smaller cells; with round spots of 8 it "
+        f"would be {100 * ROUND_SPOT / FEW:.0f} %"
+    )
     warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
 

@@ -224,8 +224,8 @@ class Simulation(Configured, Shown):
             With on_border="warn", where there would be a GridTooSmallError. Once in a simulation,
             where plastic strain lies below nz dz or beside the grid: fields do not show it there.
         ResolutionWarning
-            Once in a simulation, when the contact is fewer than 4 cells across, or a plastic zone
-            beyond the strain at yield fewer than 4 layers high; `run` warns below 8.
+            Once in a simulation, when the contact is fewer than 4 cells across, the area of spots
+            uncertain by 20 %, or a plastic zone fewer than 4 layers high; `run`: 8 and 10 %.
         """
         bodies = (self.body1, self.body2)
         step = checked_step(
@@ -297,8 +297,8 @@ class Simulation(Configured, Shown):
         Warns
         -----
         ResolutionWarning
-            At the end, when the contact is fewer than 8 cells across under the largest load, a
-            plastic zone fewer than 8 layers high, or the layers cannot show whether a body yields.
+            At the end: a contact fewer than 8 cells across under the largest load, an area of spots
+            uncertain by 10 %, a plastic zone fewer than 8 layers high or layers too thick to see.
         """
         states: list[State] = []
         try:

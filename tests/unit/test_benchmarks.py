@@ -9,7 +9,17 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from benchmarks import elastic_smooth, harness, images, operators, plots, roughness, scaling, tables
+from benchmarks import (
+    elastic_smooth,
+    harness,
+    images,
+    operators,
+    plots,
+    resolution,
+    roughness,
+    scaling,
+    tables,
+)
 from benchmarks.__main__ import PARTS, arguments
 
 
@@ -46,6 +56,19 @@ class TestRoughness:
         field = np.arange(36.0).reshape(6, 6)
         assert roughness.block_means(field, 2)[0, 0] == field[:3, :3].mean()
         assert roughness.block_means(field, 3).mean() == field.mean()
+
+
+def test_a_rough_contact_converges_as_its_page_says():
+    rows = [row for fine in resolution.QUICK for row in resolution.solve(fine)]
+    stored = resolution.PAGE.read_text(encoding="utf-8")
+    for coarse, fine in resolution.by_load(rows).values():
+        for line in resolution.table([coarse, fine]).splitlines()[2:]:
+            cells_and_area = line.split(" | ")[:5]  # errors are against finer grids there
+            assert " | ".join(cells_and_area) in stored
+        wrong = coarse["area"] / fine["area"] - 1
+        assert 0.5 < wrong / (coarse["uncertainty"] - fine["uncertainty"]) < 1.0
+        assert coarse["pressure"] * coarse["area"] == pytest.approx(fine["pressure"] * fine["area"])
+    assert "python -m benchmarks.resolution --docs" in resolution.page(rows, 1e9)
 
 
 def test_exponent_of_a_power():

@@ -107,6 +107,56 @@ def test_a_dataset_has_the_counts_and_a_report_fails_below_four():
         assert checks["layers of the plastic zone, body 2"].passed is passes
 
 
+def discs(diameter, count=9, shift=0.3):
+    """Round spots on a square lattice, each somewhere else within its cells."""
+    side, middle = 2 * math.ceil(diameter) + 8, np.arange(count)
+    field = np.zeros((count * side, side))
+    for n in middle:
+        x, y = np.arange(side) - 0.5 * side + shift * n, np.arange(side) - 0.5 * side - 0.7 * n % 1
+        field[n * side :][:side] = np.hypot(x[:, None], y) < 0.5 * diameter
+    return field
+
+
+def test_the_uncertainty_of_an_area_is_that_of_its_outlines():
+    for diameter in (8, 20, 50):
+        found = resolution.area_uncertainty(discs(diameter))
+        assert found == pytest.approx(resolution.ROUND_SPOT / diameter, rel=0.05)
+        # the border of a grid cuts a spot without a side, unless it goes on behind
+        half = discs(diameter, 1, 0.0)[diameter + 4 :]
+        assert resolution.area_uncertainty(half) < resolution.area_uncertainty(half, "x")
+    assert math.isnan(resolution.area_uncertainty(np.zeros((5, 5))))
+    assert resolution.spots(discs(8)) == 9
+    corners = np.ones((9, 9))
+    corners[3:6], corners[:, 3:6] = 0.0, 0.0
+    assert resolution.spots(corners) == 4
+    assert resolution.spots(corners, "xy") == 1
+
+
+def test_rough_contacts_of_small_spots_are_told():
+    def press(cells):
+        grid = sc.Grid(4 * cells, 4 * cells, 40e-6 / cells, 40e-6 / cells)
+        gap = sc.surfaces.paraboloid(grid, 20e-3)
+        gap += sc.surfaces.sinusoidal(grid, 0.2e-6, 40e-6, 40e-6)
+        run = sc.Simulation(grid, STEEL, STEEL, gap)
+        states = []
+        texts = told(lambda: states.extend(run.run([{"load": 0.3}], progress=False)))
+        return texts, states[-1].contact_area, results.to_dataset(run, states)
+
+    counts = {}
+    for cells in (16, 64):
+        texts, area, dataset = press(cells)
+        share = float(dataset["area_uncertainty"][0])
+        checks = {check.name: check.passed for check in report.checks(dataset)}
+        fine = cells == 64
+        assert checks["relative uncertainty of the contact area under the largest load"] is fine
+        assert (share < resolution.UNCERTAIN) is fine
+        expected = [] if fine else [f"uncertain by about {100 * share:.0f} %.* its 16 spots"]
+        assert len(texts) == len(expected)
+        assert all(re.search(*pair) for pair in zip(expected, texts, strict=True))
+        counts[cells] = area, share
+    assert counts[16][0] / counts[64][0] - 1 == pytest.approx(counts[16][1], rel=0.3)
+
+
 def test_a_sweep_warns_once_and_keeps_what_its_errors_say(tmp_path):
     case = parse_case(ELASTIC)
     sizes = [20e-6, 60e-6, 60e-3, 61e-3]

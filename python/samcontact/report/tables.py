@@ -125,7 +125,7 @@ _SCALARS = (
 )  # fmt: skip
 _CONVERGENCE = (
     "iterations", "plastic_residual", "yield_excess", "contact_iterations", "substeps",
-    "contact_margin", "contact_cells", "plastic_layers", "plastic_margin",
+    "contact_margin", "contact_cells", "area_uncertainty", "plastic_layers", "plastic_margin",
 )  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from .._checks import FloatArray
 from .._expected import Expected
 from .._told import SMALL_STRAIN
 from .._verdict import Verdict
-from ..resolution import TOO_FEW
+from ..resolution import TOO_FEW, TOO_UNCERTAIN
 from ..results.reading import cell_size
 
 if TYPE_CHECKING:
@@ -108,6 +108,10 @@ def _resolution(dataset: xr.Dataset, case: Case | None) -> Iterator[Verdict]:
             yield contact_cells(
                 float(cells[peak]), "" if hertz is None else f" ({Expected(hertz)})"
             )
+        uncertain = dataset.get("area_uncertainty")
+        if uncertain is not None and np.isfinite(uncertain[peak]):
+            name = "relative uncertainty of the contact area under the largest load"
+            yield Verdict(name, float(uncertain[peak]), TOO_UNCERTAIN)
     for body in (1, 2):
         layers = dataset.get(f"plastic_layers_body{body}")
         if layers is not None:

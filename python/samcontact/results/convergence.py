@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from ..resolution import cells_across, plastic_layers
+from ..resolution import area_uncertainty, cells_across, plastic_layers, spots
 from ..zone import strained_extent
 from .motion import add
 
@@ -46,6 +46,7 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
         for state, found in zip(states, solved, strict=True)
     ]
     add(dataset, "contact_cells", "increment", across)
+    _add_area_uncertainty(dataset, states, solved)
     if not inelastic:
         return
     for name in ("plastic_residual", "yield_excess"):
@@ -56,6 +57,20 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
         margins, layers = _plastic_zones(states, body)
         add(dataset, "plastic_margin", "increment", margins, body)
         add(dataset, "plastic_layers", "increment", layers, body)
+
+
+def _add_area_uncertainty(
+    dataset: xr.Dataset, states: Sequence[State], solved: Sequence[np.bool_]
+) -> None:
+    """Of contacts of several spots, where there are some."""
+    found = [
+        area_uncertainty(state.pressure, state.grid.periodic)
+        if there and spots(state.pressure, state.grid.periodic) > 1
+        else np.nan
+        for state, there in zip(states, solved, strict=True)
+    ]
+    if np.isfinite(found).any():
+        add(dataset, "area_uncertainty", "increment", found)
 
 
 def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], list[float]]:

@@ -1,0 +1,278 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""python -m benchmarks.resolution: how fine a rough contact must be, as a page of the docs.
+
+One rough surface, made of waves, is pressed onto steel on finer and finer grids.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import warnings
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+from typing import Any
+
+import numpy as np
+import scipy
+
+import samcontact as sc
+from samcontact import resolution
+from samcontact._tensors import von_mises
+
+from .harness import ROOT, peak_memory
+from .roughness import heights, surface_rms, wave_amplitudes
+from .steel import STEEL
+
+PAGE = ROOT / "docs" / "rough_resolution.md"
+FIGURE = ROOT / "docs" / "figures" / "rough_resolution.png"
+SHORTEST = 16e-6  # m, wavelength
+WAVES = 8  # of the shortest along a side
+SIDE = WAVES * SHORTEST
+LONGEST = 2  # waves of the longest along a side
+HURST, SLOPE, SEED = 0.8, 0.06, 5
+BOWL = 3.0  # height of the border over the rms of the roughness: it keeps the contact inside
+DEPTH = SHORTEST / 20  # m, below which residual stress converges
+HARDNESS = 4.2e9  # Pa: load over contact area, nearly
+PERCENT = (1.0, 2.0)
+FINE = (8, 16, 32, 64, 128)  # cells of the shortest wave
+QUICK = (16, 32)
+SERIES = {
+    "area": "contact area",
+    "pressure": "mean pressure in contact",
+    "strain": "largest plastic strain",
+    "stress": "largest residual stress below 0.8 µm",
+}
+TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
+<!-- Written by: python -m benchmarks.resolution --docs -->
+# Rough contact: how fine?
+
+A rigid rough flat is pressed onto steel (210 GPa, Swift's law). Its roughness is a sum of waves
+from {longest:.0f} to {shortest:.0f} µm, self-affine with Hurst exponent {hurst} and rms slope
+{slope}, of which every grid samples the same surface. Layers are as thick as cells are wide, and
+go as deep as the flow (`nz` is not given). The finest grid has {cells} x {cells} cells and took
+{memory:.1f} GB.
+
+![Errors over the cells of the shortest wave](figures/rough_resolution.png)
+
+Area and mean pressure are compared with what the two finest grids extrapolate to with order one,
+strain and stress with the finest grid. In the first layer, at the rims of the spots, the residual
+stress does not converge: it grows with finer cells.
+
+{tables}
+
+## What decides
+
+Not the cells of the shortest wave, but those of a spot. A cell is in contact or not, and each
+side of an outline is wrong by a part of a cell; the area is wrong by about
+
+$$\\frac{{\\pi - 1 + \\ln 2}}{{24}} \\, \\frac{{S}}{{N}} = {side:.3f} \\, \\frac{{S}}{{N}},$$
+
+S being the sides between cells in contact and others, N the cells in contact (Yastrebov, Anciaux
+and Molinari 2017,
+[doi:10.1016/j.triboint.2017.04.023](https://doi.org/10.1016/j.triboint.2017.04.023)). The tables
+call it "uncertain"; one solution alone tells it. The errors found are {low:.2f} to {high:.2f} of
+it, always towards too large an area. A round spot d cells across has {round:.2f}/d of its area:
+{eight:.0f} % with 8 cells, {four:.0f} % with 4. "Cells across a spot" is the d of round spots
+with the same S/N.
+
+The mean pressure in contact is too low by as much as the area is too large. Plastic strain and the
+residual stress below the surface are largest in spots that are wider than the mean, and are better
+by far.
+
+## What to take
+
+- Cells that give spots of 8 or more across under the load in question. Lighter loads need smaller
+  cells: the first touch of a rough surface is never resolved.
+- The error falls as the cell size. Of two grids, one twice as fine, twice the area of the finer
+  less that of the coarser is better than both.
+- `ResolutionWarning` tells the number when the area of several spots is uncertain by more than
+  {warn:.0f} % in a run, or {fail:.0f} % in a single increment. Results have it as
+  `area_uncertainty`, and the check of a report fails above {fail:.0f} %.
+"""
+
+
+def surface(n: int) -> tuple[np.ndarray, float]:
+    """Heights of the waves [m], and how high they are."""
+    waves = wave_amplitudes(WAVES, HURST, seed=SEED, lowest=LONGEST)
+    kx, ky = np.arange(-WAVES, WAVES + 1)[:, None], np.arange(WAVES + 1)
+    slopes = [surface_rms(2j * np.pi / SIDE * k * waves) for k in (kx, ky)]
+    rms = SLOPE * surface_rms(waves) / np.hypot(*slopes)
+    return heights(n, waves, rms), float(rms)
+
+
+def gap(grid: sc.Grid) -> np.ndarray:
+    """The rough surface of a rigid flat, in a bowl."""
+    rough, rms = surface(grid.nx)
+    side = np.maximum(abs(grid.x[:, None]), abs(grid.y)) / (0.5 * SIDE)
+    return rough + BOWL * rms * side**8
+
+
+def solve(fine: int) -> list[dict[str, float]]:
+    """A row for each load, on a grid of so many cells for each of the shortest waves."""
+    n, cell = WAVES * fine, SHORTEST / fine
+    grid = sc.Grid(n, n, cell, cell, dz=cell)
+    simulation = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap(grid), tol=1e-3)
+    rows = []
+    for percent in PERCENT:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", sc.ResolutionWarning)
+            state = simulation.step(load=percent / 100 * HARDNESS * SIDE**2)
+        _, spots = scipy.ndimage.label(state.pressure > 0, structure=np.ones((3, 3)))
+        surface, below = residual_stress(state)
+        rows.append(
+            {
+                "percent": percent,
+                "fine": fine,
+                "spots": spots,
+                "area": state.contact_area / SIDE**2,
+                "uncertainty": resolution.area_uncertainty(state.pressure),
+                "pressure": state.mean_pressure,
+                "strain": state.max_equivalent_plastic_strain(),
+                "stress": below,
+                "surface": surface,
+            }
+        )
+    return rows
+
+
+def residual_stress(state: sc.State) -> tuple[float, float]:
+    """Largest von Mises stress of the plastic strain [Pa]: in the first layer, below `DEPTH`."""
+    surface = below = 0.0
+    for zone in state.zones():
+        stress = von_mises(zone.residual_stress())
+        surface = max(surface, float(stress[:, :, 0].max()))
+        below = max(below, float(stress[:, :, zone.z > DEPTH].max(initial=0.0)))
+    return surface, below
+
+
+def measured(fine: int) -> tuple[list[dict[str, float]], float]:
+    """The rows of a grid, and the memory it took [bytes]."""
+    return solve(fine), float(peak_memory())
+
+
+def references(rows: list[dict[str, float]]) -> dict[str, float]:
+    """What the rows of one load, coarsest first, tend to: see the page."""
+    coarse, fine = rows[-2:]
+    area = 2 * fine["area"] - coarse["area"]
+    force = fine["pressure"] * fine["area"]
+    return {"area": area, "pressure": force / area, "strain": fine["strain"]} | {
+        "stress": fine["stress"]
+    }
+
+
+def errors(rows: list[dict[str, float]]) -> list[dict[str, float]]:
+    """Relative, with sign, of the rows of one load."""
+    exact = references(rows)
+    return [{name: row[name] / exact[name] - 1 for name in SERIES} for row in rows]
+
+
+def order(values: list[float]) -> float:
+    """The observed one of the three finest grids."""
+    coarse, middle, fine = values[-3:]
+    return float(np.log2((middle - coarse) / (fine - middle)))
+
+
+def table(rows: list[dict[str, float]]) -> str:
+    head = (
+        "cells of the shortest wave", "spots", "cells across a spot", "contact area [%]",
+        "uncertain [%]", "error [%]", "mean pressure [GPa]", "error [%]",
+        "largest plastic strain [%]", "error [%]",
+        "residual von Mises below 0.8 µm [MPa]", "error [%]",
+        "in the first layer [MPa]",
+    )  # fmt: skip
+    lines = [head, ("---",) * len(head)]
+    for row, error in zip(rows, errors(rows), strict=True):
+        wrong = {name: f"{100 * value:.1f}" for name, value in error.items()}
+        lines.append(
+            (
+                str(row["fine"]), str(row["spots"]),
+                f"{resolution.ROUND_SPOT / row['uncertainty']:.1f}",
+                f"{100 * row['area']:.3f}", f"{100 * row['uncertainty']:.1f}", wrong["area"],
+                f"{1e-9 * row['pressure']:.3f}", wrong["pressure"],
+                f"{100 * row['strain']:.3f}", wrong["strain"],
+                f"{1e-6 * row['stress']:.0f}", wrong["stress"], f"{1e-6 * row['surface']:.0f}",
+            )
+        )  # fmt: skip
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def by_load(rows: list[dict[str, float]]) -> dict[float, list[dict[str, float]]]:
+    return {load: [row for row in rows if row["percent"] == load] for load in PERCENT}
+
+
+def page(rows: list[dict[str, float]], memory: float) -> str:
+    tables, ratios = [], []
+    for load, mine in by_load(rows).items():
+        orders = f"{order([row['area'] for row in mine]):.1f}" if len(mine) > 2 else "unknown"
+        tables += [
+            f"## Load {load / 100 * HARDNESS * SIDE**2:.3g} N",
+            table(mine),
+            f"Observed order of the area, of the three finest grids: {orders}.",
+        ]
+        found = zip(mine, errors(mine), strict=True)
+        ratios += [error["area"] / row["uncertainty"] for row, error in found]
+    spot = 100 * resolution.ROUND_SPOT
+    return TEXT.format(
+        longest=1e6 * SIDE / LONGEST, shortest=1e6 * SHORTEST, hurst=HURST, slope=SLOPE,
+        cells=WAVES * int(rows[-1]["fine"]), memory=1e-9 * memory, tables="\n\n".join(tables),
+        side=resolution.AREA_OF_A_SIDE, low=min(ratios), high=max(ratios), round=spot / 100,
+        eight=spot / 8, four=spot / 4, warn=100 * resolution.UNCERTAIN,
+        fail=100 * resolution.TOO_UNCERTAIN,
+    )  # fmt: skip
+
+
+def draw(rows: list[dict[str, float]]) -> Any:
+    import matplotlib.pyplot as plt
+
+    from .plots import COLOURS, MARKERS
+
+    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.8), sharey=True, layout="constrained")
+    for ax, (load, mine) in zip(axes, by_load(rows).items(), strict=True):
+        fine = [row["fine"] for row in mine]
+        for n, (name, told) in enumerate(SERIES.items()):
+            wrong = [100 * abs(error[name]) or np.nan for error in errors(mine)]
+            ax.loglog(fine, wrong, f"{MARKERS[n]}-", color=COLOURS[n], label=told)
+        ax.loglog(
+            fine, [100 * row["uncertainty"] for row in mine], "k--", label="area, uncertain by"
+        )
+        ax.set(
+            xlabel="cells of the shortest wave",
+            title=f"{load / 100 * HARDNESS * SIDE**2:.3g} N",
+            xticks=fine,
+            xticklabels=fine,
+        )
+        ax.minorticks_off()
+        ax.grid(color="0.9")
+    axes[0].set(ylabel="error [%]")
+    axes[0].set_ylim(0.05, 30.0)  # below it is chance
+    axes[0].yaxis.set_major_formatter("{x:g}")
+    axes[1].legend(fontsize="small", loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    return figure
+
+
+def main(given: list[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.resolution")
+    parser.add_argument("--quick", action="store_true", help=f"grids of {QUICK} cells a wave only")
+    parser.add_argument("--docs", action="store_true", help=f"write {PAGE.relative_to(ROOT)}")
+    chosen = parser.parse_args(given)
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    os.environ.setdefault("MPLBACKEND", "Agg")
+    rows: list[dict[str, float]] = []
+    for fine in QUICK if chosen.quick else FINE:
+        # a process of its own each: the memory is that of one grid
+        with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
+            mine, memory = pool.submit(measured, fine).result()
+        rows += mine
+        print(*mine, f"{memory / 1e9:.2f} GB", sep="\n", flush=True)
+    if chosen.docs:
+        PAGE.write_text(page(rows, memory), encoding="utf-8")
+        draw(rows).savefig(FIGURE, dpi=120)
+    else:
+        print(page(rows, memory))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
