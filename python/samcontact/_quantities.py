@@ -76,6 +76,7 @@ CONTACT = {
     "y": Q("m", "cell centres along y"),
     "z": Q("m", "depths of the layer centres, into the body"),
     "increment": Q("1", "number of the load increment"),
+    "cell": Q("1", "numbers of cells with plastic strain, counted along z, y, x"),
     "volume_increment": Q("1", "increments with volume fields"),
     "body": Q("1", "number of the body"),
     # of each increment

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _memory
 from ._checks import FloatArray
@@ -93,21 +95,24 @@ def _centres(first: int, count: int, cells: int, size: float) -> FloatArray:
     return read_only(np.asarray((first - 0.5 * (cells - 1) + np.arange(count)) * size, np.float64))
 
 
+def strained_cells(
+    zone: Zone, shape: Sequence[int]
+) -> tuple[tuple[NDArray[np.intp], ...], tuple[NDArray[np.intp], ...]]:
+    """Cells i, j, k with plastic strain, of those in a grid of this shape: in the zone, there."""
+    inside = np.nonzero(zone.equivalent_plastic_strain())
+    there = [at + first for at, first in zip(inside, (*zone.first, 0), strict=True)]
+    shown = np.logical_and.reduce(
+        [(at >= 0) & (at < n) for at, n in zip(there, shape, strict=True)]
+    )
+    return tuple(at[shown] for at in inside), tuple(at[shown] for at in there)
+
+
 def strained_extent(state: State, body: int) -> list[tuple[int, int]]:
     """First and last cell along x, y and z with plastic strain, of those that fields show.
 
     Empty without plastic strain.
     """
     shape = (*state.grid.surface_shape, len(state.depths))
-    ends: list[list[int]] = [[], [], []]
-    for zone in state.zones(body):
-        first = (*zone.first, 0)
-        shown = tuple(
-            slice(max(-at, 0), max(n - at, 0)) for at, n in zip(first, shape, strict=True)
-        )
-        strained = zone.equivalent_plastic_strain()[shown] > 0
-        for axis, cells in enumerate(np.nonzero(strained)):
-            if cells.size:
-                start = first[axis] + shown[axis].start
-                ends[axis] += [start + int(cells.min()), start + int(cells.max())]
-    return [(min(found), max(found)) for found in ends if found]
+    found = [strained_cells(zone, shape)[1] for zone in state.zones(body)]
+    ends = [[(int(at.min()), int(at.max())) for at in cells] for cells in found if cells[0].size]
+    return [(min(axis)[0], max(last for _, last in axis)) for axis in zip(*ends, strict=True)]

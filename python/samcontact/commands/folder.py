@@ -22,7 +22,7 @@ _FIGURES = (
 )  # fmt: skip
 _OWN = re.compile(
     r"(results|series|wear)\.nc|(series|wear)\.csv|report\.html|rolling\.gif"
-    r"|results(_\d{5,})?(_track)?(_surface)?\.vtr|results(_surface)?\.pvd"
+    r"|results(_\d{5,})?(_track)?(_surface)?\.vt[ru]|results(_surface)?\.pvd"
     rf"|({'|'.join(_FIGURES)})\.png"
 )
 """Names of the files that runs, reports and exports write into the folder of a run."""

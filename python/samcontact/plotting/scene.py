@@ -15,6 +15,7 @@ from .._tensors import von_mises
 from ..grid import Grid
 from ..results.motion import track_of
 from ..results.reading import grid_of
+from ..results.zones import on_grid
 from .contact import HertzContact
 from .parts import row_of_interest, section_height
 
@@ -61,15 +62,18 @@ class Scene:
         return field
 
     def has(self, name: str, number: int) -> bool:
-        """Whether a volume field of the body is stored for the increment of this number."""
-        there = f"{name}_body{self.body}" in self.dataset
-        return there and number in self.dataset["volume_increment"].values
+        """Whether a volume field of the body is known in all cells at the increment."""
+        stored = self.dataset.get(f"{name}_body{self.body}")
+        if stored is None or number not in self.dataset["volume_increment"].values:
+            return False
+        return "x" in stored.dims or "strain" in name  # which is 0 where it is not stored
 
     def field(self, name: str, number: int) -> FloatArray:
         """A volume field of the body at an increment that has one."""
         if name == "residual_von_mises":
             return von_mises(self.field("residual_stress", number))
         stored = self.dataset[f"{name}_body{self.body}"].sel(volume_increment=number)
+        stored = on_grid(stored, self.dataset)
         axes = [axis for axis in ("component", "x", "y", "z") if axis in stored.dims]
         field: FloatArray = stored.transpose(*axes).values
         return field

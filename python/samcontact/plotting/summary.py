@@ -28,6 +28,7 @@ from .track import print_along, track_section, track_summary
 if TYPE_CHECKING:
     import xarray as xr
 
+_SECTIONS = ("von_mises", "hydrostatic", "equivalent_plastic_strain")
 _WIDTH = 5.0  # of a figure [in]
 
 
@@ -120,14 +121,14 @@ def _of_the_peak(scene: Scene) -> dict[str, Figure]:
     if scene.has("stress", number):
         figures["axis_stress"] = _panel(4.6, 4.2)
         axis_profile(scene.field("stress", number), grid, figures["axis_stress"].axes[0])
+    if any(scene.has(name, number) for name in _SECTIONS):
         figures["sections"] = _sections(scene, number)
     return figures
 
 
 def _sections(scene: Scene, number: int) -> Figure:
-    names = ("von_mises", "hydrostatic", "equivalent_plastic_strain")
-    fields = {name: scene.field(name, number) for name in names if scene.has(name, number)}
-    y = scene.row(fields["von_mises"])
+    fields = {name: scene.field(name, number) for name in _SECTIONS if scene.has(name, number)}
+    y = scene.row(next(iter(fields.values())))
     figure = new_figure(_WIDTH, scene.section_height * len(fields))
     panels = np.ravel(figure.subplots(len(fields), 1))
     for ax, (name, field) in zip(panels, fields.items(), strict=True):

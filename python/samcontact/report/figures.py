@@ -104,10 +104,11 @@ def _volume(scene: Scene) -> Iterator[Made]:
     data = scene.dataset
     stored = data["volume_increment"].values
     number = int(stored[peak_of_dataset(data.sel(increment=stored))])
-    figure = new_figure(4.6, 4.2)
-    plotting.axis_profile(scene.field("stress", number), scene.grid, figure.subplots())
-    when = f"body {scene.body}, {_moment(scene, number)}"
-    yield f"Stress under the middle, {when}", "Stresses on the axis against depth.", figure
+    if scene.has("stress", number):
+        figure = new_figure(4.6, 4.2)
+        plotting.axis_profile(scene.field("stress", number), scene.grid, figure.subplots())
+        when = f"body {scene.body}, {_moment(scene, number)}"
+        yield f"Stress under the middle, {when}", "Stresses on the axis against depth.", figure
     for name in ("von_mises", "hydrostatic", "equivalent_plastic_strain"):
         if scene.has(name, number):
             yield _section(scene, name, number)

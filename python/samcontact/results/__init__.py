@@ -10,5 +10,15 @@ from .dataset import to_dataset
 from .file import open_results, save, scalars
 from .pvd import to_pvd
 from .vtk import to_vtk
+from .zones import on_grid
 
-__all__ = ["COMPONENTS", "open_results", "save", "scalars", "to_dataset", "to_pvd", "to_vtk"]
+__all__ = [
+    "COMPONENTS",
+    "on_grid",
+    "open_results",
+    "save",
+    "scalars",
+    "to_dataset",
+    "to_pvd",
+    "to_vtk",
+]

@@ -16,6 +16,7 @@ from .._quantities import CONTACT
 from .._tensors import COMPONENTS
 from .convergence import add_convergence
 from .motion import add, add_motion
+from .zones import add_gathered, is_gathered, max_von_mises
 
 if TYPE_CHECKING:
     from ..cases import Case
@@ -88,8 +89,10 @@ def to_dataset(
     Returns
     -------
     xarray.Dataset
-        Dimensions increment, x, y and, with a volume, volume_increment, z, component; for an
-        inelastic body that moved, track_x_body1 or track_x_body2: its whole track at the end.
+        Dimensions increment, x, y and, with a volume, volume_increment, z, component; where the
+        plastic strain of a body lies in several zones, cell_body1 or cell_body2 instead of x, y, z
+        (see `on_grid`); for an inelastic body that moved, track_x_body1 or track_x_body2: its whole
+        track at the end.
         Every variable has ``units`` (SI) and ``long_name``.
 
     Raises
@@ -204,7 +207,7 @@ def _stored_bodies(simulation: Simulation, body: int) -> dict[int, bool]:
 
 def _add_maxima(dataset: xr.Dataset, states: Sequence[State], bodies: dict[int, bool]) -> None:
     for body, inelastic in bodies.items():
-        stress = [float(np.max(s.von_mises(body=body))) for s in states]
+        stress = [max_von_mises(state, body) for state in states]
         add(dataset, "max_von_mises", "increment", stress, body)
         if inelastic:
             strain = [s.max_equivalent_plastic_strain(body=body) for s in states]
@@ -234,14 +237,18 @@ def _add_volume(
     dataset.coords["volume_increment"] = CONTACT["volume_increment"].variable(
         "volume_increment", np.array(chosen) + 1
     )
+    stored = [states[i] for i in chosen]
+    gathered = [body for body in bodies if is_gathered(stored, body)]
+    for body in gathered:
+        add_gathered(dataset, stored, body)
     wanted = [
         (name, dims, body)
         for body, inelastic in bodies.items()
         for name, (dims, needs_plasticity) in _VOLUME_FIELDS.items()
-        if inelastic or not needs_plasticity
+        if body not in gathered and (inelastic or not needs_plasticity)
     ]
     for name, dims, body in [*wanted, *(("temperature", _VOLUME, body) for body in heated)]:
-        fields = np.stack([getattr(states[i], name)(body=body) for i in chosen])
+        fields = np.stack([getattr(state, name)(body=body) for state in stored])
         add(dataset, name, dims, fields, body)
 
 

@@ -29,8 +29,8 @@ def to_pvd(dataset: xr.Dataset, path: str | Path, body: int = 2) -> list[Path]:
     path : str or Path
         Collection of the volume fields, of those increments that have some; that of the surface, of
         all increments, goes beside it, to ``*_surface.pvd``. The files of the increments have their
-        number in five digits behind the name, ``*_00001.vtr``, ``*_00001_surface.vtr``. The ending
-        .pvd is added where it is missing. The directory must exist.
+        number in five digits behind the name, ``*_00001.vtr`` (or .vtu), ``*_00001_surface.vtr``.
+        The ending .pvd is added where it is missing. The directory must exist.
     body : {1, 2}, optional
         Whose volume fields and print are written.
 

@@ -10,22 +10,28 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .._atomic import replacing
 from .._checks import FloatArray, choice, integer
 from .motion import track_of
 from .reading import cell_size, parts_of_a_run
+from .zones import cells_of
 
 if TYPE_CHECKING:
     import xarray as xr
 
 # The order in which VTK keeps symmetric tensors, which is not that of this package.
 VTK_COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
+_VOXEL = 11  # VTK's number of this type of cell
 _COMMON = ("pressure", "gap", "shear_x", "shear_y", "initial_gap")
 
 
 def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int = 2) -> list[Path]:
     """Write the fields of one increment as VTK XML files of rectilinear grids (.vtr).
+
+    Volume fields of a body whose plastic strain lies in several zones are those of cells with
+    strain, and go to a file of an unstructured grid (.vtu).
 
     Of a body that has moved, what is left along its whole track at the end of the run is written
     too; x = 0 is where the contact stood on the body at the start.
@@ -83,7 +89,13 @@ def _write_all(dataset: xr.Dataset, target: Path, increment: int, body: int) -> 
 def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
     """Of an increment that has volume fields; the file."""
     fields = dataset[volume_names(dataset, body)].sel(volume_increment=number)
-    _write(target, _volume_edges(dataset, number, body), fields, body, number)
+    edges = _volume_edges(dataset, number, body)
+    cells = cells_of(next(iter(fields.data_vars.values())), dataset)
+    if cells is None:
+        grid = _rectilinear(edges)
+    else:
+        target, grid = target.with_suffix(".vtu"), _voxels(edges, cells, body)
+    _write(target, grid, fields, body, number)
     return target
 
 
@@ -91,7 +103,7 @@ def write_surface(dataset: xr.Dataset, target: Path, number: int, body: int) -> 
     """Of any increment; the file."""
     fields = dataset[_surface_names(dataset, body)].sel(increment=number)
     edges = [_edges(dataset, "x"), _edges(dataset, "y"), np.zeros(1)]
-    _write(target, edges, fields, body, number)
+    _write(target, _rectilinear(edges), fields, body, number)
     return target
 
 
@@ -109,9 +121,10 @@ def write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
         depth = _edges(track, "z")
         written.append(target.with_name(f"{target.stem}_track.vtr"))
         edges = [*plane, depth if body == 1 else -depth[::-1]]
-        _write(written[-1], edges, track[volume], body, last)
+        _write(written[-1], _rectilinear(edges), track[volume], body, last)
     written.append(target.with_name(f"{target.stem}_track_surface.vtr"))
-    _write(written[-1], [*plane, np.zeros(1)], track[surface], body, last)
+    edges = [*plane, np.zeros(1)]
+    _write(written[-1], _rectilinear(edges), track[surface], body, last)
     return written
 
 
@@ -157,25 +170,52 @@ def _volume_edges(dataset: xr.Dataset, number: int, body: int) -> list[FloatArra
 def _values(field: xr.DataArray, body: int) -> FloatArray:
     """Cell values in VTK's order (x fastest), shape (cells,) or (cells, components)."""
     upside_down = body == 2 and "z" in field.dims
+    axes = [axis for axis in "zyx" if axis in field.dims]
     if "component" in field.dims:
         ordered = field.sel(component=list(VTK_COMPONENTS))
-        tensor = ordered.transpose("z", "y", "x", "component").values
+        tensor = ordered.transpose(*axes, ..., "component").values
         if upside_down:
+            tensor = tensor[::-1]
+        if body == 2:
             # components with one z change their sign with the axis
-            tensor = tensor[::-1] * np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0])
+            tensor = tensor * np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0])
         return np.ascontiguousarray(tensor.reshape(-1, len(VTK_COMPONENTS)))
-    scalar = field.transpose(*(axis for axis in "zyx" if axis in field.dims)).values
+    scalar = field.transpose(*axes, ...).values
     return np.ascontiguousarray(scalar[::-1] if upside_down else scalar).ravel()
 
 
-def _write(
-    target: Path, edges: list[FloatArray], fields: xr.Dataset, body: int, increment: int
-) -> None:
+def _rectilinear(edges: list[FloatArray]) -> Any:
     vtk = _modules()
     grid = vtk["RectilinearGrid"]()
     grid.SetDimensions(*(len(axis) for axis in edges))
-    for axis_name, axis in zip("XYZ", edges, strict=True):
-        getattr(grid, f"Set{axis_name}Coordinates")(vtk["array"](axis, deep=True))
+    for name, axis in zip("XYZ", edges, strict=True):
+        getattr(grid, f"Set{name}Coordinates")(vtk["array"](axis, deep=True))
+    return grid
+
+
+def _voxels(edges: list[FloatArray], cells: NDArray[np.int64], body: int) -> Any:
+    """Cells i, j, k of a grid, as an unstructured grid of theirs."""
+    vtk = _modules()
+    counts = [len(axis) for axis in edges]
+    i, j, k = cells
+    first = np.array([i, j, k if body == 1 else counts[2] - 2 - k])
+    # x first, as VTK counts the corners of a voxel
+    steps = np.array([(n & 1, n >> 1 & 1, n >> 2) for n in range(8)])
+    corners = np.ravel_multi_index(tuple(first[:, :, None] + steps.T[:, None]), counts)
+    used, numbers = np.unique(corners, return_inverse=True)
+    places = np.unravel_index(used, counts)
+    coordinates = np.stack([axis[at] for axis, at in zip(edges, places, strict=True)], axis=1)
+    points, voxels, grid = vtk["Points"](), vtk["CellArray"](), vtk["UnstructuredGrid"]()
+    points.SetData(vtk["array"](coordinates, deep=True))
+    offsets, connected = 8 * np.arange(i.size + 1), numbers.ravel()
+    voxels.SetData(*(vtk["ids"](a.astype(np.int64), deep=True) for a in (offsets, connected)))
+    grid.SetPoints(points)
+    grid.SetCells(_VOXEL, voxels)
+    return grid
+
+
+def _write(target: Path, grid: Any, fields: xr.Dataset, body: int, increment: int) -> None:
+    vtk = _modules()
     for name, field in fields.data_vars.items():
         array = vtk["array"](_values(field, body), deep=True)
         array.SetName(str(name).removesuffix(f"_body{body}"))
@@ -189,7 +229,7 @@ def _write(
         array = vtk["array"](np.array([value], dtype=np.int64), deep=True)
         array.SetName(label)
         grid.GetFieldData().AddArray(array)
-    writer = vtk["Writer"]()
+    writer = vtk["Unstructured" if grid.IsA("vtkUnstructuredGrid") else "Rectilinear"]()
     writer.SetInputData(grid)
     # VTK prints to stderr where Python raises, and knows fewer names of files
     writer.WriteToOutputStringOn()
@@ -201,15 +241,21 @@ def _write(
 def _modules() -> dict[str, Any]:
     """What is needed of VTK; the whole of it takes seconds to load."""
     try:
-        from vtkmodules.util.numpy_support import numpy_to_vtk
-        from vtkmodules.vtkCommonDataModel import vtkRectilinearGrid
-        from vtkmodules.vtkIOXML import vtkXMLRectilinearGridWriter
+        import vtkmodules.vtkCommonCore as core
+        import vtkmodules.vtkCommonDataModel as data
+        import vtkmodules.vtkIOXML as files
+        from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
     except ModuleNotFoundError as error:
         raise ModuleNotFoundError(
             f"VTK files need the package vtk ({error}): pip install samcontact[vtk]"
         ) from error
     return {
         "array": numpy_to_vtk,
-        "RectilinearGrid": vtkRectilinearGrid,
-        "Writer": vtkXMLRectilinearGridWriter,
+        "ids": numpy_to_vtkIdTypeArray,
+        "Points": core.vtkPoints,
+        "CellArray": data.vtkCellArray,
+        "RectilinearGrid": data.vtkRectilinearGrid,
+        "UnstructuredGrid": data.vtkUnstructuredGrid,
+        "Rectilinear": files.vtkXMLRectilinearGridWriter,
+        "Unstructured": files.vtkXMLUnstructuredGridWriter,
     }
