@@ -37,6 +37,18 @@ def simulation(body1=RIGID, body2=STEEL, *, grid=GRID, gap=GAP, **options):
     return sc.Simulation(grid, body1, body2, gap, on_border="warn", **options)
 
 
+WIDE = sc.Grid(128, 128, SIZE, SIZE, LAYERS, SIZE)
+WIDE_PERCENT = 4 * PERCENT
+
+
+def rolling(body1, body2, **options):
+    """Body 1 is rough, and rolls or slides with its roughness."""
+    heights = -rough_gap(0.0, WIDE)
+    bowl = rough_gap(grid=WIDE) + heights
+    relief = sc.Relief(heights, periodic=True)
+    return simulation(body1, body2, grid=WIDE, gap=bowl - bowl.min(), relief1=relief, **options)
+
+
 def zones_of(sim, body):
     """The boxes that a body was last solved in, [box][i0, j0, nx, ny, nz]."""
     return snapshot(sim).state.get(f"flow_boxes{body}", np.zeros((0, 5), np.int64))

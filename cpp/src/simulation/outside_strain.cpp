@@ -2,8 +2,25 @@
 #include "samcontact/simulation/outside_strain.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "samcontact/operators/zone_operators.hpp"
+#include "samcontact/simulation/zone_choice.hpp"
 
 namespace samcontact::simulation {
+namespace {
+
+/// Over some zones, 0 in others.
+Field strain_without(const PlasticState& history, const Zones& over, const Zones& others) {
+  Field strain = history.strain(over);
+  const Field nothing(others.cells(), 0.0);
+  for (int c = 0; c < operators::count(history.tensor()); ++c) {
+    copy_common(nothing.data(), others, strain.data() + c * over.cells(), over);
+  }
+  return strain;
+}
+
+}  // namespace
 
 Box acting_box(const PlasticState& history, const Box& wanted, int reach) {
   const int step = std::max(8, (wanted.nx + 3) / 4);
@@ -17,6 +34,15 @@ Box acting_box(const PlasticState& history, const Box& wanted, int reach) {
   return wanted.united(long_box);
 }
 
+Zones acting_zones(const PlasticState& history, const Zones& zones, const Grid& grid, int reach) {
+  std::vector<Box> boxes = zones.boxes();
+  for (const Box& box : history.boxes_beyond(zones)) {
+    const Box acting = box.intersected({-reach, box.j0, grid.nx + 2 * reach, box.ny, box.nz});
+    if (!acting.empty()) boxes.push_back(acting);
+  }
+  return boxes.size() == zones.count() ? zones : Zones(merged(std::move(boxes)));
+}
+
 OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,
                              const Zones& zones, operators::ResidualMethod method) {
   if (!history.reaches_beyond(zones)) return {};
@@ -25,13 +51,8 @@ OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& h
   const Box part = stored_part(grid, symmetry);
   const Box around =
       acting_box(history, Box{part.i0, part.j0, part.nx, 1, 1}.united(zones.around()), scene.reach);
-  Field strain = history.strain(around);
-  const std::size_t cells = around.volume_size();
+  const Field strain = strain_without(history, Zones({around}), zones);
   const int components = operators::count(history.tensor());
-  const Field inside(zones.cells(), 0.0);
-  for (int c = 0; c < components; ++c) {
-    copy_common(inside.data(), zones, strain.data() + c * cells, Zones({around}));
-  }
   if (std::all_of(strain.begin(), strain.end(), [](double v) { return v == 0; })) return {};
 
   const auto operators =
@@ -61,6 +82,36 @@ OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& h
       for (int c = 0; c < components; ++c) {
         extract(s + c * surface.surface_size(), surface,
                 out.stress[zone].data() + (c * box.nz + k) * box.surface_size(), layer);
+      }
+    }
+  });
+  return out;
+}
+
+OutsideStrain outside_strain_in_zones(const Scene& scene, int body, const PlasticState& history,
+                                      const Zones& zones) {
+  const Zones all = acting_zones(history, zones, scene.grid, scene.reach);
+  if (all == zones) return {};
+  operators::ZoneOperators operators(scene.zone_tables(body, history.tensor()), all.boxes());
+  const Field strain = strain_without(history, all, zones);
+  operators.transform(strain);
+  OutsideStrain out;
+  out.surface = Box::surface(scene.grid);
+  out.displacement.resize(out.surface.surface_size());
+  operators.displacement(out.displacement.data());
+  const int components = operators::count(history.tensor());
+  for (const Box& box : zones.boxes()) out.stress.emplace_back(components * box.volume_size());
+  operators.for_each_layer(&strain, {}, 1.0, [&](std::size_t from, int k, const double* stress) {
+    Box layer = all.boxes()[from];
+    layer.nz = 1;
+    for (std::size_t zone = 0; zone < zones.count(); ++zone) {
+      Box to = zones.boxes()[zone];
+      if (k >= to.nz) continue;
+      double* first = out.stress[zone].data() + k * to.surface_size();
+      const std::size_t cells = to.volume_size();
+      to.nz = 1;
+      for (int c = 0; c < components; ++c) {
+        copy_common(stress + c * layer.surface_size(), layer, first + c * cells, to);
       }
     }
   });

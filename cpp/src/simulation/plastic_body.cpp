@@ -140,7 +140,8 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const operators::Hea
     }
   }
   if (!history_) return;
-  outside_ = outside_strain(scene_, index_, *history_, zones_, method_);
+  outside_ = split ? outside_strain_in_zones(scene_, index_, *history_, zones_)
+                   : outside_strain(scene_, index_, *history_, zones_, method_);
   for (std::size_t zone = 0; zone < outside_.stress.size(); ++zone) {
     add_to(given_stress_[zone], std::move(outside_.stress[zone]));
   }

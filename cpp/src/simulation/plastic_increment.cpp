@@ -200,6 +200,12 @@ double PlasticIncrement::part_of_last_motion() const {
   return ratio;
 }
 
+bool PlasticIncrement::is_steady() const {
+  const auto& reliefs = scene_.reliefs;
+  const auto moves = [&](int b) { return !reliefs[b].heights.empty() && from_.advance[b] != 0; };
+  return part_of_last_motion() > 0 && !moves(0) && !moves(1);
+}
+
 Field PlasticIncrement::first_guess() {
   // The same way, with steps that may be longer or shorter.
   const double ratio = part_of_last_motion();

@@ -2,6 +2,7 @@
 // Small zones of an increment instead of one box.
 #include "samcontact/simulation/plastic_increment.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "samcontact/simulation/zone_choice.hpp"
@@ -11,11 +12,26 @@ namespace {
 
 /// Of the work of one box, that of zones must be less than this part.
 constexpr double worth = 0.7;
+/// Of bodies that move: each increment needs new zones, and once what lies outside of them.
+constexpr double worth_moving = 0.4;
 /// Cells by which a zone grows where its rim flows.
 constexpr int growth = 2;
 
 Box widened(const Box& box, int cells) {
   return {box.i0 - cells, box.j0 - cells, box.nx + 2 * cells, box.ny + 2 * cells, box.nz + cells};
+}
+
+/// As deep as some cells.
+Columns columns_of(const std::vector<Cell>& cells) {
+  Columns columns;
+  for (const auto& [i, j, k] : cells) columns.window = columns.window.united({i, j, 1, 1, 1});
+  const Box& window = columns.window;
+  columns.depth.assign(window.surface_size(), 0);
+  for (const auto& [i, j, k] : cells) {
+    int& depth = columns.depth[static_cast<std::size_t>(i - window.i0) * window.ny + j - window.j0];
+    depth = std::max(depth, k + 1);
+  }
+  return columns;
 }
 
 }  // namespace
@@ -24,29 +40,47 @@ bool PlasticIncrement::may_split(const PlasticBody& body) const {
   const int b = body.index();
   return !settings_.one_zone && symmetry_ == fft::Symmetry::none &&
          from_.method == operators::ResidualMethod::fast && !scene_.grid.period.is_on() &&
-         from_.travel == Travel{} && !target_.heating[b].is_on() && !heat_.has_past(b);
+         !target_.heating[b].is_on() && !heat_.has_past(b);
 }
 
 bool PlasticIncrement::is_worth_splitting(const PlasticBody& body,
                                           const std::vector<Box>& boxes) const {
   if (boxes.size() < 2) return false;
-  const Box box = choice_.with_margin(around(boxes).united(window_of(tractions_, scene_.grid)));
-  const Box one = choice_.fitted(box, body.zones().around());
-  return cost_of_zones(boxes, Box::surface(scene_.grid)) < worth * cost_of_box(one);
+  const double cost = cost_of_zones(boxes, Box::surface(scene_.grid));
+  const Box window = window_of(tractions_, scene_.grid), all = around(boxes);
+  if (from_.travel != Travel{} && !window.empty()) {
+    // One box leaves behind what does not flow.
+    const Box needed = choice_.in_grid_or({}, window.united({0, 0, 0, 0, all.nz}));
+    return cost < worth_moving * cost_of_box(choice_.fitted(choice_.with_margin(needed), {}));
+  }
+  const Box box = choice_.with_margin(all.united(window));
+  return cost < worth * cost_of_box(choice_.fitted(box, body.zones().around()));
+}
+
+std::vector<Box> PlasticIncrement::zones_to_begin_with(const PlasticBody& body) const {
+  const auto& before = from_.flow_boxes[body.index()];
+  const bool stays = from_.advance == Travel{};
+  if (stays && before.size() > 1 && !body.has_strain_beyond(Zones(before))) return before;
+  std::vector<Box> boxes = body.history_boxes();
+  if (from_.travel != Travel{}) {
+    const Grid& grid = scene_.grid;
+    for (Box& box : boxes) box = box.intersected({0, box.j0, grid.nx, box.ny, box.nz});
+    std::erase_if(boxes, [](const Box& box) { return box.empty(); });
+  }
+  for (Box& box : boxes) box = widened(box, 1);
+  if (is_steady()) {
+    const auto flow = boxes_around(columns_of(from_.last_flow->bodies[body.index()].cells));
+    boxes.insert(boxes.end(), flow.begin(), flow.end());
+  }
+  return merged(std::move(boxes));
 }
 
 void PlasticIncrement::take_up_zones(PlasticBody& body) {
-  const auto& before = from_.flow_boxes[body.index()];
   if (may_split(body)) {
-    std::vector<Box> boxes = before;
-    if (boxes.size() == 1) {
-      boxes = body.history_boxes();
-      for (Box& box : boxes) box = widened(box, 1);
-      boxes = merged(std::move(boxes));
-    }
+    std::vector<Box> boxes = zones_to_begin_with(body);
     if (is_worth_splitting(body, boxes)) return set_zones(body, Zones(std::move(boxes)), true);
   }
-  const auto parts = parts_of(before, scene_.grid, symmetry_);
+  const auto parts = parts_of(from_.flow_boxes[body.index()], scene_.grid, symmetry_);
   set_zones(body, parts.size() == 1 ? Zones(parts) : Zones({choice_.fitted(around(parts), {})}));
 }
 
@@ -57,7 +91,11 @@ bool PlasticIncrement::fit_zones(PlasticBody& body) {
   const auto near = boxes_around(body.yielding_columns(*scans_[body.index()]));
   boxes.insert(boxes.end(), near.begin(), near.end());
   boxes = merged(std::move(boxes));
-  if (first && !is_worth_splitting(body, boxes)) return false;
+  const bool asks = first || from_.travel != Travel{};
+  if (asks && !is_worth_splitting(body, boxes)) {
+    if (!first) set_box(body, choice_.fitted(body.zones().around(), {}));
+    return !first;
+  }
   if (boxes == body.zones().boxes()) return false;
   set_zones(body, Zones(std::move(boxes)), true);
   return true;

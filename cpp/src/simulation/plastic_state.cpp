@@ -152,18 +152,24 @@ PlasticFields PlasticState::fields(Zones zones) const {
   return {std::move(zones), std::move(e), std::move(g), std::move(x)};
 }
 
-bool PlasticState::reaches_beyond(const Zones& zones) const {
+std::vector<Box> PlasticState::boxes_beyond(const Zones& zones) const {
+  std::vector<Box> found;
   for (const auto& [tile, part] : tiles_) {
     const Zones own({of_grid(part->box)});
     const std::size_t cells = own.cells();
+    Box beyond;
     for (std::size_t n = 0; n < cells; ++n) {
-      if (zones.number(own.cell(n)) >= 0) continue;
+      const Cell cell = own.cell(n);
+      if (zones.number(cell) >= 0) continue;
+      bool strained = false;
       for (int p = 0; p < strain_parts(); ++p) {
-        if (part->values[p * cells + n] != 0) return true;
+        strained = strained || part->values[p * cells + n] != 0;
       }
+      if (strained) beyond = beyond.united({cell.i, cell.j, 1, 1, cell.k + 1});
     }
+    if (!beyond.empty()) found.push_back(beyond);
   }
-  return false;
+  return found;
 }
 
 double PlasticState::max_equivalent() const {

@@ -295,15 +295,16 @@ Field State::backstress(int body, const Box& region) const {
 
 Field State::residual_displacement(int body) const {
   const Grid& grid = scene_->grid;
+  Field own(grid.surface_size());
   if (is_in_zones(body)) {
     const PlasticState& history = *plastic[body];
-    operators::ZoneOperators zones(scene_->zone_tables(body, history.tensor()), flow_boxes[body]);
-    Field out(grid.surface_size());
-    zones.transform(history.strain(Zones(flow_boxes[body])));
-    zones.displacement(out.data());
-    return out;
+    const Zones all = acting_zones(history, Zones(flow_boxes[body]), grid, scene_->reach);
+    operators::ZoneOperators zones(scene_->zone_tables(body, history.tensor()), all.boxes());
+    zones.transform(history.strain(all));
+    zones.displacement(own.data());
+  } else {
+    own = residual_displacement(body, {0, 0, grid.nx, grid.ny, 0});
   }
-  const Field own = residual_displacement(body, {0, 0, grid.nx, grid.ny, 0});
   return seen_from_body(own, grid, -placement().offset[body]);
 }
 

@@ -12,12 +12,12 @@ namespace samcontact::simulation {
 bool State::is_in_zones(int body) const {
   const auto& history = plastic[body];
   return history && flow_boxes[body].size() > 1 && history->symmetry() == fft::Symmetry::none &&
-         method == operators::ResidualMethod::fast && !scene_->grid.period.is_on() &&
-         travel == Travel{} && !history->reaches_beyond(Zones(flow_boxes[body]));
+         method == operators::ResidualMethod::fast && !scene_->grid.period.is_on();
 }
 
 bool State::shows_zones(int body) const {
-  return is_in_zones(body) && !heating[body].is_on() && !past[body];
+  return is_in_zones(body) && travel == Travel{} && !heating[body].is_on() && !past[body] &&
+         !plastic[body]->reaches_beyond(Zones(flow_boxes[body]));
 }
 
 std::vector<Box> State::zones(int body) const {
@@ -38,10 +38,11 @@ Field State::stress_in_zones(int body, bool with_tractions) const {
   const auto tables = scene_->zone_tables(body, operators::Tensor::full);
   const Zones zones(boxes);
   operators::ZoneOperators operators(tables, boxes);
-  operators.transform(six_components(plastic[body]->strain(zones), plastic[body]->tensor()));
+  const Field strain = six_components(plastic[body]->strain(zones), plastic[body]->tensor());
+  operators.transform(strain);
   Field out(6 * zones.cells());
   operators.for_each_layer(
-      true, with_tractions ? tractions : operators::Tractions{}, operators::shear_sign(body),
+      &strain, with_tractions ? tractions : operators::Tractions{}, operators::shear_sign(body),
       [&](std::size_t zone, int k, const double* stress) {
         const Box& box = zones.boxes()[zone];
         const std::size_t plane = box.surface_size();

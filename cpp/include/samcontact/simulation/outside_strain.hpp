@@ -12,6 +12,9 @@ namespace samcontact::simulation {
 /// A box and the strain that acts on it, at most `reach` cells beyond it along x. The size takes
 /// few values, so that operators on it can be kept.
 Box acting_box(const PlasticState& history, const Box& wanted, int reach);
+/// Zones and the strain outside of them that acts on the grid, at most `reach` cells beyond it
+/// along x. Without mirror planes.
+Zones acting_zones(const PlasticState& history, const Zones& zones, const Grid& grid, int reach);
 
 /// What the strain outside of zones does in them, and to the surface.
 struct OutsideStrain {
@@ -23,5 +26,9 @@ struct OutsideStrain {
 /// zones: within the grid, from the mirror planes of the history on.
 OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,
                              const Zones& zones, operators::ResidualMethod method);
+
+/// The same by the operators of zones, which may reach beyond the grid. Without mirror planes.
+OutsideStrain outside_strain_in_zones(const Scene& scene, int body, const PlasticState& history,
+                                      const Zones& zones);
 
 }  // namespace samcontact::simulation

@@ -56,6 +56,9 @@ class PlasticBody {
   bool is_split() const { return split_; }
   /// Boxes that hold all of the history.
   std::vector<Box> history_boxes() const;
+  bool has_strain_beyond(const Zones& zones) const {
+    return history_ && history_->reaches_beyond(zones);
+  }
 
   /// Of a cell, with its unknowns; transformed next.
   void set_strain(std::uint32_t cell, const plasticity::Tensor& strain);

@@ -72,6 +72,8 @@ class PlasticIncrement {
   bool twins() const;
   /// Whether the last increment was a part of the same steady motion; by what part of it.
   double part_of_last_motion() const;
+  /// Whether the contact stays the same in it.
+  bool is_steady() const;
   void set_zones(PlasticBody& body, const Zones& zones, bool split = false);
   /// In one box, which is stored.
   void set_box(PlasticBody& body, const Box& box) { set_zones(body, Zones({box})); }
@@ -79,7 +81,10 @@ class PlasticIncrement {
   bool may_split(const PlasticBody& body) const;
   /// Whether that is less work than in one box.
   bool is_worth_splitting(const PlasticBody& body, const std::vector<Box>& boxes) const;
-  /// Zones for a body with a history: those of before.
+  /// Small zones for a body with a history: those of before; of a body that has moved all history
+  /// in the grid, and where it flows steadily.
+  std::vector<Box> zones_to_begin_with(const PlasticBody& body) const;
+  /// Zones for a body with a history.
   void take_up_zones(PlasticBody& body);
   /// Whether zones had to grow for the elastic stress that was found first; there may be none
   /// before.

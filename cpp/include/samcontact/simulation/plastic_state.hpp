@@ -49,8 +49,9 @@ class PlasticState {
   Field equivalent(const Box& box) const { return equivalent(Zones({box})); }
   Field backstress(const Box& box) const { return backstress(Zones({box})); }
 
-  /// Whether there is strain outside of zones.
-  bool reaches_beyond(const Zones& zones) const;
+  /// Boxes around all strain outside of zones.
+  std::vector<Box> boxes_beyond(const Zones& zones) const;
+  bool reaches_beyond(const Zones& zones) const { return !boxes_beyond(zones).empty(); }
   /// Cells with equivalent plastic strain; with mirror planes those that are stored.
   std::size_t yielded_cells() const;
   double max_equivalent() const;

@@ -132,7 +132,7 @@ class State {
   Box below(Layers layers) const;
   /// As the body's cells see them.
   operators::Tractions tractions_on(int body) const;
-  /// Whether its plastic strain was solved for in small zones, where it still lies.
+  /// Whether its plastic strain was last solved for in small zones.
   bool is_in_zones(int body) const;
   /// The same, and all stress is that of the strain and of tractions.
   bool shows_zones(int body) const;

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bodies that move through a rough contact take their zones with them and leave them behind."""
+
+import pytest
+
+import samcontact as sc
+from openmp import told_with
+from rough_scenes import (
+    KINEMATIC,
+    RIGID,
+    SIZE,
+    SOFT,
+    STEEL,
+    WIDE,
+    WIDE_PERCENT,
+    errors,
+    rolling,
+    rough_gap,
+    same,
+    simulation,
+    zone_counts,
+)
+
+pytestmark = pytest.mark.filterwarnings(
+    "ignore::samcontact.GridTooSmallWarning", "ignore::samcontact.PlasticStrainWarning"
+)
+
+
+def moved(sim, cells):
+    return sim.step(load=WIDE_PERCENT, advance=(cells[0] * SIZE, cells[1] * SIZE))
+
+
+@pytest.mark.parametrize(
+    ("bodies", "cells", "steps", "options"),
+    [
+        ((STEEL, RIGID), (24, 24), 4, {"reach": 48 * SIZE, "friction": 0.2}),
+        ((SOFT, KINEMATIC), (16, 12.5), 2, {"friction": 0.1}),
+    ],
+    ids=["rolling", "between the cells"],
+)
+def test_zones_left_behind_act_as_in_one_box(bodies, cells, steps, options):
+    sims = [rolling(*bodies, zones=zones, **options) for zones in ("auto", "one")]
+    inelastic = [n for n in (1, 2) if bodies[n - 1].is_plastic]
+    counts = []
+    for step in range(steps):
+        zones, one = (moved(sim, cells if step else (0, 0)) for sim in sims)
+        found = errors(zones, one, inelastic)
+        assert max(found.values()) < 5e-4, found
+        counts.append(max(zone_counts(sims[0])))
+        assert max(zone_counts(sims[1])) == 1
+    assert sum(count > 1 for count in counts) >= 2
+
+
+def test_a_steady_motion_begins_with_the_flow_before():
+    """A rough body at rest ploughs: as many iterations as in one box."""
+    sims = [
+        simulation(RIGID, STEEL, grid=WIDE, gap=rough_gap(grid=WIDE), zones=zones)
+        for zones in ("auto", "one")
+    ]
+    for step in range(4):
+        zones, one = (moved(sim, (0, 10 if step else 0)) for sim in sims)
+        assert zones.iterations <= one.iterations + 1
+    assert zones.iterations < 11
+    assert zone_counts(sims[0])[1] > 1
+
+
+def test_going_on_from_a_file_changes_no_digit(tmp_path):
+    sim = rolling(STEEL, RIGID, friction=0.2)
+    for cells in ((0, 0), (24, 24)):
+        moved(sim, cells)
+    assert zone_counts(sim)[0] > 1
+    sim.save(tmp_path / "state.h5")
+    other = sc.Simulation.load(tmp_path / "state.h5")
+    for cells in ((24, 24), (0, 0)):
+        assert same(moved(other, cells), moved(sim, cells), [1])
+        assert zone_counts(other) == zone_counts(sim)
+    assert other.counters == sim.counters
+
+
+THREADS = """
+import hashlib, warnings
+warnings.simplefilter("ignore")
+from rough_scenes import *
+sim = rolling(SOFT, KINEMATIC, friction=0.1)
+for cells in (0, 16):
+    state = sim.step(load=WIDE_PERCENT, advance=(cells * SIZE, (cells - 1.5) * SIZE))
+    assert min(zone_counts(sim)) > 1, zone_counts(sim)
+    parts = fields(state, (1, 2)).values()
+    print(state.iterations, hashlib.sha256(b"".join(x.tobytes() for x in parts)).hexdigest())
+"""
+
+
+def test_the_number_of_threads_changes_no_digit():
+    told = told_with(THREADS, 1, 3)
+    assert told[0] == told[1]
+    assert len(told[0].splitlines()) == 2
