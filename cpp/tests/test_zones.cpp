@@ -62,17 +62,17 @@ TEST_CASE("strain, unknowns and history survive a change of zones") {
     const auto history = unfolded(state.plastic[1], grid, symmetry);
     const int j0 = symmetry == Symmetry::none ? 12 : part.j0;
     const Box a{12, j0, 8, 18 - j0, 5}, wider{10, j0, 10, 20 - j0, 6}, beside{26, 22, 4, 3, 2};
-    PlasticBody body(state, 1, 0, 1, symmetry);
+    PlasticBody body(state, 1, 0, 1, symmetry, {});
     ActiveCells active;
     body.meet(state.tractions);
     const auto set = [&](const Zones& zones) {
-      body.set_zones(zones, false, {}, {}, active);
+      body.set_zones(zones, false, {}, active);
       CHECK(body.zones() == zones);
       body.transform(true);
       body.find_stress(active);
     };
     // The flow of three cells on top of the history.
-    body.set_zones(Zones({a}), false, {}, {}, active);
+    body.set_zones(Zones({a}), false, {}, active);
     const std::vector<Cell> cells{{13, 16, 0}, {15, 17, 3}, {19, 16, 4}};
     const plasticity::Tensor strain{1e-3, -2e-3, 1e-3, 3e-4, -2e-4, 1e-4};
     for (const Cell& cell : cells) {

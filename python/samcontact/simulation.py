@@ -71,7 +71,7 @@ class Simulation(Configured, Shown):
     zones : {"auto", "one"}, optional
         Whether plastic strain is solved for in many small boxes where that is less work, as on
         rough surfaces, or always in one. They differ by about 1e-3 of the residual stress;
-        docs/theory.md, "Zones". What is heated, periodic or mirrored is solved in one.
+        docs/theory.md, "Zones", has what is always solved in one.
     heat : Heat, optional
         Frictional heat; default none, `Heat(0.0)`.
     relief1, relief2 : Relief, optional

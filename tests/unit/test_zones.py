@@ -37,7 +37,9 @@ from samcontact.zone import strained_extent
 pytestmark = pytest.mark.filterwarnings(
     "ignore::samcontact.GridTooSmallWarning", "ignore::samcontact.PlasticStrainWarning"
 )
-HOT = STEEL.with_thermal(45.0, 12e-6, 12e-6)
+METAL = 45.0, 12e-6, 12e-6
+HOT = STEEL.with_thermal(*METAL).with_softening(sc.softening.JohnsonCook(melting=1800.0, m=1.0))
+HEAT = sc.Heat([0.0, 1.0])
 PATH = (2, 3, 0.5, 3.5)
 """Percent of the surface in contact; what is prescribed for the third unloads."""
 
@@ -67,8 +69,10 @@ def assert_close(state, expected, bodies, tol=1e-3):
         (RIGID, PERFECT, {}),
         (SOFT, STEEL, {}),
         (STEEL, STEEL, {}),
+        (ELASTIC, HOT, {"friction": 0.2, "heat": HEAT}),
+        (SOFT.with_thermal(*METAL), STEEL, {"heat": sc.Heat([1.0, 0.0], time=1e-6)}),
     ],
-    ids=["hardening", "friction", "kinematic", "perfect", "unlike bodies", "equal bodies"],
+    ids=["hardening", "friction", "kinematic", "perfect", "unlike", "equal", "softening", "heated"],
 )
 def test_zones_give_the_fields_of_one_box(body1, body2, options):
     sims = both(body1, body2, **options)
@@ -137,9 +141,9 @@ def test_a_grid_without_nz_changes_no_digit():
         ((RIGID, STEEL), {"residual_stress": "exact"}),
         ((RIGID, STEEL), {"grid": sc.Grid(CELLS, CELLS, SIZE, SIZE, 10, SIZE, "xy")}),
         ((RIGID, STEEL), {"gap": GAP + GAP[::-1]}),
-        ((ELASTIC, HOT), {"friction": 0.2, "heat": sc.Heat([0.0, 0.1])}),
+        ((ELASTIC, HOT), {"heat": sc.Heat([0.0, 0.1], velocity=[1.0, 0.0])}),
     ],
-    ids=["exact", "periodic", "mirrors", "heat"],
+    ids=["exact", "periodic", "mirrors", "moving heat"],
 )
 def test_what_cannot_be_split_stays_in_one_box(bodies, options):
     sims = both(*bodies, **options)

@@ -27,6 +27,23 @@ ParityParts cropped(const ParityParts& from, int from_nx, const Grid& grid) {
 
 }  // namespace
 
+std::vector<ParityParts> parts_of(std::array<ParityParts, 6> stress, Tensor tensor) {
+  if (tensor == Tensor::deviator) {
+    for (int part = 0; part < 4; ++part) {
+      Field &xx = stress[0][part], &yy = stress[1][part];
+      const Field& zz = stress[2][part];
+      for (std::size_t n = 0; n < xx.size(); ++n) {
+        const double mean = (xx[n] + yy[n] + (zz.empty() ? 0.0 : zz[n])) / 3;
+        xx[n] -= mean;
+        yy[n] -= mean;
+      }
+    }
+  }
+  std::vector<ParityParts> parts;
+  for (const int c : components(tensor)) parts.push_back(std::move(stress[c]));
+  return parts;
+}
+
 HeatStress::HeatStress(const Grid& widest, SharedMedium medium, const Heating& heating)
     : widest_(widest), medium_(std::move(medium)), heating_(heating) {
   const double parts = (heating.speed_x != 0 ? 2 : 1) * (heating.speed_y != 0 ? 2 : 1);

@@ -50,32 +50,14 @@ std::vector<TractionStress::Part> TractionStress::parts(Traction traction) const
   return parts;
 }
 
-TractionStress::HeatTables TractionStress::heat_tables(double z) const {
-  auto stress = heat_->at(z, grid_);
-  if (tensor_ == Tensor::deviator) {
-    for (int part = 0; part < 4; ++part) {
-      Field &xx = stress[0][part], &yy = stress[1][part];
-      const Field& zz = stress[2][part];
-      for (std::size_t n = 0; n < xx.size(); ++n) {
-        const double mean = (xx[n] + yy[n] + (zz.empty() ? 0.0 : zz[n])) / 3;
-        xx[n] -= mean;
-        yy[n] -= mean;
-      }
-    }
-  }
-  HeatTables tables;
-  for (const int c : components(tensor_)) tables.push_back(std::move(stress[c]));
-  return tables;
-}
-
 void TractionStress::prepare(Traction traction) const {
   const std::lock_guard lock(mutex_);
   const auto wanted = parts(traction);
   if (!spectra_[static_cast<int>(wanted[0])].empty()) return;
-  std::vector<HeatTables> heat;
+  std::vector<std::vector<ParityParts>> heat;
   if (heat_ && traction == Traction::pressure) {
     // Not in parallel: a table asks whether to stop, and may throw.
-    for (const double z : depths_) heat.push_back(heat_tables(z));
+    for (const double z : depths_) heat.push_back(parts_of(heat_->at(z, grid_), tensor_));
   }
   std::array<Field, part_count> built;
   for (const Part part : wanted) built[static_cast<int>(part)] = build(part, heat);
@@ -84,7 +66,7 @@ void TractionStress::prepare(Traction traction) const {
   }
 }
 
-Field TractionStress::build(Part part, const std::vector<HeatTables>& heat) const {
+Field TractionStress::build(Part part, const std::vector<std::vector<ParityParts>>& heat) const {
   const fft::ParitySpectrum parity_spectrum(transform_->mx(), transform_->my());
   const int nz = layers(), hx = parity_spectrum.hx(), hy = parity_spectrum.hy();
   const KernelOffsets offsets(grid_, transform_->mx(), transform_->my());

@@ -88,15 +88,15 @@ OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& h
   return out;
 }
 
-OutsideStrain outside_strain_in_zones(const Scene& scene, int body, const PlasticState& history,
-                                      const Zones& zones) {
-  const Zones all = acting_zones(history, zones, scene.grid, scene.reach);
+OutsideStrain outside_strain_in_zones(const std::shared_ptr<const operators::ZoneTables>& tables,
+                                      const PlasticState& history, const Zones& zones, int reach) {
+  const Zones all = acting_zones(history, zones, tables->grid(), reach);
   if (all == zones) return {};
-  operators::ZoneOperators operators(scene.zone_tables(body, history.tensor()), all.boxes());
+  operators::ZoneOperators operators(tables, all.boxes());
   const Field strain = strain_without(history, all, zones);
   operators.transform(strain);
   OutsideStrain out;
-  out.surface = Box::surface(scene.grid);
+  out.surface = Box::surface(tables->grid());
   out.displacement.resize(out.surface.surface_size());
   operators.displacement(out.displacement.data());
   const int components = operators::count(history.tensor());

@@ -60,13 +60,14 @@ std::array<double, 5> centre(const Field& backstress, std::size_t cells, std::si
 }  // namespace
 
 PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int copies,
-                         fft::Symmetry symmetry)
+                         fft::Symmetry symmetry, const operators::Heating& heating)
     : scene_(from.scene()),
       index_(index),
       number_(number),
       copies_(copies),
       method_(from.method),
       symmetry_(symmetry),
+      heating_(heating),
       choice_(scene_.grid, symmetry),
       history_(unfolded(from.plastic[index], scene_.grid, symmetry)),
       offset_(from.placement().offset[index]) {
@@ -92,7 +93,7 @@ bool PlasticBody::yields_everywhere(const YieldScan& scan) const {
 Columns PlasticBody::yielding_columns(const YieldScan& scan) const {
   const double limit = weakest_ * material().hardening.yield_stress(0.0);
   return scene_.grid.surface_size() > large_surface
-             ? scene_.zone_scan(index_)->columns(tractions(), sign(), limit)
+             ? scene_.zone_scan(index_, heating_)->columns(tractions(), sign(), limit)
              : scan.columns(tractions(), sign(), limit);
 }
 
@@ -100,8 +101,8 @@ std::vector<Box> PlasticBody::history_boxes() const {
   return history_ ? history_->zones().boxes() : std::vector<Box>{};
 }
 
-void PlasticBody::set_zones(const Zones& zones, bool split, const operators::Heating& heating,
-                            std::span<Source* const> sources, ActiveCells& active) {
+void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* const> sources,
+                            ActiveCells& active) {
   require_memory_of(zones, bytes_of(zones, split, scene_.grid, method_),
                     bytes_of(zones_, split_, scene_.grid, method_));
   const int parts = operators::count(tensor_);
@@ -127,11 +128,12 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const operators::Hea
   // The old one first: the two together may not fit.
   volume_.reset();
   split_ = split;
+  const auto tables = split ? scene_.zone_tables(index_, tensor_, heating_) : nullptr;
   if (split) {
-    volume_ = std::make_unique<SplitVolume>(scene_.zone_tables(index_, tensor_), zones_);
+    volume_ = std::make_unique<SplitVolume>(tables, zones_);
   } else if (!zones_.empty()) {
     volume_ =
-        std::make_unique<BoxVolume>(scene_, index_, zones_, tensor_, method_, symmetry_, heating);
+        std::make_unique<BoxVolume>(scene_, index_, zones_, tensor_, method_, symmetry_, heating_);
   }
   given_stress_.assign(zones_.count(), {});
   for (Source* source : sources) {
@@ -140,7 +142,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const operators::Hea
     }
   }
   if (!history_) return;
-  outside_ = split ? outside_strain_in_zones(scene_, index_, *history_, zones_)
+  outside_ = split ? outside_strain_in_zones(tables, *history_, zones_, scene_.reach)
                    : outside_strain(scene_, index_, *history_, zones_, method_);
   for (std::size_t zone = 0; zone < outside_.stress.size(); ++zone) {
     add_to(given_stress_[zone], std::move(outside_.stress[zone]));

@@ -71,7 +71,7 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
     if (!scene_.materials[b].is_plastic()) continue;
     const auto number = static_cast<std::uint8_t>(bodies_.size());
     const PlasticBody& body =
-        bodies_.emplace_back(from, b, number, one_for_both ? 2 : 1, symmetry_);
+        bodies_.emplace_back(from, b, number, one_for_both ? 2 : 1, symmetry_, target.heating[b]);
     if (body.tensor() == Tensor::full) active_.keep_trace();
   }
   for (PlasticBody& body : bodies_) {

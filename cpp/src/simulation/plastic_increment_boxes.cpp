@@ -19,7 +19,7 @@ constexpr double negligible_flow = 1e-4;
 void PlasticIncrement::set_zones(PlasticBody& body, const Zones& zones, bool split) {
   const Box whole = choice_.whole(zones.around());
   if (has_no_end(whole, scene_.grid)) throw flows_as_a_whole(body);
-  body.set_zones(zones, split, target_.heating[body.index()], sources_, active_);
+  body.set_zones(zones, split, sources_, active_);
   if (body.softening() && !body.softening()->box.contains(whole)) soften(body, whole);
 }
 

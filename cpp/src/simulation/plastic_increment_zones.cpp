@@ -40,7 +40,7 @@ bool PlasticIncrement::may_split(const PlasticBody& body) const {
   const int b = body.index();
   return !settings_.one_zone && symmetry_ == fft::Symmetry::none &&
          from_.method == operators::ResidualMethod::fast && !scene_.grid.period.is_on() &&
-         !target_.heating[b].is_on() && !heat_.has_past(b);
+         !target_.heating[b].is_moving() && !heat_.has_past(b);
 }
 
 bool PlasticIncrement::is_worth_splitting(const PlasticBody& body,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "samcontact/operators/half_space.hpp"
+#include "samcontact/operators/heated_medium.hpp"
 #include "samcontact/simulation/yield_scan.hpp"
 
 namespace samcontact::simulation {
@@ -204,30 +205,39 @@ Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tenso
   return kept_.front().operators;
 }
 
-std::shared_ptr<const operators::ZoneTables> Scene::zone_tables(int body,
-                                                                operators::Tensor tensor) const {
+std::shared_ptr<const operators::ZoneTables> Scene::zone_tables(
+    int body, operators::Tensor tensor, const operators::Heating& heating) const {
   require_volume(body);
   const std::lock_guard lock(mutex_);
-  for (const auto& [medium, tables] : zone_tables_) {
-    if (medium == media[body] && tables->tensor() == tensor) return tables;
+  const auto same = [&](const KeptZones& kept) {
+    return kept.medium == media[body] && kept.tables->tensor() == tensor;
+  };
+  for (const KeptZones& kept : zone_tables_) {
+    if (same(kept) && kept.heating == heating) return kept.tables;
   }
-  auto tables =
-      std::make_shared<const operators::ZoneTables>(grid, media[body], tensor, image_tol_);
-  return zone_tables_.emplace_back(media[body], std::move(tables)).second;
+  std::erase_if(zone_tables_, [&](const KeptZones& kept) {
+    return same(kept) && kept.heating.is_on() && heating.is_on();
+  });
+  auto tables = std::make_shared<const operators::ZoneTables>(
+      grid, operators::heated(media[body], heating), tensor, image_tol_);
+  return zone_tables_.emplace_back(media[body], heating, std::move(tables)).tables;
 }
 
-std::shared_ptr<const ZoneScan> Scene::zone_scan(int body) const {
-  const auto tables = zone_tables(body, operators::Tensor::deviator);
+std::shared_ptr<const ZoneScan> Scene::zone_scan(int body,
+                                                 const operators::Heating& heating) const {
+  const auto tables = zone_tables(body, operators::Tensor::deviator, heating);
   const std::lock_guard lock(mutex_);
-  auto& scan = zone_scans_[media[0] == media[body] ? 0 : body];
-  if (!scan) scan = std::make_shared<const ZoneScan>(tables);
-  return scan;
+  for (const auto& scan : zone_scans_) {
+    if (scan && scan->tables() == tables) return scan;
+  }
+  zone_scans_[body] = std::make_shared<const ZoneScan>(tables);
+  return zone_scans_[body];
 }
 
 std::size_t Scene::operator_bytes() const {
   const std::lock_guard lock(mutex_);
   std::size_t bytes = 0;
-  for (const auto& [medium, tables] : zone_tables_) bytes += tables->bytes();
+  for (const KeptZones& kept : zone_tables_) bytes += kept.tables->bytes();
   for (const auto& scan : zone_scans_) bytes += scan ? scan->bytes() : 0;
   for (const Kept& k : kept_) bytes += k.operators->bytes();
   for (const auto& kept : temperatures_) bytes += kept->bytes();

@@ -299,7 +299,7 @@ Field State::residual_displacement(int body) const {
   if (is_in_zones(body)) {
     const PlasticState& history = *plastic[body];
     const Zones all = acting_zones(history, Zones(flow_boxes[body]), grid, scene_->reach);
-    operators::ZoneOperators zones(scene_->zone_tables(body, history.tensor()), all.boxes());
+    operators::ZoneOperators zones(scene_->zone_tables(body, history.tensor(), {}), all.boxes());
     zones.transform(history.strain(all));
     zones.displacement(own.data());
   } else {

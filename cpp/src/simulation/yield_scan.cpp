@@ -187,7 +187,8 @@ std::size_t YieldScan::bytes() const {
 }
 
 ZoneScan::ZoneScan(const std::shared_ptr<const operators::ZoneTables>& tables)
-    : grid_(tables->grid()),
+    : tables_(tables),
+      grid_(tables->grid()),
       layers_(scanned_layers(grid_)),
       bound_(tables, depths(grid_, layers_)) {}
 

@@ -7,11 +7,15 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 #include "samcontact/base/grid.hpp"
 #include "samcontact/operators/medium.hpp"
 
 namespace samcontact::operators {
+
+/// The components of a tensor from all six.
+std::vector<ParityParts> parts_of(std::array<ParityParts, 6> stress, Tensor tensor);
 
 /// Thread-safe.
 class HeatStress {

@@ -40,11 +40,9 @@ class TractionStress {
   std::vector<Part> parts(Traction traction) const;
 
   /// Kernel tables of heat at one depth, by component of tensor_.
-  using HeatTables = std::vector<ParityParts>;
-  HeatTables heat_tables(double z) const;
   void prepare(Traction traction) const;
   /// heat: by depth, empty without.
-  Field build(Part part, const std::vector<HeatTables>& heat) const;
+  Field build(Part part, const std::vector<std::vector<ParityParts>>& heat) const;
   void add(Part part, const Field& traction, double scale, VolumeSpectrum& out) const;
 
   Grid grid_;

@@ -28,7 +28,7 @@ OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& h
                              const Zones& zones, operators::ResidualMethod method);
 
 /// The same by the operators of zones, which may reach beyond the grid. Without mirror planes.
-OutsideStrain outside_strain_in_zones(const Scene& scene, int body, const PlasticState& history,
-                                      const Zones& zones);
+OutsideStrain outside_strain_in_zones(const std::shared_ptr<const operators::ZoneTables>& tables,
+                                      const PlasticState& history, const Zones& zones, int reach);
 
 }  // namespace samcontact::simulation

@@ -24,8 +24,9 @@ class PlasticBody {
  public:
   /// from: with the bodies where the increment takes them. number: its own among the inelastic
   /// bodies. copies: 2 where the other body is its mirror image in the contact plane.
-  PlasticBody(const State& from, int index, std::uint8_t number, int copies,
-              fft::Symmetry symmetry);
+  /// heating: that goes with the pressure.
+  PlasticBody(const State& from, int index, std::uint8_t number, int copies, fft::Symmetry symmetry,
+              const operators::Heating& heating);
 
   int index() const { return index_; }  // of the body: 0 or 1
   int copies() const { return copies_; }
@@ -51,8 +52,8 @@ class PlasticBody {
   /// Other zones, which hold all unknowns: what is in both stays. split: whether their operators
   /// are to be those of zones, or that of the box around them, which must hold all tractions then.
   /// Throws MemoryError.
-  void set_zones(const Zones& zones, bool split, const operators::Heating& heating,
-                 std::span<Source* const> sources, ActiveCells& active);
+  void set_zones(const Zones& zones, bool split, std::span<Source* const> sources,
+                 ActiveCells& active);
   bool is_split() const { return split_; }
   /// Boxes that hold all of the history.
   std::vector<Box> history_boxes() const;
@@ -127,6 +128,7 @@ class PlasticBody {
   int copies_;
   operators::ResidualMethod method_;
   fft::Symmetry symmetry_;
+  operators::Heating heating_;
   BoxChoice choice_;
   std::shared_ptr<const PlasticState> history_;  // before the increment; null: none
   operators::Tensor tensor_ = operators::Tensor::deviator;

@@ -70,12 +70,13 @@ class Scene {
                    operators::ResidualMethod method, fft::Symmetry symmetry,
                    const operators::Heating& heating) const;
 
-  /// Tables of a body's zones, kept as long as the scene. Thread-safe.
-  std::shared_ptr<const operators::ZoneTables> zone_tables(int body,
-                                                           operators::Tensor tensor) const;
+  /// Tables of a body's zones with heat of a source at rest; the last ones with and without heat
+  /// are kept. Thread-safe.
+  std::shared_ptr<const operators::ZoneTables> zone_tables(int body, operators::Tensor tensor,
+                                                           const operators::Heating& heating) const;
 
-  /// Where a body yields under tractions; kept likewise. Thread-safe.
-  std::shared_ptr<const ZoneScan> zone_scan(int body) const;
+  /// Where a body yields under tractions; the last one of each body is kept. Thread-safe.
+  std::shared_ptr<const ZoneScan> zone_scan(int body, const operators::Heating& heating) const;
 
   /// Mirror planes that gap, friction and grid leave to all fields.
   fft::Symmetry symmetry(const Travel& travel) const;
@@ -98,9 +99,12 @@ class Scene {
   fft::Symmetry symmetry_;
   mutable std::mutex mutex_;
   mutable std::list<Kept> kept_;  // the latest used first
-  mutable std::vector<
-      std::pair<operators::SharedMedium, std::shared_ptr<const operators::ZoneTables>>>
-      zone_tables_;
+  struct KeptZones {
+    operators::SharedMedium medium;
+    operators::Heating heating;
+    std::shared_ptr<const operators::ZoneTables> tables;
+  };
+  mutable std::vector<KeptZones> zone_tables_;
   mutable std::array<std::shared_ptr<const ZoneScan>, 2> zone_scans_;
   mutable std::mutex heat_mutex_;
   mutable std::array<std::shared_ptr<const operators::HeatStress>, 2> heat_stress_;

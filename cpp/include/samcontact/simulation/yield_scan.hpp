@@ -72,9 +72,11 @@ class ZoneScan {
   /// Columns of the grid, down to below the deepest cell whose stress may exceed the limit.
   Columns columns(const operators::Tractions& tractions, double shear_sign, double limit) const;
 
+  const std::shared_ptr<const operators::ZoneTables>& tables() const { return tables_; }
   std::size_t bytes() const { return bound_.bytes(); }
 
  private:
+  std::shared_ptr<const operators::ZoneTables> tables_;
   Grid grid_;
   std::vector<int> layers_;  // that are looked at
   operators::StressBound bound_;
