@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact import wear
+from samcontact import plotting, wear
 from samcontact.wear import cycles
 from samcontact.wear.steps import shift_deviator
 
@@ -16,10 +16,10 @@ GAP = sc.surfaces.paraboloid(GRID, 4e-4)
 PATH = [{"load": 5.0}, {"load": 0.0}]
 
 
-def wearing(**changes):
+def wearing(grid=GRID, **changes):
     """A ball of 0.4 mm under a load at which the surface wears."""
     given = {"cycle": PATH, "threshold": 2e-3, "cycles": 3, "window": 7, "friction": 0.4}
-    return wear.run(GRID, ELASTIC, STEEL, GAP, progress=False, **(given | changes))
+    return wear.run(grid, ELASTIC, STEEL, GAP, progress=False, **(given | changes))
 
 
 @pytest.fixture(scope="module")
@@ -285,6 +285,16 @@ def test_bad_input_is_named_before_the_first_cycle(changes, message, monkeypatch
     monkeypatch.setattr(sc.Simulation, "step", None)
     with pytest.raises(ValueError, match=message):
         wearing(**changes)
+
+
+def test_a_grid_without_nz_wears_the_same(worn, tmp_path):
+    grid = sc.Grid(GRID.nx, GRID.ny, GRID.dx, GRID.dy, dz=GRID.dz)
+    given = {"grid": grid, "checkpoint": tmp_path / "wear"}
+    wearing(cycles=2, **given)
+    result = wearing(**given)
+    np.testing.assert_allclose(result.profile(), worn.profile(), atol=1e-9 * np.ptp(worn.profile()))
+    assert len(result.last[1].depths) < GRID.nz
+    assert plotting.wear.cycle_panels(result.last).axes[1].get_ylim()[0] < GRID.nz * GRID.dz * 1e6
 
 
 def test_grid_without_layers():

@@ -20,6 +20,7 @@ from ..results.reading import cell_size
 from .parts import (
     axes_or_new,
     counted,
+    depths_of,
     edges,
     finish,
     nearest,
@@ -224,14 +225,14 @@ def cycle_panels(
     Parameters
     ----------
     moments : pair of State
-        `WearResult.first` or `WearResult.last`: loaded, and unloaded. Of a grid with layers.
+        `WearResult.first` or `WearResult.last`: loaded, and unloaded. Of a grid with dz.
     body : {1, 2}
         Whose stress and strain.
     position : float, optional
         Value of y [m]; the nearest row of cells is shown. Default the middle, or the row of the
         largest pressure where that is much larger.
     width, depth : float, optional
-        What is shown [m]: x from -`width` to `width`, z down to `depth`; default the whole grid.
+        What is shown [m]: x from -`width` to `width`, z down to `depth`; default all of it.
 
     Returns
     -------
@@ -262,11 +263,11 @@ def cycle_panels(
         ),
     )
     assert grid.dz is not None
+    bottom = grid.dz * min(values.shape[-1] for _, values, _, _ in sections)
     for ax, values, quantity, label in sections:
-        across, down = edges(x, grid.dx), edges(grid.z, grid.dz)
+        across, down = edges(x, grid.dx), edges(depths_of(grid, values), grid.dz)
         show_section(ax, across, down, values, quantity, "x", label, titled=True, equal=False)
-        if depth is not None:
-            ax.set_ylim(depth * 1e6, 0)
+        ax.set_ylim((bottom if depth is None else depth) * 1e6, 0)
     if width is not None:
         for ax in (first, second, third, fourth):
             ax.set_xlim(-width * 1e6, width * 1e6)

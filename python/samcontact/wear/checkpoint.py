@@ -121,7 +121,8 @@ def _standing(tree: Tree, scene: Scene) -> Standing:
     for body in (1, 2):
         if f"strain{body}" in tree:
             part, back = tree[f"strain{body}"], None
-            equivalent = array(part, "equivalent", (None, *scene.grid.volume_shape[1:]))
+            ny, layers = scene.grid.ny, scene.grid.nz or None
+            equivalent = array(part, "equivalent", (None, ny, layers))
             strain = array(part, "strain", (6, *equivalent.shape))
             if "backstress" in part:
                 terms = len(scene.bodies[body - 1].kinematic)

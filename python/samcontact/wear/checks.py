@@ -63,8 +63,8 @@ def make_scene(
 ) -> Scene:
     """Check everything; the contact is solved once, elastically, for its size."""
     require_type("grid", grid, Grid)
-    if grid.nz == 0:
-        raise ValueError("grid must have layers (nz >= 1) for the plastic strain, got nz = 0")
+    if not grid.has_volume:
+        raise ValueError("grid must have layers (dz) for the plastic strain, got dz = None")
     for n, body in enumerate(bodies, 1):
         require_type(f"body{n}", body, Material)
     given = finite_array("gap", gap, grid.surface_shape)

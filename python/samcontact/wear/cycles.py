@@ -55,7 +55,7 @@ def run(
     Parameters
     ----------
     grid, body1, body2, gap, friction, relief1, relief2
-        As for `Simulation`; the grid needs layers.
+        As for `Simulation`; the grid needs dz.
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``[{"load": 2000.0}, {"load": 0.0}]``. The last is unloaded
         (load 0), and the advances of each body add up to 0.
@@ -208,16 +208,17 @@ def _strain_of(state: State, body: int) -> Strain | None:
     if state._core.strain_beyond(body - 1) is not None:
         raise ValueError(
             f"plastic strain of body {body} lies below nz dz or beside the grid, where wear does "
-            "not see it: enlarge nz, nx or ny"
+            "not see it: leave out nz, or enlarge nz, nx or ny"
         )
     track = state.track(body, margin=0)
-    equivalent = track.equivalent_plastic_strain()
-    strain = track.plastic_strain()
+    fields = [track.equivalent_plastic_strain(), track.plastic_strain(), track.backstress()]
+    if state.grid.nz == 0:  # nothing has flowed below
+        fields = [np.pad(field, [*[(0, 0)] * (field.ndim - 1), (0, 1)]) for field in fields]
+    equivalent, strain, back = fields
     rows = np.flatnonzero(strain.any(axis=(0, 2, 3)) | equivalent.any(axis=(1, 2)))
     if not rows.size:
         return None
     part = slice(int(rows[0]), int(rows[-1]) + 1)
-    back = track.backstress()
     return Strain(
         track.first + part.start,
         strain[:, part],
