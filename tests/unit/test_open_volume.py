@@ -95,6 +95,14 @@ class TestNothingIsCutOff:
         print_ = expected.residual_displacement()[11:30, 11:28]
         assert close(state.residual_displacement(), print_, 1e-6)
 
+    def test_flow_beside_a_side_is_that_beside_the_other(self):
+        grid = sc.Grid(19, 17, CELL, CELL, dz=CELL)
+        gap = ((grid.x[:, None] - 2 * CELL) ** 2 + (grid.y[None, :] - CELL) ** 2) / (2 * RADIUS)
+        soft = sc.Material.linear_hardening(210e9, 0.3, 0.4e9, 10e9)
+        sims = [sc.Simulation(grid, ELASTIC, soft, g) for g in (gap, gap[::-1, ::-1])]
+        one, other = (sim.step(load=350.0).residual_displacement() for sim in sims)
+        assert close(other[::-1, ::-1], one, 1e-4)
+
     def test_strain_that_lies_deeper_than_nz_can_be_set(self):
         deep = simulation().step(load=900.0)
         sim = simulation(3)

@@ -95,8 +95,8 @@ Box BoxChoice::in_grid_or(const Box& box, const Box& needed) const {
 Box BoxChoice::stored(Box box) const {
   const Box part = stored_part(grid_, symmetry_);
   const int i1 = box.i0 + box.nx, j1 = box.j0 + box.ny;
-  box.i0 = std::max(box.i0, part.i0);
-  box.j0 = std::max(box.j0, part.j0);
+  if (mirrors_x()) box.i0 = std::max(box.i0, part.i0);
+  if (mirrors_y()) box.j0 = std::max(box.j0, part.j0);
   box.nx = i1 - box.i0;
   box.ny = j1 - box.j0;
   return box;
