@@ -36,6 +36,13 @@ void bind_errors(py::module_& m) {
         "An iteration did not reach its tolerance: .iterations, .residual; the state before stays.";
     return py::object(type);
   });
+  PYBIND11_CONSTINIT static py::gil_safe_call_once_and_store<py::object> too_small_error;
+  too_small_error.call_once_and_store_result([&] {
+    const py::exception<GridTooSmallError> type(m, "GridTooSmallError", PyExc_ValueError);
+    type.attr("__doc__") = "The contact reaches the border of the grid, across .axes: x, y or xy.";
+    type.attr("axes") = "";
+    return py::object(type);
+  });
   // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature that pybind11 asks for.
   py::register_exception_translator([](std::exception_ptr p) {
     try {
@@ -49,10 +56,13 @@ void bind_errors(py::module_& m) {
       value.attr("iterations") = error.iterations();
       value.attr("residual") = error.residual();
       PyErr_SetObject(type.ptr(), value.ptr());
+    } catch (const GridTooSmallError& error) {
+      const py::object& type = too_small_error.get_stored();
+      py::object value = type(error.what());
+      value.attr("axes") = std::string(error.across_x() ? "x" : "") + (error.across_y() ? "y" : "");
+      PyErr_SetObject(type.ptr(), value.ptr());
     }
   });
-  py::register_exception<GridTooSmallError>(m, "GridTooSmallError", PyExc_ValueError)
-      .attr("__doc__") = "The contact reaches the border of the grid.";
 }
 
 }  // namespace

@@ -103,7 +103,12 @@ void bind_boxes(py::class_<State>& state) {
 }
 
 void bind_track(py::class_<State>& state) {
-  state.def_property_readonly("origin", [](const State& s) { return s.placement().origin; })
+  state
+      .def(
+          "widened",
+          [](const State& s, const State& like) { return s.widened(like.shared_scene()); },
+          py::arg("like"))
+      .def_property_readonly("origin", [](const State& s) { return s.placement().origin; })
       .def_property_readonly("offset", [](const State& s) { return s.placement().offset; })
       .def_property_readonly("first_cell", [](const State& s) { return s.placement().first; })
       .def(
@@ -330,6 +335,12 @@ void bind_simulation(py::module_& m) {
       .def_property_readonly("state", [](const Simulation& s) { return s.state(); })
       .def_property_readonly("counters", &counters)
       .def("restore", &restore, py::arg("content"), py::arg("counters"), py::arg("heating"))
+      .def(
+          "take_over",
+          [](Simulation& s, const Simulation& smaller) {
+            s.restore(smaller.state().widened(s.shared_scene()), smaller.counters());
+          },
+          py::arg("smaller"))
       .def(
           "stand_at", [](Simulation& s, const State& state) { s.restore(state, s.counters()); },
           py::arg("state"));

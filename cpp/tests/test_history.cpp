@@ -56,10 +56,10 @@ TEST_CASE("cells of zones are numbered one box after the other") {
 TEST_CASE("a history over several zones is that over one") {
   const Box box{5, -20, 40, 30, 6};
   const PlasticFields whole = numbered(Zones({box}));
-  const PlasticState once(nullptr, Symmetry::none, Tensor::deviator, whole, {}, 3);
+  const PlasticState once(nullptr, Symmetry::none, Tensor::deviator, whole, {}, {3, 2});
   // The same in pieces, one after the other.
   const Zones left({{5, -20, 13, 30, 6}}), right({{18, -20, 27, 11, 6}, {18, -9, 27, 19, 6}});
-  const PlasticState half(nullptr, Symmetry::none, Tensor::deviator, once.fields(left), {}, 3);
+  const PlasticState half(nullptr, Symmetry::none, Tensor::deviator, once.fields(left), {}, {3, 2});
   CHECK(half.equivalent(right) == Field(right.cells(), 0.0));
   CHECK_FALSE(half.reaches_beyond(left));
   CHECK(once.reaches_beyond(left));
@@ -70,14 +70,15 @@ TEST_CASE("a history over several zones is that over one") {
   // Its own zones hold it all, and are as good to make it of.
   const Zones own = once.zones();
   CHECK(own.cells() == box.volume_size());
-  CHECK(PlasticState(nullptr, Symmetry::none, Tensor::deviator, once.fields(own), {}, 7) == once);
+  CHECK(PlasticState(nullptr, Symmetry::none, Tensor::deviator, once.fields(own), {}, {7, -20}) ==
+        once);
   // What has moved keeps its tiles.
-  const auto moved = once.moved(5);
-  const Box there{10, -20, 40, 30, 6};
+  const auto moved = once.moved(5, -3);
+  const Box there{10, -23, 40, 30, 6};
   CHECK(moved->fields(Zones({there})).backstress == whole.backstress);
   CHECK(moved->zones().count() == own.count());
   CHECK_FALSE(*moved == once);
-  CHECK(*moved->moved(-5) == once);
+  CHECK(*moved->moved(-5, 3) == once);
 }
 
 TEST_CASE("what has lost its history costs nothing") {

@@ -12,7 +12,8 @@ class ConvergenceError(RuntimeError):
     iterations: int
     residual: float
 
-class GridTooSmallError(ValueError): ...
+class GridTooSmallError(ValueError):
+    axes: str
 
 class Grid:
     nx: int
@@ -117,6 +118,7 @@ class ContactSolver:
 class State:
     def __getattr__(self, name: str) -> Any: ...  # one of its content; None: there is none
     def content(self) -> dict[str, Any]: ...
+    def widened(self, like: State) -> State: ...
     converged: bool
     warnings: list[str]
     origin: float
@@ -200,6 +202,7 @@ class Simulation:
     def restore(
         self, content: dict[str, Any], counters: dict[str, int], heating: list[Heating]
     ) -> None: ...
+    def take_over(self, smaller: Simulation) -> None: ...
     def stand_at(self, state: State) -> None: ...
 
 class kernels:

@@ -97,8 +97,9 @@ std::string border_complaint(const Grid& grid, const Field& pressure, const std:
          " m), with a pressure of " + where + " of the largest: enlarge " + what_helps;
 }
 
-GridTooSmallError too_small(const std::string& complaint) {
-  return GridTooSmallError(complaint + ", or ask for a warning with on_border=\"warn\"");
+GridTooSmallError too_small(const Grid& grid, const Field& pressure, const std::string& complaint) {
+  const auto [at_x, at_y] = border_pressure(grid, pressure);
+  return {complaint + ", or ask for a warning with on_border=\"warn\"", at_x > 0, at_y > 0};
 }
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
@@ -168,7 +169,7 @@ Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field&
   require_solved(solution, drive, settings);
   solution.border_complaint = border_complaint(grid_, solution.tractions.pressure, describe(drive));
   if (!solution.border_complaint.empty() && settings.on_border == OnBorder::error) {
-    throw too_small(solution.border_complaint);
+    throw too_small(grid_, solution.tractions.pressure, solution.border_complaint);
   }
   solution.tractions = sliding_.tractions(std::move(solution.tractions.pressure));
   return solution;

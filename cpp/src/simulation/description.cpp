@@ -73,7 +73,9 @@ std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Sc
   require_that(is_one_of(symmetry), "mirrored must be 0, 1 or 2");
   require_that(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator,
                "tensor must be 0 or 1");
-  require_that(std::abs(static_cast<long>(origin)) < farthest, "origin is out of range");
+  for (const int cell : origin) {
+    require_that(std::abs(static_cast<long>(cell)) < farthest, "origin is out of range");
+  }
   const Box part = stored_part(scene.grid, symmetry);
   require_that(is_box(box, scene.grid) && !box.empty() && box.nz > 0 &&
                    !has_no_end({0, 0, 1, 1, box.nz}, scene.grid) &&

@@ -53,9 +53,9 @@ class FixedPoint {
     while (result_.grown && !any(mapped_)) evaluate();
     // Plastic flow only widens the contact: what is too large now will not fit later.
     if (settings_.on_border == contact::OnBorder::error && !target_.is_prescribed()) {
-      const auto complaint =
-          contact::border_complaint(grid_, result_.contact.tractions.pressure, describe(target_));
-      if (!complaint.empty()) throw contact::too_small(complaint);
+      const Field& pressure = result_.contact.tractions.pressure;
+      const auto complaint = contact::border_complaint(grid_, pressure, describe(target_));
+      if (!complaint.empty()) throw contact::too_small(grid_, pressure, complaint);
     }
     if (problem_.has_plastic_body()) ++counters_.yield_checks;
     if (!any(mapped_) && contact_tol_ > elastic_tol_) {

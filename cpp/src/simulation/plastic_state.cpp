@@ -41,7 +41,7 @@ void reflect(int cells, int& begin, int& count) {
 }  // namespace
 
 PlasticState::PlasticState(const PlasticState* before, fft::Symmetry symmetry, Tensor tensor,
-                           const PlasticFields& fields, const Box& around, int origin)
+                           const PlasticFields& fields, const Box& around, Origin origin)
     : box_(fields.zones.around().united(around)),
       symmetry_(symmetry),
       tensor_(tensor),
@@ -200,10 +200,10 @@ std::size_t PlasticState::bytes() const {
   return bytes;
 }
 
-std::shared_ptr<const PlasticState> PlasticState::moved(int cells) const {
+std::shared_ptr<const PlasticState> PlasticState::moved(int along_x, int along_y) const {
   auto out = std::make_shared<PlasticState>(*this);
-  out->box_.i0 += cells;
-  out->origin_ += cells;
+  out->box_ = box_.moved(along_x, along_y);
+  out->origin_ = {origin_[0] + along_x, origin_[1] + along_y};
   return out;
 }
 

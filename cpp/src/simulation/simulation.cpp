@@ -99,10 +99,12 @@ void Simulation::check(const Target& target) const {
 std::vector<std::string> Simulation::border_complaints(const State& reached,
                                                        const Target& target) const {
   if (target.is_prescribed()) return {};
-  std::string what =
-      contact::border_complaint(scene_->grid, reached.tractions.pressure, describe(target));
+  const Field& pressure = reached.tractions.pressure;
+  std::string what = contact::border_complaint(scene_->grid, pressure, describe(target));
   if (what.empty()) return {};
-  if (settings_.on_border == contact::OnBorder::error) throw contact::too_small(what);
+  if (settings_.on_border == contact::OnBorder::error) {
+    throw contact::too_small(scene_->grid, pressure, what);
+  }
   return {std::move(what)};
 }
 

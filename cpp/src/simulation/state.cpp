@@ -108,7 +108,7 @@ State State::moved(const Travel& to) const {
       continue;
     }
     const auto symmetry = common(plastic[b]->symmetry(), fft::Symmetry::y);
-    state.plastic[b] = unfolded(plastic[b], grid, symmetry)->moved(by);
+    state.plastic[b] = unfolded(plastic[b], grid, symmetry)->moved(by, 0);
   }
   return state;
 }

@@ -28,6 +28,7 @@ struct Box {
     return part;
   }
 
+  Box moved(int along_x, int along_y) const { return {i0 + along_x, j0 + along_y, nx, ny, nz}; }
   bool contains(const Box& other) const;
   /// What both contain; empty when nothing.
   Box intersected(const Box& other) const;

@@ -23,7 +23,14 @@ class ConvergenceError : public std::runtime_error {
 /// The contact needs more room than the grid has.
 class GridTooSmallError : public std::invalid_argument {
  public:
-  using std::invalid_argument::invalid_argument;
+  /// across_x, across_y: of which sides there is too little.
+  GridTooSmallError(const std::string& what, bool across_x, bool across_y)
+      : std::invalid_argument(what), across_x_(across_x), across_y_(across_y) {}
+  bool across_x() const { return across_x_; }
+  bool across_y() const { return across_y_; }
+
+ private:
+  bool across_x_, across_y_;
 };
 
 /// Shortest decimal text that reads back as the same double.

@@ -19,8 +19,8 @@ enum class OnBorder { error, warn };
 /// Names the border that the contact touches and the remedy; empty when it touches none. what: the
 /// drive in words.
 std::string border_complaint(const Grid& grid, const Field& pressure, const std::string& what);
-/// The error of a complaint, which also names the way to a warning.
-GridTooSmallError too_small(const std::string& complaint);
+/// The error of such a complaint, which also names the way to a warning.
+GridTooSmallError too_small(const Grid& grid, const Field& pressure, const std::string& complaint);
 
 struct ContactSettings {
   double tol = 1e-8;

@@ -18,7 +18,7 @@ namespace samcontact::simulation {
 struct PlasticRecord {
   fft::Symmetry symmetry{};
   operators::Tensor tensor{};
-  int origin = 0;
+  PlasticState::Origin origin{};
   Box box;
   std::vector<Box> zones;
   Field strain{}, equivalent{}, backstress{};

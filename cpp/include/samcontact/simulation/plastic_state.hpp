@@ -2,6 +2,7 @@
 // Plastic history of one body.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <vector>
@@ -26,15 +27,17 @@ struct PlasticFields {
 /// beyond the grid. With mirror planes it is the part from them on.
 class PlasticState {
  public:
+  using Origin = std::array<int, 2>;  // along x and y
+
   /// `fields` in their zones, and otherwise as `before`, of the same symmetry and tensor; null:
-  /// nothing. around: belongs to the box of the history, as the zones do. origin: where along x
-  /// tiles are counted from, if nothing was before.
+  /// nothing. around: belongs to the box of the history, as the zones do. origin: from
+  /// which cell tiles are counted, if nothing was before.
   PlasticState(const PlasticState* before, fft::Symmetry symmetry, operators::Tensor tensor,
-               const PlasticFields& fields, const Box& around = {}, int origin = 0);
+               const PlasticFields& fields, const Box& around = {}, Origin origin = {});
 
   /// Of all zones that were ever given.
   const Box& box() const { return box_; }
-  int origin() const { return origin_; }
+  Origin origin() const { return origin_; }
   /// Those that hold all cells with a history: one for each tile with some.
   Zones zones() const;
   fft::Symmetry symmetry() const { return symmetry_; }
@@ -59,8 +62,8 @@ class PlasticState {
   double max_strain() const;
   std::size_t bytes() const;
 
-  /// The same, `cells` further along x.
-  std::shared_ptr<const PlasticState> moved(int cells) const;
+  /// The same, some cells further along x and y.
+  std::shared_ptr<const PlasticState> moved(int along_x, int along_y) const;
   /// The same with fewer mirror planes.
   PlasticState unfolded(const Grid& grid, fft::Symmetry symmetry) const;
 
@@ -75,8 +78,8 @@ class PlasticState {
 
   int strain_parts() const { return operators::count(tensor_); }
   std::size_t parts() const { return strain_parts() + 1 + backstress_parts_; }
-  Box of_body(Box box) const { return box.i0 -= origin_, box; }
-  Box of_grid(Box box) const { return box.i0 += origin_, box; }
+  Box of_body(const Box& box) const { return box.moved(-origin_[0], -origin_[1]); }
+  Box of_grid(const Box& box) const { return box.moved(origin_[0], origin_[1]); }
   Field gather(std::size_t first, std::size_t count, const Zones& zones) const;
   /// fields: by part, of a box of the body.
   void put(const Box& box, const std::vector<const double*>& fields);
@@ -88,7 +91,7 @@ class PlasticState {
   fft::Symmetry symmetry_;
   operators::Tensor tensor_;
   std::size_t backstress_parts_ = 0;
-  int origin_;  // the grid's place of the first cell of the body's lattice
+  Origin origin_;  // the grid's place of the first cell of the body's lattice
   std::map<Tile, std::shared_ptr<const Part>> tiles_;
 };
 

@@ -75,6 +75,10 @@ class State {
   Placement placement() const { return scene_->placement(travel); }
   /// The same with the bodies moved on, nothing solved.
   State moved(const Travel& to) const;
+  /// The same moment in the window of a scene that differs in its larger grid only, by as many
+  /// cells on either side. Throws std::invalid_argument for another grid, and where there is past
+  /// heat or softening.
+  State widened(std::shared_ptr<const Scene> to) const;
 
   /// Past heat as the next step finds it: with that of this one.
   PastHeat heat_so_far() const;
