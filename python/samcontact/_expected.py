@@ -71,9 +71,14 @@ class Scene:
         # the neighbours of a contact that repeats itself press as well
         self.relieved = relieved or bool(grid.periodic)
 
-    @cached_property
+    @property
     def radii(self) -> tuple[float, float] | None:
         """Larger and smaller principal radius [m]; None unless the gap is a convex paraboloid."""
+        return None if self._paraboloid is None else self._paraboloid[:2]
+
+    @cached_property
+    def _paraboloid(self) -> tuple[float, float, float] | None:
+        """Its radii [m], and the cosine of the angle between the larger one's plane and x."""
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None
@@ -93,11 +98,22 @@ class Scene:
         if not np.max(np.abs(basis @ found - heights)) <= SMOOTH:
             return None
         curvature = np.array([[found[3] / a**2, 0.0], [found[4] / (a * b), found[5] / b**2]])
-        least, most = np.linalg.eigvalsh(curvature)
+        (least, most), planes = np.linalg.eigh(curvature)
         if not least > 1e-9 * most:  # a cylinder, a saddle, a hollow
             return None
         scale = highest - lowest
-        return 1.0 / (scale * float(least)), 1.0 / (scale * float(most))
+        return 1.0 / (scale * float(least)), 1.0 / (scale * float(most)), float(planes[0, 0])
+
+    def extent(
+        self, load: float | None = None, approach: float | None = None
+    ) -> tuple[float, float]:
+        """How far the Hertz contact reaches from its middle along x and y [m]; 0 without one."""
+        expected = self.hertz(load, approach)
+        if expected is None or self._paraboloid is None:
+            return 0.0, 0.0
+        (a, b), c = expected.semi_axes, self._paraboloid[2]
+        s = math.sqrt(max(0.0, 1.0 - c * c))
+        return math.hypot(a * c, b * s), math.hypot(a * s, b * c)
 
     def hertz(self, load: float | None = None, approach: float | None = None) -> Expected | None:
         """Hertz contact under a load [N] or an approach [m]; None where there is none."""
@@ -155,4 +171,5 @@ class Scene:
             expected = self.hertz(load, approach)
             if expected is None or str(expected) in str(error):
                 raise
-            raise GridTooSmallError(f"{error}. {expected}") from None
+            error.args = (f"{error}. {expected}",)
+            raise

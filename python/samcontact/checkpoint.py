@@ -4,22 +4,25 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, astuple, dataclass, fields, replace
-from typing import Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from ._checks import FloatArray
 from ._heating import heating
 from ._settings import Settings
+from ._window import Surfaces, Window, require_continued
 from .grid import Grid
 from .heat import Heat
 from .material import Material
 from .relief import Relief
-from .runs.file import DAMAGED, CheckpointError, damaged, read, write
+from .runs.file import DAMAGED, CheckpointError, ForeignCheckpointError, damaged, read, write
 from .runs.tree import Tree, array
 from .softening import JohnsonCook
 
-_SCENE = ("grid", "body1", "body2", "relief1", "relief2", *(item.name for item in fields(Settings)))
+if TYPE_CHECKING:
+    from .state import State
+
+_SCENE = ("body1", "body2", *(item.name for item in fields(Settings)))
 """Arguments of a simulation that are attributes of the same name and kind."""
 KIND = "simulation"
 
@@ -30,13 +33,22 @@ class Standing(Protocol):
     grid: Grid
     body1: Material
     body2: Material
-    initial_gap: FloatArray
     residual_stress: str
     _core: Any
     _heat: Heat
+    _first: Window
+    _window: Window
+    _surfaces: Surfaces
+    _told: Any
+
+    @property
+    def state(self) -> State: ...
 
     @property
     def counters(self) -> dict[str, int]: ...
+
+    @property
+    def _open(self) -> Callable[[Grid], None]: ...
 
 
 Made = TypeVar("Made", bound=Standing)
@@ -47,6 +59,7 @@ class Moment(Protocol):
 
     _core: Any
     _heat: Heat
+    _window: Window
 
 
 @dataclass(frozen=True)
@@ -60,23 +73,31 @@ class Snapshot:
     counters: dict[str, int]
 
 
-def arguments(simulation: Standing) -> dict[str, Any]:
-    """Of Simulation(...), with the heat of the next increment."""
-    given = {name: getattr(simulation, name) for name in _SCENE}
-    return given | {"gap": simulation.initial_gap, "heat": simulation._heat}
+def arguments(simulation: Standing, window: Window) -> dict[str, Any]:
+    """Of Simulation(...) over a window of it, with the heat of the next increment."""
+    given = {name: getattr(simulation, name) for name in _SCENE} | vars(window)
+    return given | {"gap": given.pop("initial_gap"), "heat": simulation._heat}
 
 
 def snapshot(simulation: Standing, state: Moment | None = None) -> Snapshot:
     """A simulation as it stands, or as it stood in an earlier state."""
-    given, core = arguments(simulation), simulation._core.state
-    if state is not None:
-        given["heat"], core = state._heat, state._core
-    return Snapshot(given, core.content(), simulation.counters)
+    moment = simulation.state if state is None else state
+    given = arguments(simulation, moment._window) | {"heat": moment._heat}
+    return Snapshot(given, moment._core.content(), simulation.counters)
 
 
 def resume(simulation: Standing, kept: Snapshot) -> None:
-    """Make a simulation of the same scene stand as a snapshot tells."""
+    """Make a simulation of the same scene stand as a snapshot tells, in its window."""
     heat, state = kept.arguments["heat"], kept.state
+    given, grid = kept.arguments, kept.arguments["grid"]
+    if simulation.grid != grid:
+        simulation._open(grid)
+    if not callable(given["gap"]):
+        before = Window(grid, given["gap"], given.get("relief1"), given.get("relief2"))
+        try:
+            require_continued(simulation._window, before)
+        except ValueError as error:
+            raise ForeignCheckpointError(f"the checkpoint is of other surfaces: {error}") from error
     then = replace(heat, factor=[state["heat_factor1"], state["heat_factor2"]])
     entries = heating(then, (simulation.body1, simulation.body2), simulation.grid)
     simulation._core.restore(state, kept.counters, entries)
@@ -96,16 +117,31 @@ def restored(cls: type[Made], kept: Snapshot) -> Made:
     return simulation
 
 
+def reduced(simulation: Standing) -> tuple[Any, ...]:
+    """What a pickle or copy of a simulation is made of; functions stay what they are."""
+    kept, surfaces = snapshot(simulation), vars(simulation._surfaces)
+    functions = {name: shape for name, shape in surfaces.items() if callable(shape)}
+    told = {name: getattr(simulation, name) for name in ("_told", "_first")}
+    kept = replace(kept, arguments=kept.arguments | functions)
+    return restored, (type(simulation), kept), told
+
+
 def restored_state(cls: type[Any], kept: Snapshot) -> Any:
     """The state of it."""
     return restored(cls, kept).state
 
 
-def loaded(cls: type[Made], path: str | os.PathLike[str], softening: Sequence[Any]) -> Made:
-    """The simulation of a file."""
+def loaded(
+    cls: type[Made], path: str | os.PathLike[str], softening: Sequence[Any], gap: Any = None
+) -> Made:
+    """The simulation of a file; gap: a function that is the one in it."""
     kept, _ = read_checkpoint(path, softening)
     try:
-        return restored(cls, kept)
+        simulation = cls(**kept.arguments | ({} if gap is None else {"gap": gap}))
+        resume(simulation, kept)
+        return simulation
+    except CheckpointError:
+        raise
     except DAMAGED as error:
         raise damaged(path, error) from error
 

@@ -18,19 +18,21 @@ def _cell_volume(track: Track) -> float:
 
 
 def _common(before: Track, after: Track, field: str) -> tuple[FloatArray, FloatArray]:
-    """A field of two tracks on the rows of both; beyond the shorter one nothing has yielded."""
-    first = min(before.first, after.first)
-    rows = max(track.first + track.grid.nx for track in (before, after)) - first
+    """A field of two tracks on the cells of both; beside either nothing has yielded."""
+    tracks, corner, size = (before, after), [], []
+    for axis in "xy":
+        places = np.concatenate([getattr(track, axis) for track in tracks])
+        step = getattr(after.grid, f"d{axis}")
+        corner.append(places.min())
+        size.append(round(np.ptp(places) / step) + 1)
     fields = []
-    for track in (before, after):
+    for track in tracks:
         values: FloatArray = getattr(track, field)()
-        axis = values.ndim - 3
-        shape = list(values.shape)
-        shape[axis] = rows
-        whole = np.zeros(shape)
-        start = track.first - first
-        cells = (*[slice(None)] * axis, slice(start, start + track.grid.nx))
-        whole[cells] = values
+        whole = np.zeros((*values.shape[:-3], *size, max(t.grid.nz for t in tracks)))
+        i = round((track.x[0] - corner[0]) / track.grid.dx)
+        j = round((track.y[0] - corner[1]) / track.grid.dy)
+        nx, ny, nz = track.grid.volume_shape
+        whole[..., i : i + nx, j : j + ny, :nz] = values
         fields.append(whole)
     return fields[0], fields[1]
 

@@ -53,6 +53,15 @@ class Relief(Brief):
         object.__setattr__(self, "first", integer("first", self.first))
         object.__setattr__(self, "periodic", bool(choice("periodic", self.periodic, (True, False))))
 
+    def rows(self, first: int, count: int) -> FloatArray:
+        """Heights over some rows of the grid [m], shape (count, ny)."""
+        places = np.arange(first, first + count) - self.first
+        given = len(self.heights)
+        if self.periodic:
+            places %= given
+        inside = (places >= 0) & (places < given)
+        return np.where(inside[:, None], self.heights[np.clip(places, 0, given - 1)], 0.0)
+
 
 def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool] | None:
     """The parts of a relief for the core."""

@@ -7,31 +7,30 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core, _expected, _memory, resolution
-from ._checks import FloatArray, choice, finite_array, require_fast, step_list
+from . import _core, resolution
+from ._checks import FloatArray, choice, require_fast, step_list
 from ._core import ConvergenceError
-from ._frozen import read_only
 from ._heating import COLD, core_law, heating
 from ._overlap import require_apart
 from ._repr import Shown, simulation_rows
 from ._running import run_into
-from ._settings import Configured, Settings
-from ._steps import STEP, checked_step, largest_cold_load, plastic_fields
+from ._settings import Settings
+from ._steps import STEP, largest_cold_load, plastic_fields
 from ._told import Told
 from ._turn import Turn
-from .checkpoint import loaded, restored, snapshot, stand_at, write_checkpoint
+from ._window import Surfaces, Window, Windowed
+from .checkpoint import loaded, reduced, snapshot, stand_at, write_checkpoint
 from .contact import require_type
 from .grid import Grid
 from .heat import Heat
 from .material import Material
 from .relief import Relief, relief_rows
-from .state import State
+from .state import State, in_one_window
 
 
-class Simulation(Configured, Shown):
+class Simulation(Windowed, Shown):
     """Elastic-plastic contact of two bodies, increment after increment.
 
     Each increment solves, implicitly, contact and plastic flow together: the plastic strain
@@ -44,8 +43,10 @@ class Simulation(Configured, Shown):
         Needs layers (dz) when a body is inelastic.
     body1, body2 : Material
         Upper and lower body; any of them inelastic, at most one rigid.
-    gap : array_like, shape (nx, ny)
-        Initial separation of the undeformed bodies [m].
+    gap : array_like, shape (nx, ny), or callable
+        Initial separation of the undeformed bodies [m]; or a function of a grid that returns it,
+        e.g. ``lambda grid: surfaces.paraboloid(grid, R)``. Then the grid becomes larger by itself
+        where it does not hold the contact, see Notes.
     friction : float, optional
         Coefficient of friction mu >= 0 (gross sliding along +x on body 2).
     tol : float, optional
@@ -57,7 +58,8 @@ class Simulation(Configured, Shown):
         maxima. Each part is solved as a whole and in halves, which are extrapolated to second
         order. By default increments are taken as given, with errors of first order.
     on_border : {"error", "warn"}, optional
-        What to do when the contact reaches the border of the grid.
+        What to do when the contact reaches the border of a grid that cannot grow; with "warn" it
+        does not.
     max_iterations : int, optional
         Of the plastic fixed point, before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
@@ -74,8 +76,9 @@ class Simulation(Configured, Shown):
         docs/theory.md, "Zones", has what is always solved in one.
     heat : Heat, optional
         Frictional heat; default none, `Heat(0.0)`.
-    relief1, relief2 : Relief, optional
-        Roughness or dents of the surface of body 1 and 2, which move with it.
+    relief1, relief2 : Relief or callable, optional
+        Roughness or dents of the surface of body 1 and 2, which move with it; or a function of a
+        grid that returns them.
     reach : float, optional
         How far beyond the grid, along x, the plastic strain of a moving body still acts [m], >= 0;
         default: the length of the grid. See docs/theory.md for the error of what is left out.
@@ -88,6 +91,15 @@ class Simulation(Configured, Shown):
     MemoryError
         The surface needs more memory than is available, told before any is taken; as does `step`
         for the plastic zone, and `State` for a volume field.
+
+    Notes
+    -----
+    A grid grows on both sides, by whole cells of the same size: to 1.25 times the Hertz contact of
+    a paraboloid, at the start of a run that of its largest load, else by half along each direction
+    whose border is touched. `grid` and the arrays of its shape are then those of the larger one; a
+    state keeps its own, and `run` returns all in the last one. It ends at 64 times the cells, with
+    a GridTooSmallError, which tells whether gap or reliefs are not known there. Grids that are
+    periodic, heat with a history, and bodies that soften keep their grid.
     """
 
     increment_tol: float | None
@@ -101,7 +113,7 @@ class Simulation(Configured, Shown):
         grid: Grid,
         body1: Material,
         body2: Material,
-        gap: ArrayLike,
+        gap: ArrayLike | Callable[[Grid], ArrayLike],
         friction: float = Settings.friction,
         *,
         tol: float = Settings.tol,
@@ -112,49 +124,49 @@ class Simulation(Configured, Shown):
         image_tol: float = Settings.image_tol,
         zones: str = Settings.zones,
         heat: Heat | None = None,
-        relief1: Relief | None = None,
-        relief2: Relief | None = None,
+        relief1: Relief | Callable[[Grid], Relief] | None = None,
+        relief2: Relief | Callable[[Grid], Relief] | None = None,
         reach: float | None = Settings.reach,
     ) -> None:
         require_type("grid", grid, Grid)
         require_type("body1", body1, Material)
         require_type("body2", body2, Material)
-        self.grid, self.body1, self.body2 = grid, body1, body2
-        scanned = grid.has_volume and (body1.is_plastic or body2.is_plastic)
-        cell = _memory.SIMULATION + (_memory.YIELD_SCAN if scanned else 0.0)
-        _memory.require_for_grid("a simulation", grid, _memory.surface(grid, cell))
-        checked = np.array(finite_array("gap", gap, grid.surface_shape), order="C")
-        self.initial_gap = read_only(checked)
-        settings = Settings(
-            friction=friction,
-            tol=tol,
-            increment_tol=increment_tol,
-            on_border=on_border,
-            max_iterations=max_iterations,
-            residual_stress=residual_stress,
-            image_tol=image_tol,
-            zones=zones,
-            reach=grid.nx * grid.dx if reach is None else reach,
+        self.body1, self.body2 = body1, body2
+        self._configure(
+            Settings(
+                friction=friction,
+                tol=tol,
+                increment_tol=increment_tol,
+                on_border=on_border,
+                max_iterations=max_iterations,
+                residual_stress=residual_stress,
+                image_tol=image_tol,
+                zones=zones,
+                reach=grid.nx * grid.dx if reach is None else reach,
+            )
         )
-        self._configure(settings)
         require_fast("residual_stress", self.residual_stress, grid.periodic)
         self._heat = COLD if heat is None else heat
         require_type("heat", self._heat, Heat)
         heating(self._heat, (body1, body2), grid)  # checks it against the bodies
-        self.relief1, self.relief2 = relief1, relief2
-        relieved = relief1 is not None or relief2 is not None
-        self._scene = _expected.Scene(grid, self.initial_gap, (body1, body2), relieved)
         self._told, self._turn = Told(), Turn()
-        self._core = _core.Simulation(
+        self._surfaces = Surfaces(gap, relief1, relief2)
+        self._open(grid)
+        self._first = self._window
+
+    def _made(self, window: Window) -> Any:
+        grid, bodies = window.grid, (self.body1, self.body2)
+        reliefs = [relief_rows(f"relief{n}", r, grid) for n, r in enumerate(window.reliefs, 1)]
+        return _core.Simulation(
             grid=grid._core,
-            body1=body1._core,
-            body2=body2._core,
-            gap=self.initial_gap,
+            body1=self.body1._core,
+            body2=self.body2._core,
+            gap=window.initial_gap,
             friction=self.friction,
-            settings=settings.to_core(grid.dx),
+            settings=self._settings.to_core(grid.dx),
             march=self._heat.history or (0.0, 0.0),
-            softening=[core_law(body) for body in (body1, body2)],
-            reliefs=[relief_rows(f"relief{n}", r, grid) for n, r in ((1, relief1), (2, relief2))],
+            softening=[core_law(body) for body in bodies],
+            reliefs=reliefs,
         )
 
     @property
@@ -227,40 +239,23 @@ class Simulation(Configured, Shown):
             Once in a simulation, when the contact is fewer than 4 cells across, the area of spots
             uncertain by 20 %, or a plastic zone fewer than 4 layers high; `run`: 8 and 10 %.
         """
-        bodies = (self.body1, self.body2)
-        step = checked_step(
-            self.grid,
-            bodies,
-            self._heat,
-            load=load,
-            approach=approach,
-            pressure=pressure,
-            shear=shear,
-            advance=advance,
-            heat_factor=heat_factor,
-            duration=duration,
-        )
-        if not any(step.heat.factor):
-            self._require_room(**step.target)
-        before = self.state
-        with self._turn, self._scene.beside(**step.target):
-            core = self._core.step(**step.to_core())
+        given: dict[str, Any] = {"load": load, "approach": approach, "pressure": pressure}
+        given |= {"shear": shear, "advance": advance, "heat_factor": heat_factor}
+        with self._turn:
+            step, before, core = self._solved(given | {"duration": duration})
         state = State(core, self, step.heat)
         if step.target:
+            bodies = (self.body1, self.body2)
             try:
                 require_apart(state, self.grid.cell_area, bodies, self.friction, self.tol)
             except ConvergenceError:
                 stand_at(self, before)
                 raise
         self._heat = step.heat
+        if step.target and self._hold_strain():
+            state = self.state
         self._told.warn(state, self._scene, core.warnings, stacklevel=2)
         return state
-
-    def _require_room(self, load: float | None = None, approach: float | None = None) -> None:
-        """Refuse what Hertz says will not fit, where nothing else shapes the gap."""
-        strained = any(self.state.max_plastic_strain(body) for body in (1, 2))
-        if self.on_border == "error" and not strained:
-            self._scene.require_room(load, approach)
 
     def run(
         self,
@@ -306,7 +301,7 @@ class Simulation(Configured, Shown):
         except BaseException as error:  # Ctrl-C too
             error.states = states  # type: ignore[attr-defined]
             raise
-        return states
+        return in_one_window(states)
 
     def _run_into(
         self,
@@ -317,7 +312,7 @@ class Simulation(Configured, Shown):
     ) -> None:
         """Append the state of each increment as soon as it is done."""
         if not any(self._heat.factor) and (load := largest_cold_load(steps)) is not None:
-            self._require_room(load)
+            self._make_room(load)
         with self._told.as_a_whole():
             run_into(states, self, steps, progress, checkpoint)
         resolution.warn_of_run(states, self._scene, stacklevel=3)
@@ -379,7 +374,7 @@ class Simulation(Configured, Shown):
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return restored, (type(self), snapshot(self)), {"_told": self._told}
+        return reduced(self)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a checkpoint (HDF5), replacing an old one only when the new one is complete."""
@@ -390,11 +385,14 @@ class Simulation(Configured, Shown):
         cls,
         path: str | os.PathLike[str],
         softening: Sequence[Callable[[FloatArray], ArrayLike] | None] = (None, None),
+        gap: Callable[[Grid], ArrayLike] | None = None,
     ) -> Simulation:
         """Read a checkpoint; going on from it gives bit-identical results on the same machine.
 
-        softening: the laws of body 1 and 2, where they are not of `samcontact.softening`.
+        softening: the laws of body 1 and 2, where they are not of `samcontact.softening`. gap: the
+        function of a grid that it was, without which the grid stays as it is.
 
-        Raises CheckpointError (a ValueError) for a file that is no checkpoint or is damaged.
+        Raises CheckpointError (a ValueError) for a file that is no checkpoint or is damaged, and
+        where gap is another surface.
         """
-        return loaded(cls, path, softening)
+        return loaded(cls, path, softening, gap)

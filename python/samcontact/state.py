@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -15,6 +15,7 @@ from ._frozen import Fixed
 from ._kept import kept
 from ._repr import Rows, Shown, quantity
 from ._tensors import von_mises
+from ._window import Window
 from .checkpoint import Standing, restored_state, snapshot
 from .heat import Heat
 from .track import Track
@@ -24,6 +25,14 @@ _VOLUME = (
     "stress", "residual_stress", "plastic_strain", "equivalent_plastic_strain", "backstress",
     "temperature",
 )  # fmt: skip
+
+
+def in_one_window(states: Sequence[State]) -> list[State]:
+    """The same moments of a simulation, over the largest of their grids."""
+    if not states:
+        return []
+    largest = max(states, key=lambda state: state.grid.nx * state.grid.ny)
+    return [s if s.grid == largest.grid else s._seen_over(largest) for s in states]
 
 
 class State(Fixed, Shown):
@@ -37,9 +46,15 @@ class State(Fixed, Shown):
     """
 
     def __init__(
-        self, core: Any, simulation: Standing, heat: Heat, layers: int | None = None
+        self,
+        core: Any,
+        simulation: Standing,
+        heat: Heat,
+        layers: int | None = None,
+        window: Window | None = None,
     ) -> None:
-        self.grid = simulation.grid
+        self._window = simulation._window if window is None else window
+        self.grid = self._window.grid
         self._given_layers = layers
         self._tracks: dict[tuple[int, int], Track] = {}
         self._core = core
@@ -66,7 +81,12 @@ class State(Fixed, Shown):
         """The same moment, whose volume fields have another number of layers."""
         if layers == self._layers:
             return self
-        return State(self._core, self._simulation, self._heat, layers)
+        return State(self._core, self._simulation, self._heat, layers, self._window)
+
+    def _seen_over(self, window: State) -> State:
+        """The same moment over the grid of another state, which is larger."""
+        core = self._core.widened(window._core)
+        return State(core, self._simulation, self._heat, self._given_layers, window._window)
 
     @property
     def pressure(self) -> FloatArray:

@@ -160,7 +160,11 @@ CALLS = [
         },
     ),
     ("Simulation.save", SIMULATION.save, {"path": FOLDER / "other.h5"}),
-    ("Simulation.load", sc.Simulation.load, {"path": CHECKPOINT, "softening": (None, None)}),
+    (
+        "Simulation.load",
+        sc.Simulation.load,
+        {"path": CHECKPOINT, "softening": (None, None), "gap": lambda grid: GAP},
+    ),
     ("State.track", STATE.track, {"body": 2, "margin": 1}),
     ("State.plastic_cells", STATE.plastic_cells, {}),
     *((f"State.{name}", getattr(STATE, name), {"body": 2}) for name in BODY_FIELDS),

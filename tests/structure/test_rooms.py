@@ -59,6 +59,7 @@ CORE_USERS = {
     "_laws",
     "_overlap",
     "_settings",
+    "_window",
     "_load_core",
     "contact",
     "grid",

@@ -64,7 +64,7 @@ def test_bad_case_is_exit_code_2(case_file, tmp_path):
 
 def test_load_beyond_the_grid_is_exit_code_2(case_file, tmp_path):
     text = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3')
-    case_file.write_text(text.replace("load = 600.0", "load = 5000.0"))
+    case_file.write_text(text.replace("load = 600.0", "load = 5e14"))
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--quiet")
     check_failure(outcome, 2, "border")
 

@@ -159,7 +159,7 @@ def test_rough_contacts_of_small_spots_are_told():
 
 def test_a_sweep_warns_once_and_keeps_what_its_errors_say(tmp_path):
     case = parse_case(ELASTIC)
-    sizes = [20e-6, 60e-6, 60e-3, 61e-3]
+    sizes = [1e-9, 60e-6, 60e-3, 61e-3]
     values = {"grid.dx": sizes}
     (text,) = told(lambda: sc.sweep(case, values, output=tmp_path, progress=False))
     assert "of 4 cases there are 2 with a contact of fewer than 8 cells across" in text

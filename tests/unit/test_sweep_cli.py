@@ -61,7 +61,7 @@ def test_the_command_end_to_end(case_file, tmp_path):
 
 def test_the_command_tells_what_failed(case_file, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    outcome = invoke("sweep", case_file, "--set", "path[0].load=300,9e4", "--quiet")
+    outcome = invoke("sweep", case_file, "--set", "path[0].load=300,9e13", "--quiet")
     assert outcome.exit_code == 1
     assert outcome.stdout == "results/scene/sweep/sweep.nc\n"
     assert outcome.stderr.startswith("1 of 2 cases failed\n  GridTooSmallError: at load ")

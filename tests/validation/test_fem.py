@@ -53,10 +53,13 @@ class Run:
         upper, lower, R, load = CONTACT[name]
         hertz = sc.hertz.point(R=R, E_star=sc.hertz.effective_modulus(upper, lower), load=load)
         grid = self._grid(hertz.a, cells, 1.25, 1.6)
-        simulation = sc.Simulation(grid, upper, lower, sc.surfaces.paraboloid(grid, R), **settings)
-        path = sc.paths.ramp(load=load, increments=increments)
-        self.loaded = simulation.run(path, progress=False)[-1]
+        simulation = sc.Simulation(grid, upper, lower, self._gap(grid, R), **settings)
+        for step in sc.paths.ramp(load=load, increments=increments):
+            self.loaded = simulation.step(**step)
         self.unloaded = simulation.step(load=0.0)
+
+    def _gap(self, grid, R):
+        return sc.surfaces.paraboloid(grid, R)
 
     def _prescribed(self, name, cells, increments, settings):
         lower, p0, width, depth = PRESCRIBED[name]
@@ -199,6 +202,26 @@ class Open(Run):
     def _grid(self, radius, cells, width, depth):
         grid = super()._grid(radius, cells, width, depth)
         return sc.Grid(grid.nx, grid.ny, grid.dx, grid.dy, dz=grid.dz)
+
+
+class Growing(Open):
+    """In a window that is too small at first."""
+
+    def _grid(self, radius, cells, width, depth):
+        return super()._grid(radius, cells, 0.3, depth)
+
+    def _gap(self, grid, R):
+        self.first = grid
+        return lambda grid: sc.surfaces.paraboloid(grid, R)
+
+
+@pytest.mark.parametrize("name", CONTACT)
+def test_window_need_not_be_known(name):
+    wide, small = (kind(name, cells=8, increments=6) for kind in (Open, Growing))
+    assert small.first.nx < 6 < wide.grid.nx <= small.grid.nx
+    expected = wide.scalars()
+    for quantity, (value, _) in small.scalars().items():
+        assert value == pytest.approx(expected[quantity][0], rel=1e-4), quantity
 
 
 @pytest.mark.filterwarnings("ignore:.*plastic strain:samcontact.GridTooSmallWarning")

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import sys
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from pydantic import Field, ValidationError, model_validator
@@ -28,6 +29,7 @@ else:
     import tomli as tomllib
 
 if TYPE_CHECKING:
+    from ..grid import Grid
     from ..simulation import Simulation
 
 
@@ -137,6 +139,12 @@ class Case(CaseFile):
             return _hertz.point(radii[0], E_star, load=load)
         return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
 
+    def _on(self, grid: Grid, section: Any) -> Any:
+        """A surface or relief: a function of a grid where it is known on any; checked on one."""
+        build = partial(section.build, folder=self._source.parent)
+        built = build(grid)
+        return build if section.is_known else built
+
     def build(self) -> tuple[Simulation, paths.Path]:
         """Make the simulation and its loading path.
 
@@ -165,20 +173,19 @@ class Case(CaseFile):
             section = "body2"
             body2 = self.body2.build()
             section = "surface"
-            gap = self.surface.build(grid, self._source.parent)
-            reliefs = {}
+            lies_between = {"gap": self._on(grid, self.surface)}
             for section in ("relief1", "relief2"):
                 given = getattr(self, section)
                 if given is not None:
-                    reliefs[section] = given.build(grid, self._source.parent)
-                    relief_rows(section, reliefs[section], grid)
+                    relief = lies_between[section] = self._on(grid, given)
+                    relief_rows(section, relief(grid) if callable(relief) else relief, grid)
             section = "heat"
             heat = None if self.heat is None else self.heat.build()
             if heat is not None:
                 heating(heat, (body1, body2), grid)
             section = "contact"
             settings = self.contact.model_dump()
-            simulation = Simulation(grid, body1, body2, gap, heat=heat, **settings, **reliefs)
+            simulation = Simulation(grid, body1, body2, heat=heat, **settings, **lies_between)
         except (ValueError, ImportError) as error:
             raise CaseError(f"{self._source}: [{section}] {error}") from error
         return simulation, self.steps()

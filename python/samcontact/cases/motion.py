@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
@@ -162,6 +162,7 @@ class Segment(Section):
 class FileRelief(HeightsFile):
     """Heights out of the body from a file: any number of rows along x, ny values each."""
 
+    is_known: ClassVar[bool] = False  # on any grid
     kind: Literal["file"]
     x: Position = 0.0
     periodic: bool = False
@@ -178,6 +179,7 @@ class FileRelief(HeightsFile):
 class DentRelief(Section):
     """See `dents.spherical`."""
 
+    is_known: ClassVar[bool] = True  # on any grid
     kind: Literal["dent"]
     depth: Position
     radius: Length
@@ -191,6 +193,7 @@ class DentRelief(Section):
 class FurrowRelief(Section):
     """See `dents.furrow`."""
 
+    is_known: ClassVar[bool] = True  # on any grid
     kind: Literal["furrow"]
     depth: Position
     half_width: Length
@@ -204,6 +207,7 @@ class FurrowRelief(Section):
 class RoughRelief(Section):
     """Random roughness, repeated along x over the length of the grid."""
 
+    is_known: ClassVar[bool] = False  # on any grid
     kind: Literal["self_affine"]
     rms_height: Annotated[NonNegative, in_unit("m")]
     hurst: Annotated[float, Field(ge=0.0, le=1.0)]

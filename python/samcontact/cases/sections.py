@@ -34,7 +34,10 @@ if TYPE_CHECKING:
 
 
 class GridSection(Section):
-    """[grid]: cells of the surface and, for stresses and plasticity, layers of the volume."""
+    """[grid]: cells of the surface and, for stresses and plasticity, layers of the volume.
+
+    The surface grows by itself where gap and reliefs are known everywhere.
+    """
 
     nx: Count
     ny: Count
@@ -91,6 +94,11 @@ class _Surface(Section):
     def radii(self) -> tuple[float, float] | None:
         """Radii of the Hertz contact this surface approximates; None without one."""
         return None
+
+    @property
+    def is_known(self) -> bool:
+        """Whether on any grid, not where it was measured or made only."""
+        return self.roughness is None or self.roughness.kind == "sinusoidal"
 
     def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
         raise NotImplementedError
@@ -151,6 +159,10 @@ class FileSurface(_Surface, HeightsFile):
         if self.Ry is not None and self.Rx is None:
             raise ValueError("Ry needs Rx (use Rx = inf for a surface straight along x)")
         return self
+
+    @property
+    def is_known(self) -> bool:
+        return False
 
     def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
         if self.is_plain(folder) and self.x is None:

@@ -16,6 +16,7 @@ from .. import hertz, results
 from .._peak import peak_of_dataset
 from ..results.against_hertz import hertz_rows
 from ..runs.journal import describe
+from ..state import in_one_window
 from .errors import StoppedEarlyError, tell_partial
 from .folder import publish
 from .interrupted import checkpoints_of
@@ -57,7 +58,7 @@ def solve_contact(
                     if not states:
                         raise
                     error = stop
-            run = _Run(case, directory, console, simulation, states)
+            run = _Run(case, directory, console, simulation, in_one_window(states))
             if error is not None:
                 raise StoppedEarlyError(run.partial(error, len(path), figures)) from error
             return run.write(figures=figures, animate=animate)
@@ -84,6 +85,8 @@ class _Run:
         written = [publish(dataset, self.directory / "results.nc")]
         body = case.output.body
         console.print(_summary(dataset, body))
+        if told := self.simulation._growth():
+            console.print(f"{told}: [grid] gives only the first", markup=False, highlight=False)
         peak = peak_of_dataset(dataset)
         load = float(dataset["load"].values[peak])
         reference = case.hertz(load) if load > 0.0 else None

@@ -15,6 +15,7 @@ from matplotlib.lines import Line2D
 
 from .._checks import FloatArray, choice, positive
 from .._quantities import CONTACT
+from ..state import in_one_window
 from .parts import (
     edges,
     finish,
@@ -67,6 +68,7 @@ def rolling_animation(
     choice("body", body, (1, 2))
     choice("quantity", quantity, _QUANTITIES)
     positive("interval", interval)
+    states = in_one_window(states)
     grid = states[0].grid
     require_volume(grid)
     assert grid.dz is not None

@@ -14,11 +14,13 @@ from .._checks import choice, integer
 from .._peak import peak_of_dataset
 from .._quantities import CONTACT
 from .._tensors import COMPONENTS
+from ..state import in_one_window
 from .convergence import add_convergence
 from .motion import add, add_motion
 from .zones import add_gathered, is_gathered, max_von_mises
 
 if TYPE_CHECKING:
+    from .._window import Window
     from ..cases import Case
     from ..material import Material
     from ..simulation import Simulation
@@ -71,7 +73,7 @@ def to_dataset(
     simulation : Simulation
         Gives the grid, the bodies and their materials.
     states : sequence of State
-        One per increment.
+        One per increment; where the grid has grown, all are seen over the largest.
     case : Case, optional
         Its title, text and [output] settings are used.
     body : {1, 2}, optional
@@ -110,9 +112,12 @@ def to_dataset(
     if isinstance(volume, str):
         choice("volume", volume, VOLUME_CHOICES)
 
-    dataset = xr.Dataset(coords=_coordinates(simulation))
+    states = in_one_window(states)
+    window = states[0]._window
+    dataset = xr.Dataset(coords=_coordinates(window))
     _add_scalars(dataset, states)
     _add_surface(dataset, simulation, states)
+    add(dataset, "initial_gap", ("x", "y"), np.asarray(window.initial_gap))
     heated = _add_temperatures(dataset, simulation, states)
     if simulation.grid.has_volume:
         bodies = _stored_bodies(simulation, body)
@@ -134,8 +139,8 @@ def completeness(stopped_by: str) -> dict[str, int | str]:
     return {"complete": 0, "stopped_by": stopped_by} if stopped_by else {"complete": 1}
 
 
-def _coordinates(simulation: Simulation) -> dict[str, xr.Variable]:
-    return {n: CONTACT[n].variable(n, np.asarray(getattr(simulation.grid, n))) for n in "xy"}
+def _coordinates(window: Window) -> dict[str, xr.Variable]:
+    return {n: CONTACT[n].variable(n, np.asarray(getattr(window.grid, n))) for n in "xy"}
 
 
 def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
@@ -162,7 +167,6 @@ def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
         prints = np.stack([s.residual_displacement(body=body) for s in states])
         add(dataset, "residual_displacement", _SURFACE, prints, body)
         add(dataset, "print_depth", "increment", prints.max(axis=(1, 2)), body)
-    add(dataset, "initial_gap", ("x", "y"), np.asarray(simulation.initial_gap))
 
 
 def _add_temperatures(

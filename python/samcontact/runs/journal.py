@@ -20,7 +20,7 @@ from ..checkpoint import (
     snapshot,
     write_checkpoint,
 )
-from .file import DAMAGED, DamagedCheckpointError, damaged, read, require_same
+from .file import DAMAGED, CheckpointError, DamagedCheckpointError, damaged, read, require_same
 from .identity import Identity, identity
 from .lock import locked
 
@@ -37,7 +37,7 @@ class Resumed(Standing, Protocol):
 
 def describe(simulation: Standing, **what: Any) -> Identity:
     """A run that is about to begin, of its scene and what is done with it, e.g. its path."""
-    return identity(**arguments(simulation), **what)
+    return identity(**arguments(simulation, simulation._first), **what)
 
 
 @contextmanager
@@ -107,6 +107,8 @@ class Journal:
         require_same(self.folder, self.who, tree)
         try:
             resume(self.simulation, kept)
+        except CheckpointError:
+            raise
         except DAMAGED as error:
             raise damaged(file, error) from error
 

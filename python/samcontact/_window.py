@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The window of a simulation: what lies between the bodies over its grid, and over a larger one."""
+
+from __future__ import annotations
+
+import logging
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _expected, _memory
+from ._checks import FloatArray, finite_array
+from ._core import GridTooSmallError
+from ._frozen import read_only
+from ._settings import Configured, Settings
+from ._steps import Step, checked_step
+from .grid import Grid
+from .heat import Heat
+from .material import Material
+from .relief import Relief, relief_rows
+
+_logger = logging.getLogger("samcontact")
+
+MOST, LARGE = 64, 1 << 22
+"""Times the cells of its first window that a window may have; and cells, where Hertz says so."""
+ROOM = 1.25
+"""Sides of a window over those of the Hertz contact: yielding bodies touch over more."""
+_WIDER, _LEAST = 1.5, 1.25  # a side that the contact touches, and one that needs to be longer
+_SAME = 1e-9  # of the heights
+
+
+@dataclass(frozen=True, eq=False)
+class Window:
+    """A grid, and what lies between two bodies over it."""
+
+    grid: Grid
+    initial_gap: FloatArray
+    relief1: Relief | None
+    relief2: Relief | None
+
+    @property
+    def reliefs(self) -> tuple[Relief | None, Relief | None]:
+        return self.relief1, self.relief2
+
+    @property
+    def cells(self) -> int:
+        return self.grid.nx * self.grid.ny
+
+
+@dataclass(frozen=True, eq=False)
+class Surfaces:
+    """What lies between two bodies: fields of one grid, or functions of any."""
+
+    gap: ArrayLike | Callable[[Grid], ArrayLike]
+    relief1: Relief | Callable[[Grid], Relief] | None
+    relief2: Relief | Callable[[Grid], Relief] | None
+
+    @property
+    def are_known(self) -> bool:
+        """Whether on any grid."""
+        reliefs = (self.relief1, self.relief2)
+        return callable(self.gap) and all(r is None or callable(r) for r in reliefs)
+
+    def over(self, grid: Grid) -> Window:
+        """Checked."""
+        gap = self.gap(grid) if callable(self.gap) else self.gap
+        reliefs = [r(grid) if callable(r) else r for r in (self.relief1, self.relief2)]
+        for number, relief in enumerate(reliefs, 1):
+            relief_rows(f"relief{number}", relief, grid)
+        checked = np.array(finite_array("gap", gap, grid.surface_shape), order="C")
+        return Window(grid, read_only(checked), *reliefs)
+
+
+def require_continued(larger: Window, window: Window) -> None:
+    """Raise ValueError unless a larger window shows the same surfaces in its middle."""
+    i = (larger.grid.nx - window.grid.nx) // 2
+    j = (larger.grid.ny - window.grid.ny) // 2
+    columns = slice(j, j + window.grid.ny)
+    shown = [("gap", larger.initial_gap[i : i + window.grid.nx, columns], window.initial_gap)]
+    for number, (now, before) in enumerate(zip(larger.reliefs, window.reliefs, strict=True), 1):
+        if now is not None and before is not None:
+            first, rows = before.first, len(before.heights)
+            heights = now.rows(first + i, rows)[:, columns]
+            shown.append((f"relief{number}", heights, before.heights))
+    for name, field, known in shown:
+        if not np.allclose(field, known, rtol=0.0, atol=_SAME * float(np.ptp(known))):
+            raise ValueError(
+                f"{name} is another surface on a larger grid, which differs by up to "
+                f"{np.abs(field - known).max():.3g} m where both know it"
+            )
+
+
+class Windowed(Configured):
+    """Has the fields of a window as attributes; it becomes larger where surfaces are known there.
+
+    With on_border="warn" the window stays.
+    """
+
+    grid: Grid
+    initial_gap: FloatArray
+    relief1: Relief | None
+    relief2: Relief | None
+    body1: Material
+    body2: Material
+    _settings: Settings
+    _core: Any
+    _heat: Heat
+    _surfaces: Surfaces
+    _first: Window
+    _window: Window
+    _scene: _expected.Scene
+    state: Any
+
+    def _made(self, window: Window) -> Any:
+        """The core of a simulation over a window."""
+        raise NotImplementedError
+
+    def _open(self, grid: Grid) -> None:
+        """Stand at the start, over another grid."""
+        bodies = self.body1, self.body2
+        scanned = grid.has_volume and any(body.is_plastic for body in bodies)
+        cell = _memory.SIMULATION + (_memory.YIELD_SCAN if scanned else 0.0)
+        _memory.require_for_grid("a simulation", grid, _memory.surface(grid, cell))
+        window = self._surfaces.over(grid)
+        if hasattr(self, "_window"):
+            larger, smaller = sorted((window, self._window), key=lambda w: w.cells, reverse=True)
+            require_continued(larger, smaller)
+        core = self._made(window)
+        relieved = any(relief is not None for relief in window.reliefs)
+        scene = _expected.Scene(grid, window.initial_gap, bodies, relieved)
+        vars(self).update(vars(window), _window=window, _scene=scene, _core=core)
+
+    @property
+    def _stays(self) -> str:
+        """Why the window does not become larger; nothing where it does."""
+        if self.on_border != "error" or self.grid.periodic:
+            return "it stays"
+        if self._heat.history is not None or self.body1.softening or self.body2.softening:
+            return "the grid stays, with heat of a history or bodies that soften"
+        if not self._surfaces.are_known:
+            return "the grid grows by itself where the gap is a function of it"
+        return ""
+
+    def _solved(self, given: Mapping[str, Any]) -> tuple[Step, Any, Any]:
+        """An increment, the state before and the core's after it, in a window that holds it."""
+        while True:
+            step = checked_step(self.grid, (self.body1, self.body2), self._heat, **given)
+            if not any(step.heat.factor):
+                self._make_room(**step.target)
+            before = self.state
+            try:
+                with self._scene.beside(**step.target):
+                    return step, before, self._core.step(**step.to_core())
+            except GridTooSmallError as error:
+                self._widen(error, **step.target)
+
+    def _make_room(self, load: float | None = None, approach: float | None = None) -> None:
+        """For what Hertz says will come, where nothing else shapes the gap; refuse what does not
+        fit into a window that stays."""
+        strained = any(self._core.state.max_plastic_strain(body) for body in (0, 1))
+        if self.on_border != "error" or strained:
+            return
+        try:
+            self._scene.require_room(load, approach)
+        except GridTooSmallError as error:
+            self._widen(error, load, approach)
+
+    def _widen(
+        self, error: GridTooSmallError, load: float | None = None, approach: float | None = None
+    ) -> None:
+        """Go on in a larger window; raise the error where there is none."""
+        if why := self._stays:
+            if why != "it stays":
+                error.args = (f"{error}; {why}",)
+            raise error
+        shape, first = self.grid.surface_shape, self._first.cells
+        sizes = zip(self._scene.extent(load, approach), (self.grid.dx, self.grid.dy), strict=True)
+        needed = [math.ceil(2 * ROOM * half / d) for half, d in sizes]
+        fits = all(n >= cells for n, cells in zip(shape, needed, strict=True))
+        counts = [
+            _even_more(n, max(cells, _WIDER * n if fits and axis in (error.axes or "xy") else n))
+            for axis, n, cells in zip("xy", shape, needed, strict=True)
+        ]
+        most = MOST * max(first, needed[0] * needed[1]) if fits else max(MOST * first, LARGE)
+        try:
+            if counts[0] * counts[1] > most:
+                raise ValueError(f"{counts[0]} x {counts[1]} cells are more than {most}")
+            self._go_on_over(counts)
+        except (ValueError, MemoryError) as reason:
+            error.args = (
+                f"{error}; the grid of {shape[0]} x {shape[1]} cells grows no further: {reason}",
+            )
+            raise error from reason
+
+    def _hold_strain(self) -> bool:
+        """Make room for all that has flowed where it is, so that fields show it; whether so."""
+        needed = list(self.grid.surface_shape)
+        for body in (0, 1):
+            box = self._core.state.strain_beyond(body)
+            if box is None:
+                continue
+            for axis, (n, first, cells) in enumerate(
+                zip(self.grid.surface_shape, box[:2], box[2:4], strict=True)
+            ):
+                beside = max(-first, first + cells - n, 0)
+                needed[axis] = max(needed[axis], n + 2 * beside)
+        counts = [_even_more(n, m) for n, m in zip(self.grid.surface_shape, needed, strict=True)]
+        if self._stays or tuple(counts) == self.grid.surface_shape:
+            return False
+        try:
+            self._go_on_over(counts)
+        except (ValueError, MemoryError):  # the increment is done; a warning tells of it
+            return False
+        return True
+
+    def _go_on_over(self, counts: Sequence[int]) -> None:
+        """In a larger window, from the same moment."""
+        smaller = self._core
+        self._open(replace(self.grid, nx=counts[0], ny=counts[1]))
+        self._core.take_over(smaller)
+        _logger.info("%s", self._growth())
+
+    def _growth(self) -> str:
+        """What has become of the first window, in words; nothing where it is as it was."""
+        (a, b), (c, d) = self._first.grid.surface_shape, self.grid.surface_shape
+        return f"the window has grown from {a} x {b} to {c} x {d} cells" if (a, b) != (c, d) else ""
+
+
+def _even_more(n: int, wanted: float) -> int:
+    """At least as many cells as wanted, an even number more and a quarter at least, if any."""
+    if wanted <= n:
+        return n
+    return n + 2 * math.ceil((max(wanted, _LEAST * n) - n) / 2)
