@@ -16,7 +16,7 @@ bool State::is_in_zones(int body) const {
 }
 
 bool State::shows_zones(int body) const {
-  return is_in_zones(body) && travel == Travel{} && !heating[body].is_on() && !past[body] &&
+  return is_in_zones(body) && travel == Travel{} && !heating[body].is_moving() && !past[body] &&
          !plastic[body]->reaches_beyond(Zones(flow_boxes[body]));
 }
 
@@ -35,7 +35,8 @@ Field State::stress_in_zones(int body, bool with_tractions) const {
   if (!shows_zones(body)) {
     return cut(with_tractions ? stress(body) : residual_stress(body), below({}), boxes.front());
   }
-  const auto tables = scene_->zone_tables(body, operators::Tensor::full);
+  const operators::Heating heat = with_tractions ? heating[body] : operators::Heating{};
+  const auto tables = scene_->zone_tables(body, operators::Tensor::full, heat);
   const Zones zones(boxes);
   operators::ZoneOperators operators(tables, boxes);
   const Field strain = six_components(plastic[body]->strain(zones), plastic[body]->tensor());
