@@ -13,7 +13,7 @@ from command import invoke
 from samcontact import _core, _kept, _memory
 from samcontact.cases import load_case
 
-STRESSES = ("stress", "residual_stress", "track_residual_stress")
+STRESSES = ("stress", "residual_stress", "residual_stress_in")
 
 
 @pytest.fixture
@@ -60,7 +60,7 @@ def test_a_run_with_figures_and_report_computes_each_stress_once(tmp_path, compu
 
 def test_of_a_contact_that_moves_too(tmp_path, computed, undrawn):
     run(MOVING, tmp_path)
-    assert sum(key[0] == "track_residual_stress" for key in computed) == 1
+    assert sum(key[0] == "residual_stress_in" for key in computed) == 1
     assert set(computed.values()) == {1}
 
 
