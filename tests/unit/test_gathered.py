@@ -9,7 +9,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkCellCenters
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
-from rough_scenes import PERCENT, SOFT, STEEL, simulation
+import samcontact as sc
+from rough_scenes import PERCENT, RIGID, SOFT, STEEL, simulation
 from samcontact import plotting, report, results
 from samcontact.commands.folder import is_own
 
@@ -52,6 +53,23 @@ def test_fields_are_those_of_the_states(solved, body):
         assert largest == pytest.approx(state.von_mises(body).max(), rel=2e-3)
     pressure = dataset["pressure"]
     assert results.on_grid(pressure, dataset) is pressure
+
+
+def test_temperature_is_of_all_cells_and_in_vtk_files_of_theirs(tmp_path):
+    hot = STEEL.with_thermal(45.0, 12e-6, 12e-6)
+    run = simulation(RIGID, hot, friction=0.1, heat=sc.Heat(factor=(0.0, 0.01)))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        state = run.step(load=3 * PERCENT)
+    assert len(state.zones()) > 1
+    dataset = results.to_dataset(run, [state])
+    volume, _ = results.to_vtk(dataset, tmp_path / "results.vtr")
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(volume))
+    reader.Update()
+    read = vtk_to_numpy(reader.GetOutput().GetCellData().GetArray("temperature"))
+    expected = state.temperature()[state.equivalent_plastic_strain() > 0]
+    np.testing.assert_array_equal(read, expected)
 
 
 @pytest.mark.parametrize("body", [1, 2])

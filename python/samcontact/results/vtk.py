@@ -7,9 +7,10 @@ Written by VTK itself (extra ``vtk``), which alone names the components of tenso
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 
 from .._atomic import replacing
@@ -17,9 +18,6 @@ from .._checks import FloatArray, choice, integer
 from .motion import track_of
 from .reading import cell_size, parts_of_a_run
 from .zones import cells_of
-
-if TYPE_CHECKING:
-    import xarray as xr
 
 # The order in which VTK keeps symmetric tensors, which is not that of this package.
 VTK_COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
@@ -95,6 +93,10 @@ def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> P
         grid = _rectilinear(edges)
     else:
         target, grid = target.with_suffix(".vtu"), _voxels(edges, cells, body)
+        rows = {axis: xr.DataArray(at, dims="cell") for axis, at in zip("xyz", cells, strict=True)}
+        fields = fields.assign(
+            {name: field.isel(rows) for name, field in fields.items() if "x" in field.dims}
+        )
     _write(target, grid, fields, body, number)
     return target
 
