@@ -21,7 +21,7 @@ from ._steps import Step, checked_step
 from .grid import Grid
 from .heat import Heat
 from .material import Material
-from .relief import Relief, relief_rows
+from .relief import Relief, heights_over, relief_rows
 
 _logger = logging.getLogger("samcontact")
 
@@ -84,7 +84,7 @@ def require_continued(larger: Window, window: Window) -> None:
     for number, (now, before) in enumerate(zip(larger.reliefs, window.reliefs, strict=True), 1):
         if now is not None and before is not None:
             first, rows = before.first, len(before.heights)
-            heights = now.rows(first + i, rows)[:, columns]
+            heights = heights_over(now, first + i, rows)[:, columns]
             shown.append((f"relief{number}", heights, before.heights))
     for name, field, known in shown:
         if not np.allclose(field, known, rtol=0.0, atol=_SAME * float(np.ptp(known))):

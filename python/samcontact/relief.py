@@ -53,15 +53,6 @@ class Relief(Brief):
         object.__setattr__(self, "first", integer("first", self.first))
         object.__setattr__(self, "periodic", bool(choice("periodic", self.periodic, (True, False))))
 
-    def rows(self, first: int, count: int) -> FloatArray:
-        """Heights over some rows of the grid [m], shape (count, ny)."""
-        places = np.arange(first, first + count) - self.first
-        given = len(self.heights)
-        if self.periodic:
-            places %= given
-        inside = (places >= 0) & (places < given)
-        return np.where(inside[:, None], self.heights[np.clip(places, 0, given - 1)], 0.0)
-
 
 def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool] | None:
     """The parts of a relief for the core."""
@@ -74,6 +65,16 @@ def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int,
             f"{name} must have heights of shape (rows, {grid.ny}), got {relief.heights.shape}"
         )
     return relief.heights, int(relief.first), bool(relief.periodic)
+
+
+def heights_over(relief: Relief, first: int, count: int) -> FloatArray:
+    """Heights over some rows of the grid [m], shape (count, ny)."""
+    rows = len(relief.heights)
+    places = np.arange(first, first + count) - relief.first
+    if relief.periodic:
+        places %= rows
+    inside = (places >= 0) & (places < rows)
+    return np.where(inside[:, None], relief.heights[np.clip(places, 0, rows - 1)], 0.0)
 
 
 def rows_within(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray, int]:
