@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import logging
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -31,6 +32,8 @@ ROOM = 1.25
 """Sides of a window over those of the Hertz contact: yielding bodies touch over more."""
 _WIDER, _LEAST = 1.5, 1.25  # a side that the contact touches, and one that needs to be longer
 _SAME = 1e-9  # of the heights
+GROWS = "the grid grows by itself where the gap is a function of it"
+"""What helps where it does not."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,8 +59,8 @@ class Surfaces:
     """What lies between two bodies: fields of one grid, or functions of any."""
 
     gap: ArrayLike | Callable[[Grid], ArrayLike]
-    relief1: Relief | Callable[[Grid], Relief] | None
-    relief2: Relief | Callable[[Grid], Relief] | None
+    relief1: Relief | Callable[[Grid], Relief] | None = None
+    relief2: Relief | Callable[[Grid], Relief] | None = None
 
     @property
     def are_known(self) -> bool:
@@ -92,6 +95,40 @@ def require_continued(larger: Window, window: Window) -> None:
                 f"{name} is another surface on a larger grid, which differs by up to "
                 f"{np.abs(field - known).max():.3g} m where both know it"
             )
+
+
+def counts_for(
+    error: GridTooSmallError,
+    first: Grid,
+    scene: _expected.Scene,
+    load: float | None = None,
+    approach: float | None = None,
+) -> list[int]:
+    """Cells along x and y of a window larger than that of an error; ValueError for too many."""
+    shape, sizes = scene.grid.surface_shape, (scene.grid.dx, scene.grid.dy)
+    halves = zip(scene.extent(load, approach), sizes, strict=True)
+    needed = [math.ceil(2 * ROOM * half / d) for half, d in halves]
+    fits = all(n >= cells for n, cells in zip(shape, needed, strict=True))
+    counts = [
+        _even_more(n, max(cells, _WIDER * n if fits and axis in (error.axes or "xy") else n))
+        for axis, n, cells in zip("xy", shape, needed, strict=True)
+    ]
+    most = MOST * first.nx * first.ny
+    most = max(most, MOST * needed[0] * needed[1] if fits else LARGE)
+    if counts[0] * counts[1] > most:
+        raise ValueError(f"{counts[0]} x {counts[1]} cells are more than {most}")
+    return counts
+
+
+@contextmanager
+def told_in(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
+    """Why a grid cannot become larger, as a part of the error that asked for it."""
+    try:
+        yield
+    except (ValueError, MemoryError) as reason:
+        cells = f"{grid.nx} x {grid.ny} cells"
+        error.args = (f"{error}; the grid of {cells} grows no further: {reason}",)
+        raise error from reason
 
 
 class Windowed(Configured):
@@ -142,7 +179,7 @@ class Windowed(Configured):
         if self._heat.history is not None or self.body1.softening or self.body2.softening:
             return "the grid stays, with heat of a history or bodies that soften"
         if not self._surfaces.are_known:
-            return "the grid grows by itself where the gap is a function of it"
+            return GROWS
         return ""
 
     def _solved(self, given: Mapping[str, Any]) -> tuple[Step, Any, Any]:
@@ -177,24 +214,8 @@ class Windowed(Configured):
             if why != "it stays":
                 error.args = (f"{error}; {why}",)
             raise error
-        shape, first = self.grid.surface_shape, self._first.cells
-        sizes = zip(self._scene.extent(load, approach), (self.grid.dx, self.grid.dy), strict=True)
-        needed = [math.ceil(2 * ROOM * half / d) for half, d in sizes]
-        fits = all(n >= cells for n, cells in zip(shape, needed, strict=True))
-        counts = [
-            _even_more(n, max(cells, _WIDER * n if fits and axis in (error.axes or "xy") else n))
-            for axis, n, cells in zip("xy", shape, needed, strict=True)
-        ]
-        most = MOST * max(first, needed[0] * needed[1]) if fits else max(MOST * first, LARGE)
-        try:
-            if counts[0] * counts[1] > most:
-                raise ValueError(f"{counts[0]} x {counts[1]} cells are more than {most}")
-            self._go_on_over(counts)
-        except (ValueError, MemoryError) as reason:
-            error.args = (
-                f"{error}; the grid of {shape[0]} x {shape[1]} cells grows no further: {reason}",
-            )
-            raise error from reason
+        with told_in(error, self.grid):
+            self._go_on_over(counts_for(error, self._first.grid, self._scene, load, approach))
 
     def _hold_strain(self) -> bool:
         """Make room for all that has flowed where it is, so that fields show it; whether so."""

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import warnings
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
 from ._repr import Brief, Rows, Shown, quantity
 from ._settings import Configured, ContactSettings
+from ._window import GROWS, Surfaces, Window, counts_for, require_continued, told_in
 from .grid import Grid
 from .heat import Heat
 from .material import Material
@@ -38,6 +40,8 @@ class ContactSolution(Brief, Shown):
 
     Attributes
     ----------
+    grid : Grid
+        Of the fields: that of the solver, or a larger one.
     pressure : ndarray, shape (nx, ny)
         Contact pressure [Pa], >= 0.
     gap : ndarray, shape (nx, ny)
@@ -60,6 +64,7 @@ class ContactSolution(Brief, Shown):
         Whether error <= tol (a solve that is not raises ConvergenceError).
     """
 
+    grid: Grid
     pressure: FloatArray
     gap: FloatArray
     approach: float
@@ -101,7 +106,7 @@ class ContactSolver(Configured):
     tol : float, optional
         Stop when the complementarity error (see ContactSolution.error) is below, in [1e-13, 1).
     on_border : {"error", "warn"}, optional
-        What a contact does that touches the border of the grid.
+        What a contact does that touches the border of a grid that cannot grow.
     max_iterations : int, optional
     heat : Heat, optional
         Frictional heat, without a `history`; default none, `Heat(0.0)`.
@@ -160,7 +165,7 @@ class ContactSolver(Configured):
 
     def solve(
         self,
-        gap: ArrayLike,
+        gap: ArrayLike | Callable[[Grid], ArrayLike],
         *,
         load: float | None = None,
         approach: float | None = None,
@@ -170,8 +175,10 @@ class ContactSolver(Configured):
 
         Parameters
         ----------
-        gap : array_like, shape (nx, ny)
-            Initial separation of the undeformed bodies [m].
+        gap : array_like, shape (nx, ny), or callable
+            Initial separation of the undeformed bodies [m]; or a function of a grid that returns
+            it. Then the solution is that on a larger grid where that of the solver does not hold
+            the contact, as in a `Simulation`; the solver keeps its own.
         load : float
             Total load [N], >= 0; or
         approach : float
@@ -202,28 +209,53 @@ class ContactSolver(Configured):
         value = number(driver, load if approach is None else approach)
         if driver == "approach":
             require_reference(self.heat)
-        shape = self.grid.surface_shape
         start = None
         if initial_pressure is not None:
-            checked = finite_array("initial_pressure", initial_pressure, shape)
+            start = finite_array("initial_pressure", initial_pressure, self.grid.surface_shape)
             # numbers that mean nothing beside any load would divide by zero
-            start = np.where(checked > 1e-75, checked, 0.0)
-        checked_gap = np.ascontiguousarray(finite_array("gap", gap, shape))
-        bodies = (self.body1, self.body2)
-        scene = _expected.Scene(self.grid, checked_gap, bodies)
-        given = checked_gap, driver == "load", value
-        with scene.beside(load=load, approach=approach):
+            start = np.where(start > 1e-75, start, 0.0)
+        surfaces, solver = Surfaces(gap), self
+        window = surfaces.over(self.grid)
+        while True:
+            scene = _expected.Scene(window.grid, window.initial_gap, (self.body1, self.body2))
             try:
-                solution, complaint = self._solved(*given, start)
-            except _core.ConvergenceError:
-                if start is None:
+                with scene.beside(load=load, approach=approach):
+                    solution, complaint = solver._solved_from(start, window, driver, value)
+                break
+            except _core.GridTooSmallError as error:
+                if not callable(gap) and not self.grid.periodic:
+                    error.args = (f"{error}; {GROWS}",)
+                if not callable(gap) or self.grid.periodic:
                     raise
-                solution, complaint = self._solved(*given, None)  # a wild start led it astray
+                with told_in(error, window.grid):
+                    counts = counts_for(error, self.grid, scene, load, approach)
+                    solver, before = self._over(counts), window
+                    window = surfaces.over(solver.grid)
+                    require_continued(window, before)
+                start = None
         if complaint:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=2)
         resolution.warn_of_contact(solution, scene, stacklevel=2)
         resolution.warn_of_strain(solution.pressure, scene, stacklevel=2)
         return solution
+
+    def _over(self, counts: Sequence[int]) -> ContactSolver:
+        """The same on a grid of other counts."""
+        grid = replace(self.grid, nx=counts[0], ny=counts[1])
+        settings = asdict(self._settings)
+        return ContactSolver(grid, self.body1, self.body2, heat=self.heat, **settings)
+
+    def _solved_from(
+        self, start: FloatArray | None, window: Window, driver: str, value: float
+    ) -> tuple[ContactSolution, str]:
+        """As `_solved`, without a start that leads nowhere."""
+        given = window.initial_gap, driver == "load", value
+        try:
+            return self._solved(*given, start)
+        except _core.ConvergenceError:
+            if start is None:
+                raise
+            return self._solved(*given, None)
 
     def _solved(
         self, gap: FloatArray, is_load: bool, value: float, start: FloatArray | None
@@ -233,7 +265,7 @@ class ContactSolver(Configured):
             gap, is_load, value, start, self.tol, self.max_iterations, self.on_border == "error"
         )
         complaint = found.pop("border_complaint")
-        solution = ContactSolution(**found)
+        solution = ContactSolution(grid=self.grid, **found)
         bodies = (self.body1, self.body2)
         require_apart(solution, self.grid.cell_area, bodies, self.friction, self.tol)
         return solution, complaint

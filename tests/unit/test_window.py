@@ -140,6 +140,28 @@ def test_hertz_says_how_large_before_the_first_increment():
     np.testing.assert_allclose(states[1].pressure, expected, rtol=0, atol=1e-6 * expected.max())
 
 
+def test_elastic_contact():
+    solver = sc.ContactSolver(grid(7, 6), STEEL, STEEL, 0.1)
+    start = np.full((7, 6), 1e9)
+    found = solver.solve(punch, load=LOAD, initial_pressure=start)
+    nx, ny = found.grid.surface_shape
+    assert solver.grid == grid(7, 6)
+    assert found.pressure.shape == found.gap.shape == (nx, ny)
+    expected = sc.ContactSolver(found.grid, STEEL, STEEL, 0.1).solve(punch(found.grid), load=LOAD)
+    np.testing.assert_array_equal(found.pressure, expected.pressure)
+    ball = partial(surfaces.paraboloid, Rx=RADIUS)
+    assert solver.solve(ball, approach=10e-6).load == pytest.approx(
+        sc.hertz.point(RADIUS, sc.hertz.effective_modulus(STEEL, STEEL), approach=10e-6).load,
+        rel=0.01,
+    )
+    for gap, text in (
+        (punch(grid(7, 6)), "gap is a function"),
+        (REFUSED["flat"][0]["gap"], "2688"),
+    ):
+        with pytest.raises(sc.GridTooSmallError, match=text):
+            solver.solve(gap, load=LOAD)
+
+
 @pytest.mark.parametrize("relieved", [False, True])
 def test_rolling_contact(relieved):
     """Travel, history and relief stay where they are on the bodies."""
