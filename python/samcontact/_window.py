@@ -156,8 +156,8 @@ class Windowed(Configured):
         """The core of a simulation over a window."""
         raise NotImplementedError
 
-    def _open(self, grid: Grid) -> None:
-        """Stand at the start, over another grid."""
+    def _over(self, grid: Grid) -> Window:
+        """The window of another grid."""
         bodies = self.body1, self.body2
         scanned = grid.has_volume and any(body.is_plastic for body in bodies)
         cell = _memory.SIMULATION + (_memory.YIELD_SCAN if scanned else 0.0)
@@ -166,9 +166,19 @@ class Windowed(Configured):
         if hasattr(self, "_window"):
             larger, smaller = sorted((window, self._window), key=lambda w: w.cells, reverse=True)
             require_continued(larger, smaller)
+        return window
+
+    def _open(self, window: Window, stand: Callable[[Any], object] | None = None) -> None:
+        """Look through another window, where `stand` makes the core stand: else at the start.
+
+        An error or interrupt leaves all as it was.
+        """
         core = self._made(window)
+        if stand is not None:
+            stand(core)
         relieved = any(relief is not None for relief in window.reliefs)
-        scene = _expected.Scene(grid, window.initial_gap, bodies, relieved)
+        bodies = self.body1, self.body2
+        scene = _expected.Scene(window.grid, window.initial_gap, bodies, relieved)
         vars(self).update(vars(window), _window=window, _scene=scene, _core=core)
 
     @property
@@ -240,9 +250,8 @@ class Windowed(Configured):
 
     def _go_on_over(self, counts: Sequence[int]) -> None:
         """In a larger window, from the same moment."""
-        smaller = self._core
-        self._open(replace(self.grid, nx=counts[0], ny=counts[1]))
-        self._core.take_over(smaller)
+        window, smaller = self._over(replace(self.grid, nx=counts[0], ny=counts[1])), self._core
+        self._open(window, lambda core: core.take_over(smaller))
         _logger.info("%s", self._growth())
 
     def _growth(self) -> str:

@@ -48,7 +48,10 @@ class Standing(Protocol):
     def counters(self) -> dict[str, int]: ...
 
     @property
-    def _open(self) -> Callable[[Grid], None]: ...
+    def _over(self) -> Callable[[Grid], Window]: ...
+
+    @property
+    def _open(self) -> Callable[[Window, Callable[[Any], object]], None]: ...
 
 
 Made = TypeVar("Made", bound=Standing)
@@ -90,17 +93,19 @@ def resume(simulation: Standing, kept: Snapshot) -> None:
     """Make a simulation of the same scene stand as a snapshot tells, in its window."""
     heat, state = kept.arguments["heat"], kept.state
     given, grid = kept.arguments, kept.arguments["grid"]
-    if simulation.grid != grid:
-        simulation._open(grid)
+    window = simulation._window if simulation.grid == grid else simulation._over(grid)
     if not callable(given["gap"]):
         before = Window(grid, given["gap"], given.get("relief1"), given.get("relief2"))
         try:
-            require_continued(simulation._window, before)
+            require_continued(window, before)
         except ValueError as error:
             raise ForeignCheckpointError(f"the checkpoint is of other surfaces: {error}") from error
     then = replace(heat, factor=[state["heat_factor1"], state["heat_factor2"]])
-    entries = heating(then, (simulation.body1, simulation.body2), simulation.grid)
-    simulation._core.restore(state, kept.counters, entries)
+    entries = heating(then, (simulation.body1, simulation.body2), grid)
+    if window is simulation._window:
+        simulation._core.restore(state, kept.counters, entries)
+    else:
+        simulation._open(window, lambda core: core.restore(state, kept.counters, entries))
     simulation._heat = heat
 
 

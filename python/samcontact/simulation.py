@@ -151,7 +151,7 @@ class Simulation(Windowed, Shown):
         heating(self._heat, (body1, body2), grid)  # checks it against the bodies
         self._told, self._turn = Told(), Turn()
         self._surfaces = Surfaces(gap, relief1, relief2)
-        self._open(grid)
+        self._open(self._over(grid))
         self._first = self._window
 
     def _made(self, window: Window) -> Any:

@@ -5,6 +5,7 @@ import copy
 import pickle
 from functools import partial
 
+import h5py
 import numpy as np
 import pytest
 from checkpoint_scenes import assert_same
@@ -13,6 +14,7 @@ import samcontact as sc
 from case_texts import MINIMAL
 from command import check_failure, invoke
 from samcontact import results, surfaces
+from samcontact._seal import seal
 
 CELL, RADIUS, LOAD = 20e-6, 5e-3, 300.0
 STEEL = sc.Material.elastic(210e9, 0.3)
@@ -95,19 +97,26 @@ def test_fields_of_earlier_moments_are_theirs_over_the_last_grid(grown):
 
 
 def test_a_run_goes_on_from_the_middle_with_the_same_bits(tmp_path):
-    whole = simulation((7, 6)).run(PATH, progress=False, checkpoint=tmp_path)
+    def run(gap=punch):
+        return simulation((7, 6), gap).run(PATH, progress=False, checkpoint=tmp_path)
+
+    whole = run()
     assert len({state.grid for state in whole}) == 1
     assert len(list(tmp_path.glob("*.h5"))) == 4
     for name in ("increment_00003.h5", "increment_00004.h5"):
         (tmp_path / name).unlink()
-    for one, other in zip(
-        simulation((7, 6)).run(PATH, progress=False, checkpoint=tmp_path), whole, strict=True
-    ):
+    for one, other in zip(run(), whole, strict=True):
         assert_same(one, other)
     with pytest.raises(sc.CheckpointError, match="other surfaces: gap is another surface"):
-        simulation((7, 6), lambda grid: np.minimum(punch(grid), 2e-6)).run(
-            PATH, progress=False, checkpoint=tmp_path
-        )
+        run(lambda grid: np.minimum(punch(grid), 2e-6))
+    # of another window than the one before, which stays when it cannot be restored
+    with h5py.File(tmp_path / "increment_00002.h5", "a") as file:
+        file["state"].attrs["past_symmetry"] = 7
+    seal(tmp_path / "increment_00002.h5")
+    with pytest.warns(UserWarning, match="increment 2 is solved again"):
+        again = run()
+    for one, other in zip(again, whole, strict=True):
+        assert_same(one, other)
 
 
 def test_copies_and_files_stand_in_the_window_that_has_grown(grown, tmp_path):
