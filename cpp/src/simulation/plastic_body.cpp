@@ -92,9 +92,12 @@ bool PlasticBody::yields_everywhere(const YieldScan& scan) const {
 
 Columns PlasticBody::yielding_columns(const YieldScan& scan) const {
   const double limit = weakest_ * material().hardening.yield_stress(0.0);
-  return scene_.grid.surface_size() > large_surface
-             ? scene_.zone_scan(index_, heating_)->columns(tractions(), sign(), limit)
-             : scan.columns(tractions(), sign(), limit);
+  if (scene_.grid.surface_size() <= large_surface) {
+    return scan.columns(tractions(), sign(), limit);
+  }
+  return scene_.zone_scan(index_, heating_)
+      ->columns(operators::tractions_on_heated(tractions(), heating_),
+                operators::shear_sign_on_heated(sign(), heating_), limit);
 }
 
 std::vector<Box> PlasticBody::history_boxes() const {
@@ -130,7 +133,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
   split_ = split;
   const auto tables = split ? scene_.zone_tables(index_, tensor_, heating_) : nullptr;
   if (split) {
-    volume_ = std::make_unique<SplitVolume>(tables, zones_);
+    volume_ = std::make_unique<SplitVolume>(tables, zones_, heating_);
   } else if (!zones_.empty()) {
     volume_ =
         std::make_unique<BoxVolume>(scene_, index_, zones_, tensor_, method_, symmetry_, heating_);

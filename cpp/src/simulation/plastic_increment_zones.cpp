@@ -38,9 +38,12 @@ Columns columns_of(const std::vector<Cell>& cells) {
 
 bool PlasticIncrement::may_split(const PlasticBody& body) const {
   const int b = body.index();
+  const operators::Heating& heat = target_.heating[b];
+  // The shear of prescribed tractions need not go with the pressure.
+  const bool separable = !heat.is_moving() || (heat.speed_y == 0 && !target_.is_prescribed());
   return !settings_.one_zone && symmetry_ == fft::Symmetry::none &&
          from_.method == operators::ResidualMethod::fast && !scene_.grid.period.is_on() &&
-         !target_.heating[b].is_moving() && !heat_.has_past(b);
+         separable && !heat_.has_past(b);
 }
 
 bool PlasticIncrement::is_worth_splitting(const PlasticBody& body,

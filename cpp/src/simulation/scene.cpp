@@ -209,18 +209,16 @@ std::shared_ptr<const operators::ZoneTables> Scene::zone_tables(
     int body, operators::Tensor tensor, const operators::Heating& heating) const {
   require_volume(body);
   const std::lock_guard lock(mutex_);
-  const auto same = [&](const KeptZones& kept) {
-    return kept.medium == media[body] && kept.tables->tensor() == tensor;
-  };
+  const auto medium = operators::heated(media[body], heating, sliding.shear_over_pressure(body));
   for (const KeptZones& kept : zone_tables_) {
-    if (same(kept) && kept.heating == heating) return kept.tables;
+    if (kept.tables->tensor() == tensor && *kept.medium == *medium) return kept.tables;
   }
   std::erase_if(zone_tables_, [&](const KeptZones& kept) {
-    return same(kept) && kept.heating.is_on() && heating.is_on();
+    return kept.body == body && kept.tables->tensor() == tensor && kept.medium != media[body] &&
+           heating.is_on();
   });
-  auto tables = std::make_shared<const operators::ZoneTables>(
-      grid, operators::heated(media[body], heating), tensor, image_tol_);
-  return zone_tables_.emplace_back(media[body], heating, std::move(tables)).tables;
+  auto tables = std::make_shared<const operators::ZoneTables>(grid, medium, tensor, image_tol_);
+  return zone_tables_.emplace_back(body, medium, std::move(tables)).tables;
 }
 
 std::shared_ptr<const ZoneScan> Scene::zone_scan(int body,

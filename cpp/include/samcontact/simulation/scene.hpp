@@ -70,12 +70,12 @@ class Scene {
                    operators::ResidualMethod method, fft::Symmetry symmetry,
                    const operators::Heating& heating) const;
 
-  /// Tables of a body's zones with heat of a source at rest; the last ones with and without heat
+  /// Tables of a body's zones, which see tractions_on_heated(); the last ones with and without heat
   /// are kept. Thread-safe.
   std::shared_ptr<const operators::ZoneTables> zone_tables(int body, operators::Tensor tensor,
                                                            const operators::Heating& heating) const;
 
-  /// Where a body yields under tractions; the last one of each body is kept. Thread-safe.
+  /// Where a body yields under such tractions; the last one of each body is kept. Thread-safe.
   std::shared_ptr<const ZoneScan> zone_scan(int body, const operators::Heating& heating) const;
 
   /// Mirror planes that gap, friction and grid leave to all fields.
@@ -100,8 +100,8 @@ class Scene {
   mutable std::mutex mutex_;
   mutable std::list<Kept> kept_;  // the latest used first
   struct KeptZones {
+    int body;  // that made them
     operators::SharedMedium medium;
-    operators::Heating heating;
     std::shared_ptr<const operators::ZoneTables> tables;
   };
   mutable std::vector<KeptZones> zone_tables_;
