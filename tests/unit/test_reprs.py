@@ -216,11 +216,14 @@ def public_objects():
     collision = sc.asperities.Collision(1e-3, 1e-3, 1e-6)
     cycle = sc.wear.Cycle(1, (0.1,), (0.1,), (0.1,), (0.1,), (0.1,), 1.0, 1.0, 1.0, 9.0, (9.0,))
     worn = {2: np.stack([gap] * 5)}
+    bent = sc.Simulation(grid, steel, steel, gap)
+    bent.set_plastic_strain(2, np.full((6, 40, 30, 3), 1e-3))
     load = sc.flattening.kogut_etsion(np.linspace(1e-9, 1e-7, 500), 1e-3, 1e11, 0.3, 1e9)
     series = results.to_dataset(simulation, [state])
     fields = {"title": "t" * 500, "long": "d" * 5000}
     return [
         grid, steel, relief, heat, simulation, state, state.track(), solver, collision, cycle, load,
+        *bent.state.zones(2),
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
         sc.measured.MeasuredSurface(heights, 1e-6, attrs={"source": "s" * 3000}),
         sc.asperities.Tugging(collision, simulation, series, [state]),
