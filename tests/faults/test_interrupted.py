@@ -27,9 +27,7 @@ def press_after(seconds):
     def press():
         time.sleep(seconds)
         os.kill(os.getpid(), signal.SIGINT)
-    thread = threading.Thread(target=press)
-    thread.start()
-    return thread
+    return threading.Thread(target=press)
 """
 STEPS = (
     SCENE
@@ -49,6 +47,7 @@ def interrupted(method, moment):
     before = digest(sim.step(load=300.0))
     thread = press_after(moment * whole)
     try:
+        thread.start()
         sim.step(load=1200.0)
         while True:  # it comes, or the test never ends
             time.sleep(0.01)
@@ -80,6 +79,7 @@ def interrupted(folder, moment):
     sim = scene("fast")
     thread = press_after(moment * whole)
     try:
+        thread.start()
         sim.run(path, progress=False, checkpoint=folder)
         while True:
             time.sleep(0.01)
