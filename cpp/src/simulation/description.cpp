@@ -41,7 +41,7 @@ bool is_consistent(const BoxField& field, const Grid& grid) {
 }
 
 void require_consistent(const Flow& flow) {
-  bool fits = is_one_of(flow.symmetry);
+  bool fits = is_one_of(flow.symmetry) && std::isfinite(flow.load) && std::isfinite(flow.approach);
   for (const auto& body : flow.bodies) {
     const std::size_t n = body.cells.size();
     fits = fits && (body.strain.size() == 5 * n || body.strain.size() == 6 * n) &&

@@ -200,6 +200,18 @@ double PlasticIncrement::part_of_last_motion() const {
   return ratio;
 }
 
+double PlasticIncrement::part_of_last_load() const {
+  const auto& last = from_.last_flow;
+  const bool stands = from_.advance == Travel{} && last && last->advance == Travel{};
+  if (!stands || last->symmetry != symmetry_ || target_.is_prescribed()) return 0.0;
+  // How soft bodies are comes from the contact before they flow.
+  if (settings_.softening[0] || settings_.softening[1]) return 0.0;
+  const double value = target_.drive.normal.value;
+  const double ratio = target_.is_load() ? (value - from_.load) / last->load
+                                         : (value - from_.approach) / last->approach;
+  return ratio > 0 && ratio <= 2 ? ratio : 0.0;
+}
+
 bool PlasticIncrement::is_steady() const {
   const auto& reliefs = scene_.reliefs;
   const auto moves = [&](int b) { return !reliefs[b].heights.empty() && from_.advance[b] != 0; };
@@ -208,7 +220,7 @@ bool PlasticIncrement::is_steady() const {
 
 Field PlasticIncrement::first_guess() {
   // The same way, with steps that may be longer or shorter.
-  const double ratio = part_of_last_motion();
+  const double ratio = std::max(part_of_last_motion(), part_of_last_load());
   if (ratio == 0) return {};
   Field guess;
   const std::size_t parts = active_.components();
@@ -227,14 +239,20 @@ Field PlasticIncrement::first_guess() {
 
 void PlasticIncrement::remember_flow(State& state, const Field& mapped) const {
   state.last_flow = nullptr;
-  if (from_.advance == Travel{}) return;
+  const bool stands = from_.advance == Travel{};
+  if (stands && target_.is_prescribed()) return;
   auto flow = std::make_shared<Flow>();
   flow->symmetry = symmetry_;
   flow->advance = from_.advance;
+  flow->load = state.load - from_.load;
+  // Prescribed tractions have none.
+  const double approach = state.approach - from_.approach;
+  if (std::isfinite(approach)) flow->approach = approach;
   const std::size_t parts = active_.components();
   for (std::size_t n = 0; n < active_.size(); ++n) {
     if (active_.equivalent[n] == 0) continue;
     const PlasticBody& body = bodies_[active_.cells[n].body];
+    if (stands && !body.is_split()) continue;
     auto& kept = flow->bodies[body.index()];
     kept.cells.push_back(body.zones().cell(active_.cells[n].cell));
     for (std::size_t c = 0; c < parts; ++c) kept.strain.push_back(mapped[n * parts + c]);

@@ -17,7 +17,7 @@ from .identity import Identity, differences
 from .tree import Tree, read_tree, write_tree
 
 _FORMAT = "samcontact checkpoint"
-_FORMAT_VERSION = 9
+_FORMAT_VERSION = 10
 
 DAMAGED = (
     OSError, KeyError, ValueError, TypeError, AttributeError, IndexError, OverflowError,

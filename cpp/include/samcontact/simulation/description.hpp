@@ -72,6 +72,8 @@ template <Is<Flow> F, class Visitor>
 void describe(F& f, Visitor& visit) {
   visit("mirrored", f.symmetry);
   visit("advance", f.advance);
+  visit("load", f.load);
+  visit("approach", f.approach);
   for (int b = 0; b < 2; ++b) {
     const std::string number = std::to_string(b + 1);
     visit("cells" + number, f.bodies[b].cells);

@@ -72,6 +72,8 @@ class PlasticIncrement {
   bool twins() const;
   /// Whether the last increment was a part of the same steady motion; by what part of it.
   double part_of_last_motion() const;
+  /// The same of a load or approach that goes on in the same direction, at rest.
+  double part_of_last_load() const;
   /// Whether the contact stays the same in it.
   bool is_steady() const;
   void set_zones(PlasticBody& body, const Zones& zones, bool split = false);

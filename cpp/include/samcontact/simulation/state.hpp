@@ -14,10 +14,12 @@
 
 namespace samcontact::simulation {
 
-/// What flowed in an increment, as a guess for the next one of a steady motion.
+/// What flowed in an increment, as a guess for the next one of a motion; and of a load at rest,
+/// where it flowed in many zones.
 struct Flow {
   fft::Symmetry symmetry = fft::Symmetry::none;
   Travel advance{};
+  double load = 0.0, approach = 0.0;  // their change in it
   struct Body {
     std::vector<Cell> cells;
     Field strain;  // [cell][component], as the increment's unknowns
@@ -60,7 +62,7 @@ class State {
   Travel advance{};  // by which moved() has just taken it there
   /// Whole boxes in which the plastic strain was last solved for; disjoint.
   std::array<std::vector<Box>, 2> flow_boxes;
-  std::shared_ptr<const Flow> last_flow;  // null: none, or the bodies stood still
+  std::shared_ptr<const Flow> last_flow;  // null: none that is of use
 
   bool converged = true;
   int plastic_iterations = 0, contact_iterations = 0, substeps = 0;
