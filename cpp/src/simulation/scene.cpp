@@ -218,7 +218,8 @@ std::shared_ptr<const operators::ZoneTables> Scene::zone_tables(
            heating.is_on();
   });
   auto tables = std::make_shared<const operators::ZoneTables>(grid, medium, tensor, image_tol_);
-  return zone_tables_.emplace_back(body, medium, std::move(tables)).tables;
+  zone_tables_.push_back({body, medium, std::move(tables)});
+  return zone_tables_.back().tables;
 }
 
 std::shared_ptr<const ZoneScan> Scene::zone_scan(int body,
