@@ -5,13 +5,13 @@
 #include <cassert>
 #include <map>
 #include <mutex>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/operators/heat_stress.hpp"
+#include "samcontact/operators/volume_medium.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -21,8 +21,10 @@ constexpr std::size_t most_kept = 20000;
 /// Lattices of zones grow a little at a time.
 std::size_t rounded(std::size_t offsets) { return (offsets + 7) / 8 * 8; }
 
-class HeatedMedium : public Medium {
+class HeatedMedium : public VolumeMedium {
  public:
+  using VolumeMedium::stress;
+
   HeatedMedium(SharedMedium medium, const Heating& heating, double shear)
       : medium_(std::move(medium)), heating_(heating), shear_(heating.is_moving() ? shear : 1.0) {
     assert(heating.speed_y == 0);
@@ -70,27 +72,7 @@ class HeatedMedium : public Medium {
     return medium_->residual_displacement(grid, transform, tensor);
   }
 
-  Field compliance(Traction, Axis, const Grid&, const CellOffsets&) const override { fail(); }
-  double wave_compliance(double) const override { fail(); }
-  Field stress(Traction, const Grid&, const KernelOffsets&, double, Tensor) const override {
-    fail();
-  }
-  ParityParts heat_displacement(const Heating&, double, double, const Offsets&) const override {
-    fail();
-  }
-  std::array<ParityParts, 6> heat_stress(const Heating&, double, double, double,
-                                         const Offsets&) const override {
-    fail();
-  }
-  HeatHistory heat_history(const Grid&, const Heating&, const HeatHistorySettings&) const override {
-    fail();
-  }
-
  private:
-  [[noreturn]] static void fail() {
-    throw std::logic_error("a heated medium knows its volume only");
-  }
-
   struct Table {
     std::mutex mutex;
     Offsets at;

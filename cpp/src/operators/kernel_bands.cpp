@@ -6,13 +6,13 @@
 #include <map>
 #include <mutex>
 #include <numbers>
-#include <stdexcept>
 #include <tuple>
 
 #include "samcontact/base/smooth_step.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
 #include "samcontact/operators/node_spread.hpp"
 #include "samcontact/operators/smooth_continuation.hpp"
+#include "samcontact/operators/volume_medium.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -287,8 +287,11 @@ class FarResidualStress : public ResidualStress {
   double scale_;
 };
 
-class BandMedium : public Medium {
+class BandMedium : public VolumeMedium {
  public:
+  using VolumeMedium::residual_displacement;
+  using VolumeMedium::stress;
+
   BandMedium(Band band, std::shared_ptr<const BandTables> tables)
       : band_(band), tables_(std::move(tables)) {}
 
@@ -323,26 +326,7 @@ class BandMedium : public Medium {
                                                   tables_->strained_layers(band_, grid), tensor);
   }
 
-  Field compliance(Traction, Axis, const Grid&, const CellOffsets&) const override { fail(); }
-  double wave_compliance(double) const override { fail(); }
-  Field stress(Traction, const Grid&, const CellOffsets&, double, Tensor) const override { fail(); }
-  Field residual_displacement(const Grid&, const CellOffsets&, int) const override { fail(); }
-  ParityParts heat_displacement(const Heating&, double, double, const Offsets&) const override {
-    fail();
-  }
-  std::array<ParityParts, 6> heat_stress(const Heating&, double, double, double,
-                                         const Offsets&) const override {
-    fail();
-  }
-  HeatHistory heat_history(const Grid&, const Heating&, const HeatHistorySettings&) const override {
-    fail();
-  }
-
  private:
-  [[noreturn]] static void fail() {
-    throw std::logic_error("a band of a medium knows its volume only");
-  }
-
   Band band_;
   std::shared_ptr<const BandTables> tables_;
 };

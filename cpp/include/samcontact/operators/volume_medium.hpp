@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A medium that stands for another one in some operators of the volume, and knows nothing else.
+#pragma once
+
+#include <stdexcept>
+
+#include "samcontact/operators/medium.hpp"
+
+namespace samcontact::operators {
+
+/// What is not overridden throws std::logic_error.
+class VolumeMedium : public Medium {
+ public:
+  Field stress(Traction, const Grid&, const KernelOffsets&, double, Tensor) const override {
+    fail();
+  }
+  Field stress(Traction, const Grid&, const CellOffsets&, double, Tensor) const override { fail(); }
+  Field residual_displacement(const Grid&, const CellOffsets&, int) const override { fail(); }
+  std::unique_ptr<ResidualDisplacement> residual_displacement(const Grid&, const VolumeTransform&,
+                                                              Tensor) const override {
+    fail();
+  }
+
+  Field compliance(Traction, Axis, const Grid&, const CellOffsets&) const final { fail(); }
+  double wave_compliance(double) const final { fail(); }
+  ParityParts heat_displacement(const Heating&, double, double, const Offsets&) const final {
+    fail();
+  }
+  std::array<ParityParts, 6> heat_stress(const Heating&, double, double, double,
+                                         const Offsets&) const final {
+    fail();
+  }
+  HeatHistory heat_history(const Grid&, const Heating&, const HeatHistorySettings&) const final {
+    fail();
+  }
+
+ private:
+  [[noreturn]] static void fail() {
+    throw std::logic_error("a medium knows its volume only, and not all of that");
+  }
+};
+
+}  // namespace samcontact::operators
