@@ -40,7 +40,7 @@ Zones acting_zones(const PlasticState& history, const Zones& zones, const Grid& 
     const Box acting = box.intersected({-reach, box.j0, grid.nx + 2 * reach, box.ny, box.nz});
     if (!acting.empty()) boxes.push_back(acting);
   }
-  return boxes.size() == zones.count() ? zones : Zones(merged(std::move(boxes)));
+  return boxes.size() == zones.count() ? zones : Zones(merged(boxes));
 }
 
 OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,

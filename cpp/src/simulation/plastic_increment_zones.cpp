@@ -34,6 +34,16 @@ Columns columns_of(const std::vector<Cell>& cells) {
   return columns;
 }
 
+/// Whether zones hold all neighbours of a cell.
+bool holds_around(const Zones& zones, const Cell& cell) {
+  for (int i = cell.i - 1; i <= cell.i + 1; ++i) {
+    for (int j = cell.j - 1; j <= cell.j + 1; ++j) {
+      if (zones.number({i, j, cell.k + 1}) < 0) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 bool PlasticIncrement::may_split(const PlasticBody& body) const {
@@ -75,7 +85,7 @@ std::vector<Box> PlasticIncrement::zones_to_begin_with(const PlasticBody& body) 
     const auto flow = boxes_around(columns_of(from_.last_flow->bodies[body.index()].cells));
     boxes.insert(boxes.end(), flow.begin(), flow.end());
   }
-  return merged(std::move(boxes));
+  return merged(boxes);
 }
 
 void PlasticIncrement::take_up_zones(PlasticBody& body) {
@@ -93,7 +103,7 @@ bool PlasticIncrement::fit_zones(PlasticBody& body) {
   std::vector<Box> boxes = body.zones().boxes();
   const auto near = boxes_around(body.yielding_columns(*scans_[body.index()]));
   boxes.insert(boxes.end(), near.begin(), near.end());
-  boxes = merged(std::move(boxes));
+  boxes = merged(boxes);
   const bool asks = first || from_.travel != Travel{};
   if (asks && !is_worth_splitting(body, boxes)) {
     if (!first) set_box(body, choice_.fitted(body.zones().around(), {}));
@@ -108,7 +118,7 @@ bool PlasticIncrement::grow_zones(PlasticBody& body, std::vector<Box> more) {
   if (more.empty()) return false;
   std::vector<Box> boxes = body.zones().boxes();
   boxes.insert(boxes.end(), more.begin(), more.end());
-  set_zones(body, Zones(merged(std::move(boxes))), true);
+  set_zones(body, Zones(merged(boxes)), true);
   return true;
 }
 
@@ -123,7 +133,8 @@ std::vector<Box> PlasticIncrement::rims_that_flow(std::size_t b) const {
     const Box& box = zones.boxes()[zone];
     const bool inside = i > box.i0 && i < box.i0 + box.nx - 1 && j > box.j0 &&
                         j < box.j0 + box.ny - 1 && k < box.nz - 1;
-    if (!inside) needed[zone] = needed[zone].united(widened({i, j, 1, 1, k + 1}, growth));
+    if (!inside && !holds_around(zones, {i, j, k}))
+      needed[zone] = needed[zone].united(widened({i, j, 1, 1, k + 1}, growth));
   }
   std::erase_if(needed, [](const Box& box) { return box.empty(); });
   return needed;

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <numeric>
+#include <utility>
 
 #include "samcontact/fft/plan.hpp"
 #include "samcontact/operators/kernel_bands.hpp"
 #include "samcontact/operators/node_spread.hpp"
+#include "samcontact/simulation/zones.hpp"
 
 namespace samcontact::simulation {
 namespace {
@@ -24,11 +26,106 @@ double cost(const Box& zone) { return padded(zone.nx) * padded(zone.ny) * zone.n
 
 bool meet(const Box& a, const Box& b) { return !a.intersected(b).empty(); }
 
-/// The box of both, where that is better than the two.
-std::optional<Box> better_as_one(const Box& a, const Box& b) {
-  const Box both = a.united(b);
-  if (!meet(a, b) && cost(both) > cost(a) + cost(b)) return std::nullopt;
-  return both;
+/// The parts of a box beside another, whose layers do not matter: whole rows in x, or in y.
+std::vector<Box> beside(const Box& box, const Box& other, bool rows_in_x) {
+  const Box common = box.intersected(other);
+  const int i1 = box.i0 + box.nx, j1 = box.j0 + box.ny;
+  const int a1 = common.i0 + common.nx, b1 = common.j0 + common.ny;
+  const auto from_to = [&](int i0, int to_i, int j0, int to_j) {
+    return Box{i0, j0, to_i - i0, to_j - j0, box.nz};
+  };
+  std::vector<Box> parts;
+  if (rows_in_x) {
+    parts = {from_to(box.i0, i1, box.j0, common.j0), from_to(box.i0, i1, b1, j1),
+             from_to(box.i0, common.i0, common.j0, b1), from_to(a1, i1, common.j0, b1)};
+  } else {
+    parts = {from_to(box.i0, common.i0, box.j0, j1), from_to(a1, i1, box.j0, j1),
+             from_to(common.i0, a1, box.j0, common.j0), from_to(common.i0, a1, b1, j1)};
+  }
+  std::erase_if(parts, [](const Box& part) { return part.empty(); });
+  return parts;
+}
+
+double cost(const std::vector<Box>& zones) {
+  return std::accumulate(zones.begin(), zones.end(), 0.0,
+                         [](double sum, const Box& zone) { return sum + cost(zone); });
+}
+
+/// The smallest box around what others do not hold of one.
+Box left_over(const Box& box, const std::vector<Box>& zones) {
+  std::vector<Box> parts{box};
+  for (const Box& zone : zones) {
+    if (zone.nz < box.nz || !meet(zone, box)) continue;
+    std::vector<Box> left;
+    for (const Box& part : parts) {
+      const std::vector<Box> more = meet(part, zone) ? beside(part, zone, true) : std::vector{part};
+      left.insert(left.end(), more.begin(), more.end());
+    }
+    parts = std::move(left);
+  }
+  return around(parts);
+}
+
+/// The cheapest way to hold the cells of two boxes that meet without uniting them: one of them as
+/// deep as both need, and what the other has beside it.
+std::vector<Box> parted(const Box& a, const Box& b) {
+  std::vector<Box> best;
+  for (const auto& [whole, cut] : {std::pair{a, b}, std::pair{b, a}}) {
+    for (const bool rows_in_x : {true, false}) {
+      std::vector<Box> boxes = beside(cut, whole, rows_in_x);
+      boxes.insert(boxes.begin(), {whole.i0, whole.j0, whole.nx, whole.ny, std::max(a.nz, b.nz)});
+      if (best.empty() || cost(boxes) < cost(best)) best = std::move(boxes);
+    }
+  }
+  return best;
+}
+
+/// Whether two of the boxes cost less as one. One that would meet others is only made of two that
+/// meet: else it might be cut into the two again.
+bool better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) {
+  const Box both = boxes[k].united(boxes[l]);
+  if (meet(boxes[k], boxes[l])) return cost(both) <= cost(parted(boxes[k], boxes[l]));
+  if (cost(both) > cost(boxes[k]) + cost(boxes[l])) return false;
+  for (std::size_t n = 0; n < boxes.size(); ++n) {
+    if (n != k && n != l && meet(boxes[n], both)) return false;
+  }
+  return true;
+}
+
+void unite(std::vector<Box>& boxes) {
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      for (std::size_t l = k + 1; l < boxes.size();) {
+        if (better_as_one(boxes, k, l)) {
+          boxes[k] = boxes[k].united(boxes[l]);
+          boxes.erase(boxes.begin() + l);
+          again = true;
+        } else {
+          ++l;
+        }
+      }
+    }
+  }
+}
+
+/// The same cells in disjoint boxes.
+std::vector<Box> made_disjoint(const std::vector<Box>& boxes) {
+  std::vector<Box> zones, waiting(boxes.rbegin(), boxes.rend());
+  while (!waiting.empty()) {
+    const Box box = left_over(waiting.back(), zones);
+    waiting.pop_back();
+    const auto other =
+        std::find_if(zones.begin(), zones.end(), [&](const Box& zone) { return meet(zone, box); });
+    if (other != zones.end()) {
+      const std::vector<Box> parts = parted(*other, box);
+      zones.erase(other);
+      waiting.insert(waiting.end(), parts.rbegin(), parts.rend());
+    } else if (!box.empty()) {
+      zones.push_back(box);
+    }
+  }
+  return zones;
 }
 
 /// The box around all columns that hang together with one, which are crossed out.
@@ -73,23 +170,16 @@ std::vector<Box> boxes_around(const Columns& columns) {
   return boxes;
 }
 
-std::vector<Box> merged(std::vector<Box> boxes) {
-  for (bool again = true; again;) {
-    again = false;
-    for (std::size_t k = 0; k < boxes.size(); ++k) {
-      std::size_t kept = k + 1;
-      for (std::size_t l = k + 1; l < boxes.size(); ++l) {
-        if (const auto one = better_as_one(boxes[k], boxes[l])) {
-          boxes[k] = *one;
-          again = true;
-        } else {
-          boxes[kept++] = boxes[l];
-        }
-      }
-      boxes.resize(kept);
-    }
+std::vector<Box> merged(const std::vector<Box>& boxes) {
+  std::vector<Box> needed;
+  for (const Box& box : boxes) {
+    const Box left = left_over(box, needed);
+    if (!left.empty()) needed.push_back(left);
   }
-  return boxes;
+  unite(needed);
+  std::vector<Box> zones = made_disjoint(needed);
+  unite(zones);
+  return zones;
 }
 
 double cost_of_zones(const std::vector<Box>& zones, const Box& surface) {

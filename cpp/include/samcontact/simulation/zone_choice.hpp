@@ -17,8 +17,9 @@ struct Columns {
 /// Boxes around the groups of neighbouring columns, a few cells wider and deeper.
 std::vector<Box> boxes_around(const Columns& columns);
 
-/// Disjoint boxes that hold all of these: two become one where they meet or where that costs less.
-std::vector<Box> merged(std::vector<Box> boxes);
+/// Disjoint boxes that hold all of these: two become one where that costs less; of two that meet,
+/// else one gives way.
+std::vector<Box> merged(const std::vector<Box>& boxes);
 
 /// Work of an evaluation in such zones over that in one box, which `box` says; both in cells of
 /// transforms and sweeps. surface: where displacement is known.

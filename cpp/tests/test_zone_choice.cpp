@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Boxes that hold what is needed: disjoint, no larger than they must be, and to stay once chosen.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "samcontact/simulation/zone_choice.hpp"
+#include "samcontact/simulation/zones.hpp"
+
+using namespace samcontact;
+using namespace samcontact::simulation;
+
+namespace {
+
+/// Spots of all sizes on a window, most of which meet others when they are many.
+std::vector<Box> spots(int count, int window, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto from_to = [&](int least, int most) {
+    return least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1));
+  };
+  std::vector<Box> boxes;
+  for (int n = 0; n < count; ++n) {
+    const int nx = from_to(3, 30), ny = from_to(3, 30);
+    boxes.push_back({from_to(0, window), from_to(0, window), nx, ny, from_to(1, 12)});
+  }
+  return boxes;
+}
+
+/// How deep boxes reach below each column.
+std::map<std::pair<int, int>, int> depths(const std::vector<Box>& boxes) {
+  std::map<std::pair<int, int>, int> depth;
+  for (const Box& box : boxes) {
+    for (int i = box.i0; i < box.i0 + box.nx; ++i) {
+      for (int j = box.j0; j < box.j0 + box.ny; ++j) {
+        int& there = depth[{i, j}];
+        there = std::max(there, box.nz);
+      }
+    }
+  }
+  return depth;
+}
+
+}  // namespace
+
+TEST_CASE("merged boxes hold all cells of the given ones, and stay as they are") {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    const auto given = spots(1 + 4 * static_cast<int>(seed), 300, seed);
+    const auto zones = merged(given);
+    CHECK(are_disjoint(zones));
+    const auto held = depths(zones);
+    for (const auto& [column, depth] : depths(given)) {
+      const auto found = held.find(column);
+      REQUIRE(found != held.end());
+      CHECK(found->second >= depth);
+    }
+    CHECK(merged(zones) == zones);
+    // What zones hold already changes nothing, across their borders too.
+    auto more = zones;
+    more.insert(more.end(), given.begin(), given.end());
+    CHECK(merged(more) == zones);
+  }
+}
+
+TEST_CASE("boxes that hang together from end to end do not become one") {
+  // Half of the window is covered, and most boxes meet another.
+  const auto given = spots(1500, 1000, 7);
+  std::size_t needed = 0, held = 0;
+  for (const auto& [column, depth] : depths(given)) needed += depth;
+  const auto zones = merged(given);
+  for (const Box& zone : zones) held += zone.volume_size();
+  CHECK(zones.size() > 100);
+  CHECK(held < 2 * needed);
+}
