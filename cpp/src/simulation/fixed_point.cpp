@@ -73,9 +73,10 @@ class FixedPoint {
 
     ++counters_.plastic_solves;
     int before = 0;  // until boxes grew
+    bool restarted = false;
     for (int n = 1; n <= settings_.max_iterations; ++n) {
       check_interrupt();
-      advance();
+      if (!std::exchange(restarted, false)) advance();
       const double finest = contact_tolerance(settings_.tol);
       // Cells outside a box that has grown may flow too: look at them before accepting.
       if (!result_.grown && residual_ <= settings_.tol && result_.excess <= settings_.tol) {
@@ -85,8 +86,9 @@ class FixedPoint {
         } else if (!problem_.grow_beyond()) {
           return finish(before + n);
         } else {
-          before += std::exchange(n, 0) + 1;  // restart evaluates too
+          before += std::exchange(n, 0);
           restart();
+          restarted = true;
         }
       } else {
         contact_tol_ = std::max(contact_tolerance(residual_), finest);

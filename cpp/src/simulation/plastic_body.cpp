@@ -90,8 +90,14 @@ bool PlasticBody::yields_everywhere(const YieldScan& scan) const {
   return scan.is_beyond_everywhere(tractions(), sign(), material().hardening.yield_stress(0.0));
 }
 
-Columns PlasticBody::yielding_columns(const YieldScan& scan) const {
+const Columns& PlasticBody::yielding_columns(const YieldScan& scan) {
   const double limit = weakest_ * material().hardening.yield_stress(0.0);
+  const bool known = yielding_ && yielding_->limit == limit && yielding_->tractions == tractions();
+  if (!known) yielding_ = Yielding{tractions(), limit, columns_beyond(limit, scan)};
+  return yielding_->columns;
+}
+
+Columns PlasticBody::columns_beyond(double limit, const YieldScan& scan) const {
   if (scene_.grid.surface_size() <= large_surface) {
     return scan.columns(tractions(), sign(), limit);
   }

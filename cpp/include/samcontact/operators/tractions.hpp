@@ -15,6 +15,7 @@ inline constexpr std::array all_tractions{Traction::pressure, Traction::shear_x,
 struct Tractions {
   Field pressure, shear_x, shear_y;
 
+  bool operator==(const Tractions&) const = default;
   const Field& of(Traction kind) const {
     return kind == Traction::pressure ? pressure : kind == Traction::shear_x ? shear_x : shear_y;
   }

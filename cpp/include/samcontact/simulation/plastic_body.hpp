@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,7 +44,7 @@ class PlasticBody {
   /// The box of all cells where the tractions alone come near yielding; before there is a strain.
   Box near_yield(const YieldScan& scan, HeatOfIncrement& heat) const;
   /// The columns of those that yield. Without heat of the past.
-  Columns yielding_columns(const YieldScan& scan) const;
+  const Columns& yielding_columns(const YieldScan& scan);
   /// The box of all cells below those of the grid where the tractions alone make it yield.
   Box yield_below(const YieldScan& scan) const;
   /// Whether it yields down to any depth.
@@ -106,8 +107,15 @@ class PlasticBody {
   struct Limits {
     double first, weakest;
   };
+  /// The columns where some tractions go beyond a limit.
+  struct Yielding {
+    operators::Tractions tractions;
+    double limit;
+    Columns columns;
+  };
 
   const plasticity::Material& material() const { return scene_.materials[index_]; }
+  Columns columns_beyond(double limit, const YieldScan& scan) const;
   void open(const Box& box, const Field& displacement, Field& gap) const;
   double largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const;
   /// first: the number of its first cell; plane: how many it has.
@@ -147,7 +155,8 @@ class PlasticBody {
   const operators::Tractions* tractions_ = nullptr;
   operators::Tractions seen_;  // from cells at an offset
   std::shared_ptr<const BoxField> softening_;
-  double weakest_ = 1.0;  // its smallest value
+  double weakest_ = 1.0;              // its smallest value
+  std::optional<Yielding> yielding_;  // as last looked for
 };
 
 }  // namespace samcontact::simulation
