@@ -77,6 +77,7 @@ class FixedPoint {
     for (int n = 1; n <= settings_.max_iterations; ++n) {
       check_interrupt();
       if (!std::exchange(restarted, false)) advance();
+      result_.grown = problem_.look_beyond(residual_) || result_.grown;
       const double finest = contact_tolerance(settings_.tol);
       // Cells outside a box that has grown may flow too: look at them before accepting.
       if (!result_.grown && residual_ <= settings_.tol && result_.excess <= settings_.tol) {
@@ -94,17 +95,20 @@ class FixedPoint {
         contact_tol_ = std::max(contact_tolerance(residual_), finest);
       }
     }
-    throw ConvergenceError("the plastic increment to " + describe(target_) +
-                               " did not converge in " + std::to_string(settings_.max_iterations) +
-                               " iterations: relative change " + to_text(residual_) +
-                               ", yield excess " + to_text(result_.excess) + ", tol " +
-                               to_text(settings_.tol) +
-                               "; take smaller increments, residual_stress = \"fast\", more "
-                               "max_iterations or a larger tol",
-                           settings_.max_iterations, residual_);
+    throw not_converged();
   }
 
  private:
+  ConvergenceError not_converged() const {
+    return {"the plastic increment to " + describe(target_) + " did not converge in " +
+                std::to_string(settings_.max_iterations) + " iterations: relative change " +
+                to_text(residual_) + ", yield excess " + to_text(result_.excess) + ", tol " +
+                to_text(settings_.tol) +
+                "; take smaller increments, residual_stress = \"fast\", more "
+                "max_iterations or a larger tol",
+            settings_.max_iterations, residual_};
+  }
+
   /// An error of the contact pressure is felt relative to what drives the flow, the trial stress's
   /// overshoot of the yield stress: the smaller that is, the tighter the contact must be.
   double contact_tolerance(double residual) const {

@@ -206,6 +206,8 @@ double PlasticIncrement::part_of_last_load() const {
   if (!stands || last->symmetry != symmetry_ || target_.is_prescribed()) return 0.0;
   // How soft bodies are comes from the contact before they flow.
   if (settings_.softening[0] || settings_.softening[1]) return 0.0;
+  // Flow goes on alike where the contact changes little.
+  if (from_.load < 2 * last->load) return 0.0;
   const double value = target_.drive.normal.value;
   const double ratio = target_.is_load() ? (value - from_.load) / last->load
                                          : (value - from_.approach) / last->approach;

@@ -14,6 +14,8 @@ namespace {
 constexpr double worth = 0.7;
 /// Of bodies that move: each increment needs new zones, and once what lies outside of them.
 constexpr double worth_moving = 0.4;
+/// The relative change from which on pressures hardly reach further.
+constexpr double settles = 0.05;
 /// Cells by which a zone grows where its rim flows.
 constexpr int growth = 2;
 
@@ -138,6 +140,16 @@ std::vector<Box> PlasticIncrement::rims_that_flow(std::size_t b) const {
   }
   std::erase_if(needed, [](const Box& box) { return box.empty(); });
   return needed;
+}
+
+bool PlasticIncrement::look_beyond(double residual) {
+  if (looked_ || residual > settles) return false;
+  looked_ = true;
+  bool grown = false;
+  for (PlasticBody& body : bodies_) {
+    if (body.is_split()) grown = grow_for_yield(body) || grown;
+  }
+  return grown;
 }
 
 bool PlasticIncrement::grow_for_yield(PlasticBody& body) {

@@ -57,6 +57,9 @@ class PlasticIncrement {
   /// Whether a box had to grow beyond the grid, or zones for what yields outside of them, for what
   /// the last evaluation found: evaluate again. Iterates may flow where the solution does not.
   bool grow_beyond();
+  /// The same for zones, once: when the relative change says that pressures have nearly settled.
+  /// Growing then does not cost an evaluation.
+  bool look_beyond(double residual);
 
   /// The contact of the last evaluation to a finer tolerance; all else stays.
   void refine_contact(double contact_tol, Result& result);
@@ -133,7 +136,7 @@ class PlasticIncrement {
   BoxChoice choice_;
   std::vector<PlasticBody> bodies_;  // inelastic ones
   Field gap_;                        // without the elastic displacement, of the last evaluation
-  bool scanned_ = false;
+  bool scanned_ = false, looked_ = false;
   std::array<Field, 2> heating_pressure_;  // on each body, of the first contact; empty before
   ActiveCells active_;
 };
