@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Quantities of a state whose error is told: between the cells, so that they converge cleanly.
+
+A largest value is that of parabolas through its cell and the neighbours, and an area has its edge
+where the squared pressure vanishes: along grids that become finer, both jump far less than the
+largest cell and the number of cells do.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._checks import FloatArray
+from ._tensors import von_mises
+
+if TYPE_CHECKING:
+    from .material import Material
+    from .state import State
+
+OF_CONTACT = ("load", "approach", "max_pressure", "contact_area")
+OF_BODY = (
+    "max_von_mises",
+    "max_equivalent_plastic_strain",
+    "max_residual_von_mises",
+    "print_depth",
+)
+"""Of bodies, all but the first of those that yield only; followed by `_body1` or `_body2`."""
+_FIELDS = {
+    "max_von_mises": "stress",
+    "max_equivalent_plastic_strain": "equivalent_plastic_strain",
+    "max_residual_von_mises": "residual_stress",
+}
+
+
+def names(bodies: Sequence[Material], body: int = 2, *, volume: bool = True) -> list[str]:
+    """Of all that a scene has: of each inelastic body, or else of the chosen one."""
+    inelastic = [n for n, material in enumerate(bodies, 1) if material.is_plastic]
+    found = list(OF_CONTACT)
+    if not volume:
+        return found
+    if not inelastic and bodies[body - 1].law != "rigid":
+        return [*found, f"{OF_BODY[0]}_body{body}"]
+    return [*found, *(f"{name}_body{n}" for n in inelastic for name in OF_BODY)]
+
+
+def value(state: State, name: str) -> float:
+    """One quantity of a state, by its name in files [SI units]."""
+    if name in ("load", "approach"):
+        return float(getattr(state, name))
+    if name == "max_pressure":
+        return peak_value(state.pressure)
+    if name == "contact_area":
+        return area_under(state.pressure, state.grid.cell_area, state.grid.periodic)
+    kind, body = name[: -len("_body1")], int(name[-1])
+    if kind == "print_depth":
+        return peak_value(state.residual_displacement(body))
+    zones = state.zones(body)
+    if not zones and kind != "max_von_mises":
+        return 0.0
+    if len(zones) > 1:
+        fields = [getattr(zone, _FIELDS[kind])() for zone in zones]
+    else:
+        fields = [getattr(state, _FIELDS[kind])(body)]
+    return max(
+        peak_value(field if field.ndim == 3 else von_mises(field), surface=True) for field in fields
+    )
+
+
+def values(state: State, wanted: Sequence[str]) -> dict[str, float]:
+    """Several quantities of a state, by their names in files [SI units]."""
+    return {name: value(state, name) for name in wanted}
+
+
+def peak_value(field: ArrayLike, *, surface: bool = False) -> float:
+    """Largest value of a field between its cells.
+
+    Parameters
+    ----------
+    field : array_like
+        At the centres of cells.
+    surface : bool, optional
+        Whether the last axis begins at a surface, half a cell before the first centre: a field that
+        grows up to there is continued to it.
+
+    Returns
+    -------
+    float
+        The largest cell, and along each axis what a parabola through it and its neighbours rises
+        above it.
+    """
+    values = np.asarray(field, dtype=np.float64)
+    if values.size == 0:
+        return 0.0
+    at = np.unravel_index(int(values.argmax()), values.shape)
+    largest = float(values[at])
+    risen = largest
+    for axis in range(values.ndim):
+        line = np.moveaxis(values, axis, -1)[tuple(np.delete(at, axis))]
+        risen += _rise(line, int(at[axis]), surface and axis == values.ndim - 1)
+    return risen
+
+
+def _rise(line: FloatArray, at: int, begins: bool) -> float:
+    """By how much a parabola through three cells of a line rises above its largest."""
+    if begins and at == 0 and line.size > 2:
+        middle = 1
+    elif 0 < at < line.size - 1:
+        middle = at
+    else:
+        return 0.0
+    before, here, after = (float(v) for v in line[middle - 1 : middle + 2])
+    slope, bend = 0.5 * (after - before), after - 2.0 * here + before
+    top = -slope / bend if bend < 0 else math.copysign(math.inf, slope)
+    lowest = -1.5 if middle != at else -1.0
+    place = min(max(top, lowest), 1.0)
+    return max(here + slope * place + 0.5 * bend * place**2 - float(line[at]), 0.0)
+
+
+def area_under(pressure: ArrayLike, cell_area: float, periodic: str = "") -> float:
+    """Area of a contact whose edge lies between the cells [m^2].
+
+    Near the edge of a smooth contact the squared pressure falls linearly to zero. It is continued
+    over the first cells without pressure, at most to zero in their centres, and the area inside of
+    its zero line is that of the triangles between the centres of cells.
+
+    Parameters
+    ----------
+    pressure : array_like, shape (nx, ny)
+        [Pa], >= 0.
+    cell_area : float
+        [m^2].
+    periodic : {"", "x", "y", "xy"}, optional
+        As of a Grid.
+    """
+    field = np.asarray(pressure, dtype=np.float64)
+    largest = float(field.max())
+    if not largest > 0:
+        return 0.0
+    for axis, name in enumerate("xy"):
+        width = [(2, 2) if n == axis else (0, 0) for n in (0, 1)]
+        field = np.pad(field, width, mode="wrap" if name in periodic else "constant")
+    level = _continued((field / largest) ** 2)
+    rows, columns = (slice(2 if name in periodic else 1, -1) for name in "xy")
+    return float(_area_above_zero(level[rows, columns]) * cell_area)
+
+
+def _continued(squared: FloatArray) -> FloatArray:
+    """Squared pressures, with those below zero that continue them over the cells beside."""
+    inside = squared > 0
+    level = np.where(inside, squared, np.nan)
+    total, weights = np.zeros_like(level), np.zeros_like(level)
+    for i, j in ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)):
+        near, beyond = np.roll(level, (i, j), (0, 1)), np.roll(level, (2 * i, 2 * j), (0, 1))
+        # a spot of a single cell ends half-way to its neighbours
+        continued = 2.0 * near - np.where(np.isnan(beyond), 3.0 * near, beyond)
+        known = np.isfinite(continued)
+        weight = 0.5 if i and j else 1.0
+        total[known] += weight * continued[known]
+        weights[known] += weight
+    rim = ~inside & (weights > 0)
+    level[rim] = np.minimum(total[rim] / weights[rim], 0.0)
+    return np.nan_to_num(level, nan=-1.0)
+
+
+def _area_above_zero(level: FloatArray) -> float:
+    """In squares between the points of a lattice, each cut into four triangles at its middle."""
+    corners = (level[:-1, :-1], level[1:, :-1], level[1:, 1:], level[:-1, 1:])
+    middle = 0.25 * sum(corners)
+    area = 0.0
+    for first, second in zip(corners, (*corners[1:], corners[0]), strict=True):
+        low, mid, high = np.sort(np.stack([first, second, middle]), axis=0)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            tip = high**2 / ((high - low) * (high - mid))
+            blunt = 1.0 - low**2 / ((mid - low) * (high - low))
+        share = np.select([low >= 0, mid >= 0, high > 0], [np.ones_like(low), blunt, tip], 0.0)
+        area += 0.25 * float(np.sum(share))
+    return area

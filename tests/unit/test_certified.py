@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Quantities between the cells are those of smooth fields, far closer than their cells are."""
+
+import math
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from samcontact import _certified
+
+STEEL = sc.Material.elastic(210e9, 0.3)
+
+
+def test_peak_of_a_parabola_lies_between_its_cells():
+    x, y, z = np.meshgrid(np.arange(7) - 3.3, np.arange(9) - 4.4, np.arange(5) + 0.5, indexing="ij")
+    field = 5.0 - 0.3 * x**2 - 0.2 * y**2 - 0.1 * (z - 2.2) ** 2
+    assert _certified.peak_value(field) == pytest.approx(5.0, rel=1e-14)
+    # the largest value is that of the surface, half a layer above the first centres
+    falling = 5.0 - 0.3 * x**2 - 0.2 * y**2 - 0.1 * (z + 1.0) ** 2
+    assert _certified.peak_value(falling, surface=True) == pytest.approx(4.9, rel=1e-14)
+    assert _certified.peak_value(falling) < 4.9
+
+
+@pytest.mark.parametrize("even", [0, 1])
+def test_hertz_area_and_pressure_are_close_on_few_cells(even):
+    hertz = sc.hertz.point(7.5e-3, sc.hertz.effective_modulus(STEEL, STEEL), load=1500.0)
+    cells = 44 - even
+    grid = sc.Grid(cells, cells, hertz.a / 16, hertz.a / 16)
+    pressure = sc.ContactSolver(grid, STEEL, STEEL).solve(
+        sc.surfaces.paraboloid(grid, 7.5e-3), load=1500.0
+    ).pressure  # fmt: skip
+    area = _certified.area_under(pressure, grid.cell_area)
+    assert area == pytest.approx(math.pi * hertz.a**2, rel=6e-3)
+    assert _certified.peak_value(pressure) == pytest.approx(hertz.p0, rel=4e-4)
+
+
+def test_area_of_what_repeats_itself_knows_no_border():
+    assert _certified.area_under(np.ones((6, 4)), 2.0, "xy") == 48.0
+    x = np.cos(2 * np.pi * np.arange(64) / 64)
+    strip = np.sqrt(np.maximum(np.tile(x, (8, 1)), 0.0))  # of squares, cos; half of the cells
+    rolled = [_certified.area_under(np.roll(strip, n, 1), 1.0, "xy") for n in (0, 16, 32)]
+    assert rolled == pytest.approx([8 * 32.0] * 3, rel=1e-3)
+
+
+def test_names_are_those_of_bodies_that_have_them():
+    steel = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
+    assert _certified.names((STEEL, STEEL))[4:] == ["max_von_mises_body2"]
+    assert _certified.names((STEEL, STEEL), volume=False) == list(_certified.OF_CONTACT)
+    assert len(_certified.names((steel, STEEL))) == 8
+    assert _certified.names((steel, STEEL))[4] == "max_von_mises_body1"
