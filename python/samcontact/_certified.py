@@ -30,6 +30,8 @@ OF_BODY = (
     "print_depth",
 )
 """Of bodies, all but the first of those that yield only; followed by `_body1` or `_body2`."""
+_CELLS = range(1, 5)  # from the edge, by which a pressure is continued
+_RIM = 4  # cells around a field, as many
 _FIELDS = {
     "max_von_mises": "stress",
     "max_equivalent_plastic_strain": "equivalent_plastic_strain",
@@ -124,9 +126,10 @@ def _rise(line: FloatArray, at: int, begins: bool) -> float:
 def area_under(pressure: ArrayLike, cell_area: float, periodic: str = "") -> float:
     """Area of a contact whose edge lies between the cells [m^2].
 
-    Near the edge of a smooth contact the squared pressure falls linearly to zero. It is continued
-    over the first cells without pressure, at most to zero in their centres, and the area inside of
-    its zero line is that of the triangles between the centres of cells.
+    Near the edge of a smooth contact the squared pressure falls linearly to zero. A parabola
+    through the second to fourth cell from the edge (the first depends on where in it the edge lies)
+    continues it over the first cells without pressure, at most to zero in their centres. The area
+    inside of its zero line is that of the triangles between the centres of cells.
 
     Parameters
     ----------
@@ -142,10 +145,10 @@ def area_under(pressure: ArrayLike, cell_area: float, periodic: str = "") -> flo
     if not largest > 0:
         return 0.0
     for axis, name in enumerate("xy"):
-        width = [(2, 2) if n == axis else (0, 0) for n in (0, 1)]
+        width = [(_RIM, _RIM) if n == axis else (0, 0) for n in (0, 1)]
         field = np.pad(field, width, mode="wrap" if name in periodic else "constant")
     level = _continued((field / largest) ** 2)
-    rows, columns = (slice(2 if name in periodic else 1, -1) for name in "xy")
+    rows, columns = (slice(_RIM if name in periodic else _RIM - 1, 1 - _RIM) for name in "xy")
     return float(_area_above_zero(level[rows, columns]) * cell_area)
 
 
@@ -155,9 +158,11 @@ def _continued(squared: FloatArray) -> FloatArray:
     level = np.where(inside, squared, np.nan)
     total, weights = np.zeros_like(level), np.zeros_like(level)
     for i, j in ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)):
-        near, beyond = np.roll(level, (i, j), (0, 1)), np.roll(level, (2 * i, 2 * j), (0, 1))
-        # a spot of a single cell ends half-way to its neighbours
-        continued = 2.0 * near - np.where(np.isnan(beyond), 3.0 * near, beyond)
+        first, second, third, fourth = (np.roll(level, (n * i, n * j), (0, 1)) for n in _CELLS)
+        continued = 6.0 * second - 8.0 * third + 3.0 * fourth
+        # a narrow spot: by a line; one of a single cell ends half-way to its neighbours
+        line = 2.0 * first - np.where(np.isnan(second), 3.0 * first, second)
+        continued = np.where(np.isnan(continued), line, continued)
         known = np.isfinite(continued)
         weight = 0.5 if i and j else 1.0
         total[known] += weight * continued[known]

@@ -37,10 +37,10 @@ def test_hertz_area_and_pressure_are_close_on_few_cells(even):
 
 def test_area_of_what_repeats_itself_knows_no_border():
     assert _certified.area_under(np.ones((6, 4)), 2.0, "xy") == 48.0
-    x = np.cos(2 * np.pi * np.arange(64) / 64)
+    x = np.cos(2 * np.pi * (np.arange(64) + 0.3) / 64)
     strip = np.sqrt(np.maximum(np.tile(x, (8, 1)), 0.0))  # of squares, cos; half of the cells
     rolled = [_certified.area_under(np.roll(strip, n, 1), 1.0, "xy") for n in (0, 16, 32)]
-    assert rolled == pytest.approx([8 * 32.0] * 3, rel=1e-3)
+    assert rolled == pytest.approx([8 * 32.0] * 3, rel=2e-3)
 
 
 def test_names_are_those_of_bodies_that_have_them():
