@@ -29,6 +29,7 @@ from . import (
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
 from ._told import PlasticStrainWarning
+from .accuracy import AccuracyWarning, Accurate, to_accuracy
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
 from .grid import Grid
 from .heat import Heat
@@ -43,6 +44,8 @@ from .track import Track
 from .zone import Zone
 
 __all__ = [
+    "AccuracyWarning",
+    "Accurate",
     "CheckpointError",
     "ContactSolution",
     "ContactSolver",
@@ -78,6 +81,7 @@ __all__ = [
     "softening",
     "surfaces",
     "sweep",
+    "to_accuracy",
     "units",
     "wear",
 ]

@@ -91,6 +91,10 @@ CONTACT = {
         "1", "maximum equivalent plastic strain", "%", "maximum equivalent plastic strain",
         "plastic\nstrain", 4,
     ),
+    "max_residual_von_mises": Q(
+        "Pa", "maximum von Mises stress of the residual stress", "MPa",
+        "maximum residual von Mises stress", "residual\nvon Mises",
+    ),
     "print_depth": Q(
         "m", "deepest point of the print within the grid", "µm", "print depth in the grid", "print"
     ),

@@ -265,6 +265,15 @@ CALLS = [
             "output": None, "progress": False, "mode": "product",
         },
     ),
+    (
+        "to_accuracy",
+        sc.to_accuracy,
+        {
+            "case": CASE, "accuracy": 0.5, "quantities": ["max_pressure"], "max_memory": 1e9,
+            "max_time": 1e3,
+        },
+    ),
+    ("Accurate.to_dataset", sc.to_accuracy(CASE, 0.5).to_dataset, {}),
     ("wear.depth", sc.wear.depth, {"equivalent": STRAIN[0], "dz": 5e-5, "threshold": 0.04}),
     (
         "wear.run",

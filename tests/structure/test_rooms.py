@@ -45,10 +45,12 @@ FOLDERS = {
     "asperities": {"runs"},
     "wear": {"runs"},
     "cases": {"hertz", "paths", "measured", "asperities", "wear"},
+    "accuracy": {"hertz", "cases", "results"},
     "sweeps": {"runs", "cases", "results"},
     "report": {"cases", "results", "plotting", "asperities"},
     "commands": {
-        "runs", "hertz", "cases", "results", "plotting", "asperities", "sweeps", "report"
+        "runs", "hertz", "cases", "results", "plotting", "asperities", "accuracy", "sweeps",
+        "report",
     },
 }  # fmt: skip
 # Modules that talk to the core; all others go through them.

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -14,7 +15,7 @@ from pydantic import Field, ValidationError, model_validator
 from .. import _memory, paths
 from .. import hertz as _hertz
 from .._heating import COLD, heating
-from .base import CaseError, CaseFile
+from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
 from .errors import explain
 from .motion import ReliefSection, Segment
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from ..simulation import Simulation
 
 
+Accuracy = Annotated[float, Field(gt=0.0, lt=1.0)]
 MOST_CHARACTERS = 100_000_000
 """Of a case file."""
 
@@ -46,7 +48,11 @@ class Case(CaseFile):
 
     title: Annotated[str, Field(min_length=1)]
     description: str = ""
-    grid: GridSection
+    accuracy: Accuracy | dict[str, Accuracy] | None = None
+    quantities: Annotated[list[str], Field(min_length=1)] | None = None
+    max_memory: Annotated[Positive, in_unit("byte")] | None = None
+    max_time: Annotated[Positive, in_unit("s")] | None = None
+    grid: GridSection | None = None
     body1: BodySection
     body2: BodySection
     surface: SurfaceSection
@@ -60,11 +66,13 @@ class Case(CaseFile):
 
     @model_validator(mode="after")
     def _consistent(self) -> Case:
+        if self.grid is None and self.accuracy is None:
+            raise ValueError("grid: required section is missing; or give accuracy, e.g. 0.01")
         bodies = (self.body1, self.body2)
         if all(body.law == "rigid" for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
         for name, body in zip(("body1", "body2"), bodies, strict=True):
-            if body.is_plastic and self.grid.dz is None:
+            if body.is_plastic and not self.has_volume:
                 raise ValueError(f"{name} is inelastic ({body.law}): [grid] needs dz")
         marches = self.heat is not None and self.heat.history is not None
         for index, segment in enumerate(self.path):
@@ -74,7 +82,7 @@ class Case(CaseFile):
                     f"path[{index}]: {name} and heat.history go together: give both or neither"
                 )
         selected = self.output.body
-        stored = self.grid.dz is not None and self.wear is None
+        stored = self.has_volume and self.wear is None
         if stored and bodies[selected - 1].law == "rigid":
             raise ValueError(
                 f"output.body = {selected} is rigid and has no stresses: set it to {3 - selected}"
@@ -95,6 +103,11 @@ class Case(CaseFile):
                 raise ValueError(f"path[{index}]: {error}") from error
             steps += made
         return steps
+
+    @property
+    def has_volume(self) -> bool:
+        """Whether there are layers below the surface."""
+        return self.grid is None or self.grid.dz is not None
 
     @property
     def moves(self) -> bool:
@@ -130,7 +143,8 @@ class Case(CaseFile):
         There is one for smooth paraboloids and spheres with finite radii.
         """
         radii = self.surface.radii()
-        if self.relief1 is not None or self.relief2 is not None or self.grid.periodic:
+        periodic = self.grid is not None and self.grid.periodic
+        if self.relief1 is not None or self.relief2 is not None or periodic:
             return None
         if radii is None or self.surface.roughness is not None or not np.all(np.isfinite(radii)):
             return None
@@ -164,6 +178,8 @@ class Case(CaseFile):
 
         section = "grid"
         try:
+            if self.grid is None:
+                raise ValueError("is chosen by samcontact.to_accuracy, or give it")
             grid = self.grid.build()
             # before the surface, which takes a part of it
             needed = _memory.surface(grid, _memory.SIMULATION)
@@ -253,14 +269,22 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCas
     try:
         # editors of some systems begin a text with a mark of its encoding
         content = tomllib.loads(text.removeprefix("\N{ZERO WIDTH NO-BREAK SPACE}"))
-        kind = TuggingCase if "tugging" in content else Case
-        case = kind.model_validate(content)
-    except ValidationError as error:
-        lines = [explain(kind, item) for item in error.errors()]
-        raise CaseError("\n".join(f"{source}: {line}" for line in lines)) from error
+        case = validated(content, source)
+    except CaseError:
+        raise
     except ValueError as error:  # a number of thousands of digits too
         raise CaseError(f"{source}: not valid TOML: {error}") from error
     except RecursionError:
         raise CaseError(f"{source}: lists or tables are nested too deeply") from None
     case._source, case._text = source, text
     return case
+
+
+def validated(content: Mapping[str, Any], source: Path) -> Case | TuggingCase:
+    """A case of its fields; CaseError for some that it cannot have."""
+    kind = TuggingCase if "tugging" in content else Case
+    try:
+        return kind.model_validate(content)
+    except ValidationError as error:
+        lines = [explain(kind, item) for item in error.errors()]
+        raise CaseError("\n".join(f"{source}: {line}" for line in lines)) from error

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 def require_all_used(case: Case) -> None:
     """Raise ValueError naming the first field of a contact or of wear that has no effect."""
+    _require_accuracy(case)
     # a factor of 0 is a source that is off, on purpose
     if case.heat is None and all(segment.heat_factor is None for segment in case.path):
         _require_cold((("body1", case.body1), ("body2", case.body2)), "give [heat] too")
@@ -24,11 +25,28 @@ def require_all_used(case: Case) -> None:
     if case.wear is not None:
         for name in sorted(given):
             raise ValueError(f"output.{name} is not for a case with [wear]: leave it out")
-    if case.grid.dz is None and "volume" in given and case.output.volume != "none":
+    if not case.has_volume and "volume" in given and case.output.volume != "none":
         raise ValueError(
             f"output.volume = {case.output.volume!r} needs a [grid] with dz: give it, or leave "
             "it out"
         )
+
+
+def _require_accuracy(case: Case) -> None:
+    """What is chosen must not be given, and what is of the choice must not be without it."""
+    if case.accuracy is None:
+        for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
+            raise ValueError(f"{name} is of accuracy: give that too, or leave it out")
+        return
+    if case.grid is not None:
+        raise ValueError("grid is chosen where there is an accuracy: leave one of them out")
+    if case.wear is not None:
+        raise ValueError("wear needs a [grid]: accuracy is of one contact, leave it out")
+    for index, segment in enumerate(case.path):
+        if changed(segment, ("increments",)):
+            raise ValueError(
+                f"path[{index}].increments are chosen where there is an accuracy: leave them out"
+            )
 
 
 def require_all_used_in_tugging(case: TuggingCase) -> None:

@@ -68,6 +68,8 @@ def _solve(
     """The files of a contact, of tugging, or of the cycles of wear."""
     from ..cases import TuggingCase
 
+    if animate and getattr(case, "accuracy", None) is not None:
+        raise ValueError("--animate is not for a case with accuracy")
     section = "tugging" if isinstance(case, TuggingCase) else "wear" if case.wear else None
     if animate and section is not None:
         raise ValueError(f"--animate is not for a case with [{section}]")
@@ -79,8 +81,10 @@ def _solve(
         from .solve_study import solve_wear
 
         return solve_wear(case, directory, console, figures=figures, resume=resume)
-    from .solve_contact import solve_contact
+    from .solve_contact import solve_contact, solve_to_accuracy
 
+    if case.accuracy is not None:
+        return solve_to_accuracy(case, directory, console, figures=figures, resume=resume)
     return solve_contact(case, directory, console, figures=figures, animate=animate, resume=resume)
 
 

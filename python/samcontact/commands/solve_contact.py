@@ -14,8 +14,11 @@ from rich.console import Console
 
 from .. import hertz, results
 from .._peak import peak_of_dataset
+from ..accuracy import Accurate, to_accuracy
+from ..accuracy.outcome import described
 from ..results.against_hertz import hertz_rows
 from ..runs.journal import describe
+from ..runs.lock import locked
 from ..state import in_one_window
 from .errors import StoppedEarlyError, tell_partial
 from .folder import publish
@@ -40,7 +43,7 @@ def solve_contact(
     With `resume`, each increment leaves a checkpoint. Without it whatever ends the run before all
     files are written leaves them all. An error after some increments leaves these as results, too.
     """
-    if animate and not (case.moves and case.grid.dz is not None):
+    if animate and not (case.moves and case.has_volume):
         raise ValueError("--animate needs a path that moves a body, and a grid with layers")
     simulation, path = case.build()
     who = describe(simulation, path=path)
@@ -68,6 +71,19 @@ def solve_contact(
             raise
 
 
+def solve_to_accuracy(
+    case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
+) -> list[Path]:
+    """The same on grids that become finer; the files of the finest."""
+    if resume:
+        raise ValueError("--resume is not for a case with accuracy: its grids are solved at once")
+    with locked(directory, "give another --output"):
+        console.print(case.title, style="bold", markup=False, highlight=False)
+        found = to_accuracy(case)
+        run = _Run(found.case, directory, console, found.simulation, found.states, found)
+        return run.write(figures=figures)
+
+
 @dataclass
 class _Run:
     """A simulation after the increments of a case, all or some."""
@@ -77,15 +93,21 @@ class _Run:
     console: Console
     simulation: Simulation
     states: list[State]
+    accurate: Accurate | None = None
 
     def write(self, *, figures: bool, animate: bool = False, stopped_by: str = "") -> list[Path]:
         """Results, tables and figures; the files."""
         case, console, states = self.case, self.console, self.states
-        dataset = results.to_dataset(self.simulation, states, case, stopped_by=stopped_by)
+        if self.accurate is not None:
+            dataset = self.accurate.to_dataset()
+        else:
+            dataset = results.to_dataset(self.simulation, states, case, stopped_by=stopped_by)
         written = [publish(dataset, self.directory / "results.nc")]
         body = case.output.body
         console.print(_summary(dataset, body))
-        if told := self.simulation._growth():
+        if self.accurate is not None:
+            console.print(_values_with_errors(self.accurate))
+        elif told := self.simulation._growth():
             console.print(f"{told}: [grid] gives only the first", markup=False, highlight=False)
         peak = peak_of_dataset(dataset)
         load = float(dataset["load"].values[peak])
@@ -132,6 +154,24 @@ def _summary(dataset: xr.Dataset, body: int) -> Sheet:
     shown = of_contact(dataset, names, body)
     columns = [(quantity, dataset[name].values, None) for name, quantity in shown.items()]
     return values_sheet("Increments", dataset["increment"].values, columns)
+
+
+def _values_with_errors(found: Accurate) -> Sheet:
+    """The largest values of the run."""
+    sheet = Sheet("Values with their errors")
+    labels, texts = [], []
+    for name, value in found.values.items():
+        known, body = described(name)
+        shown = known.fitting(abs(value))
+        labels.append(shown.column(body).replace("\n", " "))
+        texts.append([value * shown.factor, found.errors[name] * shown.factor])
+    sheet.add("", labels)
+    sheet.add("value", [f"{value:.6g}" for value, _ in texts])
+    sheet.add("error", [f"{error:.2g}" for _, error in texts])
+    relative = found.relative_errors
+    sheet.add("error [%]", [f"{100 * relative[name]:.2g}" for name in found.values])
+    sheet.add("asked [%]", [f"{100 * found.accuracy[name]:.3g}" for name in found.values])
+    return sheet
 
 
 def _comparison(

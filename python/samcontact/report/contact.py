@@ -30,12 +30,15 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     load = float(dataset["load"].values[peak])
     hertz = case.hertz(load) if case is not None and load > 0 else None
     body = _body(dataset)
+    values = [("increments", "Increments", tables.scalars_table(dataset))]
+    if (accurate := tables.accuracy_table(dataset)) is not None:
+        values.insert(0, ("accuracy", "Values with their errors", accurate))
     return {
         "file": "results.nc",
         "hertz": tables.hertz_table(dataset, peak, hertz, body) if hertz else [],
         "hertz_load": f"{load:.6g}",
         "hertz_increment": int(dataset["increment"][peak]),
-        "values": [("increments", "Increments", tables.scalars_table(dataset))],
+        "values": values,
         "convergence": [("convergence", "Convergence", tables.convergence_table(dataset))],
         "figures": contact_figures(dataset, body, hertz),
     }

@@ -63,7 +63,10 @@ def parameters(dataset: xr.Dataset) -> list[Row]:
     for section, fields in content.items():
         if section == "output" or isinstance(fields, str):  # title and description stand apart
             continue
-        if isinstance(fields, list):
+        is_list = isinstance(fields, list)
+        if not isinstance(fields, dict) and not (is_list and isinstance(fields[0], dict)):
+            rows.append(Row("case", section, _value(fields, "")))
+        elif is_list:
             for number, ramp in enumerate(fields, 1):
                 rows += _rows(f"{section}, part {number}", ramp)
         else:
@@ -132,6 +135,27 @@ _CONVERGENCE = (
 def scalars_table(dataset: xr.Dataset) -> Table:
     """What has one value for each increment."""
     return values_table(dataset, "increment", CONTACT, _SCALARS)
+
+
+def accuracy_table(dataset: xr.Dataset) -> Table | None:
+    """Values with their errors, where a run has them; None where it has none."""
+    known = [str(name) for name in dataset if f"{name}_error" in dataset]
+    if not known:
+        return None
+    columns = []
+    for name in known:
+        kind, _, body = name.partition("_body")
+        shown = CONTACT[kind].fitting(float(np.nanmax(np.abs(dataset[name].values))))
+        columns.append((shown.of(int(body) if body else None), name, shown.factor))
+    marks = np.flatnonzero(np.isfinite(dataset[f"{known[0]}_error"].values))
+    rows = []
+    for at in marks:
+        cells = []
+        for _, name, factor in columns:
+            value, error = (float(dataset[key].values[at]) for key in (name, f"{name}_error"))
+            cells.append(Cell(f"{value * factor:.6g} ± {error * factor:.2g}", repr(value)))
+        rows.append((str(int(dataset["increment"].values[at])), cells))
+    return Table([heading for heading, _, _ in columns], rows)
 
 
 def convergence_table(dataset: xr.Dataset) -> Table:

@@ -34,6 +34,7 @@ def verdicts(dataset: xr.Dataset, case: Case | None) -> list[Verdict]:
         *_borders(dataset),
         *_resolution(dataset, case),
         *_strains(dataset),
+        *_errors(dataset),
     ]
 
 
@@ -138,3 +139,16 @@ def _strains(dataset: xr.Dataset) -> Iterator[Verdict]:
         if variable in dataset:
             name = f"largest plastic strain, body {body}"
             yield Verdict(name, float(dataset[variable].max()), SMALL_STRAIN)
+
+
+def _errors(dataset: xr.Dataset) -> Iterator[Verdict]:
+    """Of a run to an accuracy, relative to the largest value of the run."""
+    for name in map(str, dataset):
+        error = dataset.get(f"{name}_error")
+        if error is None:
+            continue
+        marks = np.isfinite(error.values)
+        largest = float(np.max(np.abs(dataset[name].values[marks])))
+        relative = float(np.max(error.values[marks])) / largest if largest > 0 else 0.0
+        label = dataset[name].attrs["long_name"]
+        yield Verdict(f"estimated relative error, {label}", relative, error.attrs["accuracy"])

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a series of values tends to, and how far that may be from the truth.
+
+All of these take values of several quantities at once, along the last axis.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._checks import FloatArray
+
+RATIO = 2.0**0.5
+"""Of cells from one grid to the next."""
+LEAST_ORDER, MOST_ORDER = 0.9, 4.0
+"""Observed orders that are believed; what is extrapolated has at most `USED_ORDER`."""
+USED_ORDER = 2.0
+SAFE = 1.5
+"""Times a difference of neighbours: a term of order 1.5 leaves 1.47 of it, of order 2 all of it."""
+CLEAN = 0.5
+"""Least error of an extrapolated value, over what extrapolation changed."""
+MIXED = 0.05
+"""How much of a correction found on a coarse grid a finer one may change."""
+
+
+class Estimate(NamedTuple):
+    """Values with absolute errors, all of one shape."""
+
+    values: FloatArray
+    errors: FloatArray
+    extrapolated: FloatArray
+    """Whether each value is."""
+
+
+def of_grids(series: ArrayLike) -> Estimate:
+    """The limit along grids whose cells shrink by `RATIO`.
+
+    Parameters
+    ----------
+    series : array_like, shape (grids, ...)
+        From the coarsest on. Of a single one nothing is known: its errors are infinite.
+
+    Returns
+    -------
+    Estimate
+        Where three differences have one sign, fall, and show an order within limits twice, the
+        value is extrapolated with it. Else it is that of the finest grid, with the largest of the
+        last three differences, each scaled to the finest grid with order 1.5.
+    """
+    f = np.asarray(series, dtype=np.float64)
+    if len(f) == 1:
+        unknown = np.where(f[0] == 0, 0.0, np.inf)
+        return Estimate(f[0], unknown, np.zeros(f[0].shape, dtype=bool))
+    steps = np.diff(f, axis=0)
+    last = steps[-1]
+    scaled = [np.abs(step) * RATIO ** (-1.5 * age) for age, step in enumerate(steps[::-1][:3])]
+    careful = SAFE * np.max(scaled, axis=0)
+    if len(f) < 4:
+        return Estimate(f[-1], careful, np.zeros(last.shape, dtype=bool))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        orders = [np.log(steps[i - 1] / steps[i]) / np.log(RATIO) for i in (-1, -2)]
+        clean = np.all([(order >= LEAST_ORDER) & (order <= MOST_ORDER) for order in orders], axis=0)
+        order = np.where(clean, np.clip(orders[0], LEAST_ORDER, USED_ORDER), USED_ORDER)
+    beyond = last / (RATIO**order - 1.0)
+    before = f[-2] + steps[-2] / (RATIO**order - 1.0)
+    errors = np.maximum(np.abs(f[-1] + beyond - before), CLEAN * np.abs(beyond))
+    return Estimate(np.where(clean, f[-1] + beyond, f[-1]), np.where(clean, errors, careful), clean)
+
+
+def of_increments(series: ArrayLike, used: int = 0) -> Estimate:
+    """What more increments would add to a value: their error is of first order.
+
+    Parameters
+    ----------
+    series : array_like, shape (runs, ...)
+        Each with twice the increments of the one before, two at least.
+    used : int, optional
+        Which of the runs has as many increments as the value.
+
+    Returns
+    -------
+    Estimate
+        Of the limit minus the used value.
+    """
+    f = np.asarray(series, dtype=np.float64)
+    limits = 2.0 * f[1:] - f[:-1]
+    correction = limits[-1] - f[used]
+    left = np.abs(limits[-1] - f[-1])
+    if len(limits) > 1:
+        left = np.maximum(np.abs(limits[-1] - limits[-2]), 0.1 * left)
+    return Estimate(correction, left, np.ones(left.shape, dtype=bool))

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A case on any grid and in any number of increments; what has its own grid is refused."""
+
+from __future__ import annotations
+
+import math
+import time
+import warnings
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import _certified, hertz
+from .._checks import FloatArray
+from ..zone import strained_extent
+from .estimate import RATIO
+
+if TYPE_CHECKING:
+    from ..cases import Case
+    from ..simulation import Simulation
+    from ..state import State
+
+COARSEST = math.sqrt(32.0)
+"""Cells along a semi-axis of the Hertz contact on the first grid; each next has sqrt(2) more."""
+ROOM = 1.35
+"""Half a side of the first window over the semi-axis."""
+ROOM_OF_WAY = 2.0
+"""The same along x where bodies move: what flowed stays in the window for so long."""
+_CELLS_OF_DETAIL = 4.0  # across the least detail of a surface, on the first grid
+_DEPTH = 1.2  # of the layers of elastic bodies, over the smaller semi-axis
+
+
+@dataclass
+class Run:
+    """A case on one grid."""
+
+    level: int
+    increments: int
+    case: Case
+    simulation: Simulation
+    states: list[State]
+    marks: list[int]
+    values: FloatArray  # (marks, names)
+    seconds: float
+    told: list[warnings.WarningMessage]
+
+    @property
+    def half(self) -> tuple[float, float]:
+        """How far contact and plastic strain reach from the middle along x and y [m]."""
+        reach = [0, 0]
+        for state in self.states:
+            nx, ny = state.grid.surface_shape
+            touched = np.nonzero(state.pressure > 0)
+            found = [touched] if touched[0].size else []
+            if state is self.states[-1]:
+                extents = [strained_extent(state, body) for body in (1, 2)]
+                found += [tuple(np.array(axis) for axis in e[:2]) for e in extents if e]
+            for cells in found:
+                for axis, n in enumerate((nx, ny)):
+                    ends = int(cells[axis].min()), int(cells[axis].max())
+                    reach[axis] = max(reach[axis], n - 2 * ends[0], 2 * ends[1] + 2 - n)
+        grid = self.simulation.grid
+        return 0.5 * reach[0] * grid.dx, 0.5 * reach[1] * grid.dy
+
+
+class Refinable:
+    """A case whose grid and increments are free."""
+
+    def __init__(self, case: Case) -> None:
+        require_refinable(case)
+        self.case = case
+        self.bodies = case.body1.build(), case.body2.build()
+        self.yields = any(body.is_plastic for body in self.bodies)
+        marching = case.heat is not None and case.heat.history is not None
+        self.has_history = self.yields or marching
+        """Whether the number of increments matters."""
+        drives = {name for step in case.steps() for name in ("load", "approach") if name in step}
+        given = drives if len(drives) == 1 else set()
+        names = _certified.names(self.bodies, case.output.body)
+        self.names = [name for name in names if name not in given]
+        along_x = ROOM_OF_WAY if case.moves else ROOM
+        self.half = along_x * self.semi_axes[0], ROOM * self.semi_axes[1]
+
+    @cached_property
+    def semi_axes(self) -> tuple[float, float]:
+        """Of the elastic contact of the smooth surfaces along x and y at the largest target [m]."""
+        radii = self.case.surface.radii()
+        assert radii is not None
+        E_star = hertz.effective_modulus(*self.bodies)
+        steps = self.case.steps()
+        sizes = []
+        for name in ("load", "approach"):
+            target = max((step.get(name, 0.0) for step in steps), default=0.0)
+            if target > 0:
+                given: dict[str, Any] = {name: target}
+                if math.isclose(*radii, rel_tol=1e-9):
+                    a = hertz.point(radii[0], E_star, **given).a
+                    sizes.append((a, a))
+                else:
+                    found = hertz.elliptic(*radii, E_star, **given)
+                    sizes.append((found.a_x, found.a_y))
+        if not sizes:
+            raise ValueError("path: no load and no approach is above 0, so there is no contact")
+        return max(sizes)
+
+    @cached_property
+    def _finer(self) -> float:
+        """By how much details of the surfaces need smaller cells than the contact does."""
+        details: list[float] = []
+        roughness: Any = self.case.surface.roughness
+        if roughness is not None:
+            details += [0.5 * roughness.wavelength_x, 0.5 * roughness.wavelength_y]
+        for relief in (self.case.relief1, self.case.relief2):
+            kind: Any = relief
+            if kind is not None and kind.kind == "dent":
+                details.append(2.0 * math.sqrt(2.0 * kind.radius * abs(kind.depth)))
+            elif kind is not None:
+                details.append(2.0 * kind.half_width)
+        widest = min(self.semi_axes) / COARSEST
+        return max([1.0, *(_CELLS_OF_DETAIL * widest / size for size in details if size > 0)])
+
+    def cells(self, level: int) -> float:
+        """Along a semi-axis of the Hertz contact."""
+        return float(COARSEST * self._finer * RATIO**level)
+
+    def on(self, level: int, increments: int) -> Case:
+        """The case on a grid: with a cell in the middle, so that all grids have one there."""
+        from ..cases.sections import GridSection
+
+        cells = self.cells(level)
+        sizes = [a / cells for a in self.semi_axes]
+        counts = [2 * math.ceil(half / d) + 1 for half, d in zip(self.half, sizes, strict=True)]
+        layers = 0 if self.yields else math.ceil(_DEPTH * cells) + 2
+        grid = GridSection(
+            nx=counts[0], ny=counts[1], dx=sizes[0], dy=sizes[1], nz=layers, dz=min(sizes)
+        )
+        path = []
+        for segment in self.case.path:
+            changes: dict[str, Any] = {"increments": increments}
+            for kind in ("roll", "slide"):
+                passes = getattr(segment, kind)
+                if passes is not None:
+                    changes[kind] = passes.model_copy(update={"step": sizes[0]})
+            path.append(segment.model_copy(update=changes))
+        return self.case.model_copy(update={"grid": grid, "path": path})
+
+    def run(self, level: int, increments: int) -> Run:
+        """Solve it; what is warned of is kept, since a finer grid may have nothing to tell."""
+        began = time.perf_counter()
+        case = self.on(level, increments)
+        marks = marks_of(case)
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            simulation, path = case.build()
+            states = simulation.run(path, progress=False)
+            values = np.array(
+                [list(_certified.values(states[m], self.names).values()) for m in marks]
+            )
+        seconds = time.perf_counter() - began
+        return Run(level, increments, case, simulation, states, marks, values, seconds, told)
+
+    def settle(self, run: Run) -> None:
+        """Take the window of later grids from what a run filled."""
+        half = [1.08 * h + 2.0 * d for h, d in zip(run.half, self._sizes(run.level), strict=True)]
+        along_x = max(half[0], self.half[0]) if self.case.moves else half[0]
+        self.half = along_x, half[1]
+
+    def _sizes(self, level: int) -> list[float]:
+        return [a / self.cells(level) for a in self.semi_axes]
+
+
+def marks_of(case: Case) -> list[int]:
+    """Positions of the increments that end a segment, and of passes the last one under load."""
+    marks: list[int] = []
+    reached = ("", 0.0)
+    count = 0
+    for segment in case.path:
+        made, reached = segment.steps(reached)
+        if segment.passes is not None:
+            target = getattr(segment, segment.quantity)
+            under = [i for i, step in enumerate(made) if step.get(segment.quantity) == target]
+            marks.append(count + under[-1])
+        count += len(made)
+        marks.append(count - 1)
+    return marks
+
+
+def require_refinable(case: Case) -> None:
+    """Raise ValueError naming what has no smaller cells than its own, and what to do instead."""
+    remedy = "give [grid] with the cells of the data instead of accuracy"
+    if case.wear is not None:
+        raise ValueError("wear: accuracy is of one contact, not of cycles of wear: give [grid]")
+    if case.grid is not None and case.grid.periodic:
+        raise ValueError("grid.periodic: accuracy chooses the window, so it cannot repeat itself")
+    surface: Any = case.surface
+    if surface.shape == "file":
+        raise ValueError(f"surface.shape = 'file' is known in points of its file only: {remedy}")
+    if surface.roughness is not None and surface.roughness.kind != "sinusoidal":
+        raise ValueError(
+            f"surface.roughness.kind = {surface.roughness.kind!r} is made of the cells of a grid, "
+            "another one on each: give [grid] instead of accuracy"
+        )
+    for name in ("relief1", "relief2"):
+        relief = getattr(case, name)
+        if relief is not None and not relief.is_known:
+            raise ValueError(f"{name}.kind = {relief.kind!r} is known on one grid only: {remedy}")
+    radii = surface.radii()
+    if radii is None or not all(map(math.isfinite, radii)):
+        raise ValueError(
+            f"surface.shape = {surface.shape!r} has a contact without ends, which no window holds: "
+            'give [grid] with periodic = "y" (or "x") instead of accuracy'
+        )

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Asking for an accuracy: errors are stated and larger than the true ones, or a remedy is named."""
+
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from samcontact import _certified, results
+from samcontact.accuracy import estimate
+from samcontact.cases import CaseError
+
+STEEL = {"law": "elastic", "E": 210e9, "nu": 0.3}
+SWIFT = {"law": "swift", "E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121}
+BALL = {"shape": "paraboloid", "Rx": 7.5e-3}
+ELASTIC = {"body1": STEEL, "body2": STEEL, "surface": BALL, "path": [{"load": 1500.0}]}
+YIELDING = ELASTIC | {"body2": SWIFT, "path": [{"load": 1500.0}, {"load": 0.0}]}
+ROUGH = {"kind": "self_affine", "rms_height": 1e-8, "hurst": 0.7, "seed": 1}
+
+
+@pytest.mark.parametrize("ratio", [1.0, 5.0])
+def test_hertz_contact_is_closer_than_the_stated_error(ratio):
+    case = ELASTIC | {"surface": BALL | {"Ry": 7.5e-3 * ratio}}
+    found = sc.to_accuracy(case, 0.01)
+    body = sc.Material.elastic(210e9, 0.3)
+    hertz = sc.hertz.elliptic(
+        7.5e-3, 7.5e-3 * ratio, sc.hertz.effective_modulus(body, body), load=1500.0
+    )
+    truth = {
+        "max_pressure": hertz.p0,
+        "approach": hertz.approach,
+        "contact_area": math.pi * hertz.a_x * hertz.a_y,
+    }
+    assert "load" not in found.values  # which is given
+    assert found.reached
+    for name, exact in truth.items():
+        assert found.errors[name] <= 0.01 * abs(found.values[name])
+        assert abs(found.values[name] - exact) <= found.errors[name] + 1e-9 * exact
+    # of the smallest windows and grids, each of which costs a part of the last
+    cells = [nx * ny for nx, ny, *_ in found.runs]
+    assert cells == sorted(cells)
+    assert cells[-1] < 10_000
+
+
+def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
+    found = sc.to_accuracy(YIELDING, 0.05)
+    assert found.reached
+    # of T1 with 512 increments on a grid that is four times as fine
+    truth = {
+        "max_pressure": 3.9806e9,
+        "approach": 2.33646e-5,
+        "contact_area": 5.525e-7,
+        "max_von_mises_body2": 2.3506e9,
+        "max_equivalent_plastic_strain_body2": 1.845e-3,
+        "max_residual_von_mises_body2": 1.3355e8,
+        "print_depth_body2": 2.999e-7,
+    }
+    for name, exact in truth.items():
+        assert abs(found.values[name] - exact) <= found.errors[name] <= 0.05 * exact
+    simulation, path = found.case.build()
+    assert simulation.grid == found.case.grid.build()
+    states = simulation.run(path, progress=False)
+    for mine, theirs in zip(states, found.states, strict=True):
+        assert np.array_equal(mine.pressure, theirs.pressure)
+    depth = _certified.value(states[-1], "print_depth_body2")
+    assert abs(depth / found.values["print_depth_body2"] - 1) < 0.05
+    dataset = found.to_dataset()
+    end = dataset.isel(increment=-1)
+    assert float(end["print_depth_body2"]) == found.series["print_depth_body2"][-1]
+    assert float(end["print_depth_body2_error"]) == found.series_errors["print_depth_body2"][-1]
+    assert results.scalars(dataset)["max_residual_von_mises_body2"].notnull().sum() == 2
+
+
+def test_memory_ends_it_with_the_best_so_far():
+    with pytest.warns(sc.AccuracyWarning, match=r"contact_area has .*needs about .* GB"):
+        found = sc.to_accuracy(ELASTIC, 1e-4, quantities=["contact_area"], max_memory=2e7)
+    assert not found.reached
+    assert list(found.values) == ["contact_area"]
+    assert 1e-4 < found.relative_errors["contact_area"] < 0.1
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"surface": {"shape": "file", "path": "h.npy"}}, "surface.shape = 'file'.*give .grid."),
+        ({"surface": BALL | {"roughness": ROUGH}}, "surface.roughness.kind = 'self_affine'"),
+        ({"relief2": ROUGH}, "relief2.kind = 'self_affine'"),
+        ({"surface": {"shape": "cylinder", "R": 1e-3}}, "surface.shape = 'cylinder'.*periodic"),
+        ({"path": [{"approach": -1e-6}]}, "path: no load"),
+        ({"path": [{"load": 1.0, "increments": 3}]}, r"path\[0\].increments are chosen"),
+        ({"accuracy": {"print": 0.1}}, "'print' is none of this case"),
+        ({"accuracy": 2.0}, "accuracy"),
+    ],
+)
+def test_what_cannot_be_is_refused_by_name(change, message):
+    with pytest.raises(ValueError, match=message):
+        sc.to_accuracy({"accuracy": 0.01} | ELASTIC | change)
+
+
+def test_a_case_needs_a_grid_or_an_accuracy():
+    grid = {"nx": 8, "ny": 8, "dx": 1e-4, "dy": 1e-4}
+    with pytest.raises(CaseError, match="grid: required section is missing; or give accuracy"):
+        sc.to_accuracy(ELASTIC)
+    with pytest.raises(CaseError, match="grid is chosen where there is an accuracy"):
+        sc.to_accuracy(ELASTIC | {"grid": grid, "accuracy": 0.01})
+    with pytest.raises(CaseError, match="max_time is of accuracy"):
+        sc.to_accuracy(ELASTIC | {"grid": grid, "max_time": 1.0}, 0.01)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert sc.to_accuracy(ELASTIC | {"grid": grid}, 0.1).grid.dx < 1e-4
+
+
+@pytest.mark.parametrize("order", [1.0, 1.5, 2.0])
+def test_orders_are_seen_and_noise_is_not_extrapolated(order):
+    cells = 2.0 ** (0.5 * np.arange(6))
+    clean = estimate.of_grids(3.0 + 0.7 * cells**-order)
+    assert clean.extrapolated
+    assert abs(clean.values - 3.0) < 1e-12
+    assert clean.errors > 0
+    noisy = 3.0 + 0.7 * cells**-order * np.array([1.0, -0.4, 1.2, 0.6, -0.8, 1.0])
+    found = estimate.of_grids(noisy)
+    assert not found.extrapolated
+    assert found.values == noisy[-1]
+    assert abs(found.values - 3.0) < found.errors
+    halves = 2.0 ** np.arange(4)
+    more = estimate.of_increments(5.0 + 2.0 / halves, used=1)
+    assert more.values == pytest.approx(-1.0, rel=1e-12)
