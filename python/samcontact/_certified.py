@@ -8,7 +8,6 @@ largest cell and the number of cells do.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -52,25 +51,39 @@ def names(bodies: Sequence[Material], body: int = 2, *, volume: bool = True) -> 
 
 def value(state: State, name: str) -> float:
     """One quantity of a state, by its name in files [SI units]."""
+    return max(parts(state, name))
+
+
+def parts(state: State, name: str) -> tuple[float, ...]:
+    """The same as the values whose largest it is, each of which converges by itself.
+
+    Of a field of the volume the largest below the surface and that of the surface: which of them is
+    larger may depend on the grid.
+    """
     if name in ("load", "approach"):
-        return float(getattr(state, name))
+        return (float(getattr(state, name)),)
     if name == "max_pressure":
-        return peak_value(state.pressure)
+        return (peak_value(state.pressure),)
     if name == "contact_area":
-        return area_under(state.pressure, state.grid.cell_area, state.grid.periodic)
+        return (area_under(state.pressure, state.grid.cell_area, state.grid.periodic),)
     kind, body = name[: -len("_body1")], int(name[-1])
     if kind == "print_depth":
-        return peak_value(state.residual_displacement(body))
+        return (peak_value(state.residual_displacement(body)),)
     zones = state.zones(body)
     if not zones and kind != "max_von_mises":
-        return 0.0
+        return 0.0, 0.0
     if len(zones) > 1:
         fields = [getattr(zone, _FIELDS[kind])() for zone in zones]
     else:
         fields = [getattr(state, _FIELDS[kind])(body)]
-    return max(
-        peak_value(field if field.ndim == 3 else von_mises(field), surface=True) for field in fields
-    )
+    found = [_below_and_at_surface(f if f.ndim == 3 else von_mises(f)) for f in fields]
+    below, surface = (max(values) for values in zip(*found, strict=True))
+    return below, surface
+
+
+def has_parts(name: str) -> int:
+    """How many parts a quantity has."""
+    return 2 if name[: -len("_body1")] in _FIELDS else 1
 
 
 def values(state: State, wanted: Sequence[str]) -> dict[str, float]:
@@ -78,16 +91,13 @@ def values(state: State, wanted: Sequence[str]) -> dict[str, float]:
     return {name: value(state, name) for name in wanted}
 
 
-def peak_value(field: ArrayLike, *, surface: bool = False) -> float:
+def peak_value(field: ArrayLike) -> float:
     """Largest value of a field between its cells.
 
     Parameters
     ----------
     field : array_like
         At the centres of cells.
-    surface : bool, optional
-        Whether the last axis begins at a surface, half a cell before the first centre: a field that
-        grows up to there is continued to it.
 
     Returns
     -------
@@ -98,29 +108,39 @@ def peak_value(field: ArrayLike, *, surface: bool = False) -> float:
     values = np.asarray(field, dtype=np.float64)
     if values.size == 0:
         return 0.0
-    at = np.unravel_index(int(values.argmax()), values.shape)
-    largest = float(values[at])
-    risen = largest
+    return _risen(values, np.unravel_index(int(values.argmax()), values.shape))
+
+
+def _risen(values: FloatArray, at: tuple[np.intp, ...]) -> float:
+    """A cell, and what parabolas through it and its neighbours rise above it."""
+    risen = float(values[at])
     for axis in range(values.ndim):
         line = np.moveaxis(values, axis, -1)[tuple(np.delete(at, axis))]
-        risen += _rise(line, int(at[axis]), surface and axis == values.ndim - 1)
+        k = int(at[axis])
+        if 0 < k < line.size - 1:
+            slope, bend = 0.5 * (line[k + 1] - line[k - 1]), line[k + 1] - 2 * line[k] + line[k - 1]
+            if bend < 0 and abs(slope) <= -bend:
+                risen -= float(0.5 * slope**2 / bend)
     return risen
 
 
-def _rise(line: FloatArray, at: int, begins: bool) -> float:
-    """By how much a parabola through three cells of a line rises above its largest."""
-    if begins and at == 0 and line.size > 2:
-        middle = 1
-    elif 0 < at < line.size - 1:
-        middle = at
-    else:
-        return 0.0
-    before, here, after = (float(v) for v in line[middle - 1 : middle + 2])
-    slope, bend = 0.5 * (after - before), after - 2.0 * here + before
-    top = -slope / bend if bend < 0 else math.copysign(math.inf, slope)
-    lowest = -1.5 if middle != at else -1.0
-    place = min(max(top, lowest), 1.0)
-    return max(here + slope * place + 0.5 * bend * place**2 - float(line[at]), 0.0)
+def _below_and_at_surface(field: FloatArray) -> tuple[float, float]:
+    """Largest of what rises and falls with the depth, and of a parabola at depth 0.
+
+    The parabola goes through the first three layers where the values grow towards the surface;
+    where the third has none it is a line.
+    """
+    layers = field.shape[2]
+    if layers < 3:
+        return (0.0, float(field.max())) if field.size else (0.0, 0.0)
+    inner = field[:, :, 1:-1]
+    turns = np.where((inner >= field[:, :, :-2]) & (inner >= field[:, :, 2:]), inner, -np.inf)
+    at = np.unravel_index(int(turns.argmax()), turns.shape)
+    below = _risen(field, (at[0], at[1], at[2] + 1)) if np.isfinite(turns[at]) else 0.0
+    first, second, third = (field[:, :, k] for k in range(3))
+    surface = 1.875 * first - 1.25 * second + 0.375 * third
+    surface = np.where(third > 0, surface, 1.5 * first - 0.5 * second)
+    return below, peak_value(np.where(first >= second, surface, 0.0))
 
 
 def area_under(pressure: ArrayLike, cell_area: float, periodic: str = "") -> float:

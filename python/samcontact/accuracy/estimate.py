@@ -6,6 +6,7 @@ All of these take values of several quantities at once, along the last axis.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -92,3 +93,25 @@ def of_increments(series: ArrayLike, used: int = 0) -> Estimate:
     if len(limits) > 1:
         left = np.maximum(np.abs(limits[-1] - limits[-2]), 0.1 * left)
     return Estimate(correction, left, np.ones(left.shape, dtype=bool))
+
+
+def joined(found: Estimate, parts: Sequence[int]) -> Estimate:
+    """The largest of several values, with the error that theirs leave it.
+
+    Parameters
+    ----------
+    found : Estimate
+        Of all parts along the last axis.
+    parts : sequence of int
+        How many belong together, one after the other.
+    """
+    ends = np.cumsum(parts)
+    columns: list[tuple[FloatArray, ...]] = []
+    for first, end in zip(ends - parts, ends, strict=True):
+        values, errors, extrapolated = (array[..., first:end] for array in found)
+        largest = values.max(axis=-1)
+        above = (values + errors).max(axis=-1) - largest
+        below = largest - (values - errors).max(axis=-1)
+        known = np.asarray(extrapolated.all(axis=-1))
+        columns.append((largest, np.maximum(above, below), known))
+    return Estimate(*(np.stack(column, axis=-1) for column in zip(*columns, strict=True)))

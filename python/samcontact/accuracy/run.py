@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import _memory
+from .. import _certified, _memory
 from .._checks import FloatArray, positive
-from .estimate import MIXED, RATIO, Estimate, of_grids, of_increments
+from .estimate import MIXED, RATIO, Estimate, joined, of_grids, of_increments
 from .outcome import AccuracyWarning, Accurate, largest
 from .scene import Refinable, Run
 
@@ -146,6 +146,7 @@ class _Search:
         self, scene: Refinable, asked: dict[str, float], memory: float, limit: float
     ) -> None:
         self.scene, self.asked, self.memory, self.limit = scene, asked, memory, limit
+        self.parts = [_certified.has_parts(name) for name in scene.names]
         self.chosen = [scene.names.index(name) for name in asked]
         self.wanted = np.array(list(asked.values()))
         self.runs: dict[tuple[int, int], Run] = {}
@@ -191,17 +192,25 @@ class _Search:
         while True:
             series = self._of_increments()
             if len(series) >= 3:
-                found = of_increments([run.values for run in series])
-                if np.all(self._share(found.errors, series[-1].values) <= 0.25 * self.wanted):
+                limit = self._limit(series)
+                if np.all(self._relative(limit) <= 0.25 * self.wanted):
                     break
             if not self._more_increments():
                 break
-        limit = series[0].values + found.values
         for run in series[:-1]:
             self.used = run.increments
-            off = self._share(np.abs(limit - run.values), limit)
-            if np.all(off <= RAW * self.wanted):
+            off = np.abs(limit.values - self._join(run.values, 0.0 * run.values).values)
+            if np.all(self._relative(limit._replace(errors=off)) <= RAW * self.wanted):
                 break
+
+    def _limit(self, series: list[Run]) -> Estimate:
+        """Of more and more increments on one grid."""
+        more = of_increments([run.values for run in series])
+        return self._join(series[0].values + more.values, more.errors)
+
+    def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
+        """Of the quantities, of whose parts these are."""
+        return joined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _of_increments(self) -> list[Run]:
         found = [run for (level, _), run in self.runs.items() if level == INCREMENTS_ON]
@@ -224,27 +233,24 @@ class _Search:
     def _estimate(self, grids: list[Run]) -> Estimate:
         """Of space and increments together, shape (marks, names)."""
         found = of_grids([run.values for run in grids])
-        if not self.scene.has_history:
-            return found
-        more = self._correction()
-        errors = found.errors + more.errors + MIXED * np.abs(more.values)
-        return Estimate(found.values + more.values, errors, found.extrapolated)
-
-    def _share(self, errors: FloatArray, values: FloatArray) -> FloatArray:
-        """Errors of the chosen quantities over the largest values, the largest of all marks."""
-        scale = np.max(np.abs(values), axis=0)
-        share = np.divide(errors, scale, out=np.zeros_like(errors), where=scale > 0)
-        return np.asarray(np.max(share, axis=0)[self.chosen])
+        if self.scene.has_history:
+            more = self._correction()
+            errors = found.errors + more.errors + MIXED * np.abs(more.values)
+            found = Estimate(found.values + more.values, errors, found.extrapolated)
+        return joined(found, self.parts)
 
     def _relative(self, found: Estimate) -> FloatArray:
-        return self._share(found.errors, found.values)
+        """Errors of the chosen quantities over the largest values, the largest of all marks."""
+        scale = np.max(np.abs(found.values), axis=0)
+        share = np.divide(found.errors, scale, out=np.zeros_like(found.errors), where=scale > 0)
+        return np.asarray(np.max(share, axis=0)[self.chosen])
 
     def _increments_matter(self, grids: list[Run]) -> bool:
         """Whether they alone spoil the accuracy."""
         if not self.scene.has_history:
             return False
-        spoiled = self._share(self._correction().errors, grids[-1].values)
-        return bool(np.any(spoiled > 0.5 * self.wanted))
+        spoiled = self._join(grids[-1].values, self._correction().errors)
+        return bool(np.any(self._relative(spoiled) > 0.5 * self.wanted))
 
     def _affordable(self, grids: list[Run]) -> bool:
         """Whether the next grid is within memory and time; else `needs` says what it takes."""

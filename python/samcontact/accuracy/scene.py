@@ -42,7 +42,7 @@ class Run:
     simulation: Simulation
     states: list[State]
     marks: list[int]
-    values: FloatArray  # (marks, names)
+    values: FloatArray  # (marks, parts of all names)
     seconds: float
     told: list[warnings.WarningMessage]
 
@@ -155,9 +155,8 @@ class Refinable:
             warnings.simplefilter("always")
             simulation, path = case.build()
             states = simulation.run(path, progress=False)
-            values = np.array(
-                [list(_certified.values(states[m], self.names).values()) for m in marks]
-            )
+            found = [[_certified.parts(states[m], name) for name in self.names] for m in marks]
+            values = np.array([[part for parts in of_mark for part in parts] for of_mark in found])
         seconds = time.perf_counter() - began
         return Run(level, increments, case, simulation, states, marks, values, seconds, told)
 
