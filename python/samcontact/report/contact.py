@@ -32,7 +32,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     body = _body(dataset)
     values = [("increments", "Increments", tables.scalars_table(dataset))]
     if (accurate := tables.accuracy_table(dataset)) is not None:
-        values.insert(0, ("accuracy", "Values with their errors", accurate))
+        values.append(("accuracy", "Values with their errors", accurate))
     return {
         "file": "results.nc",
         "hertz": tables.hertz_table(dataset, peak, hertz, body) if hertz else [],

@@ -59,7 +59,7 @@ def parameters(dataset: xr.Dataset) -> list[Row]:
     if not text:
         return _from_attributes(dataset)
     content = tomllib.loads(text)
-    rows: list[Row] = []
+    rows = _of_grid(dataset) if "accuracy" in content else []  # which was chosen
     for section, fields in content.items():
         if section == "output" or isinstance(fields, str):  # title and description stand apart
             continue
@@ -99,14 +99,18 @@ def _value(value: Any, unit: str) -> str:
     return f"{value:.6g} {unit}".strip()
 
 
+def _of_grid(dataset: xr.Dataset) -> list[Row]:
+    axes = [axis for axis in "xyz" if axis in dataset.sizes]
+    sizes = [float(dataset.attrs[f"d{axis}"]) for axis in axes if f"d{axis}" in dataset.attrs]
+    cells = Row("grid", "cells", counts(*(dataset.sizes[axis] for axis in axes)))
+    return [cells, Row("grid", "cell size", lengths(*sizes))]
+
+
 def _from_attributes(dataset: xr.Dataset) -> list[Row]:
     if "x" not in dataset.sizes:  # not of one contact: what was given as numbers
         plain = {str(k): v for k, v in dataset.attrs.items() if not isinstance(v, str)}
         return [Row("run", name, _value(float(value), "")) for name, value in plain.items()]
-    axes = [axis for axis in "xyz" if axis in dataset.sizes]
-    sizes = [float(dataset.attrs[f"d{axis}"]) for axis in axes if f"d{axis}" in dataset.attrs]
-    rows = [Row("grid", "cells", counts(*(dataset.sizes[axis] for axis in axes)))]
-    rows.append(Row("grid", "cell size", lengths(*sizes)))
+    rows = _of_grid(dataset)
     for body in (1, 2):
         prefix = f"body{body}_"
         for name, value in dataset.attrs.items():

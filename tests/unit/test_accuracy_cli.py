@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A case file that asks for an accuracy: values and errors on the terminal, in results, reports."""
+
+import numpy as np
+import pytest
+
+from command import check_failure, fields, invoke
+from samcontact import report
+
+TEXT = """title = "ball to an accuracy"
+accuracy = {max_pressure = "X", contact_area = 0.1}
+
+[body1]
+law = "rigid"
+
+[body2]
+law = "elastic"
+E = 210e9
+nu = 0.3
+
+[surface]
+shape = "paraboloid"
+Rx = 7.5e-3
+
+[[path]]
+load = 100.0
+
+[[path]]
+load = 400.0
+"""
+
+
+@pytest.fixture
+def case(tmp_path):
+    file = tmp_path / "ball.toml"
+    file.write_text(TEXT.replace('"X"', "0.02"))
+    return file
+
+
+def test_values_come_with_errors(case, tmp_path):
+    outcome = invoke("run", case, "--output", tmp_path / "out", "--no-figures")
+    assert outcome.exit_code == 0, outcome.output
+    assert "Values with their errors" in outcome.stdout
+    data = fields(tmp_path / "out")
+    ratio = data["max_pressure"][1] / data["max_pressure"][0]
+    assert float(ratio) == pytest.approx(4 ** (1 / 3), rel=0.01)  # Hertz
+    assert np.all(data["max_pressure_error"] <= 0.02 * data["max_pressure"].max())
+    assert data["max_pressure_error"].attrs["accuracy"] == 0.02
+    assert "approach_error" not in data
+    checks = [v for v in report.checks(data) if v.name.startswith("estimated relative error")]
+    assert [check.limit for check in checks] == [0.02, 0.1]
+    assert all(check.passed for check in checks)
+    report.write(data, tmp_path / "report.html")
+    assert "Values with their errors" in (tmp_path / "report.html").read_text(encoding="utf-8")
+
+
+def test_what_goes_on_or_moves_is_refused(case, tmp_path):
+    outcome = invoke("run", case, "--output", tmp_path / "out", "--resume")
+    check_failure(outcome, 2, "--resume is not for a case with accuracy")
+    case.write_text(TEXT)
+    outcome = invoke("run", case, "--output", tmp_path / "out")
+    check_failure(outcome, 2, "accuracy.max_pressure")
