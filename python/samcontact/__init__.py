@@ -28,6 +28,7 @@ from . import (
 )
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
+from ._doubts import UnitWarning
 from ._told import PlasticStrainWarning
 from .accuracy import AccuracyWarning, Accurate, to_accuracy
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
@@ -63,6 +64,7 @@ __all__ = [
     "State",
     "SweepInterrupted",
     "Track",
+    "UnitWarning",
     "Zone",
     "__version__",
     "asperities",

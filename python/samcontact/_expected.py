@@ -4,21 +4,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import hertz
+from . import _doubts, hertz
 from ._core import ConvergenceError, GridTooSmallError
 from ._repr import lengths, quantity
 
 if TYPE_CHECKING:
     from ._checks import FloatArray
     from .grid import Grid
+    from .heat import Heat
     from .material import Material
 
 SMOOTH = 0.03
@@ -38,10 +39,14 @@ class Expected:
     @property
     def semi_axes(self) -> tuple[float, float]:
         """Larger and smaller semi-axis of the contact [m]."""
+        return max(self.along_axes), min(self.along_axes)
+
+    @property
+    def along_axes(self) -> tuple[float, float]:
+        """Semi-axes along x and y [m], of one that lies along them."""
         if isinstance(self.contact, hertz.PointContact):
             return self.contact.a, self.contact.a
-        a, b = self.contact.a_x, self.contact.a_y
-        return max(a, b), min(a, b)
+        return self.contact.a_x, self.contact.a_y
 
     def __str__(self) -> str:
         long, short = self.semi_axes
@@ -129,6 +134,18 @@ class Scene:
             return Expected(hertz.elliptic(*self.radii, E_star, load=load, approach=approach))
         except (ValueError, ArithmeticError):  # beyond the range of numbers
             return None
+
+    def doubted(
+        self, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
+    ) -> _doubts.Doubt | None:
+        """Warn of what cannot be meant, before it is solved; that."""
+        expected, contact = self.hertz(**target), None
+        if expected is not None:
+            driver = "approach" if target.get("load") is None else "load"
+            contact = _doubts.Contact(expected, self.extent(**target), driver)
+        return _doubts.warn_of_doubts(
+            contact, self.grid, self.bodies, heat, stacklevel=stacklevel + 1
+        )
 
     def require_room(self, load: float | None = None, approach: float | None = None) -> None:
         """Raise GridTooSmallError when the Hertz contact does not fit.

@@ -106,6 +106,15 @@ def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:
     return max(given) if given and not heated else None
 
 
+def largest_target(steps: Sequence[Mapping[str, Any]]) -> dict[str, float]:
+    """Of a path: its largest load, or approach where no load is given."""
+    for name in ("load", "approach"):
+        given = [v for step in steps if isinstance(v := step.get(name), (int, float))]
+        if given:
+            return {name: max(given)}
+    return {}
+
+
 def _duration(heat: Heat, duration: float | None) -> float | None:
     """Of an increment [s]; None without a march in time."""
     if heat.history is None:

@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import Any
 
 from . import resolution
 from ._expected import Scene
 from ._repr import quantity
 from .contact import GridTooSmallWarning
+from .heat import Heat
 from .state import State
 
 SMALL_STRAIN = 0.05
@@ -31,6 +33,8 @@ class Told:
     looks_at_steps: bool = True
     """Whether steps are warned of by themselves; a run looks at its grid as a whole."""
     of_cut: bool = False
+    of_scene: bool = False
+    of_contact: bool = False
     largest_load: float = 0.0
 
     @contextmanager
@@ -41,6 +45,22 @@ class Told:
             yield
         finally:
             self.looks_at_steps = looks
+
+    def doubt(
+        self, scene: Scene, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
+    ) -> None:
+        """Before an increment; what would be found of the same afterwards is told with it."""
+        if self.of_scene or not (doubt := scene.doubted(heat, target, stacklevel=stacklevel + 1)):
+            return
+        self.of_scene = True
+        if doubt.of_contact:
+            self.of_contact = True
+            self.looks_at_steps = False
+
+    def warn_of_run(self, states: Sequence[State], scene: Scene, *, stacklevel: int) -> None:
+        """After a run, of its grid."""
+        if not self.of_contact:
+            resolution.warn_of_run(states, scene, stacklevel=stacklevel + 1)
 
     def warn(self, state: State, scene: Scene, complaints: list[str], *, stacklevel: int) -> None:
         """After an increment; complaints: of the border of the grid, by the core."""

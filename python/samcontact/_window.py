@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,6 +23,9 @@ from .grid import Grid
 from .heat import Heat
 from .material import Material
 from .relief import Relief, heights_over, relief_rows
+
+if TYPE_CHECKING:
+    from ._told import Told
 
 _logger = logging.getLogger("samcontact")
 
@@ -148,6 +151,7 @@ class Windowed(Configured):
     _heat: Heat
     _surfaces: Surfaces
     _first: Window
+    _told: Told
     _window: Window
     _scene: _expected.Scene
     state: Any
@@ -196,6 +200,8 @@ class Windowed(Configured):
         """An increment, the state before and the core's after it, in a window that holds it."""
         while True:
             step = checked_step(self.grid, (self.body1, self.body2), self._heat, **given)
+            if self._told.looks_at_steps:
+                self._told.doubt(self._scene, step.heat, step.target, stacklevel=4)
             if not any(step.heat.factor):
                 self._make_room(**step.target)
             before = self.state

@@ -202,6 +202,9 @@ class ContactSolver(Configured):
             than 10 %.
         ElasticStrainWarning
             The largest pressure is more than half the contact modulus.
+        UnitWarning
+            Before the solve: what Hertz expects is far off the grid, or the
+            material cannot be; with the quantity that is likely in another unit.
         GridTooSmallWarning
             With on_border="warn", where there would be a GridTooSmallError.
         """
@@ -215,9 +218,11 @@ class ContactSolver(Configured):
             # numbers that mean nothing beside any load would divide by zero
             start = np.where(start > 1e-75, start, 0.0)
         surfaces, solver = Surfaces(gap), self
-        window = surfaces.over(self.grid)
+        window, bodies = surfaces.over(self.grid), (self.body1, self.body2)
+        scene = _expected.Scene(window.grid, window.initial_gap, bodies)
+        target = {"load": load, "approach": approach}
+        doubted = scene.doubted(self.heat, target, stacklevel=2)
         while True:
-            scene = _expected.Scene(window.grid, window.initial_gap, (self.body1, self.body2))
             try:
                 with scene.beside(load=load, approach=approach):
                     solution, complaint = solver._solved_from(start, window, driver, value)
@@ -232,10 +237,12 @@ class ContactSolver(Configured):
                     solver, before = self._over(counts), window
                     window = surfaces.over(solver.grid)
                     require_continued(window, before)
+                scene = _expected.Scene(window.grid, window.initial_gap, bodies)
                 start = None
         if complaint:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=2)
-        resolution.warn_of_contact(solution, scene, stacklevel=2)
+        if doubted is None or not doubted.of_contact:
+            resolution.warn_of_contact(solution, scene, stacklevel=2)
         resolution.warn_of_strain(solution.pressure, scene, stacklevel=2)
         return solution
 

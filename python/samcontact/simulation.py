@@ -9,7 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from . import _core, resolution
+from . import _core
 from ._checks import FloatArray, choice, require_fast, step_list
 from ._core import ConvergenceError
 from ._heating import COLD, core_law, heating
@@ -17,7 +17,7 @@ from ._overlap import require_apart
 from ._repr import Shown, simulation_rows
 from ._running import run_into
 from ._settings import Settings
-from ._steps import STEP, largest_cold_load, plastic_fields
+from ._steps import STEP, largest_cold_load, largest_target, plastic_fields
 from ._told import Told
 from ._turn import Turn
 from ._window import Surfaces, Window, Windowed
@@ -189,10 +189,8 @@ class Simulation(Windowed, Shown):
 
         Parameters
         ----------
-        load : float
-            Total load [N], >= 0 (0: unloaded).
-        approach : float
-            Rigid-body approach [m].
+        load, approach : float
+            Total load [N], >= 0 (0: unloaded); rigid-body approach [m].
         pressure : array_like, shape (nx, ny)
             Prescribed pressure [Pa], no contact is solved; with
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
@@ -230,11 +228,13 @@ class Simulation(Windowed, Shown):
         -----
         ElasticStrainWarning
             Once in a simulation, when the largest pressure passes half the contact modulus.
+        UnitWarning
+            The same, before the increment: a quantity is likely in another unit.
         PlasticStrainWarning
-            Once in a simulation, when the largest equivalent plastic strain passes 5 %.
+            The same, when the largest equivalent plastic strain passes 5 %.
         GridTooSmallWarning
             With on_border="warn", where there would be a GridTooSmallError. Once in a simulation,
-            where plastic strain lies below nz dz or beside the grid: fields do not show it there.
+            where plastic strain lies below nz dz or beside the grid, where fields do not show it.
         ResolutionWarning
             Once in a simulation, when the contact is fewer than 4 cells across, the area of spots
             uncertain by 20 %, or a plastic zone fewer than 4 layers high; `run`: 8 and 10 %.
@@ -274,7 +274,7 @@ class Simulation(Windowed, Shown):
             Show a progress bar; where there is no terminal, ten lines at most.
         checkpoint : path, optional
             Folder in which to keep each increment. The same call of a new simulation goes on from
-            it, with the same bits as without interruption. Remove it when it is no longer needed.
+            it, with the same bits. Remove it when it is no longer needed.
 
         Returns
         -------
@@ -291,9 +291,10 @@ class Simulation(Windowed, Shown):
 
         Warns
         -----
-        ResolutionWarning
-            At the end: a contact fewer than 8 cells across under the largest load, an area of spots
-            uncertain by 10 %, a plastic zone fewer than 8 layers high or layers too thick to see.
+        UnitWarning, ResolutionWarning
+            Before the first increment; at the end, of the largest load: a contact fewer than 8
+            cells across, an area of spots uncertain by 10 %, a plastic zone fewer than 8 layers
+            high or layers too thick to see.
         """
         states: list[State] = []
         try:
@@ -311,11 +312,12 @@ class Simulation(Windowed, Shown):
         checkpoint: str | os.PathLike[str] | None,
     ) -> None:
         """Append the state of each increment as soon as it is done."""
+        self._told.doubt(self._scene, self._heat, largest_target(steps), stacklevel=3)
         if not any(self._heat.factor) and (load := largest_cold_load(steps)) is not None:
             self._make_room(load)
         with self._told.as_a_whole():
             run_into(states, self, steps, progress, checkpoint)
-        resolution.warn_of_run(states, self._scene, stacklevel=3)
+        self._told.warn_of_run(states, self._scene, stacklevel=3)
 
     @property
     def state(self) -> State:

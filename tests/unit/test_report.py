@@ -154,7 +154,7 @@ def test_hertz_table(page, data):
 def test_checks_in_the_browser(page, data):
     verdicts = report.checks(data)
     assert all(verdict.passed for verdict in verdicts)
-    assert page.driver.find_element(By.ID, "verdict").text == "11 of 11 checks passed"
+    assert page.driver.find_element(By.ID, "verdict").text == "16 of 16 checks passed"
     rows = cells(page, "checks-table")[1:]
     expected = [[v.name, v.shown, v.condition, "✓ passed"] for v in verdicts]
     assert rows == expected
@@ -257,7 +257,7 @@ def test_a_failed_check_is_told(data, tmp_path, undrawn):
     assert outcome.exit_code == 0
     assert "check failed: cells between contact and border of the grid: 0" in outcome.stderr
     text = (tmp_path / "report.html").read_text(encoding="utf-8")
-    assert "10 of 11 checks passed" in text
+    assert "15 of 16 checks passed" in text
     assert text.count("✗ failed") == 1
 
 

@@ -10,10 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray
+from .._doubts import Contact, doubts_of
 from .._expected import Expected
+from .._heating import COLD
 from .._told import SMALL_STRAIN
 from .._verdict import Verdict
-from ..resolution import TOO_FEW, TOO_UNCERTAIN
+from ..resolution import FEW, TOO_FEW, TOO_UNCERTAIN
 from ..results.reading import cell_size
 
 if TYPE_CHECKING:
@@ -33,6 +35,7 @@ def verdicts(dataset: xr.Dataset, case: Case | None) -> list[Verdict]:
         *_yield_condition(dataset, tol),
         *_borders(dataset),
         *_resolution(dataset, case),
+        *([] if case is None else _plausibility(dataset, case)),
         *_strains(dataset),
         *_errors(dataset),
     ]
@@ -106,9 +109,8 @@ def _resolution(dataset: xr.Dataset, case: Case | None) -> Iterator[Verdict]:
         load = float(dataset["load"].values[peak])
         hertz = case.hertz(load) if case is not None and load > 0 else None
         if np.isfinite(cells[peak]):
-            yield contact_cells(
-                float(cells[peak]), "" if hertz is None else f" ({Expected(hertz)})"
-            )
+            beside = "" if hertz is None else f" ({Expected(hertz)})"
+            yield contact_cells(float(cells[peak]), beside, FEW)
         uncertain = dataset.get("area_uncertainty")
         if uncertain is not None and np.isfinite(uncertain[peak]):
             name = "relative uncertainty of the contact area under the largest load"
@@ -119,10 +121,22 @@ def _resolution(dataset: xr.Dataset, case: Case | None) -> Iterator[Verdict]:
             yield from plastic_layers(layers.values, body)
 
 
-def contact_cells(cells: float, beside: str = "") -> Verdict:
+def _plausibility(dataset: xr.Dataset, case: Case) -> Iterator[Verdict]:
+    """Of the scene as it was given, under the largest load."""
+    load = float(dataset["load"].max())
+    hertz = case.hertz(load) if load > 0 else None
+    expected = None if hertz is None else Expected(hertz)
+    contact = None if expected is None else Contact(expected, expected.along_axes)
+    heat = COLD if case.heat is None else case.heat.build()
+    bodies = case.body1.build(), case.body2.build()
+    for doubt in doubts_of(contact, case.grid.build(), bodies, heat):
+        yield doubt.verdict
+
+
+def contact_cells(cells: float, beside: str = "", few: int = TOO_FEW) -> Verdict:
     """Whether the grid resolves the contact; what is expected of that goes beside."""
     name = f"cells across the contact under the largest load{beside}"
-    return Verdict(name, cells, TOO_FEW, at_least=True)
+    return Verdict(name, cells, few, at_least=True)
 
 
 def plastic_layers(layers: ArrayLike, body: int) -> Iterator[Verdict]:

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes that cannot be meant: quantities that are likely written in another unit."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+from ._repr import quantity
+from ._verdict import Verdict
+from .hertz import EllipticContact
+
+if TYPE_CHECKING:
+    from ._expected import Expected
+    from .grid import Grid
+    from .heat import Heat
+    from .material import Material
+
+LARGEST_PART = 0.55
+"""Of a contact's half width in its radius: a sphere is 15 % stiffer there than its paraboloid."""
+MOST_WINDOWS, FEWEST_CELLS, MOST_LAYERS = 4.0, 2.0, 1e3
+"""Hertz contacts beyond these are off the grid: across over a side of the window, across over a
+cell, half across over a layer."""
+SOFTEST_YIELD = 1e-6
+"""Yield stress over E: that of pure single crystals is 4e-6."""
+CAPACITIES = 1e5, 1e7
+"""Of heat in a volume of solids [J/(m^3 K)]: 1e6 to 4e6 without pores."""
+LARGEST_EXPANSION = 2e-3
+"""[1/K]: rubber has up to 7e-4."""
+HOTTEST = 3e5
+"""Rise of the temperature, without what melting would change [K]."""
+_THERMAL = "conductivity is in W/(m K), diffusivity in m^2/s"
+_ROOM = 6.0  # cells across a Hertz contact that a corrected quantity must leave
+_STIFFEST = 2e12  # E* of two diamonds is 0.6e12
+_SLIPS = {"m": (1e-3, 1e-6, 1e-9), "N": (1e-3, 1e-6, 1e-9), "Pa": (1e3, 1e6, 1e9)}
+
+
+class UnitWarning(UserWarning):
+    """A quantity seems to be written in another unit than that of the SI."""
+
+
+class Doubt(NamedTuple):
+    """A number of a scene against what it can be, and what is said where it cannot."""
+
+    verdict: Verdict
+    remedy: str
+    of_contact: bool = False
+    """Not of a body: it goes with what is found of the same contact once it is solved."""
+
+
+class Contact(NamedTuple):
+    """What Hertz expects: how far it reaches along x and y [m], of which radii [m]."""
+
+    expected: Expected
+    extent: tuple[float, float]
+    driver: str = "load"
+
+    @property
+    def radii(self) -> tuple[float, float]:
+        """In the planes of the larger and the smaller semi-axis."""
+        hertz = self.expected.contact
+        if isinstance(hertz, EllipticContact):
+            return max(hertz.Rx, hertz.Ry), min(hertz.Rx, hertz.Ry)
+        return hertz.R, hertz.R
+
+
+def doubts_of(
+    contact: Contact | None, grid: Grid, bodies: tuple[Material, Material], heat: Heat
+) -> Iterator[Doubt]:
+    """All that a scene is looked at for, before it is solved; grid: the one that was given."""
+    for number, body in enumerate(bodies, 1):
+        if body.is_plastic:
+            ratio = float(body.yield_stress(0.0)) / body.E
+            name = f"yield stress over E of body {number}"
+            yield Doubt(Verdict(name, ratio, SOFTEST_YIELD, at_least=True), "Both are in pascals")
+    heated = [
+        (number, heat.factor[number - 1], body)
+        for number, body in enumerate(bodies, 1)
+        if heat.factor[number - 1] > 0 and body.thermal is not None
+    ]
+    for number, _, body in heated:
+        yield from _of_constants(number, body)
+    if contact is not None:
+        yield from _of_contact(contact, grid, bodies)
+        for number, factor, body in heated:
+            yield _of_rise(contact, number, factor, body, heat)
+
+
+def warn_of_doubts(
+    contact: Contact | None,
+    grid: Grid,
+    bodies: tuple[Material, Material],
+    heat: Heat,
+    *,
+    stacklevel: int,
+) -> Doubt | None:
+    """Warn of what cannot be meant of a scene, the first of it; that."""
+    found = [d for d in doubts_of(contact, grid, bodies, heat) if not d.verdict.passed]
+    if not found:
+        return None
+    verdict, remedy, _ = found[0]
+    text = f"{verdict.name} is {verdict.shown}, and should be {verdict.condition}. {remedy}"
+    warnings.warn(text, UnitWarning, stacklevel=stacklevel + 1)
+    return found[0]
+
+
+def _of_constants(number: int, body: Material) -> Iterator[Doubt]:
+    conductivity, expansion, diffusivity = body.thermal or (1.0, 0.0, 1.0)
+    name = f"conductivity over diffusivity of body {number}, the heat that its volume holds,"
+    for limit, least in zip(CAPACITIES, (True, False), strict=True):
+        verdict = Verdict(name, conductivity / diffusivity, limit, least, "J/(m³ K)")
+        yield Doubt(verdict, f"Solids have 1e6 to 4e6; {_THERMAL}")
+    verdict = Verdict(f"expansion of body {number}", expansion, LARGEST_EXPANSION, unit="1/K")
+    yield Doubt(verdict, "Steel has 1.2e-5 1/K")
+
+
+def _of_rise(contact: Contact, number: int, factor: float, body: Material, heat: Heat) -> Doubt:
+    """Flux over conductivity, times the size of the contact or of what heat reaches in time."""
+    conductivity, _, diffusivity = body.thermal or (1.0, 0.0, 1.0)
+    size = math.sqrt(math.prod(contact.expected.semi_axes))
+    age = heat.time if heat.history is None else heat.history[1]
+    if age is not None:
+        size = min(size, math.sqrt(diffusivity * age))
+    if (speed := math.hypot(*heat.velocity[number - 1])) > 0:
+        size = min(size, math.sqrt(diffusivity * size / speed))
+    rise = factor * contact.expected.contact.p0 * size / conductivity
+    name = f"rise of the temperature of body {number} by frictional heat, about,"
+    return Doubt(
+        Verdict(name, rise, HOTTEST, unit="K"), f"The factor of heat is in m/s; {_THERMAL}"
+    )
+
+
+def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material]) -> Iterator[Doubt]:
+    expected, extent = contact.expected, contact.extent
+    said = f"{expected}. {likely_slips(contact, grid)}"
+    share = max(a / R for a, R in zip(expected.semi_axes, contact.radii, strict=True))
+    name = "half width of the Hertz contact over its radius"
+    remedy = f"{said}. Bodies are taken as half-spaces, and spheres as paraboloids"
+    yield Doubt(Verdict(name, share, LARGEST_PART), remedy, True)
+    windows = max(
+        2 * e / (n * d)
+        for e, n, d in zip(extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
+    )
+    name = "width of the Hertz contact over that of the grid"
+    yield Doubt(Verdict(name, windows, MOST_WINDOWS), said, True)
+    wider = max(_flattened(contact, body) for body in bodies)
+    cells = wider * min(2 * e / d for e, d in zip(extent, (grid.dx, grid.dy), strict=True))
+    name = "width of the Hertz contact in cells"
+    yield Doubt(Verdict(name, cells, FEWEST_CELLS, at_least=True), said, True)
+    yields = [b for b in bodies if b.is_plastic and expected.contact.p0 > float(b.yield_stress(0))]
+    if grid.dz is not None and yields:
+        name = "half width of the Hertz contact in layers"
+        verdict = Verdict(name, wider * expected.semi_axes[1] / grid.dz, MOST_LAYERS)
+        yield Doubt(verdict, f"dz = {quantity(grid.dz, 'm')}, in metres")
+
+
+def _flattened(contact: Contact, body: Material) -> float:
+    """How much wider than elastic a contact is whose mean pressure is three yield stresses."""
+    stress = 3.0 * float(body.yield_stress(0.0)) if body.is_plastic else math.inf
+    mean = contact.expected.contact.p0 / 1.5
+    return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
+
+
+def likely_slips(contact: Contact, grid: Grid) -> str:
+    """Which quantity in another unit would make a contact fit its grid, in words."""
+    hertz, by_approach = contact.expected.contact, contact.driver == "approach"
+    # value, unit, and powers of a factor by which the contact, its radius and the cells grow
+    given = {
+        "moduli of E* =": (hertz.E_star, "Pa", 0.0 if by_approach else -1 / 3, 0.0, 0.0),
+        "radii of": (contact.radii[0], "m", 0.5 if by_approach else 1 / 3, 1.0, 0.0),
+        "cells of": (max(grid.dx, grid.dy), "m", 0.0, 0.0, 1.0),
+        "a load of": (hertz.load, "N", 0.0 if by_approach else 1 / 3, 0.0, 0.0),
+        "an approach of": (hertz.approach, "m", 0.5 if by_approach else 0.0, 0.0, 0.0),
+    }
+    fits, unusual = [], []
+    for name, (value, unit, *powers) in given.items():
+        for factor in _SLIPS[unit] if any(powers) else ():
+            wider, larger, coarser = (factor**power for power in powers)
+            if factor * value < _STIFFEST and _fits(contact, grid, wider, wider / larger, coarser):
+                fits.append(f"{name} {quantity(factor * value, unit)}")
+                unusual += fits[-1:] if _is_unusual(name, value) else []
+                break
+    units = "lengths are in metres, loads in newtons, moduli in pascals"
+    text = ", or ".join(unusual or fits)
+    return f"It would fit with {text}: {units}" if text else units.capitalize()
+
+
+def _is_unusual(name: str, value: float) -> bool:
+    if name.startswith("moduli"):
+        return value < 1e6
+    return value > {"radii of": 1.0, "cells of": 1e-3, "a load of": 1e6}.get(name, math.inf)
+
+
+def _fits(contact: Contact, grid: Grid, wider: float, steeper: float, cells: float) -> bool:
+    """Whether a contact would, that is so much wider, over its radius, and in larger cells."""
+    sides = zip(contact.extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
+    across = [(2 * wider * e / (cells * d), n) for e, n, d in sides]
+    part = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
+    inside = all(_ROOM <= share <= MOST_WINDOWS * n for share, n in across)
+    return inside and steeper * part <= LARGEST_PART
