@@ -33,6 +33,7 @@ from ._told import PlasticStrainWarning
 from .accuracy import AccuracyWarning, Accurate, to_accuracy
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
 from .grid import Grid
+from .grid_errors import GridErrors, estimate_errors
 from .heat import Heat
 from .material import Material
 from .relief import Relief
@@ -53,6 +54,7 @@ __all__ = [
     "ConvergenceError",
     "ElasticStrainWarning",
     "Grid",
+    "GridErrors",
     "GridTooSmallError",
     "GridTooSmallWarning",
     "Heat",
@@ -72,6 +74,7 @@ __all__ = [
     "critical",
     "dents",
     "energy",
+    "estimate_errors",
     "flattening",
     "heat",
     "heat_kernels",

@@ -10,6 +10,7 @@ import numpy as np
 from calls_of_formulas import COLLISION, HOT, NU, STEEL, E
 
 import samcontact as sc
+from samcontact import results
 
 GRID = sc.Grid(9, 9, 5e-5, 5e-5, 6, 5e-5)
 GAP = sc.surfaces.paraboloid(GRID, 7.5e-3)
@@ -30,6 +31,8 @@ BODIES = {"grid": GRID, "body1": STEEL, "body2": SOFT}
 SOLVER = sc.ContactSolver(GRID, HOT, HOT, heat=sc.Heat((0.0, 0.01), time=1.0, reference=1.0))
 SIMULATION = sc.Simulation(**BODIES, gap=GAP, tol=1e-4)
 STATE = SIMULATION.step(load=LOAD)
+PRESSED = {"run": sc.Simulation(**BODIES, gap=GAP), "path": [{"load": LOAD}], "states": [STATE]}
+ERRORS = sc.estimate_errors(**PRESSED)
 TRACK = STATE.track(2, margin=0)
 ZONE = STATE.zones(2)[0]
 MARCHED = {"heat": sc.Heat((0.0, 0.01), history=(1e-4, 1e-2)), "friction": 0.1}
@@ -159,6 +162,8 @@ CALLS = [
             "first": 0,
         },
     ),
+    ("estimate_errors", sc.estimate_errors, PRESSED),
+    ("GridErrors.add_to", ERRORS.add_to, {"dataset": results.to_dataset(SIMULATION, [STATE])}),
     ("Simulation.save", SIMULATION.save, {"path": FOLDER / "other.h5"}),
     (
         "Simulation.load",

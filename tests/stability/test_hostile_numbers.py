@@ -16,7 +16,8 @@ CALLS = FORMULAS + ON_GRIDS
 HOSTILE = (math.nan, math.inf, -math.inf)
 
 MADE_BY_THE_PACKAGE = {
-    "Accurate", "ContactSolution", "State", "Track", "asperities.Tugging", "bearings.LoadZone",
+    "Accurate", "ContactSolution", "GridErrors", "State", "Track", "asperities.Tugging",
+    "bearings.LoadZone",
     "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalSlidingSphere",
     "critical.CriticalSphere", "flattening.Flattening", "hertz.EllipticContact",
     "hertz.LineContact", "hertz.PointContact", "wear.Cycle", "wear.WearResult", "Zone",

@@ -105,7 +105,7 @@ KINDS = {
     | {"grid": GRID, "tugging": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6}},
 }  # fmt: skip
 # Not of what is computed: title and place of results, and what the command shows of them.
-OF_RESULTS = {"title", "description", "output"}
+OF_RESULTS = {"title", "description", "estimate_error", "output"}
 # What has no grid to build: tests of to_accuracy see to it.
 OF_ACCURACY = {"accuracy", "quantities", "max_memory", "max_time"}
 # Other values where the field's own does not tell one; the first that is valid and differs counts.
@@ -280,6 +280,7 @@ def test_every_field_of_every_section_is_tried():
         "shape",
         "title",
         "description",
+        "estimate_error",
         "directory",
         "figures",
         "body",

@@ -223,7 +223,7 @@ def public_objects():
     fields = {"title": "t" * 500, "long": "d" * 5000}
     return [
         grid, steel, relief, heat, simulation, state, state.track(), solver, collision, cycle, load,
-        *bent.state.zones(2),
+        *bent.state.zones(2), sc.estimate_errors(simulation, [{"load": 10.0}], [state]),
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
         sc.measured.MeasuredSurface(heights, 1e-6, attrs={"source": "s" * 3000}),
         sc.asperities.Tugging(collision, simulation, series, [state]),

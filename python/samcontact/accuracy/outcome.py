@@ -50,7 +50,7 @@ class Accurate(Shown):
     case: Case
     """With the finest grid and the increments used there."""
     runs: tuple[tuple[int, int, int, float], ...]
-    """All that was solved: cells along x and y, increments of a segment, time [s]."""
+    """Cells along x and y, increments of a segment and time [s] of all that was solved."""
     needs: str = ""
     """What the accuracy would have needed, where it is not reached."""
 

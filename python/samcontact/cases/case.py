@@ -52,6 +52,7 @@ class Case(CaseFile):
     quantities: Annotated[list[str], Field(min_length=1)] | None = None
     max_memory: Annotated[Positive, in_unit("byte")] | None = None
     max_time: Annotated[Positive, in_unit("s")] | None = None
+    estimate_error: bool = True
     grid: GridSection | None = None
     body1: BodySection
     body2: BodySection

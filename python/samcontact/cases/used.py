@@ -23,6 +23,8 @@ def require_all_used(case: Case) -> None:
     _require_image_tol(case.contact)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
+        if changed(case, ["estimate_error"]):
+            raise ValueError("estimate_error is not for a case with [wear]: leave it out")
         for name in sorted(given):
             raise ValueError(f"output.{name} is not for a case with [wear]: leave it out")
     if not case.has_volume and "volume" in given and case.output.volume != "none":

@@ -16,6 +16,7 @@ from .. import hertz, results
 from .._peak import peak_of_dataset
 from ..accuracy import Accurate, to_accuracy
 from ..accuracy.outcome import described
+from ..grid_errors import GridErrors, error_rows, estimate_errors
 from ..results.against_hertz import hertz_rows
 from ..runs.journal import describe
 from ..runs.lock import locked
@@ -102,9 +103,14 @@ class _Run:
             dataset = self.accurate.to_dataset()
         else:
             dataset = results.to_dataset(self.simulation, states, case, stopped_by=stopped_by)
+        errors = None if stopped_by or self.accurate is not None else self._errors()
+        if errors is not None:
+            errors.add_to(dataset)
         written = [publish(dataset, self.directory / "results.nc")]
         body = case.output.body
         console.print(_summary(dataset, body))
+        if errors is not None:
+            console.print(_errors_sheet(dataset))
         if self.accurate is not None:
             console.print(_values_with_errors(self.accurate))
         elif told := self.simulation._growth():
@@ -127,6 +133,18 @@ class _Run:
             animation = rolling_animation(shown, body=body)
             written.append(save_animation(animation, self.directory / "rolling.gif"))
         return written
+
+    def _errors(self) -> GridErrors | None:
+        """Estimated on half the cells; None where it cannot be, which is told."""
+        if not self.case.estimate_error:
+            return None
+        try:
+            with self.console.status("the same on cells twice as large"):
+                return estimate_errors(self.simulation, self.case.steps(), self.states)
+        except Exception as error:
+            told = f"errors of the grid are not estimated: {error}"
+            self.console.print(told, markup=False, highlight=False)
+            return None
 
     def _shown(self, dataset: xr.Dataset) -> xr.Dataset:
         """With the volume fields that figures show, whatever the case stores."""
@@ -171,6 +189,17 @@ def _values_with_errors(found: Accurate) -> Sheet:
     relative = found.relative_errors
     sheet.add("error [%]", [f"{100 * relative[name]:.2g}" for name in found.values])
     sheet.add("asked [%]", [f"{100 * found.accuracy[name]:.3g}" for name in found.values])
+    return sheet
+
+
+def _errors_sheet(dataset: xr.Dataset) -> Sheet:
+    """What is certified, where it is largest, with its error."""
+    rows = error_rows(dataset)
+    sheet = Sheet("Estimated errors, from cells twice as large")
+    sheet.add("", [row.label for row in rows])
+    sheet.add("increment", [str(row.increment) for row in rows])
+    sheet.add("value", [row.shown for row in rows])
+    sheet.add("error\n[%]", [f"{100 * row.relative:.2g}" for row in rows])
     return sheet
 
 

@@ -33,6 +33,9 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     values = [("increments", "Increments", tables.scalars_table(dataset))]
     if (accurate := tables.accuracy_table(dataset)) is not None:
         values.append(("accuracy", "Values with their errors", accurate))
+    else:
+        errors = tables.errors_table(dataset)
+        values += [("errors", "Estimated errors", table) for table in errors]
     return {
         "file": "results.nc",
         "hertz": tables.hertz_table(dataset, peak, hertz, body) if hertz else [],

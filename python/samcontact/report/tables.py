@@ -13,6 +13,7 @@ from .._checks import FloatArray
 from .._quantities import CONTACT, Quantity
 from .._repr import counts, lengths, quantity
 from ..cases.field_units import field_unit
+from ..grid_errors import error_rows
 from ..results.against_hertz import hertz_rows
 
 if sys.version_info >= (3, 11):
@@ -61,16 +62,15 @@ def parameters(dataset: xr.Dataset) -> list[Row]:
     content = tomllib.loads(text)
     rows = _of_grid(dataset) if "accuracy" in content else []  # which was chosen
     for section, fields in content.items():
-        if section == "output" or isinstance(fields, str):  # title and description stand apart
+        if section == "output" or not isinstance(fields, (dict, list)):  # what stands apart
             continue
-        is_list = isinstance(fields, list)
-        if not isinstance(fields, dict) and not (is_list and isinstance(fields[0], dict)):
-            rows.append(Row("case", section, _value(fields, "")))
-        elif is_list:
+        if isinstance(fields, dict):
+            rows += _rows(section, fields)
+        elif isinstance(fields[0], dict):
             for number, ramp in enumerate(fields, 1):
                 rows += _rows(f"{section}, part {number}", ramp)
         else:
-            rows += _rows(section, fields)
+            rows.append(Row("case", section, _value(fields, "")))
     return rows
 
 
@@ -142,7 +142,9 @@ def scalars_table(dataset: xr.Dataset) -> Table:
 
 
 def accuracy_table(dataset: xr.Dataset) -> Table | None:
-    """Values with their errors, where a run has them; None where it has none."""
+    """Values of a run to an accuracy with their errors; None of other runs."""
+    if "accuracy_reached" not in dataset.attrs:
+        return None
     known = [str(name) for name in dataset if f"{name}_error" in dataset]
     if not known:
         return None
@@ -160,6 +162,15 @@ def accuracy_table(dataset: xr.Dataset) -> Table | None:
             cells.append(Cell(f"{value * factor:.6g} ± {error * factor:.2g}", repr(value)))
         rows.append((str(int(dataset["increment"].values[at])), cells))
     return Table([heading for heading, _, _ in columns], rows)
+
+
+def errors_table(dataset: xr.Dataset) -> list[Table]:
+    """Certified quantities where they are largest, with their errors; none without any."""
+    rows = [
+        (row.label, [cell(row.increment, 1.0), Cell(row.shown, ""), cell(100 * row.relative, 1.0)])
+        for row in error_rows(dataset)
+    ]
+    return [Table(["increment", "value", "error [%]"], rows, "quantity")] if rows else []
 
 
 def convergence_table(dataset: xr.Dataset) -> Table:

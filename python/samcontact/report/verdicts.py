@@ -15,8 +15,9 @@ from .._expected import Expected
 from .._heating import COLD
 from .._told import SMALL_STRAIN
 from .._verdict import Verdict
+from ..grid_errors import LARGEST_ERROR, LARGEST_SHARE, error_rows
 from ..resolution import FEW, TOO_FEW, TOO_UNCERTAIN
-from ..results.reading import cell_size
+from ..results.reading import cell_size, grid_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -129,7 +130,7 @@ def _plausibility(dataset: xr.Dataset, case: Case) -> Iterator[Verdict]:
     contact = None if expected is None else Contact(expected, expected.along_axes)
     heat = COLD if case.heat is None else case.heat.build()
     bodies = case.body1.build(), case.body2.build()
-    for doubt in doubts_of(contact, case.grid.build(), bodies, heat):
+    for doubt in doubts_of(contact, grid_of(dataset), bodies, heat):
         yield doubt.verdict
 
 
@@ -156,6 +157,21 @@ def _strains(dataset: xr.Dataset) -> Iterator[Verdict]:
 
 
 def _errors(dataset: xr.Dataset) -> Iterator[Verdict]:
+    if "accuracy_reached" in dataset.attrs:
+        yield from _accuracy(dataset)
+        return
+    """The largest of all, and what a surface has beyond its grid."""
+    rows = error_rows(dataset)
+    if rows:
+        worst = max(rows, key=lambda row: row.relative)
+        name = f"largest estimated error by the cells, relative: {worst.label}"
+        yield Verdict(name, worst.relative, LARGEST_ERROR)
+    if "slope_beyond" in dataset.attrs:
+        name = "share of the mean square slope of the surface in waves shorter than four cells"
+        yield Verdict(name, float(dataset.attrs["slope_beyond"]), LARGEST_SHARE)
+
+
+def _accuracy(dataset: xr.Dataset) -> Iterator[Verdict]:
     """Of a run to an accuracy, relative to the largest value of the run."""
     for name in map(str, dataset):
         error = dataset.get(f"{name}_error")

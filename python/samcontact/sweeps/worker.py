@@ -97,6 +97,7 @@ def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
     unimportant: Any = {
         "title": True,
         "description": True,
+        "estimate_error": True,
         "output": {"directory", "figures", "volume"},
     }
     fields = case.model_dump(exclude=unimportant)

@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How far results depend on the cells of their grid, from a solve over cells twice as large."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from . import _certified, half_resolution
+from ._checks import FloatArray
+from ._peak import peak
+from ._quantities import CONTACT, Quantity
+from ._repr import Rows, Shown, quantity
+from .resolution import ROUND_SPOT, area_uncertainty
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from .cases import Case
+    from .simulation import Simulation
+    from .state import State
+
+__all__ = ["GridErrors", "estimate_errors"]
+
+LARGEST_ERROR = 0.2
+"""Relative, above which the check of a report fails."""
+LARGEST_SHARE = 0.25
+"""Of the mean square slope in the last octave of a grid: with more, most of it may lie beyond."""
+_KINDS = (
+    ("approach", "max_pressure", "max_von_mises"),
+    ("max_equivalent_plastic_strain", "max_residual_von_mises", "print_depth"),
+)
+_LEAST = 0.2
+"""Of the largest relative difference of a kind, which each of that kind has at least: where grids
+differ in sign, two may agree by chance."""
+_OF_AREA = 0.35
+"""Relative error of an area of round spots over (cells in their radius)^-1.5, measured."""
+
+
+@dataclass(frozen=True, eq=False)
+class GridErrors(Shown):
+    """Certified quantities of a run with their estimated errors.
+
+    Attributes
+    ----------
+    values, errors : dict of ndarray, shape (increments,)
+        By their names in results files, in SI units; the values between the cells, see
+        docs/theory.md. NaN where not estimated: quantities of the volume are at the increment of
+        largest stress and at the last.
+    states : list of State
+        Of the run itself.
+    slope_beyond : float
+        Of heights that are known on the grid only: share of the mean square slope of their
+        roughness in waves shorter than four cells; NaN of other surfaces.
+    """
+
+    values: dict[str, FloatArray]
+    errors: dict[str, FloatArray]
+    states: list[State]
+    slope_beyond: float
+
+    def _rows(self) -> Rows:
+        found = _largest_of(self.values, self.errors)
+        return [(row.label, f"{row.shown} ± {100 * row.relative:.2g} %") for row in found]
+
+    def __repr__(self) -> str:
+        return f"GridErrors({len(self.errors)} quantities of {len(self.states)} increments)"
+
+    def add_to(self, dataset: xr.Dataset) -> None:
+        """Add ``X_error`` of each X, and X itself where the dataset has none.
+
+        The error is that of the dataset's own X: what it differs by from the value between the
+        cells is added.
+        """
+        for name, errors in self.errors.items():
+            known, body = described(name)
+            if name not in dataset:
+                dataset[name] = known.variable("increment", self.values[name], body)
+            total = errors + np.abs(dataset[name].values - self.values[name])
+            variable = known.variable("increment", total, body)
+            text = dataset[name].attrs["long_name"]
+            variable.attrs["long_name"] = f"estimated error by the cells of the grid, {text}"
+            dataset[f"{name}_error"] = variable
+        if np.isfinite(self.slope_beyond):
+            dataset.attrs["slope_beyond"] = self.slope_beyond
+
+
+def estimate_errors(
+    run: Case | Simulation,
+    path: Sequence[Mapping[str, Any]] | None = None,
+    states: Sequence[State] | None = None,
+) -> GridErrors:
+    """Estimate how far a run depends on the cells of its grid.
+
+    The run is repeated from its start with half as many cells along x, y and z and the same
+    increments: about 1/8 of its time. Where all surfaces are functions of a grid, so are those of
+    the coarser one; heights that are known on one grid only are averaged.
+
+    Parameters
+    ----------
+    run : Case or Simulation
+        A case is solved; of a simulation, give what it was run with and what came out:
+    path : list of dict
+        As for `Simulation.run`, from the undeformed bodies on.
+    states : sequence of State
+        What it returned.
+
+    Returns
+    -------
+    GridErrors
+        An error is the difference of the two solves: three times the true error of what converges
+        with the second order, once that of the first. Increments are the same in both, so that
+        what their number does is no part of it.
+
+    Raises
+    ------
+    ValueError
+        A grid that cannot be halved; a simulation without path and states.
+    ConvergenceError, MemoryError, GridTooSmallError
+        Of either solve.
+    """
+    from .cases import Case
+
+    if isinstance(run, Case):
+        run, path = run.build()
+        states = run.run(path, progress=False)
+    if path is None or states is None:
+        raise ValueError("path and states must be given with a simulation")
+    if len(path) != len(states):
+        raise ValueError(f"path and states must be as many, got {len(path)} and {len(states)}")
+    coarse = half_resolution.coarser(run, states[0]._heat)
+    steps, which = half_resolution.coarser_path(path, run.grid)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of a grid that is not the user's
+        found = coarse.run(steps, progress=False)
+    names = _certified.names((run.body1, run.body2), volume=run.grid.has_volume)
+    marks = _marks(states, names)
+    shape = len(states)
+    values = {name: np.full(shape, np.nan) for name in names}
+    errors = {name: np.full(shape, np.nan) for name in names}
+    for at, state in enumerate(states):
+        known = [n for n in names if at in marks or n in _certified.OF_CONTACT]
+        fine = _certified.values(state, known)
+        difference = _differences(fine, _certified.values(found[which[at]], known), state)
+        for name in known:
+            values[name][at], errors[name][at] = fine[name], difference[name]
+    beyond = np.nan
+    if not callable(run._surfaces.gap):
+        beyond = half_resolution.slope_beyond(run.initial_gap, run.grid.dx, run.grid.dy)
+    return GridErrors(values, errors, list(states), beyond)
+
+
+def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
+    """Increments at which the volume is compared: that of the largest stress, and the last."""
+    from .results.zones import max_von_mises
+
+    bodies = {int(name[-1]) for name in names if name.startswith("max_von_mises")}
+    stress = [[max_von_mises(state, body) for state in states] for body in bodies]
+    pressure = [float(state.pressure.max()) for state in states]
+    largest = np.max(stress, axis=0) if stress else None
+    return {peak(largest, pressure, [state.load for state in states]), len(states) - 1}
+
+
+def _differences(
+    fine: Mapping[str, float], coarse: Mapping[str, float], state: State
+) -> dict[str, float]:
+    """Of two solves, and no less than chance may have left of them."""
+    found = {name: abs(value - coarse[name]) for name, value in fine.items()}
+    for kind in _KINDS:
+        relative = {
+            name: found[name] / abs(value)
+            for name, value in fine.items()
+            if value != 0 and name.partition("_body")[0] in kind
+        }
+        least = _LEAST * max(relative.values(), default=0.0)
+        for name in relative:
+            found[name] = max(found[name], least * abs(fine[name]))
+    if fine["contact_area"] > 0:
+        share = area_uncertainty(state.pressure, state.grid.periodic)
+        of_area = _OF_AREA * (2 * share / ROUND_SPOT) ** 1.5
+        found["contact_area"] = max(found["contact_area"], of_area * fine["contact_area"])
+    return found
+
+
+class ErrorRow(NamedTuple):
+    """A quantity where it is largest: the number of the increment, its value, its error."""
+
+    label: str
+    increment: int
+    shown: str
+    relative: float
+
+
+def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:
+    """Of results with errors; none of others."""
+    names = [str(name)[: -len("_error")] for name in dataset if str(name).endswith("_error")]
+    values = {name: dataset[name].values for name in names}
+    return _largest_of(values, {name: dataset[f"{name}_error"].values for name in names})
+
+
+def _largest_of(
+    values: Mapping[str, FloatArray], errors: Mapping[str, FloatArray]
+) -> list[ErrorRow]:
+    """Without what is zero throughout, or given."""
+    rows = []
+    for name, error in errors.items():
+        known = np.where(error > 0, np.abs(values[name]), -1.0)
+        at = int(known.argmax())
+        if known[at] > 0:
+            quantity_of, body = described(name)
+            unit = {"m2": "m²", "1": ""}.get(quantity_of.unit, quantity_of.unit)
+            label = quantity_of.heading
+            label = label if body is None else f"{label}, body {body}"
+            shown = quantity(float(values[name][at]), unit, 5)
+            rows.append(ErrorRow(label, at + 1, shown, float(error[at] / known[at])))
+    return rows
+
+
+def described(name: str) -> tuple[Quantity, int | None]:
+    """The quantity of a name in files, and its body; None where it is of both."""
+    kind, _, body = name.partition("_body")
+    return CONTACT[kind], int(body) if body else None

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Errors by the cells of a grid, from cells twice as large, are those against the truth."""
+
+import math
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from case_texts import MINIMAL
+from command import invoke
+from samcontact import half_resolution, report, results
+from samcontact.relief import heights_over
+
+STEEL = sc.Material.elastic(210e9, 0.3)
+R, LOAD = 7.5e-3, 1500.0
+HERTZ = sc.hertz.point(R, sc.hertz.effective_modulus(STEEL, STEEL), load=LOAD)
+TRUTH = {
+    "approach": HERTZ.approach,
+    "max_pressure": HERTZ.p0,
+    "contact_area": math.pi * HERTZ.a**2,
+    "max_von_mises_body2": HERTZ.max_von_mises(0.3)[0],
+}
+
+
+def pressed(cells, odd, known=True):
+    """The errors of an elastic ball; known: on any grid."""
+    n, d = 2 * math.ceil(1.3 * cells) + odd, HERTZ.a / cells
+    grid = sc.Grid(n, n, d, d, dz=d)
+    gap = sc.surfaces.paraboloid(grid, R)
+    run = sc.Simulation(
+        grid, STEEL, STEEL, (lambda g: sc.surfaces.paraboloid(g, R)) if known else gap
+    )
+    path = [{"load": LOAD}]
+    return sc.estimate_errors(run, path, run.run(path, progress=False))
+
+
+def test_true_errors_are_below_those_stated():
+    shares = []
+    for cells in (6.0, 8.5, 12.2, 16.0):
+        for odd in (0, 1):
+            found = pressed(cells, odd)
+            for name, truth in TRUTH.items():
+                error = float(found.errors[name][0])
+                assert error < 0.06 * truth
+                shares.append(abs(float(found.values[name][0]) - truth) / error)
+    assert max(shares) < 3.0
+    assert np.mean(np.array(shares) < 1.0) > 0.9
+    assert np.median(shares) > 0.2
+
+
+@pytest.mark.parametrize("odd", [0, 1])
+def test_heights_of_one_grid_give_the_errors_of_a_function(odd):
+    known, given = pressed(8.0, odd), pressed(8.0, odd, known=False)
+    for name in ("approach", "max_pressure"):
+        assert given.errors[name] == pytest.approx(known.errors[name], rel=0.02)
+    assert math.isnan(given.slope_beyond)
+
+
+@pytest.mark.parametrize(("n", "first", "periodic"), [(8, 1, False), (7, -4, False), (9, 3, True)])
+def test_a_relief_is_averaged_where_it_lies(n, first, periodic):
+    fine = sc.Grid(n, 5, 1e-6, 1e-6)
+    grid = half_resolution.coarser_grid(fine)
+    heights = np.random.default_rng(3).normal(size=(6, 5))
+    relief = sc.Relief(heights, first, periodic)
+    coarse = half_resolution._relief(relief, fine, grid)
+    quarters = np.repeat(heights_over(relief, -24, n + 48), 2, 0)  # halves of cells, around
+    middle = 24 * 2 + n
+    for row in range(-4, grid.nx + 4):
+        at = middle + round(4 * (row - 0.5 * grid.nx))
+        expected = quarters[at : at + 4].mean(0)
+        (found,) = heights_over(coarse, row, 1)
+        assert found[1:-1] == pytest.approx(
+            [0.5 * expected[2] + 0.25 * (expected[1] + expected[3])]
+        )
+
+
+def test_increments_that_move_by_a_cell_become_one_of_two():
+    fine = sc.Grid(9, 9, 1e-6, 1e-6)
+    roll = {"load": 1.0, "advance": (1e-6, 1e-6)}
+    path = [{"load": 1.0}, roll, roll, roll, {"load": 0.0}]
+    steps, which = half_resolution.coarser_path(path, fine)
+    assert [step.get("advance") for step in steps] == [None, (2e-6, 2e-6), (1e-6, 1e-6), None]
+    assert which == [0, 1, 1, 2, 3]
+
+
+def test_slope_beyond_is_that_of_short_waves():
+    x = np.arange(128.0)
+    waves = np.cos(2 * np.pi * x / 16)[:, None] + 0.2 * np.cos(2 * np.pi * x / 3)[None, :]
+    # slopes are as heights over lengths
+    share = (0.2 / 3) ** 2 / ((0.2 / 3) ** 2 + (1 / 16) ** 2)
+    smooth = 0.01 * (x[:, None] ** 2 + x[None, :] ** 2)
+    found = half_resolution.slope_beyond(waves + smooth, 1.0, 1.0)
+    assert found == pytest.approx(share, rel=1e-2)
+    assert math.isnan(half_resolution.slope_beyond(smooth, 1.0, 1.0))
+
+
+def test_a_run_of_a_case_has_errors_and_changes_nothing_else(tmp_path):
+    outcomes = {}
+    for name, first in (("on", ""), ("off", "estimate_error = false\n")):
+        file = tmp_path / f"{name}.toml"
+        file.write_text(first + MINIMAL, encoding="utf-8")
+        outcomes[name] = invoke("run", file, "--no-figures", "--output", tmp_path / name)
+    assert "Estimated errors" in outcomes["on"].stdout
+    assert "Estimated errors" not in outcomes["off"].stdout
+    with (
+        results.open_results(tmp_path / "on" / "results.nc") as on,
+        results.open_results(tmp_path / "off" / "results.nc") as off,
+    ):
+        more = {name for name in on if name.endswith("_error")}
+        assert {"max_pressure_error", "contact_area_error", "print_depth_body2_error"} <= more
+        for name in off:
+            np.testing.assert_array_equal(on[name].values, off[name].values)
+        names = [check.name for check in report.checks(on)]
+        assert any("largest estimated error" in name for name in names)
+
+
+def test_errors_that_cannot_be_estimated_are_told(tmp_path):
+    file = tmp_path / "case.toml"
+    text = MINIMAL.replace("ny = 13", 'ny = 14\nperiodic = "y"')
+    file.write_text(text, encoding="utf-8")
+    outcome = invoke("run", file, "--no-figures", "--output", tmp_path / "out")
+    assert outcome.exit_code == 0
+    assert "errors of the grid are not estimated: ny must be a multiple of 4" in outcome.stdout
