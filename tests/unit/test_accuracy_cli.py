@@ -59,4 +59,4 @@ def test_what_goes_on_or_moves_is_refused(case, tmp_path):
     check_failure(outcome, 2, "--resume is not for a case with accuracy")
     case.write_text(TEXT)
     outcome = invoke("run", case, "--output", tmp_path / "out")
-    check_failure(outcome, 2, "accuracy.max_pressure")
+    check_failure(outcome, 2, "accuracy: must be a relative error in (0, 1)", "got 'X'")

@@ -174,7 +174,6 @@ def test_without_pint(tmp_path, monkeypatch):
 # depends on its segment
 NUMBERS = {
     *("nu", "C", "n", "recovery", "m", "floor", "hurst", "friction", "tol", "increment_tol"),
-    "accuracy",
     *("rate", "plastic_strain"),
     *("image_tol", "exponent", "slide_to_roll", "start", "width", "depth", "threshold"),
 }

@@ -20,10 +20,13 @@ LEAST_ORDER, MOST_ORDER = 0.9, 4.0
 """Observed orders that are believed; what is extrapolated has at most `USED_ORDER`."""
 USED_ORDER = 2.0
 SAFE = 1.5
-"""Times a difference of neighbours: a term of order 1.5 leaves 1.47 of it, of order 2 all of it."""
+"""Times a difference of neighbours: a term of order 1.5 leaves 1.47 of its last one, one of order 2
+all of it."""
+LEAST = 0.002
+"""Least relative error of the coarsest grid, falling with order 2: differences may vanish."""
 CLEAN = 0.5
 """Least error of an extrapolated value, over what extrapolation changed."""
-MIXED = 0.05
+MIXED = 0.03
 """How much of a correction found on a coarse grid a finer one may change."""
 
 
@@ -49,7 +52,7 @@ def of_grids(series: ArrayLike) -> Estimate:
     Estimate
         Where three differences have one sign, fall, and show an order within limits twice, the
         value is extrapolated with it. Else it is that of the finest grid, with the largest of the
-        last three differences, each scaled to the finest grid with order 1.5.
+        last three differences, each scaled to the finest grid with order 2, and `LEAST` at least.
     """
     f = np.asarray(series, dtype=np.float64)
     if len(f) == 1:
@@ -57,8 +60,10 @@ def of_grids(series: ArrayLike) -> Estimate:
         return Estimate(f[0], unknown, np.zeros(f[0].shape, dtype=bool))
     steps = np.diff(f, axis=0)
     last = steps[-1]
-    scaled = [np.abs(step) * RATIO ** (-1.5 * age) for age, step in enumerate(steps[::-1][:3])]
-    careful = SAFE * np.max(scaled, axis=0)
+    scaled = [np.abs(step) * RATIO ** (-2 * age) for age, step in enumerate(steps[::-1][:3])]
+    least = LEAST * RATIO ** (-2 * (len(f) - 1)) * np.abs(f[-1])
+    widest = np.max(scaled, axis=0)  # nothing for what is given
+    careful = np.where(widest > 0, np.maximum(SAFE * widest, least), 0.0)
     if len(f) < 4:
         return Estimate(f[-1], careful, np.zeros(last.shape, dtype=bool))
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -10,11 +10,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-from pydantic import Field, ValidationError, model_validator
+from pydantic import BeforeValidator, Field, ValidationError, model_validator
 
 from .. import _memory, paths
 from .. import hertz as _hertz
 from .._heating import COLD, heating
+from .._repr import in_short
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
 from .errors import explain
@@ -34,9 +35,21 @@ if TYPE_CHECKING:
     from ..simulation import Simulation
 
 
-Accuracy = Annotated[float, Field(gt=0.0, lt=1.0)]
 MOST_CHARACTERS = 100_000_000
 """Of a case file."""
+
+
+def _accuracy(given: Any) -> Any:
+    """Relative errors that can be asked for."""
+    wanted = list(given.values()) if isinstance(given, dict) else [given]
+    for value in wanted or [given]:
+        number = isinstance(value, (int, float)) and not isinstance(value, bool)
+        if given is not None and not (number and 0 < value < 1):
+            raise ValueError(
+                "must be a relative error in (0, 1), e.g. 0.01 for 1 %, or a table of them by "
+                f"quantity, got {in_short(value)}"
+            )
+    return given
 
 
 class Case(CaseFile):
@@ -48,7 +61,7 @@ class Case(CaseFile):
 
     title: Annotated[str, Field(min_length=1)]
     description: str = ""
-    accuracy: Accuracy | dict[str, Accuracy] | None = None
+    accuracy: Annotated[float | dict[str, float] | None, BeforeValidator(_accuracy)] = None
     quantities: Annotated[list[str], Field(min_length=1)] | None = None
     max_memory: Annotated[Positive, in_unit("byte")] | None = None
     max_time: Annotated[Positive, in_unit("s")] | None = None
