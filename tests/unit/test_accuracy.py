@@ -74,7 +74,7 @@ def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
 
 
 def test_memory_ends_it_with_the_best_so_far():
-    with pytest.warns(sc.AccuracyWarning, match=r"contact_area has .*needs about .* GB"):
+    with pytest.warns(sc.AccuracyWarning, match=r"contact_area has .* would need about .* GB"):
         found = sc.to_accuracy(ELASTIC, 1e-4, quantities=["contact_area"], max_memory=2e7)
     assert not found.reached
     assert list(found.values) == ["contact_area"]

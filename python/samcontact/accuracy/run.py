@@ -176,11 +176,12 @@ class _Search:
         grids = [self.run(0, self.used)]
         while True:
             enough = len(grids) >= FEWEST_GRIDS
-            if enough and np.all(self._relative(self._estimate(grids)) <= self.wanted):
+            worst = float(np.max(self._relative(self._estimate(grids)) / self.wanted))
+            if enough and worst <= 1.0:
                 break
             if enough and self._increments_matter(grids) and self._more_increments():
                 continue
-            if not self._affordable(grids):
+            if not self._affordable(grids, worst):
                 break
             for run in self.runs.values():  # only the finest states are handed on
                 run.states = []
@@ -252,15 +253,25 @@ class _Search:
         spoiled = self._join(grids[-1].values, self._correction().errors)
         return bool(np.any(self._relative(spoiled) > 0.5 * self.wanted))
 
-    def _affordable(self, grids: list[Run]) -> bool:
-        """Whether the next grid is within memory and time; else `needs` says what it takes."""
+    def _affordable(self, grids: list[Run], worst: float) -> bool:
+        """Whether the next grid is within memory and time; else `needs` says what it all takes.
+
+        worst: the largest error over what is wanted, which about halves from grid to grid.
+        """
         last = grids[-1]
         growth = 2.5 * RATIO if len(grids) < 3 else last.seconds / max(grids[-2].seconds, 1e-3)
-        seconds = last.seconds * min(max(growth, 2.0), 8.0)
-        size = memory_of(last) * RATIO**3
-        if len(grids) < MOST_GRIDS and size <= self.memory and self.seconds + seconds <= self.limit:
+        growth = min(max(growth, 2.0), 8.0)
+        seconds, size = last.seconds * growth, memory_of(last) * RATIO**3
+        # before there is an error to tell, what has gone by counts
+        spent = self.seconds + (seconds if len(grids) >= FEWEST_GRIDS else 0.0)
+        if len(grids) < MOST_GRIDS and size <= self.memory and spent <= self.limit:
             return True
-        self.needs = f"the next grid needs about {size / 1e9:.2g} GB and {seconds:.2g} s more"
+        more = max(1, math.ceil(math.log2(worst))) if math.isfinite(worst) else FEWEST_GRIDS
+        seconds = self.seconds + sum(last.seconds * growth**n for n in range(1, more + 1))
+        self.needs = (
+            f"{more} finer grids would need about {memory_of(last) * RATIO ** (3 * more) / 1e9:.2g}"
+            f" GB and {seconds:.2g} s in all"
+        )
         return False
 
     def _outcome(self, grids: list[Run]) -> Accurate:
