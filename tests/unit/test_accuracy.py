@@ -73,6 +73,36 @@ def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
     assert results.scalars(dataset)["max_residual_von_mises_body2"].notnull().sum() == 2
 
 
+THERMAL = {"conductivity": 50.2, "expansion": 11.7e-6, "diffusivity": 1.367e-5}
+ROLLED = {"load": 1500.0, "roll": {"distance": 1.5e-4, "step": 1e-6, "unload_increments": 1}}
+HEATED = {
+    "body2": SWIFT | {"thermal": THERMAL},
+    "heat": {"factor": 0.05, "history": [1e-3, 10.0]},
+    "path": [{"load": 1500.0, "duration": 0.01}],
+}
+
+
+@pytest.mark.parametrize(
+    ("change", "marks"),
+    [
+        ({"body1": SWIFT, "contact": {"friction": 0.1}, "path": [{"load": 1500.0}]}, (3,)),
+        ({"path": [{"approach": 2.3e-5}]}, (3,)),
+        ({"path": [ROLLED]}, (8, 9)),  # in steps of a cell
+        (HEATED, (3,)),
+    ],
+    ids=["friction", "approach", "rolling", "heat"],
+)
+def test_all_kinds_of_scenes_have_values_at_their_marks(change, marks):
+    found = sc.to_accuracy(YIELDING | change, 0.3, quantities=["max_pressure", "contact_area"])
+    assert found.reached
+    assert found.increments == marks
+    loads = [found.states[m].load for m in marks]
+    assert loads[0] > 1400.0
+    # what flows carries less than Hertz's 4.1 GPa, on a larger spot; heat bulges it
+    assert 3.5e9 < found.values["max_pressure"] < 5e9
+    assert np.all(found.series["max_pressure"][1:] == 0.0)
+
+
 def test_memory_ends_it_with_the_best_so_far():
     with pytest.warns(sc.AccuracyWarning, match=r"contact_area has .* would need about .* GB"):
         found = sc.to_accuracy(ELASTIC, 1e-4, quantities=["contact_area"], max_memory=2e7)

@@ -28,6 +28,8 @@ FEWEST, MOST = 4, 512
 """Increments of a segment."""
 INCREMENTS_ON = 1
 """The grid on which increments are judged: their error hardly depends on it."""
+PART_OF_TIME = 0.3
+"""Of all that is allowed, for judging increments."""
 RAW = 10.0
 """Error of the increments used, over the accuracy, that is corrected instead of solved."""
 MOST_GRIDS = 24
@@ -221,7 +223,7 @@ class _Search:
         series = self._of_increments()
         count = 2 * series[-1].increments if series else FEWEST
         costs = self.seconds + 2 * series[-1].seconds if len(series) >= 3 else 0.0
-        if count > MOST or costs > self.limit:
+        if count > MOST or costs > PART_OF_TIME * self.limit:
             return False
         self.run(INCREMENTS_ON, count)
         return True

@@ -144,7 +144,14 @@ class Refinable:
                 if passes is not None:
                     changes[kind] = passes.model_copy(update={"step": sizes[0]})
             path.append(segment.model_copy(update=changes))
-        return self.case.model_copy(update={"grid": grid, "path": path})
+        case = self.case.model_copy(update={"grid": grid, "path": path})
+        heat = case.heat
+        if heat is None or heat.history is None:
+            return case
+        # heat is followed in steps as short as the increments are
+        shortest = min([heat.history[0], *(step["duration"] for step in case.steps())])
+        history = [shortest, heat.history[1]]
+        return case.model_copy(update={"heat": heat.model_copy(update={"history": history})})
 
     def run(self, level: int, increments: int) -> Run:
         """Solve it; what is warned of is kept, since a finer grid may have nothing to tell."""
