@@ -278,7 +278,7 @@ CALLS = [
             "max_time": 1e3,
         },
     ),
-    ("Accurate.to_dataset", sc.to_accuracy(CASE, 0.5).to_dataset, {}),
+    ("Accurate.to_dataset", sc.to_accuracy(CASE, 0.5).to_dataset, {"volume": "none"}),
     ("wear.depth", sc.wear.depth, {"equivalent": STRAIN[0], "dz": 5e-5, "threshold": 0.04}),
     (
         "wear.run",

@@ -46,7 +46,7 @@ FOLDERS = {
     "wear": {"runs"},
     "cases": {"hertz", "paths", "measured", "asperities", "wear"},
     "accuracy": {"hertz", "cases", "results"},
-    "sweeps": {"runs", "cases", "results"},
+    "sweeps": {"runs", "cases", "results", "accuracy"},
     "report": {"cases", "results", "plotting", "asperities"},
     "commands": {
         "runs", "hertz", "cases", "results", "plotting", "asperities", "accuracy", "sweeps",

@@ -4,6 +4,7 @@
 import numpy as np
 import pytest
 
+import samcontact as sc
 from command import check_failure, fields, invoke
 from samcontact import report
 
@@ -60,3 +61,13 @@ def test_what_goes_on_or_moves_is_refused(case, tmp_path):
     case.write_text(TEXT)
     outcome = invoke("run", case, "--output", tmp_path / "out")
     check_failure(outcome, 2, "accuracy: must be a relative error in (0, 1)", "got 'X'")
+
+
+def test_a_sweep_has_errors_of_all_its_cases(case):
+    case.write_text(TEXT.replace('"X"', "0.02"))
+    swept = sc.sweep(case, {"path[1].load": [200.0, 800.0]}, progress=False)
+    assert list(swept["status"].values) == ["done", "done"]
+    last = swept.isel(increment=1)
+    ratio = last["max_pressure"].values[1] / last["max_pressure"].values[0]
+    assert ratio == pytest.approx(4 ** (1 / 3), rel=0.01)
+    assert np.all(last["max_pressure_error"] < 0.02 * last["max_pressure"])

@@ -67,15 +67,20 @@ class Accurate(Shown):
             for name, value in self.values.items()
         }
 
-    def to_dataset(self) -> xr.Dataset:
+    def to_dataset(self, *, volume: str | None = None) -> xr.Dataset:
         """Results of the finest grid, with these values and their errors.
 
         ``X`` has the values at ``increments``, elsewhere what was solved on the finest grid;
         ``X_error`` the errors, NaN elsewhere, with the accuracy asked for as its attribute.
+
+        Parameters
+        ----------
+        volume : {"none", "last", "peak_and_last", "all"}, optional
+            As of `samcontact.results.to_dataset`.
         """
         from .. import results
 
-        dataset = results.to_dataset(self.simulation, self.states, self.case)
+        dataset = results.to_dataset(self.simulation, self.states, self.case, volume=volume)
         at = list(self.increments)
         for name, series in self.series.items():
             known, body = described(name)

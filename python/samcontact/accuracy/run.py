@@ -33,6 +33,7 @@ PART_OF_TIME = 0.3
 RAW = 10.0
 """Error of the increments used, over the accuracy, that is corrected instead of solved."""
 MOST_GRIDS = 24
+HOUR = 3600.0
 
 
 def to_accuracy(
@@ -61,7 +62,7 @@ def to_accuracy(
     max_memory : float, optional
         Of the finest grid [bytes]; default what is available.
     max_time : float, optional
-        In all [s]; default no limit.
+        In all [s]; default an hour.
 
     Returns
     -------
@@ -86,7 +87,7 @@ def to_accuracy(
     limit = known.max_time if max_time is None else positive("max_time", max_time)
     if memory is None:
         memory = _memory.available() or math.inf
-    return _Search(scene, asked, memory, math.inf if limit is None else limit).search()
+    return _Search(scene, asked, memory, HOUR if limit is None else limit).search()
 
 
 def _case(case: Case | str | Path | Mapping[str, Any], accuracy: Any) -> Case:
@@ -288,7 +289,7 @@ class _Search:
             warnings.warn(
                 f"the accuracy of {self.wanted[at]:.3g} is not reached: "
                 f"{list(self.asked)[at]} has a relative error of {relative[at]:.2g}; {self.needs}: "
-                "raise max_memory or max_time, or ask for less",
+                "raise max_memory or max_time, ask for less, or leave it out of quantities",
                 AccuracyWarning,
                 stacklevel=4,
             )

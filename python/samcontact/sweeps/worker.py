@@ -58,12 +58,16 @@ def failure(error: BaseException) -> Outcome:
 
 def _solve(case: Any) -> Variables:
     from .. import results
+    from ..accuracy import to_accuracy
 
-    simulation, path = case.build()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ResolutionWarning)  # the sweep tells it of all
-        states = simulation.run(path, progress=False)
-    dataset = results.to_dataset(simulation, states, case, volume="none")
+        if case.accuracy is not None:
+            dataset = to_accuracy(case).to_dataset(volume="none")
+        else:
+            simulation, path = case.build()
+            states = simulation.run(path, progress=False)
+            dataset = results.to_dataset(simulation, states, case, volume="none")
     names = [name for name, field in dataset.data_vars.items() if field.dims == ("increment",)]
     return _plain(dataset[names])
 
