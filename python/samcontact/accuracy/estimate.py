@@ -29,6 +29,10 @@ CLEAN = 0.5
 MIXED = 0.03
 """How much of a correction found on a coarse grid a finer one may change."""
 
+MIXED_AREA = 0.3
+"""The same of the contact area, over the relative correction of the largest pressure: on a coarse
+grid it moves by whole cells, or not at all."""
+
 
 class Estimate(NamedTuple):
     """Values with absolute errors, all of one shape."""

@@ -14,7 +14,7 @@ import numpy as np
 
 from .. import _certified, _memory
 from .._checks import FloatArray, positive
-from .estimate import MIXED, RATIO, Estimate, joined, of_grids, of_increments
+from .estimate import MIXED, MIXED_AREA, RATIO, Estimate, joined, of_grids, of_increments
 from .outcome import AccuracyWarning, Accurate, largest
 from .scene import Refinable, Run
 
@@ -239,9 +239,19 @@ class _Search:
         found = of_grids([run.values for run in grids])
         if self.scene.has_history:
             more = self._correction()
-            errors = found.errors + more.errors + MIXED * np.abs(more.values)
+            errors = found.errors + more.errors + self._mixed(found.values, more.values)
             found = Estimate(found.values + more.values, errors, found.extrapolated)
         return joined(found, self.parts)
+
+    def _mixed(self, values: FloatArray, more: FloatArray) -> FloatArray:
+        """What a finer grid may change in corrections that were found on a coarse one."""
+        mixed: FloatArray = MIXED * np.abs(more)
+        before = self.scene.names.index
+        area, pressure = (sum(self.parts[: before(n)]) for n in ("contact_area", "max_pressure"))
+        p = values[:, pressure]
+        share = np.divide(np.abs(more[:, pressure]), p, out=np.zeros_like(p), where=p > 0)
+        mixed[:, area] += MIXED_AREA * share * values[:, area]
+        return mixed
 
     def _relative(self, found: Estimate) -> FloatArray:
         """Errors of the chosen quantities over the largest values, the largest of all marks."""
