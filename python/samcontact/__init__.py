@@ -32,6 +32,7 @@ from ._doubts import UnitWarning
 from ._told import PlasticStrainWarning
 from .accuracy import AccuracyWarning, Accurate, to_accuracy
 from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
+from .find import FoundLoad, find_load
 from .grid import Grid
 from .grid_errors import GridErrors, estimate_errors
 from .heat import Heat
@@ -53,6 +54,7 @@ __all__ = [
     "ContactSolver",
     "ConvergenceError",
     "ElasticStrainWarning",
+    "FoundLoad",
     "Grid",
     "GridErrors",
     "GridTooSmallError",
@@ -75,6 +77,7 @@ __all__ = [
     "dents",
     "energy",
     "estimate_errors",
+    "find_load",
     "flattening",
     "heat",
     "heat_kernels",

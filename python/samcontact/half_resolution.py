@@ -37,8 +37,6 @@ def coarser(simulation: Simulation, heat: Heat) -> Simulation:
         A periodic direction whose cells cannot be halved, or a relief that repeats itself after an
         odd number of rows.
     """
-    from .simulation import Simulation
-
     window = simulation._window
     grid, surfaces = coarser_grid(window.grid), simulation._surfaces
     gap: Any = surfaces.gap
@@ -48,11 +46,17 @@ def coarser(simulation: Simulation, heat: Heat) -> Simulation:
         given if given is None or callable(given) else _relief(given, window.grid, grid)
         for given in (surfaces.relief1, surfaces.relief2)
     ]
-    settings = asdict(simulation._settings)
-    return Simulation(
-        grid, simulation.body1, simulation.body2, gap, heat=heat, relief1=reliefs[0],
-        relief2=reliefs[1], **settings,
-    )  # fmt: skip
+    return remade(simulation, grid=grid, gap=gap, heat=heat, relief1=reliefs[0], relief2=reliefs[1])
+
+
+def remade(simulation: Simulation, **changes: Any) -> Simulation:
+    """The same simulation at its start, but for some arguments."""
+    from .simulation import Simulation
+
+    surfaces = simulation._surfaces
+    given = {name: getattr(simulation, name) for name in ("grid", "body1", "body2", "heat")}
+    given |= {name: getattr(surfaces, name) for name in ("gap", "relief1", "relief2")}
+    return Simulation(**given | asdict(simulation._settings) | changes)
 
 
 def coarser_grid(grid: Grid) -> Grid:

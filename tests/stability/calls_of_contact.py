@@ -32,6 +32,10 @@ SOLVER = sc.ContactSolver(GRID, HOT, HOT, heat=sc.Heat((0.0, 0.01), time=1.0, re
 SIMULATION = sc.Simulation(**BODIES, gap=GAP, tol=1e-4)
 STATE = SIMULATION.step(load=LOAD)
 PRESSED = {"run": sc.Simulation(**BODIES, gap=GAP), "path": [{"load": LOAD}], "states": [STATE]}
+FIND = {
+    "case": lambda load: (sc.Simulation(**BODIES, gap=GAP), [{"load": load}]),
+    "quantity": "approach", "value": 1e-6, "tolerance": 1e-2, "largest_load": 2 * LOAD,
+}  # fmt: skip
 ERRORS = sc.estimate_errors(**PRESSED)
 TRACK = STATE.track(2, margin=0)
 ZONE = STATE.zones(2)[0]
@@ -163,6 +167,7 @@ CALLS = [
         },
     ),
     ("estimate_errors", sc.estimate_errors, PRESSED),
+    ("find_load", sc.find_load, FIND),
     ("GridErrors.add_to", ERRORS.add_to, {"dataset": results.to_dataset(SIMULATION, [STATE])}),
     ("Simulation.save", SIMULATION.save, {"path": FOLDER / "other.h5"}),
     (

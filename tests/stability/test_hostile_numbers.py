@@ -16,7 +16,8 @@ CALLS = FORMULAS + ON_GRIDS
 HOSTILE = (math.nan, math.inf, -math.inf)
 
 MADE_BY_THE_PACKAGE = {
-    "Accurate", "ContactSolution", "GridErrors", "State", "Track", "asperities.Tugging",
+    "Accurate", "ContactSolution", "FoundLoad", "GridErrors", "State", "Track",
+    "asperities.Tugging",
     "bearings.LoadZone",
     "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalSlidingSphere",
     "critical.CriticalSphere", "flattening.Flattening", "hertz.EllipticContact",

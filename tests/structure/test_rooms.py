@@ -64,6 +64,7 @@ CORE_USERS = {
     "_window",
     "_load_core",
     "contact",
+    "find",
     "grid",
     "heat_kernels",
     "kernels",

@@ -224,6 +224,7 @@ def public_objects():
     return [
         grid, steel, relief, heat, simulation, state, state.track(), solver, collision, cycle, load,
         *bent.state.zones(2), sc.estimate_errors(simulation, [{"load": 10.0}], [state]),
+        sc.FoundLoad("max_pressure", 1.0 / 3, 1e-3, 1e9 / 3, 1e6 / 3, [state] * 100),
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
         sc.measured.MeasuredSurface(heights, 1e-6, attrs={"source": "s" * 3000}),
         sc.asperities.Tugging(collision, simulation, series, [state]),

@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 from .doctor import doctor
+from .find import find
 from .hertz import hertz
 from .results import export, report
 from .run import resume, run
@@ -50,5 +51,5 @@ def main() -> None:
     """Semi-analytical elastic-plastic contact of two half-spaces."""
 
 
-for _command in (run, resume, sweep, report, export, hertz, doctor):
+for _command in (run, resume, sweep, find, report, export, hertz, doctor):
     main.add_command(_command)

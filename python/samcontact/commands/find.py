@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command that finds the load at which a quantity of a case reaches a value."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from .arguments import FilePath, Quantity
+from .errors import short_errors
+
+
+@click.command()
+@click.argument("case_file", metavar="CASE.toml", type=FilePath())
+@click.argument("target", metavar="QUANTITY=VALUE")
+@click.option("--tolerance", type=float, default=1e-3, show_default=True, help="Relative.")
+@click.option("--largest-load", type=Quantity("N"), help="Default: 100 times that of the case.")
+def find(case_file: Path, target: str, tolerance: float, largest_load: float | None) -> None:
+    """Find the load at which a quantity reaches a value, or a body first yields ("yield").
+
+    All loads of the case are multiplied by the same factor. max_plastic_strain=0.001,
+    "max_pressure=4 GPa", "print_depth_body2=0.1 um".
+    """
+    with short_errors():
+        from ..cases import load_case
+        from ..cases.tugging import TuggingCase
+        from ..find import find_load
+        from .tables import Sheet, new_console
+
+        case = load_case(case_file)
+        if isinstance(case, TuggingCase):
+            raise ValueError("a load is found of a contact, not of a case with [tugging]")
+        name, given, text = target.partition("=")
+        value = _value(name.strip(), text.strip()) if given else 1.0
+        if not given and name != "yield":
+            raise ValueError(f"QUANTITY=VALUE must have a value, got {target!r}")
+        console = new_console()
+        with console.status("solving under several loads"):
+            found = find_load(
+                case, name.strip(), value, tolerance=tolerance, largest_load=largest_load
+            )
+        sheet = Sheet(case.title)
+        labels, shown = zip(*found._rows(), strict=True)
+        sheet.add("", labels)
+        sheet.add("found", shown)
+        console.print(sheet)
+
+
+def _value(name: str, text: str) -> float:
+    """In SI units, of a number or a text with a unit."""
+    from .._quantities import CONTACT
+    from ..find import SYNONYMS
+    from ..units import from_text
+
+    try:
+        return float(text)
+    except ValueError:
+        kind = SYNONYMS.get(name, name).partition("_body")[0]
+        unit = CONTACT[kind].unit if kind in CONTACT else "1"
+        return from_text(text, {"m2": "m**2", "1": ""}.get(unit, unit))

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Loads that are found are those of closed forms, and a run with them gives what was asked for."""
+
+import pytest
+
+import samcontact as sc
+from case_texts import MINIMAL
+from command import check_failure, invoke
+from samcontact import _certified
+from samcontact.cases import parse_case
+
+STEEL = sc.Material.elastic(210e9, 0.3)
+SOFT = sc.Material.perfect_plastic(210e9, 0.3, 1.5e9)
+R, E_STAR = 7.5e-3, sc.hertz.effective_modulus(STEEL, SOFT)
+
+
+def ball(load):
+    size = 20e-6
+    grid = sc.Grid(31, 31, size, size, dz=size)
+    gap = lambda g: sc.surfaces.paraboloid(g, R)  # noqa: E731
+    return sc.Simulation(grid, STEEL, SOFT, gap), [{"load": load}]
+
+
+@pytest.mark.parametrize(
+    ("quantity", "value", "load"),
+    [
+        ("yield", 1.0, sc.critical.onset(R, E_STAR, 0.3, 1.5e9).load),
+        ("max_pressure", 2e9, sc.hertz.point(R, E_STAR, p0=2e9).load),
+        ("approach", 5e-6, sc.hertz.point(R, E_STAR, approach=5e-6).load),
+    ],
+)
+def test_a_load_is_that_of_its_closed_form(quantity, value, load):
+    found = sc.find_load(ball, quantity, value, largest_load=1000.0)
+    assert found.value == pytest.approx(value, rel=1e-3)
+    assert abs(found.load - load) < found.load_error < 0.04 * load
+
+
+def test_a_run_with_the_load_reaches_the_strain():
+    case = parse_case(MINIMAL)
+    found = sc.find_load(case, "max_plastic_strain", 1e-3, tolerance=1e-4)
+    text = MINIMAL.replace("load = 600.0", f"load = {found.load!r}")
+    simulation, path = parse_case(text).build()
+    *_, peak, _ = simulation.run(path, progress=False)
+    strain = _certified.value(peak, "max_equivalent_plastic_strain_body2")
+    assert strain == pytest.approx(1e-3, rel=1e-4)
+    assert found.quantity == "max_equivalent_plastic_strain_body2"
+
+
+def test_what_is_not_reached_is_refused_with_the_largest_value():
+    hertz = sc.hertz.point(R, E_STAR, load=300.0)
+    with pytest.raises(ValueError, match=r"is not reached: the largest is (\S+) at 300 N") as error:
+        sc.find_load(ball, "max_pressure", 1e10, largest_load=300.0)
+    assert float(str(error.value).split("largest is ")[1].split()[0]) == pytest.approx(
+        hertz.p0, rel=0.02
+    )
+
+
+def test_loads_without_a_solution_end_the_search_at_what_has_one():
+    def within(load):
+        made, path = ball(load)
+        return sc.Simulation(made.grid, STEEL, SOFT, made.initial_gap), path
+
+    load = sc.hertz.point(R, E_STAR, approach=5e-6).load
+    found = sc.find_load(within, "approach", 5e-6, largest_load=1e6)
+    assert found.load == pytest.approx(load, rel=5e-3)
+    with pytest.raises(ValueError, match=r"is not reached: .*touches the border of the grid"):
+        sc.find_load(within, "approach", 1e-4, largest_load=1e6)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"quantity": "max_presure", "value": 1e9}, "quantity must be one of approach"),
+        ({"quantity": "max_pressure", "value": -1.0}, "value must be"),
+        ({"quantity": "approach", "value": 1e-6, "tolerance": 0.5}, "tolerance must be in"),
+        ({"quantity": "approach", "value": 1e-6, "largest_load": None}, "largest_load must be"),
+    ],
+)
+def test_bad_targets_are_refused(arguments, message):
+    with pytest.raises(ValueError, match=message):
+        sc.find_load(ball, **{"largest_load": 300.0} | arguments)
+
+
+def test_the_command_finds_and_refuses(tmp_path):
+    file = tmp_path / "case.toml"
+    file.write_text(MINIMAL, encoding="utf-8")
+    outcome = invoke("find", file, "max_pressure=2 GPa")
+    assert outcome.exit_code == 0
+    assert "N ±" in outcome.stdout
+    check_failure(invoke("find", file, "max_pressure"), 2, "must have a value")
+    refused = invoke("find", file, "max_pressure=9e10", "--largest-load", "700")
+    check_failure(refused, 2, "the largest is")
