@@ -130,7 +130,8 @@ def _plausibility(dataset: xr.Dataset, case: Case) -> Iterator[Verdict]:
     contact = None if expected is None else Contact(expected, expected.along_axes)
     heat = COLD if case.heat is None else case.heat.build()
     bodies = case.body1.build(), case.body2.build()
-    for doubt in doubts_of(contact, grid_of(dataset), bodies, heat):
+    grid = grid_of(dataset) if case.grid is None else case.grid.build()
+    for doubt in doubts_of(contact, grid, bodies, heat):
         yield doubt.verdict
 
 
