@@ -167,7 +167,14 @@ def accuracy_table(dataset: xr.Dataset) -> Table | None:
 def errors_table(dataset: xr.Dataset) -> list[Table]:
     """Certified quantities where they are largest, with their errors; none without any."""
     rows = [
-        (row.label, [cell(row.increment, 1.0), Cell(row.shown, ""), cell(100 * row.relative, 1.0)])
+        (
+            row.label,
+            [
+                cell(row.increment, 1.0),
+                Cell(row.shown, ""),
+                Cell(f"{100 * row.relative:.2g}", repr(row.relative)),
+            ],
+        )
         for row in error_rows(dataset)
     ]
     return [Table(["increment", "value", "error [%]"], rows, "quantity")] if rows else []
