@@ -186,6 +186,22 @@ def _differences(
     return found
 
 
+def said_of_slope(share: float) -> str:
+    """What a surface has beyond its grid, in words; nothing of one that is known everywhere."""
+    if not np.isfinite(share):
+        return ""
+    beyond = (
+        "most of it may lie beyond the grid, and pressures and strains of the spots are those of "
+        "the cells"
+        if share > LARGEST_SHARE
+        else "little is beyond the grid where the spectrum goes on as it is"
+    )
+    return (
+        f"{100 * share:.2g} % of the mean square slope of the surface is in waves shorter than "
+        f"four cells: {beyond}"
+    )
+
+
 class ErrorRow(NamedTuple):
     """A quantity where it is largest: the number of the increment, its value, its error."""
 

@@ -122,3 +122,14 @@ def test_errors_that_cannot_be_estimated_are_told(tmp_path):
     outcome = invoke("run", file, "--no-figures", "--output", tmp_path / "out")
     assert outcome.exit_code == 0
     assert "errors of the grid are not estimated: ny must be a multiple of 4" in outcome.stdout
+
+
+def test_what_a_rough_surface_has_beyond_its_grid_is_told(tmp_path):
+    rough = '[surface.roughness]\nkind = "self_affine"\nrms_height = 1e-7\nhurst = 0.5\nseed = 1\n'
+    file = tmp_path / "case.toml"
+    file.write_text(MINIMAL.replace("[[path]]", f"{rough}[[path]]", 1), encoding="utf-8")
+    outcome = invoke("run", file, "--no-figures", "--output", tmp_path / "out")
+    assert "of the mean square slope of the surface is in waves shorter than" in outcome.stdout
+    with results.open_results(tmp_path / "out" / "results.nc") as dataset:
+        (check,) = [c for c in report.checks(dataset) if "mean square slope" in c.name]
+        assert check.value == dataset.attrs["slope_beyond"] > check.limit

@@ -16,7 +16,7 @@ from .. import hertz, results
 from .._peak import peak_of_dataset
 from ..accuracy import Accurate, to_accuracy
 from ..accuracy.outcome import described
-from ..grid_errors import GridErrors, error_rows, estimate_errors
+from ..grid_errors import GridErrors, error_rows, estimate_errors, said_of_slope
 from ..results.against_hertz import hertz_rows
 from ..runs.journal import describe
 from ..runs.lock import locked
@@ -111,6 +111,8 @@ class _Run:
         console.print(_summary(dataset, body))
         if errors is not None:
             console.print(_errors_sheet(dataset))
+            if told := said_of_slope(errors.slope_beyond):
+                console.print(told, markup=False, highlight=False)
         if self.accurate is not None:
             console.print(_values_with_errors(self.accurate))
         elif told := self.simulation._growth():
