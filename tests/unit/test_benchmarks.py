@@ -11,6 +11,8 @@ import pandas as pd
 import pytest
 
 from benchmarks import (
+    accuracy,
+    accuracy_cases,
     elastic_smooth,
     harness,
     images,
@@ -73,6 +75,19 @@ def test_a_rough_contact_converges_as_its_page_says():
         assert 0.5 < wrong / (coarse["uncertainty"] - fine["uncertainty"]) < 1.0
         assert coarse["pressure"] * coarse["area"] == pytest.approx(fine["pressure"] * fine["area"])
     assert "python -m benchmarks.resolution --docs" in resolution.page(rows, 1e9, rows[:2])
+
+
+def test_stated_errors_cover_true_ones_as_their_page_says():
+    name = "semi-axes 1:4"
+    rows = accuracy.judged(name, accuracy.closed_form(accuracy_cases.CASES[name]), 0.01)
+    assert {row.quantity for row in rows} == {"max_pressure", "contact_area", "approach"}
+    assert all(0 < row.true < row.stated < 0.01 for row in rows)
+    stored = accuracy.PAGE.read_text(encoding="utf-8")
+    assert f"**{name}**" in stored
+    assert set(accuracy.stored()) == set(accuracy_cases.CASES)
+    for row in rows:  # of the page, to its two digits
+        assert f"{100 * row.true:.2g} / {100 * row.stated:.2g}" in stored
+    assert "python -m benchmarks.accuracy --docs" in stored
 
 
 def test_exponent_of_a_power():

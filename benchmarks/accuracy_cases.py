@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contacts whose values are known, or can be had on a grid that is much finer."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import samcontact as sc
+
+E, NU, R = 210e9, 0.3, 7.5e-3
+STEEL = {"law": "elastic", "E": E, "nu": NU}
+RIGID = {"law": "rigid"}
+SWIFT = {"law": "swift", "E": E, "nu": NU, "B": 945e6, "C": 20.0, "n": 0.121}
+M50 = SWIFT | {"B": 1280e6, "C": 4.0, "n": 0.095}
+NITRIDED = SWIFT | {"B": 1240e6, "C": 30.0, "n": 0.085}
+BILINEAR = {"law": "linear_hardening", "E": E, "nu": NU, "yield_stress": 1e9,
+            "tangent_modulus": 21e9}  # fmt: skip
+THERMAL = {"conductivity": 50.2, "expansion": 11.7e-6, "diffusivity": 1.367e-5}
+BALL = {"shape": "paraboloid", "Rx": R}
+
+Case = dict[str, Any]
+
+
+def pressed(body1: Case, body2: Case, load: float, surface: Case = BALL, **more: Any) -> Case:
+    """Loaded, and unloaded where a body yields."""
+    path = [{"load": load}]
+    if not {body1["law"], body2["law"]} <= {"elastic", "rigid"}:
+        path.append({"load": 0.0})
+    return {"body1": body1, "body2": body2, "surface": surface, "path": path} | more
+
+
+def elliptic(ratio: float) -> Case:
+    """Principal radii of this ratio."""
+    return BALL | {"Ry": ratio * R}
+
+
+ELASTIC: dict[str, Case] = {
+    "balls, 1500 N": pressed(STEEL, STEEL, 1500.0),
+    "balls, 3 N": pressed(STEEL, STEEL, 3.0),
+    "balls, 10 µm": pressed(STEEL, STEEL, 1.0) | {"path": [{"approach": 1e-5}]},
+    "rigid ball on rubber": pressed(RIGID, STEEL | {"E": 5e6, "nu": 0.49}, 0.1),
+    "rigid sphere": pressed(RIGID, STEEL, 50.0, {"shape": "sphere", "R": R}),
+    "radii 1:1.3": pressed(STEEL, STEEL, 1000.0, elliptic(1.3)),
+    "radii 1:2": pressed(STEEL, STEEL, 1000.0, elliptic(2.0)),
+    "radii 2:1": pressed(STEEL, STEEL, 1000.0, elliptic(0.5)),
+    "semi-axes 1:2": pressed(STEEL, STEEL, 2000.0, elliptic(2.8428)),
+    "semi-axes 1:3": pressed(STEEL, STEEL, 2000.0, elliptic(5.3)),
+    "semi-axes 1:4": pressed(STEEL, STEEL, 3000.0, elliptic(8.3033)),
+    "semi-axes 4:1": pressed(STEEL, STEEL, 3000.0, elliptic(1 / 8.3033)),
+    "semi-axes 1:6": pressed(STEEL, STEEL, 3000.0, elliptic(16.0)),
+    "semi-axes 1:8": pressed(STEEL, STEEL, 5000.0, elliptic(25.2897)),
+    "semi-axes 1:10": pressed(STEEL, STEEL, 5000.0, elliptic(35.5)),
+    "two loads": pressed(STEEL, STEEL, 1.0) | {"path": [{"load": 100.0}, {"load": 1500.0}]},
+}
+YIELDING: dict[str, Case] = {
+    "T1, 1500 N": pressed(STEEL, SWIFT, 1500.0),
+    "T1, 600 N": pressed(STEEL, SWIFT, 600.0),
+    "T1, 4000 N": pressed(STEEL, SWIFT, 4000.0),
+    "V1, rigid tip": pressed(RIGID, NITRIDED, 0.65, {"shape": "paraboloid", "Rx": 105e-6}),
+    "V2, both yield": pressed(SWIFT, SWIFT, 2000.0),
+    "two laws": pressed(M50, BILINEAR, 1000.0),
+    "2a, rigid on M50": pressed(RIGID, M50, 800.0, {"shape": "paraboloid", "Rx": 10e-3}),
+    "bilinear": pressed(STEEL, BILINEAR, 800.0),
+    "radii 1:3, yields": pressed(STEEL, SWIFT, 3000.0, elliptic(3.0)),
+    "semi-axes 1:4, yields": pressed(STEEL, SWIFT, 6000.0, elliptic(8.3033)),
+    "F2, friction 0.2": pressed(
+        STEEL, M50, 3000.0, {"shape": "paraboloid", "Rx": 10e-3}, contact={"friction": 0.2}
+    ),
+    "given approach": pressed(STEEL, SWIFT, 1.0)
+    | {"path": [{"approach": 2.5e-5}, {"load": 0.0, "start": 1800.0}]},
+    "loaded twice": pressed(STEEL, SWIFT, 1.0)
+    | {"path": [{"load": w} for w in (1000.0, 0.0, 1500.0, 0.0)]},
+    "heated, steady": pressed(
+        STEEL, SWIFT | {"thermal": THERMAL}, 1500.0, heat={"factor": 0.02}
+    ),
+    "heated for 20 ms": pressed(STEEL, SWIFT | {"thermal": THERMAL}, 1.0)
+    | {"heat": {"factor": 0.05, "history": [1e-3, 10.0]},
+       "path": [{"load": 1500.0, "duration": 20e-3},
+                {"load": 0.0, "duration": 10e-3, "heat_factor": 0.0}]},
+}  # fmt: skip
+ROLLING: dict[str, Case] = {
+    "rolling ball": pressed(
+        STEEL | {"E": 310e9, "nu": 0.29}, SWIFT, 1.0, {"shape": "paraboloid", "Rx": 4.7625e-3}
+    )
+    | {"path": [{"load": 1152.9, "roll": {"distance": 0.6e-3, "step": 25e-6}}]},
+}
+CASES = ELASTIC | YIELDING | ROLLING
+
+
+def closed_form(case: Case) -> dict[str, float]:
+    """Values of elastic paraboloids at the largest load or approach (Hertz); else nothing."""
+    if not {case["body1"]["law"], case["body2"]["law"]} <= {"elastic", "rigid"}:
+        return {}
+    if case["surface"]["shape"] != "paraboloid":
+        return {}
+    bodies = [_body(case[name]) for name in ("body1", "body2")]
+    Rx = case["surface"]["Rx"]
+    given = case["path"][-1]
+    found = sc.hertz.elliptic(
+        Rx, case["surface"].get("Ry", Rx), sc.hertz.effective_modulus(*bodies), **given
+    )
+    return {
+        "max_pressure": found.p0,
+        "contact_area": math.pi * found.a_x * found.a_y,
+        "load": found.load,
+        "approach": found.approach,
+    }
+
+
+def _body(fields: Case) -> sc.Material:
+    plain = dict(fields)
+    make = getattr(sc.Material, plain.pop("law"))
+    body: sc.Material = make(**plain)
+    return body
