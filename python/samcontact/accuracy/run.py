@@ -28,6 +28,8 @@ FEWEST, MOST = 4, 512
 """Increments of a segment."""
 INCREMENTS_ON = 1
 """The grid on which increments are judged: their error hardly depends on it."""
+OF_INCREMENTS = ("max_pressure", "contact_area")
+"""Always there: how the first changes with the increments tells of the second."""
 PART_OF_TIME = 0.3
 """Of all that is allowed, for judging increments."""
 RAW = 10.0
@@ -83,6 +85,7 @@ def to_accuracy(
     known = _case(case, accuracy)
     scene = Refinable(known)
     asked = _asked(scene, known, accuracy, quantities)
+    scene.names = [name for name in scene.names if name in asked or name in OF_INCREMENTS]
     memory = known.max_memory if max_memory is None else positive("max_memory", max_memory)
     limit = known.max_time if max_time is None else positive("max_time", max_time)
     if memory is None:
