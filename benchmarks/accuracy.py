@@ -18,11 +18,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 import samcontact as sc
-from samcontact import _certified
-from samcontact._checks import FloatArray
-from samcontact.accuracy.scene import Refinable
+from samcontact.accuracy import Refinable
 from samcontact.cases import Case as SectionsOfCase
 
 from .accuracy_cases import CASES, Case, closed_form
@@ -65,6 +64,9 @@ True and stated errors relative to the largest value of the run [%].
 """
 
 
+Values = NDArray[np.float64]
+
+
 class Judged(NamedTuple):
     """A quantity of a case, at an accuracy."""
 
@@ -92,13 +94,13 @@ def finest(case: Case) -> dict[str, float]:
         runs[-1].states = []
         runs.append(scene.run(len(runs), used))
     coarse = [scene.run(1, n).values for n in INCREMENTS if n <= most]
-    return extrapolated(scene.names, [run.values for run in runs], coarse) | {
+    return extrapolated(scene.names, scene.parts, [run.values for run in runs], coarse) | {
         name: value for name, value in closed_form(case).items() if name in scene.names
     }
 
 
 def extrapolated(
-    names: list[str], grids: list[FloatArray], coarse: list[FloatArray]
+    names: list[str], parts: list[int], grids: list[Values], coarse: list[Values]
 ) -> dict[str, float]:
     """With order 2 of the cells, and orders 1 and 2 of the increments."""
     change = (grids[-1] - grids[-3]) / 3
@@ -107,7 +109,6 @@ def extrapolated(
     if len(coarse) > 1:
         first = [2 * fine - wide for wide, fine in itertools.pairwise(coarse)]
         values = values + (4 * first[-1] - first[-2]) / 3 - coarse[0]
-    parts = [_certified.has_parts(name) for name in names]
     ends = np.cumsum(parts)
     largest = [
         float(np.abs(values[:, end - n : end]).max()) for n, end in zip(parts, ends, strict=True)

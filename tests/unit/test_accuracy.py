@@ -111,6 +111,13 @@ def test_memory_ends_it_with_the_best_so_far():
     assert 1e-4 < found.relative_errors["contact_area"] < 0.1
 
 
+def test_no_time_leaves_errors_of_three_grids():
+    with pytest.warns(sc.AccuracyWarning, match="finer grids would need"):
+        found = sc.to_accuracy(ELASTIC, 1e-5, max_time=1e-9)
+    assert len(found.runs) == 3
+    assert 1e-5 < max(found.relative_errors.values()) < 0.1
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact import results
+from samcontact import accuracy, results
 from samcontact._repr import LONGEST, UNITS, html_table, in_short, quantity
 from samcontact.cases import parse_case
 
@@ -221,7 +221,15 @@ def public_objects():
     load = sc.flattening.kogut_etsion(np.linspace(1e-9, 1e-7, 500), 1e-3, 1e11, 0.3, 1e9)
     series = results.to_dataset(simulation, [state])
     fields = {"title": "t" * 500, "long": "d" * 5000}
+    balls = {
+        "body1": {"law": "rigid"},
+        "body2": {"law": "elastic", "E": 210e9, "nu": 0.3},
+        "surface": {"shape": "paraboloid", "Rx": 7.5e-3},
+        "path": [{"load": 10.0}],
+    }
     return [
+        sc.to_accuracy(balls, 0.5),
+        accuracy.Refinable(sc.to_accuracy(balls, 0.5).case),
         grid, steel, relief, heat, simulation, state, state.track(), solver, collision, cycle, load,
         *bent.state.zones(2), sc.estimate_errors(simulation, [{"load": 10.0}], [state]),
         sc.FoundLoad("max_pressure", 1.0 / 3, 1e-3, 1e9 / 3, 1e6 / 3, [state] * 100),

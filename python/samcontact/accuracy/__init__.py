@@ -3,5 +3,6 @@
 
 from .outcome import AccuracyWarning, Accurate
 from .run import to_accuracy
+from .scene import Refinable
 
-__all__ = ["AccuracyWarning", "Accurate", "to_accuracy"]
+__all__ = ["AccuracyWarning", "Accurate", "Refinable", "to_accuracy"]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import _certified, _memory
+from .. import _memory
 from .._checks import FloatArray, positive
 from .estimate import MIXED, MIXED_AREA, RATIO, Estimate, joined, of_grids, of_increments
 from .outcome import AccuracyWarning, Accurate, largest
@@ -64,7 +64,7 @@ def to_accuracy(
     max_memory : float, optional
         Of the finest grid [bytes]; default what is available.
     max_time : float, optional
-        In all [s]; default an hour.
+        In all [s]; default an hour. The first three grids are solved whatever they take.
 
     Returns
     -------
@@ -152,7 +152,7 @@ class _Search:
         self, scene: Refinable, asked: dict[str, float], memory: float, limit: float
     ) -> None:
         self.scene, self.asked, self.memory, self.limit = scene, asked, memory, limit
-        self.parts = [_certified.has_parts(name) for name in scene.names]
+        self.parts = scene.parts
         self.chosen = [scene.names.index(name) for name in asked]
         self.wanted = np.array(list(asked.values()))
         self.runs: dict[tuple[int, int], Run] = {}
@@ -278,8 +278,8 @@ class _Search:
         growth = 2.5 * RATIO if len(grids) < 3 else last.seconds / max(grids[-2].seconds, 1e-3)
         growth = min(max(growth, 2.0), 8.0)
         seconds, size = last.seconds * growth, memory_of(last) * RATIO**3
-        # before there is an error to tell, what has gone by counts
-        spent = self.seconds + (seconds if len(grids) >= FEWEST_GRIDS else 0.0)
+        # without some grids there is no error to tell
+        spent = self.seconds + seconds if len(grids) >= FEWEST_GRIDS else 0.0
         if len(grids) < MOST_GRIDS and size <= self.memory and spent <= self.limit:
             return True
         more = max(1, math.ceil(math.log2(worst))) if math.isfinite(worst) else FEWEST_GRIDS

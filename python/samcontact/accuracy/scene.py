@@ -83,6 +83,11 @@ class Refinable:
         along_x = ROOM_OF_WAY if case.moves else ROOM
         self.half = along_x * self.semi_axes[0], ROOM * self.semi_axes[1]
 
+    @property
+    def parts(self) -> list[int]:
+        """How many values of a run belong to each quantity, the largest of which it is."""
+        return [_certified.has_parts(name) for name in self.names]
+
     @cached_property
     def semi_axes(self) -> tuple[float, float]:
         """Of the elastic contact of the smooth surfaces along x and y at the largest target [m]."""
@@ -124,6 +129,9 @@ class Refinable:
     def cells(self, level: int) -> float:
         """Along a semi-axis of the Hertz contact."""
         return float(COARSEST * self._finer * RATIO**level)
+
+    def __repr__(self) -> str:
+        return f"Refinable({self.case!r})"
 
     def on(self, level: int, increments: int) -> Case:
         """The case on a grid: with a cell in the middle, so that all grids have one there."""
