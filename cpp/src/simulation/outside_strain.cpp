@@ -2,7 +2,6 @@
 #include "samcontact/simulation/outside_strain.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "samcontact/operators/zone_operators.hpp"
 #include "samcontact/simulation/zone_choice.hpp"
