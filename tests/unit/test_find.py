@@ -17,7 +17,10 @@ R, E_STAR = 7.5e-3, sc.hertz.effective_modulus(STEEL, SOFT)
 def ball(load):
     size = 20e-6
     grid = sc.Grid(31, 31, size, size, dz=size)
-    gap = lambda g: sc.surfaces.paraboloid(g, R)  # noqa: E731
+
+    def gap(grid):
+        return sc.surfaces.paraboloid(grid, R)
+
     return sc.Simulation(grid, STEEL, SOFT, gap), [{"load": load}]
 
 
