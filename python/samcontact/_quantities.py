@@ -260,3 +260,9 @@ WEAR = {
     "x": Q("m", "positions on body {body}"),
     "heights": Q("m", "heights of body {body}, outwards", "µm", "height", colours="viridis"),
 }  # fmt: skip
+
+
+def described(name: str) -> tuple[Quantity, int | None]:
+    """The quantity of a name in files, and its body; None where it is of both."""
+    kind, _, body = name.partition("_body")
+    return CONTACT[kind], int(body) if body else None

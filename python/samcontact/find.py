@@ -15,8 +15,9 @@ import scipy
 from . import _certified, half_resolution
 from ._checks import FloatArray, number, positive
 from ._core import ConvergenceError
+from ._quantities import described
 from ._repr import Rows, Shown, quantity
-from .grid_errors import described, estimate_errors
+from .grid_errors import estimate_errors
 from .material import Material
 
 if TYPE_CHECKING:

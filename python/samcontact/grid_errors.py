@@ -13,7 +13,7 @@ import numpy as np
 from . import _certified, half_resolution
 from ._checks import FloatArray
 from ._peak import peak
-from ._quantities import CONTACT, Quantity
+from ._quantities import described
 from ._repr import Rows, Shown, quantity
 from .resolution import ROUND_SPOT, area_uncertainty
 
@@ -234,9 +234,3 @@ def _largest_of(
             shown = quantity(float(values[name][at]), unit, 5)
             rows.append(ErrorRow(label, at + 1, shown, float(error[at] / known[at])))
     return rows
-
-
-def described(name: str) -> tuple[Quantity, int | None]:
-    """The quantity of a name in files, and its body; None where it is of both."""
-    kind, _, body = name.partition("_body")
-    return CONTACT[kind], int(body) if body else None

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._checks import FloatArray
-from .._quantities import CONTACT, Quantity
+from .._quantities import described
 from .._repr import Rows, Shown, counts, quantity
 
 if TYPE_CHECKING:
@@ -113,12 +113,6 @@ class Accurate(Shown):
     def __repr__(self) -> str:
         worst = max(self.relative_errors.values(), default=0.0)
         return f"Accurate({len(self.values)} quantities, largest relative error {worst:.2g})"
-
-
-def described(name: str) -> tuple[Quantity, int | None]:
-    """The quantity of a name in files, and its body; None where it is of both."""
-    kind, _, body = name.partition("_body")
-    return CONTACT[kind], int(body) if body else None
 
 
 def largest(series: FloatArray, errors: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -14,8 +14,8 @@ from rich.console import Console
 
 from .. import hertz, results
 from .._peak import peak_of_dataset
+from .._quantities import described
 from ..accuracy import Accurate, to_accuracy
-from ..accuracy.outcome import described
 from ..grid_errors import GridErrors, error_rows, estimate_errors, said_of_slope
 from ..results.against_hertz import hertz_rows
 from ..runs.journal import describe

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from .._checks import FloatArray
-from .._quantities import CONTACT, Quantity
+from .._quantities import CONTACT, Quantity, described
 from .._repr import counts, lengths, quantity
 from ..cases.field_units import field_unit
 from ..grid_errors import error_rows
@@ -150,9 +150,9 @@ def accuracy_table(dataset: xr.Dataset) -> Table | None:
         return None
     columns = []
     for name in known:
-        kind, _, body = name.partition("_body")
-        shown = CONTACT[kind].fitting(float(np.nanmax(np.abs(dataset[name].values))))
-        columns.append((shown.of(int(body) if body else None), name, shown.factor))
+        known_as, body = described(name)
+        shown = known_as.fitting(float(np.nanmax(np.abs(dataset[name].values))))
+        columns.append((shown.of(body), name, shown.factor))
     marks = np.flatnonzero(np.isfinite(dataset[f"{known[0]}_error"].values))
     rows = []
     for at in marks:
