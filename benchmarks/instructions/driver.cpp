@@ -33,7 +33,9 @@ const Grid box(64, 64, 1e-6, 1e-6, 32, 1e-6);
 /// Residual stress of all wavenumbers of a box, without transforms and without images.
 std::function<double()> layer_sweep() {
   const operators::VolumeTransform transform(box, operators::Symmetry::none);
-  const operators::LayerResidualStress stress(box, transform, Elastic::isotropic(210e9, 0.3), 0.1);
+  const operators::ResidualSettings settings{operators::ResidualMethod::fast, 0.1, {}};
+  const operators::LayerResidualStress stress(box, transform, Elastic::isotropic(210e9, 0.3),
+                                              settings);
   operators::VolumeSpectrum spectrum(transform, box.nz, operators::Tensor::deviator);
   for (std::size_t n = 0; n < spectrum.data.size(); ++n) {
     spectrum.data[n] = 1e-3 * number(n);

@@ -168,16 +168,18 @@ def compare_with(revision: str) -> int:
     if not shutil.which("valgrind"):
         raise Skip("valgrind is not installed")
     messages = git("log", "--format=%B", f"{base}..HEAD")
+    program = build(ROOT)
     with tempfile.TemporaryDirectory(prefix="samcontact-") as name:
         folder = Path(name)
         git("worktree", "add", "--quiet", "--detach", str(folder / "base"), base)
         try:
             before = count(build(folder / "base"))
-        except BuildError:
-            raise Skip(f"{revision} does not build") from None
+        except BuildError as error:
+            why = [line for line in str(error).splitlines() if "error" in line]
+            raise Skip("\n".join([f"{revision} does not build", *why])) from None
         finally:
             git("worktree", "remove", "--force", str(folder / "base"))
-        after = count(build(ROOT))
+        after = count(program)
     rows, failed = compare(before, after, allowances(messages))
     print(table(rows))
     if failed:
