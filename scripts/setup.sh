@@ -55,6 +55,7 @@ sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=
   if [ "$1" != "" ] && command -v ccache > /dev/null; then
     # What one checkout has compiled serves the others.
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
+    export CCACHE_SLOPPINESS=pch_defines,time_macros  # for the precompiled header
   fi
   [ -x .venv/bin/python ] || python3 -m venv .venv
   mkdir -p build
