@@ -89,6 +89,26 @@ void bind_boxes(py::class_<State>& state) {
           },
           py::arg("body"))
       .def(
+          "own_box",
+          [](const State& s, int body) -> py::object {
+            const Box box = s.own_box(body);
+            if (box.empty()) return py::none();
+            return py::cast(to_tuple(box));
+          },
+          py::arg("body"))
+      .def(
+          "deviator_in_own_box",
+          [](const State& s, int body, bool loaded) {
+            Field field;
+            {
+              const py::gil_scoped_release release;
+              field = s.deviator_in_own_box(body, loaded);
+            }
+            const Box box = s.own_box(body);
+            return tensor_array(std::move(field), box.grid(s.scene().grid), box.nz);
+          },
+          py::arg("body"), py::arg("loaded"))
+      .def(
           "stress_in_zones",
           [](const State& s, int body, bool loaded) {
             Field field;

@@ -68,14 +68,17 @@ def parts(state: State, name: str) -> tuple[float, ...]:
         return (area_under(state.pressure, state.grid.cell_area, state.grid.periodic),)
     kind, body = name[: -len("_body1")], int(name[-1])
     if kind == "print_depth":
-        return (peak_value(state.residual_displacement(body)),)
+        own = state._in_own_box("residual_displacement", body)
+        return (peak_value(state.residual_displacement(body) if own is None else own),)
     zones = state.zones(body)
     if not zones and kind != "max_von_mises":
         return 0.0, 0.0
+    field = _FIELDS[kind]
     if len(zones) > 1:
-        fields = [getattr(zone, _FIELDS[kind])() for zone in zones]
+        fields = [getattr(zone, field)() for zone in zones]
     else:
-        fields = [getattr(state, _FIELDS[kind])(body)]
+        own = None if field == "equivalent_plastic_strain" else state._in_own_box(field, body)
+        fields = [getattr(state, field)(body) if own is None else own]
     found = [_below_and_at_surface(f if f.ndim == 3 else von_mises(f)) for f in fields]
     below, surface = (max(values) for values in zip(*found, strict=True))
     return below, surface

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any
@@ -313,6 +314,24 @@ class State(Fixed, Shown):
         if layers < self._layers and law is not None:
             factor[:, :, layers:] = law(self.temperature(body)[:, :, layers:])
         return factor
+
+    def _in_own_box(self, name: str, body: int) -> FloatArray | None:
+        """A field where the body's strain was solved for, by the operators of the increment.
+
+        Of name "stress" or "residual_stress" the deviator, or "residual_displacement". None where
+        that is not all: without plastic strain, of several zones, where the body has moved on.
+        """
+        index = choice("body", body, (1, 2)) - 1
+        box = self._core.own_box(index)
+        if box is None:
+            return None
+        needed = _memory.ZONE_FIELD * math.prod(box[2:])
+        _memory.require(f"the field {name} in the plastic zone", needed)
+        if name == "residual_displacement":
+            field: FloatArray = self._core.residual_displacement_in(index, box)
+        else:
+            field = self._core.deviator_in_own_box(index, name == "stress")
+        return field
 
     def _field(
         self, name: str, body: int, compute: Callable[[], FloatArray] | None = None

@@ -8,6 +8,7 @@ import pytest
 
 import samcontact as sc
 from samcontact import _certified
+from samcontact._tensors import von_mises
 
 STEEL = sc.Material.elastic(210e9, 0.3)
 
@@ -51,3 +52,27 @@ def test_names_are_those_of_bodies_that_have_them():
     assert _certified.names((STEEL, STEEL), volume=False) == list(_certified.OF_CONTACT)
     assert len(_certified.names((steel, STEEL))) == 8
     assert _certified.names((steel, STEEL))[4] == "max_von_mises_body1"
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.3])
+def test_fields_of_the_plastic_zone_hold_the_largest_of_the_grid(shift):
+    grid = sc.Grid(23, 21, 5e-5, 5e-5, dz=5e-5)
+    steel = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)
+    gap = ((grid.x[:, None] - shift * grid.dx) ** 2 + grid.y**2) / (2 * 7.5e-3)
+    run = sc.Simulation(grid, STEEL, steel, gap)
+    for state in run.run([{"load": 1000.0}, {"load": 0.0}], progress=False):
+        i, j, nx, ny, _ = state._core.own_box(1)
+        beside = np.s_[max(i, 0) : i + nx, max(j, 0) : j + ny]
+        inside = np.s_[max(-i, 0) : grid.nx - i, max(-j, 0) : grid.ny - j]
+        for name in ("stress", "residual_stress", "residual_displacement"):
+            whole, own = getattr(state, name)(2), state._in_own_box(name, 2)
+            if whole.ndim == 2:
+                assert own[inside] == pytest.approx(whole[beside], rel=1e-9)
+            else:
+                deep = min(whole.shape[3], own.shape[3])
+                mine, other = (von_mises(f[..., :deep]) for f in (own, whole))
+                assert mine[inside] == pytest.approx(other[beside], rel=1e-8, abs=1.0)
+            kind = {"stress": "max_von_mises", "residual_stress": "max_residual_von_mises"}
+            value = _certified.value(state, f"{kind.get(name, 'print_depth')}_body2")
+            field = whole if whole.ndim == 2 else von_mises(whole)
+            assert value > 0.999 * field.max()

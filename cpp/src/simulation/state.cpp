@@ -20,23 +20,6 @@ void add(const Field& from, Field& to) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
 }
 
-/// Puts a tensor field of a stored box into one of a region, where the whole box is in it.
-void put_unfolded(const Field& part, const Box& stored, fft::Symmetry symmetry, const Grid& grid,
-                  const Box& region, Field& out) {
-  const Box box = whole_box(stored, grid, symmetry);
-  Field plane(box.surface_size());
-  Box layer = box, surface = region;
-  layer.nz = surface.nz = 1;
-  for (int c = 0; c < 6; ++c) {
-    for (int k = 0; k < std::min(box.nz, region.nz); ++k) {
-      unfold(part.data() + (c * box.nz + k) * stored.surface_size(), stored, symmetry,
-             c == 4 || c == 5, c == 3 || c == 5, plane.data(), box, grid);
-      copy_common(plane.data(), layer, out.data() + (c * region.nz + k) * region.surface_size(),
-                  surface);
-    }
-  }
-}
-
 }  // namespace
 
 operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,
@@ -150,6 +133,15 @@ Box State::below(Layers layers) const {
   return {0, 0, grid.nx, grid.ny, layers ? *layers : this->layers()};
 }
 
+/// Mirror planes that its stress has; the exact operators know of none.
+fft::Symmetry State::stress_symmetry(int body, bool with_tractions) const {
+  if (method == operators::ResidualMethod::exact) return fft::Symmetry::none;
+  const fft::Symmetry of_strain = plastic[body]->symmetry();
+  if (!with_tractions) return of_strain;
+  const fft::Symmetry of_heat = common(past_symmetry, symmetry_of(heating));
+  return common(common(of_strain, of_heat), symmetry_of(tractions, scene_->grid));
+}
+
 /// region: all of the window.
 Field State::total_stress(int body, bool with_tractions, const Box& region) const {
   const Grid& grid = scene_->grid;
@@ -169,39 +161,23 @@ Field State::total_stress(int body, bool with_tractions, const Box& region) cons
   }
   if (!plastic[body]) return of_tractions();
 
-  // In the box the very stress that the flow was computed with: the fast operator depends a little
-  // on period and mirrors.
-  const bool exact = method == operators::ResidualMethod::exact;
-  auto symmetry = fft::Symmetry::none;
-  if (!exact) {
-    symmetry = plastic[body]->symmetry();
-    if (with_tractions) {
-      symmetry = common(symmetry, symmetry_of(tractions, grid));
-      symmetry = common(symmetry, past_symmetry);
-      symmetry = common(symmetry, symmetry_of(heating));
-    }
-  }
+  const fft::Symmetry symmetry = stress_symmetry(body, with_tractions);
   const auto history = unfolded(plastic[body], grid, symmetry);
   const Box box = whole_box(history->box(), grid, symmetry), around = region.united(box);
-
-  Field out;
-  if (exact || box != around) {
-    const Field strain = plastic_strain(body, around);
-    const operators::Tractions all = window(loads, grid, around);
-    out = cut(scene_->volume(body, around, Tensor::full, method, fft::Symmetry::none, heat)
-                  ->stress(strain.data(), with_tractions ? &all : nullptr, sign),
-              around, region);
-    if (exact) return out;
-  } else {
-    out.resize(6 * region.volume_size());
-  }
-  const auto operators = scene_->volume(body, box, Tensor::full, method, symmetry, heat);
-  const operators::Tractions here = window(loads, grid, history->box());
-  const Box& stored = history->box();
-  const Field part =
-      operators->stress(six_components(history->strain(stored), history->tensor()).data(),
-                        with_tractions ? &here : nullptr, sign);
-  put_unfolded(part, stored, symmetry, grid, region, out);
+  Field out(6 * region.volume_size());
+  const auto put = [&](const Box& whole) {
+    const Box stored = part_of(whole, grid, symmetry);
+    const operators::Tractions here = window(loads, grid, stored);
+    const Field strain = six_components(history->strain(stored), history->tensor());
+    const Field part = scene_->volume(body, whole, Tensor::full, method, symmetry, heat)
+                           ->stress(strain.data(), with_tractions ? &here : nullptr, sign);
+    put_unfolded(part, stored, symmetry, grid, region, out);
+  };
+  // In the box the very stress that the flow was computed with: the fast operator depends a little
+  // on the period.
+  const bool exact = method == operators::ResidualMethod::exact;
+  if (exact || box != around) put(around);
+  if (!exact) put(box);
   return out;
 }
 
@@ -312,17 +288,29 @@ Field State::residual_displacement(int body, const Box& region) const {
   const Box surface{region.i0, region.j0, region.nx, region.ny, 1};
   Field out(surface.surface_size(), 0.0);
   if (!plastic[body]) return out;
-  const auto history = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
-  const Box around = acting_box(*history, surface, scene_->reach);
-  const auto operators =
-      scene_->volume(body, around, history->tensor(), method, fft::Symmetry::none, {});
+  const Grid& grid = scene_->grid;
+  fft::Symmetry symmetry = plastic[body]->symmetry();
+  const Box own = whole_box(plastic[body]->box(), grid, symmetry);
+  // Its operators are there already.
+  const bool inside = !is_elsewhere(body) && own.contains(surface);
+  const Box around = inside ? own
+                            : acting_box(*unfolded(plastic[body], grid, fft::Symmetry::none),
+                                         surface, scene_->reach);
+  if (whole_box(part_of(around, grid, symmetry), grid, symmetry) != around) {
+    symmetry = fft::Symmetry::none;
+  }
+  const auto history = unfolded(plastic[body], grid, symmetry);
+  const Box stored = part_of(around, grid, symmetry);
+  const auto operators = scene_->volume(body, around, history->tensor(), method, symmetry,
+                                        inside ? heating[body] : operators::Heating{});
   operators::VolumeSpectrum spectrum = operators->make_spectrum();
-  operators::forward(operators->transform(), history->strain(around).data(), spectrum);
-  Field displacement(around.surface_size());
+  operators::forward(operators->transform(), history->strain(stored).data(), spectrum);
+  Field displacement(stored.surface_size()), plane(around.surface_size());
   operators->residual_displacement().apply(spectrum, displacement.data());
-  Box plane = around;
-  plane.nz = 1;
-  extract(displacement.data(), plane, out.data(), surface);
+  unfold(displacement.data(), stored, symmetry, false, false, plane.data(), around, grid);
+  Box layer = around;
+  layer.nz = 1;
+  extract(plane.data(), layer, out.data(), surface);
   return out;
 }
 

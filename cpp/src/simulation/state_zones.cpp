@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields of a state in the zones of a body only.
+// Fields of a state in the zones of a body only, or in its one box.
 #include "samcontact/simulation/state.hpp"
 
 #include <algorithm>
 
 #include "samcontact/operators/zone_operators.hpp"
+#include "samcontact/simulation/box_choice.hpp"
 #include "samcontact/simulation/tensor_fields.hpp"
 
 namespace samcontact::simulation {
@@ -53,6 +54,35 @@ Field State::stress_in_zones(int body, bool with_tractions) const {
         }
       });
   tables->forget_unused();
+  return out;
+}
+
+Box State::own_box(int body) const {
+  if (!plastic[body] || is_elsewhere(body) || past[body]) return {};
+  const Grid& grid = scene_->grid;
+  Box box = whole_box(plastic[body]->box(), grid, plastic[body]->symmetry());
+  Box window = window_of(tractions_on(body), grid);
+  window.nz = box.nz;
+  if (!box.contains(window)) return {};
+  if (grid.nz > 0) box.nz = std::min(box.nz, grid.nz);
+  return box;
+}
+
+Field State::deviator_in_own_box(int body, bool with_tractions) const {
+  const Box region = own_box(body);
+  if (region.empty()) return {};
+  const Grid& grid = scene_->grid;
+  const fft::Symmetry symmetry = stress_symmetry(body, with_tractions);
+  const auto history = unfolded(plastic[body], grid, symmetry);
+  const Box& stored = history->box();
+  const operators::Tractions here = window(tractions_on(body), grid, stored);
+  const Field part = scene_
+                         ->volume(body, whole_box(stored, grid, symmetry), history->tensor(),
+                                  method, symmetry, heating[body])
+                         ->stress(history->strain(stored).data(), with_tractions ? &here : nullptr,
+                                  operators::shear_sign(body));
+  Field out(6 * region.volume_size());
+  put_unfolded(six_components(part, history->tensor()), stored, symmetry, grid, region, out);
   return out;
 }
 

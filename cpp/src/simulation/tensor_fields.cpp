@@ -32,4 +32,20 @@ Field six_components(Field strain, Tensor tensor) {
   return full;
 }
 
+void put_unfolded(const Field& part, const Box& stored, fft::Symmetry symmetry, const Grid& grid,
+                  const Box& region, Field& out) {
+  const Box box = whole_box(stored, grid, symmetry);
+  Field plane(box.surface_size());
+  Box layer = box, surface = region;
+  layer.nz = surface.nz = 1;
+  for (int c = 0; c < 6; ++c) {
+    for (int k = 0; k < std::min(box.nz, region.nz); ++k) {
+      unfold(part.data() + (c * box.nz + k) * stored.surface_size(), stored, symmetry,
+             c == 4 || c == 5, c == 3 || c == 5, plane.data(), box, grid);
+      copy_common(plane.data(), layer, out.data() + (c * region.nz + k) * region.surface_size(),
+                  surface);
+    }
+  }
+}
+
 }  // namespace samcontact::simulation

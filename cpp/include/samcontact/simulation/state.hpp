@@ -125,6 +125,13 @@ class State {
   /// Stress in them, all of it or that of the plastic strain, [zone][component][k][i][j].
   Field stress_in_zones(int body, bool with_tractions) const;
 
+  /// The box that the plastic strain was last solved for in, down to the layers of the grid, where
+  /// it is one and holds all tractions; else empty.
+  Box own_box(int body) const;
+  /// Deviator of the stress in it, all of it or that of the plastic strain, [component][k][i][j],
+  /// by the operators of the increment.
+  Field deviator_in_own_box(int body, bool with_tractions) const;
+
   /// Surface fields [i][j] [m], positive into the body: of the plastic strain, and of all.
   Field residual_displacement(int body) const;
   Field surface_displacement(int body) const;
@@ -134,6 +141,7 @@ class State {
 
  private:
   Field total_stress(int body, bool with_tractions, const Box& region) const;
+  fft::Symmetry stress_symmetry(int body, bool with_tractions) const;
   /// The cells of the grid down to a number of layers.
   Box below(Layers layers) const;
   /// As the body's cells see them.

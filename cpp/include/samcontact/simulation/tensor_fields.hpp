@@ -7,6 +7,7 @@
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/box.hpp"
 #include "samcontact/operators/volume_spectrum.hpp"
+#include "samcontact/simulation/mirror.hpp"
 
 namespace samcontact::simulation {
 
@@ -16,5 +17,9 @@ Field cut(const Field& tensor, const Box& from, const Box& to);
 void complete(const double* deviator, std::size_t n, double* full);
 /// All six components of a strain with those of `tensor`.
 Field six_components(Field strain, operators::Tensor tensor);
+
+/// Puts one of a stored box into that of a region, where the whole box is in it.
+void put_unfolded(const Field& part, const Box& stored, fft::Symmetry symmetry, const Grid& grid,
+                  const Box& region, Field& out);
 
 }  // namespace samcontact::simulation
