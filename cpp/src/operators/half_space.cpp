@@ -95,12 +95,12 @@ class HalfSpace : public Medium {
     }
     return std::make_unique<LayerResidualStress>(grid, transform, elastic_, settings);
   }
-  std::unique_ptr<ResidualDisplacement> residual_displacement(const Grid& grid,
-                                                              const VolumeTransform& transform,
-                                                              Tensor tensor) const override {
+  std::unique_ptr<ResidualDisplacement> residual_displacement(
+      const Grid& grid, const VolumeTransform& transform, Tensor tensor,
+      const ResidualDisplacement* shallower) const override {
     const double nu = elastic_.nu;
     if (!grid.period.is_on()) {
-      return std::make_unique<ResidualDisplacement>(grid, transform, nu, tensor);
+      return std::make_unique<ResidualDisplacement>(grid, transform, nu, tensor, shallower);
     }
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
     const auto layer = [&](int k) {
@@ -108,7 +108,8 @@ class HalfSpace : public Medium {
       return sums_.sum(grid, CellOffsets::lattice(offsets.nx, offsets.ny), cell,
                        exchanged_components);
     };
-    return std::make_unique<ResidualDisplacement>(grid, transform, layer, grid.nz, tensor);
+    return std::make_unique<ResidualDisplacement>(grid, transform, layer, grid.nz, tensor,
+                                                  shallower);
   }
 
   ParityParts heat_displacement(const Heating& heating, double dx, double dy,

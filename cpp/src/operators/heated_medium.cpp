@@ -66,10 +66,10 @@ class HeatedMedium : public VolumeMedium {
                                                   const ResidualSettings& settings) const override {
     return medium_->residual_stress(grid, transform, settings);
   }
-  std::unique_ptr<ResidualDisplacement> residual_displacement(const Grid& grid,
-                                                              const VolumeTransform& transform,
-                                                              Tensor tensor) const override {
-    return medium_->residual_displacement(grid, transform, tensor);
+  std::unique_ptr<ResidualDisplacement> residual_displacement(
+      const Grid& grid, const VolumeTransform& transform, Tensor tensor,
+      const ResidualDisplacement* shallower) const override {
+    return medium_->residual_displacement(grid, transform, tensor, shallower);
   }
 
  private:

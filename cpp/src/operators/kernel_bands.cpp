@@ -317,9 +317,9 @@ class BandMedium : public VolumeMedium {
     if (band_ != Band::far) return whole;
     return std::make_unique<FarResidualStress>(std::move(whole), own(0.0, 0.0));
   }
-  std::unique_ptr<ResidualDisplacement> residual_displacement(const Grid& grid,
-                                                              const VolumeTransform& transform,
-                                                              Tensor tensor) const override {
+  std::unique_ptr<ResidualDisplacement> residual_displacement(
+      const Grid& grid, const VolumeTransform& transform, Tensor tensor,
+      const ResidualDisplacement* /*shallower*/) const override {
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
     const auto layer = [&](int k) { return tables_->residual_displacement(band_, offsets, k); };
     return std::make_unique<ResidualDisplacement>(grid, transform, layer,

@@ -7,6 +7,7 @@
 
 #include "samcontact/base/flush_denormals.hpp"
 #include "samcontact/base/smooth_step.hpp"
+#include "samcontact/base/threads.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/operators/image_correction.hpp"
 #include "samcontact/operators/layer_sweep.hpp"
@@ -125,7 +126,7 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
   const double unit_cell = 1.0 / (static_cast<double>(spectrum.mx) * spectrum.my);
   const layers::Constants constants{nu_, 1 / (2 * (1 - nu_)), nu_ / (1 - nu_), lame_ * unit_cell,
                                     2 * shear_modulus_ * unit_cell};
-#pragma omp parallel
+#pragma omp parallel if (per_number * spectrum.data.size() > worth_threads)
   {
     const FlushDenormals flush;
     layers::Scratch scratch(nz_, spectrum.parts);

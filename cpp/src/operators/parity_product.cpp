@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/parity_product.hpp"
 
+#include <algorithm>
+
 namespace samcontact::operators {
 namespace {
 
@@ -54,6 +56,15 @@ void add_parity_product(const double* quarter, kernels::Parity parity, double sc
                           : add_product<0>(quarter, scale, from, to, modes);
     default:
       for (int k = 0; k < modes; ++k) out[k] += scale * quarter[k] * in[k];
+  }
+}
+
+void copy_layers(const Field& from, int from_layers, Field& to, int to_layers, int hx) {
+  const std::size_t row = static_cast<std::size_t>(from_layers) * hx;
+  const std::size_t step = static_cast<std::size_t>(to_layers) * hx;
+  auto out = to.begin();
+  for (auto in = from.begin(); in != from.end(); in += row, out += step) {
+    std::copy_n(in, row, out);
   }
 }
 

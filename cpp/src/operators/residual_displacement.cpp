@@ -15,10 +15,16 @@
 namespace samcontact::operators {
 
 ResidualDisplacement::ResidualDisplacement(const VolumeTransform& transform, int layers,
-                                           Tensor tensor)
-    : transform_(&transform), nz_(layers), tensor_(tensor) {
+                                           Tensor tensor, const ResidualDisplacement* shallower)
+    : transform_(&transform),
+      nz_(layers),
+      first_(shallower != nullptr ? std::min(layers, shallower->nz_) : 0),
+      tensor_(tensor) {
   const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
   spectra_.resize(spectrum.size() * count(tensor) * nz_);
+  if (shallower != nullptr) {
+    copy_layers(shallower->spectra_, shallower->nz_, spectra_, nz_, spectrum.hx());
+  }
 }
 
 void ResidualDisplacement::store(const fft::ParitySpectrum& spectrum, int component, int layer,
@@ -35,8 +41,9 @@ void ResidualDisplacement::store(const fft::ParitySpectrum& spectrum, int compon
 }
 
 ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
-                                           double nu, Tensor tensor)
-    : ResidualDisplacement(transform, grid.nz, tensor) {
+                                           double nu, Tensor tensor,
+                                           const ResidualDisplacement* shallower)
+    : ResidualDisplacement(transform, grid.nz, tensor, shallower) {
   const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
   const CornerLattice lattice{grid.nx, grid.ny, grid.dy / grid.dx};
   const double dz = grid.dz / grid.dx;
@@ -49,28 +56,29 @@ ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransfo
     return {d[0] - d[2], d[1] - d[2], d[3], d[4], d[5], 0.0};
   };
   for_each_layer_difference<6>(
-      lattice, nz_, [dz](int level) { return level * dz; }, corner,
+      lattice, nz_ - first_, [dz, this](int level) { return (first_ + level) * dz; }, corner,
       [&](int k, const double* differences) {
         Field quarter(spectrum.size());
         for (int c = 0; c < count(tensor); ++c) {
           lattice.corner_sums(differences + c * lattice.size(), quarter.data(), spectrum.hx(),
                               spectrum.hy());
           for (double& value : quarter) value *= factor;
-          store(spectrum, c, k, quarter.data());
+          store(spectrum, c, first_ + k, quarter.data());
         }
       });
 }
 
 ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
                                            const std::function<Field(int layer)>& tables,
-                                           int layers, Tensor tensor)
-    : ResidualDisplacement(transform, layers, tensor) {
+                                           int layers, Tensor tensor,
+                                           const ResidualDisplacement* shallower)
+    : ResidualDisplacement(transform, layers, tensor, shallower) {
   const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
   const KernelOffsets offsets(grid, transform.mx(), transform.my());
   const std::size_t plane = static_cast<std::size_t>(offsets.nx) * offsets.ny;
   const auto places = components(tensor);
 #pragma omp parallel for schedule(dynamic)
-  for (int k = 0; k < nz_; ++k) {
+  for (int k = first_; k < nz_; ++k) {
     const Field table = tables(k);
     for (std::size_t c = 0; c < places.size(); ++c) {
       const double* from = table.data() + places[c] * plane;

@@ -50,23 +50,36 @@ std::vector<TractionStress::Part> TractionStress::parts(Traction traction) const
   return parts;
 }
 
-void TractionStress::prepare(Traction traction) const {
+void TractionStress::prepare(Traction traction, const TractionStress* shallower) const {
   const std::lock_guard lock(mutex_);
   const auto wanted = parts(traction);
   if (!spectra_[static_cast<int>(wanted[0])].empty()) return;
+  std::unique_lock<std::mutex> other;
+  if (shallower != nullptr) other = std::unique_lock(shallower->mutex_);
+  const Field none;
+  const auto known = [&](Part part) -> const Field& {
+    return shallower != nullptr ? shallower->spectra_[static_cast<int>(part)] : none;
+  };
+  const int first = known(wanted[0]).empty() ? 0 : std::min(layers(), shallower->layers());
   std::vector<std::vector<ParityParts>> heat;
   if (heat_ && traction == Traction::pressure) {
+    heat.resize(first);
     // Not in parallel: a table asks whether to stop, and may throw.
-    for (const double z : depths_) heat.push_back(parts_of(heat_->at(z, grid_), tensor_));
+    for (int k = first; k < layers(); ++k) {
+      heat.push_back(parts_of(heat_->at(depths_[k], grid_), tensor_));
+    }
   }
   std::array<Field, part_count> built;
-  for (const Part part : wanted) built[static_cast<int>(part)] = build(part, heat);
+  for (const Part part : wanted) {
+    built[static_cast<int>(part)] = build(part, heat, first, known(part));
+  }
   for (const Part part : wanted) {
     spectra_[static_cast<int>(part)] = std::move(built[static_cast<int>(part)]);
   }
 }
 
-Field TractionStress::build(Part part, const std::vector<std::vector<ParityParts>>& heat) const {
+Field TractionStress::build(Part part, const std::vector<std::vector<ParityParts>>& heat, int first,
+                            const Field& known) const {
   const fft::ParitySpectrum parity_spectrum(transform_->mx(), transform_->my());
   const int nz = layers(), hx = parity_spectrum.hx(), hy = parity_spectrum.hy();
   const KernelOffsets offsets(grid_, transform_->mx(), transform_->my());
@@ -78,12 +91,13 @@ Field TractionStress::build(Part part, const std::vector<std::vector<ParityParts
                             : part == Part::shear_y ? Traction::shear_y
                                                     : Traction::pressure;
   Field built(parity_spectrum.size() * count * nz);
+  if (first > 0) copy_layers(known, first, built, nz, hx);
   check_interrupt();
 #pragma omp parallel
   {
     Field quarter(parity_spectrum.size());
 #pragma omp for schedule(dynamic)
-    for (int k = 0; k < nz; ++k) {
+    for (int k = first; k < nz; ++k) {
       const Field table =
           elastic ? medium_->stress(traction, grid_, offsets, depths_[k], tensor_) : Field{};
       for (int c = 0; c < count; ++c) {
@@ -133,11 +147,12 @@ void TractionStress::add(Part part, const Field& traction, double scale,
   out.used.assign(nz, 1);
 }
 
-void TractionStress::add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out) const {
+void TractionStress::add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
+                         const TractionStress* shallower) const {
   for (const Traction kind : all_tractions) {
     const Field& field = tractions.of(kind);
     if (field.empty()) continue;
-    prepare(kind);
+    prepare(kind, shallower);
     const Field spectrum = transform_->forward(field.data());
     for (const Part part : parts(kind)) add(part, spectrum, sign_of(kind, shear_sign), out);
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/threads.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -32,11 +33,13 @@ VolumeTransform make_transform(const Grid& grid, const VolumeOptions& options) {
 }  // namespace
 
 VolumeOperators::VolumeOperators(const Grid& grid, SharedMedium medium,
-                                 const VolumeOptions& options)
+                                 const VolumeOptions& options,
+                                 std::weak_ptr<const VolumeOperators> shallower)
     : grid_(grid),
       medium_(std::move(medium)),
       options_(options),
       transform_(make_transform(grid, options)),
+      shallower_(std::move(shallower)),
       traction_stress_(grid, transform_, medium_, options.heat, grid.z(), options.tensor) {}
 
 const ResidualStress& VolumeOperators::residual_stress() const {
@@ -51,7 +54,11 @@ const ResidualStress& VolumeOperators::residual_stress() const {
 const ResidualDisplacement& VolumeOperators::residual_displacement() const {
   const std::lock_guard lock(mutex_);
   if (!residual_displacement_) {
-    residual_displacement_ = medium_->residual_displacement(grid_, transform_, options_.tensor);
+    const auto other = shallower_.lock();
+    std::unique_lock<std::mutex> other_lock;
+    if (other) other_lock = std::unique_lock(other->mutex_);
+    residual_displacement_ = medium_->residual_displacement(
+        grid_, transform_, options_.tensor, other ? other->residual_displacement_.get() : nullptr);
   }
   return *residual_displacement_;
 }
@@ -65,9 +72,13 @@ void VolumeOperators::for_each_layer(
     residual_stress().apply(spectrum);
     far_field = residual_stress().far_field(options_.tensor, strain);
   }
-  if (tractions != nullptr) traction_stress_.add(*tractions, shear_sign, spectrum);
+  if (tractions != nullptr) {
+    const auto other = shallower_.lock();
+    traction_stress_.add(*tractions, shear_sign, spectrum,
+                         other ? &other->traction_stress_ : nullptr);
+  }
   const std::size_t layer_size = count(options_.tensor) * transform_.plane_size();
-#pragma omp parallel
+#pragma omp parallel if (per_number * layer_size * grid_.nz > worth_threads)
   {
     Field layer(layer_size);
 #pragma omp for schedule(dynamic)

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/threads.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 
 namespace samcontact::operators {
@@ -43,7 +44,8 @@ VolumeSpectrum::VolumeSpectrum(const VolumeTransform& transform, int nz_, Tensor
 void forward(const VolumeTransform& transform, const double* tensor, VolumeSpectrum& out) {
   check_interrupt();
   const std::size_t plane = transform.plane_size();
-#pragma omp parallel for schedule(dynamic)
+  const double work = per_number * plane * out.components * out.nz;
+#pragma omp parallel for schedule(dynamic) if (work > worth_threads)
   for (int k = 0; k < out.nz; ++k) {
     out.used[k] = 0;
     for (int c = 0; c < out.components && !out.used[k]; ++c) {
@@ -68,7 +70,8 @@ void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, int lay
 void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, double* tensor) {
   check_interrupt();
   const std::size_t plane = transform.plane_size();
-#pragma omp parallel for schedule(dynamic)
+  const double work = per_number * plane * spectrum.components * spectrum.nz;
+#pragma omp parallel for schedule(dynamic) if (work > worth_threads)
   for (int k = 0; k < spectrum.nz; ++k) {
     transform.inverse(planes_of(tensor + k * plane, spectrum.nz * plane, spectrum, k),
                       spectrum.stride());

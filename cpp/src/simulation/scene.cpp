@@ -192,6 +192,15 @@ Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tenso
     kept_.splice(kept_.begin(), kept_, found);
     return kept_.front().operators;
   }
+  Operators shallower;
+  for (const Kept& k : kept_) {
+    const bool alike = k.medium == media[body] && k.size.nx == size.nx && k.size.ny == size.ny &&
+                       k.tensor == tensor && k.method == method && k.symmetry == symmetry &&
+                       k.heating == heating;
+    if (!alike || k.size.nz > size.nz) continue;
+    if (!shallower || k.size.nz > shallower->grid().nz) shallower = k.operators;
+  }
+  const std::weak_ptr<const operators::VolumeOperators> like = std::exchange(shallower, nullptr);
   kept_.remove_if([&](const Kept& k) {
     return k.medium == media[body] && k.tensor == tensor && k.operators.use_count() == 1 &&
            k.size.volume_size() > large_box && size.contains(k.size);
@@ -200,7 +209,7 @@ Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tenso
                                          heat_stress(body, heating)};
   kept_.push_front(
       {media[body], size, tensor, method, symmetry, heating,
-       std::make_shared<operators::VolumeOperators>(size.grid(grid), media[body], options)});
+       std::make_shared<operators::VolumeOperators>(size.grid(grid), media[body], options, like)});
   if (kept_.size() > most_kept) kept_.pop_back();
   return kept_.front().operators;
 }

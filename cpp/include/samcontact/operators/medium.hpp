@@ -54,8 +54,10 @@ class Medium {
   virtual std::unique_ptr<ResidualStress> residual_stress(
       const Grid& grid, const VolumeTransform& transform,
       const ResidualSettings& settings) const = 0;
+  /// shallower: that of fewer layers, which are taken from it; null: none.
   virtual std::unique_ptr<ResidualDisplacement> residual_displacement(
-      const Grid& grid, const VolumeTransform& transform, Tensor tensor) const = 0;
+      const Grid& grid, const VolumeTransform& transform, Tensor tensor,
+      const ResidualDisplacement* shallower) const = 0;
 
   /// Of heat that enters with a unit pressure on one cell, see heating.hpp.
   virtual ParityParts heat_displacement(const Heating& heating, double dx, double dy,

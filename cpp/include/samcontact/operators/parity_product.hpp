@@ -19,4 +19,7 @@ void add_parity_product(const double* quarter, kernels::Parity parity, double sc
 void add_parity_product(const double* quarter, kernels::Parity parity, double scale,
                         const double* in, double* out, const VolumeTransform& transform);
 
+/// Puts spectra of kernels [..][layer][kx], of hx wavenumbers each, into those of more layers.
+void copy_layers(const Field& from, int from_layers, Field& to, int to_layers, int hx);
+
 }  // namespace samcontact::operators

@@ -14,13 +14,15 @@ namespace samcontact::operators {
 class ResidualDisplacement {
  public:
   /// The grid's layers start at the surface. The displacement does not depend on Young's modulus.
-  ResidualDisplacement(const Grid& grid, const VolumeTransform& transform, double nu,
-                       Tensor tensor);
+  /// shallower: the same of fewer layers, which are taken from it; null: none.
+  ResidualDisplacement(const Grid& grid, const VolumeTransform& transform, double nu, Tensor tensor,
+                       const ResidualDisplacement* shallower);
 
   /// The same from tables of the first layers under the full tensor, [component][j][i] [m], on the
   /// offsets of KernelOffsets; those below do nothing.
   ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
-                       const std::function<Field(int layer)>& tables, int layers, Tensor tensor);
+                       const std::function<Field(int layer)>& tables, int layers, Tensor tensor,
+                       const ResidualDisplacement* shallower = nullptr);
 
   /// displacement [i][j] [m] of the eigenstrain whose spectrum is given.
   void apply(const VolumeSpectrum& strain, double* displacement) const;
@@ -29,12 +31,13 @@ class ResidualDisplacement {
   std::size_t bytes() const { return spectra_.size() * sizeof(double); }
 
  private:
-  ResidualDisplacement(const VolumeTransform& transform, int layers, Tensor tensor);
+  ResidualDisplacement(const VolumeTransform& transform, int layers, Tensor tensor,
+                       const ResidualDisplacement* shallower);
   /// Puts the table of a component on one layer, [j][i] on the quarter plane, into its place.
   void store(const fft::ParitySpectrum& spectrum, int component, int layer, double* quarter);
 
   const VolumeTransform* transform_;
-  int nz_;
+  int nz_, first_;  // layers, and which is the first that is not taken from another
   Tensor tensor_;
   Field spectra_;  // [ky][component][layer][kx <= mx/2]
 };

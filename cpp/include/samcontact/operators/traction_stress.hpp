@@ -25,8 +25,10 @@ class TractionStress {
                  std::shared_ptr<const HeatStress> heat, std::vector<double> depths, Tensor tensor);
 
   /// out += stress of tractions [i][j], their shear multiplied by shear_sign. All layers of `out`
-  /// then count as used.
-  void add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out) const;
+  /// then count as used. shallower: the same of the first depths, whose spectra are taken where
+  /// they are there; null: none.
+  void add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
+           const TractionStress* shallower = nullptr) const;
 
   int layers() const { return static_cast<int>(depths_.size()); }
   std::size_t bytes() const;
@@ -40,9 +42,10 @@ class TractionStress {
   std::vector<Part> parts(Traction traction) const;
 
   /// Kernel tables of heat at one depth, by component of tensor_.
-  void prepare(Traction traction) const;
-  /// heat: by depth, empty without.
-  Field build(Part part, const std::vector<std::vector<ParityParts>>& heat) const;
+  void prepare(Traction traction, const TractionStress* shallower) const;
+  /// heat: by depth, empty without. first: depths before it are those of `known`.
+  Field build(Part part, const std::vector<std::vector<ParityParts>>& heat, int first,
+              const Field& known) const;
   void add(Part part, const Field& traction, double scale, VolumeSpectrum& out) const;
 
   Grid grid_;

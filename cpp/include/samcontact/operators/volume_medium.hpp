@@ -16,8 +16,8 @@ class VolumeMedium : public Medium {
   }
   Field stress(Traction, const Grid&, const CellOffsets&, double, Tensor) const override { fail(); }
   Field residual_displacement(const Grid&, const CellOffsets&, int) const override { fail(); }
-  std::unique_ptr<ResidualDisplacement> residual_displacement(const Grid&, const VolumeTransform&,
-                                                              Tensor) const override {
+  std::unique_ptr<ResidualDisplacement> residual_displacement(
+      const Grid&, const VolumeTransform&, Tensor, const ResidualDisplacement*) const override {
     fail();
   }
 

@@ -28,7 +28,9 @@ struct VolumeOptions {
 /// have tractions and displacement.
 class VolumeOperators {
  public:
-  VolumeOperators(const Grid& grid, SharedMedium medium, const VolumeOptions& options);
+  /// shallower: the same of fewer layers, whose kernels are taken while they are there.
+  VolumeOperators(const Grid& grid, SharedMedium medium, const VolumeOptions& options,
+                  std::weak_ptr<const VolumeOperators> shallower = {});
 
   const Grid& grid() const { return grid_; }
   Tensor tensor() const { return options_.tensor; }
@@ -54,6 +56,7 @@ class VolumeOperators {
   SharedMedium medium_;
   VolumeOptions options_;
   VolumeTransform transform_;
+  std::weak_ptr<const VolumeOperators> shallower_;
   mutable std::mutex mutex_;
   TractionStress traction_stress_;
   mutable std::unique_ptr<ResidualStress> residual_stress_;
