@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _logger = logging.getLogger("samcontact")
 
 FEWEST_GRIDS = 3
-FEWEST, MOST = 4, 512
+FEWEST, MOST = 2, 512
 """Increments of a segment."""
 INCREMENTS_ON = 1
 """The grid on which increments are judged: their error hardly depends on it."""
@@ -85,6 +85,7 @@ def to_accuracy(
     known = _case(case, accuracy)
     scene = Refinable(known)
     asked = _asked(scene, known, accuracy, quantities)
+    scene.accept(min(asked.values()))
     scene.names = [name for name in scene.names if name in asked or name in OF_INCREMENTS]
     memory = known.max_memory if max_memory is None else positive("max_memory", max_memory)
     limit = known.max_time if max_time is None else positive("max_time", max_time)

@@ -28,6 +28,8 @@ ROOM = 1.35
 """Half a side of the first window over the semi-axis."""
 ROOM_OF_WAY = 2.0
 """The same along x where bodies move: what flowed stays in the window for so long."""
+TOL_SHARE = 0.01
+"""Tolerance of the iteration over the accuracy; values have a tenth of it."""
 _CELLS_OF_DETAIL = 4.0  # across the least detail of a surface, on the first grid
 _DEPTH = 1.2  # of the layers of elastic bodies, over the smaller semi-axis
 
@@ -80,6 +82,11 @@ class Refinable:
         given = drives if len(drives) == 1 else set()
         names = _certified.names(self.bodies, case.output.body)
         self.names = [name for name in names if name not in given]
+        contact: Any = case.contact
+        self.tol = float(contact.tol)
+        """Of the iteration; as the case says, or what an accuracy needs."""
+        self.elastic: set[int] = set()
+        """Segments in which nothing flows: one increment of them is as good as many."""
         along_x = ROOM_OF_WAY if case.moves else ROOM
         self.half = along_x * self.semi_axes[0], ROOM * self.semi_axes[1]
 
@@ -145,14 +152,15 @@ class Refinable:
             nx=counts[0], ny=counts[1], dx=sizes[0], dy=sizes[1], nz=layers, dz=min(sizes)
         )
         path = []
-        for segment in self.case.path:
-            changes: dict[str, Any] = {"increments": increments}
+        for number, segment in enumerate(self.case.path):
+            changes: dict[str, Any] = {"increments": 1 if number in self.elastic else increments}
             for kind in ("roll", "slide"):
                 passes = getattr(segment, kind)
                 if passes is not None:
                     changes[kind] = passes.model_copy(update={"step": sizes[0]})
             path.append(segment.model_copy(update=changes))
-        case = self.case.model_copy(update={"grid": grid, "path": path})
+        contact = self.case.contact.model_copy(update={"tol": self.tol})
+        case = self.case.model_copy(update={"grid": grid, "path": path, "contact": contact})
         heat = case.heat
         if heat is None or heat.history is None:
             return case
@@ -176,10 +184,22 @@ class Refinable:
         return Run(level, increments, case, simulation, states, marks, values, seconds, told)
 
     def settle(self, run: Run) -> None:
-        """Take the window of later grids from what a run filled."""
+        """Take from a run the window that later grids have, and which segments are elastic."""
         half = [1.08 * h + 2.0 * d for h, d in zip(run.half, self._sizes(run.level), strict=True)]
         along_x = max(half[0], self.half[0]) if self.case.moves else half[0]
         self.half = along_x, half[1]
+        if self.case.heat is None or self.case.heat.history is None:
+            ends = ends_of(run.case)
+            parts = zip([0, *ends], ends, strict=False)
+            self.elastic = {
+                number for number, (first, end) in enumerate(parts)
+                if not any(state.iterations for state in run.states[first:end])
+            }  # fmt: skip
+
+    def accept(self, accuracy: float) -> None:
+        """Iterate no further than a relative accuracy of the values needs."""
+        if "tol" not in self.case.contact.model_fields_set:
+            self.tol = max(self.tol, TOL_SHARE * accuracy)
 
     def _sizes(self, level: int) -> list[float]:
         return [a / self.cells(level) for a in self.semi_axes]
@@ -199,6 +219,16 @@ def marks_of(case: Case) -> list[int]:
         count += len(made)
         marks.append(count - 1)
     return marks
+
+
+def ends_of(case: Case) -> list[int]:
+    """How many increments there are up to the end of each segment."""
+    reached = ("", 0.0)
+    ends = [0]
+    for segment in case.path:
+        made, reached = segment.steps(reached)
+        ends.append(ends[-1] + len(made))
+    return ends[1:]
 
 
 def require_refinable(case: Case) -> None:
