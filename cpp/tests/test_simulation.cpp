@@ -8,7 +8,7 @@
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
-#include "samcontact/simulation/anderson.hpp"
+#include "samcontact/contact/anderson.hpp"
 #include "samcontact/simulation/simulation.hpp"
 
 using namespace samcontact;
@@ -55,12 +55,12 @@ TEST_CASE("Anderson mixing solves a linear problem of size n in n + 1 residuals"
     }
     return f;
   };
-  Anderson anderson(n);
+  contact::Anderson anderson(n);
   Field x(n, 0.0);
   for (int k = 0; k <= n; ++k) anderson.next(x, residual(x));
-  CHECK(norm(residual(x)) < 1e-6 * norm(x));
+  CHECK(contact::norm(residual(x)) < 1e-6 * contact::norm(x));
   for (int k = 0; k < 3; ++k) anderson.next(x, residual(x));
-  CHECK(norm(residual(x)) < 1e-12 * norm(x));
+  CHECK(contact::norm(residual(x)) < 1e-12 * contact::norm(x));
 }
 
 TEST_CASE("the ordered sum does not lose or repeat terms") {
@@ -94,7 +94,7 @@ TEST_CASE("loading flows, unloading keeps the print") {
       std::accumulate(loaded.tractions.pressure.begin(), loaded.tractions.pressure.end(), 0.0);
   CHECK(sum * 60e-6 * 60e-6 == doctest::Approx(300.0).epsilon(1e-9));
   const State unloaded = simulation.step(load(0.0));
-  CHECK(norm(unloaded.tractions.pressure) == 0.0);
+  CHECK(contact::norm(unloaded.tractions.pressure) == 0.0);
   const Field print = unloaded.residual_displacement(1);
   CHECK(print[8 * 15 + 7] > 0);
 }

@@ -14,7 +14,8 @@ namespace {
 
 /// Around a period half of it to each side; a single cell that repeats itself has one offset.
 int offsets_of(int cells, int period, int size) {
-  return size == period && period > 1 ? period / 2 + 1 : cells;
+  if (size == period && period > 1) return period / 2 + 1;
+  return size < 2 * cells - 1 ? size / 2 + 1 : cells;
 }
 
 }  // namespace
@@ -23,9 +24,11 @@ KernelOffsets::KernelOffsets(const Grid& grid, int mx, int my)
     : nx(offsets_of(grid.nx, grid.period.x, mx)), ny(offsets_of(grid.ny, grid.period.y, my)) {}
 
 SurfaceConvolution::SurfaceConvolution(const Grid& grid)
-    : transform_(grid.nx, grid.ny, fft::convolution_size(grid.nx, grid.period.x),
-                 fft::convolution_size(grid.ny, grid.period.y)),
-      offsets_(grid, transform_.mx(), transform_.my()) {}
+    : SurfaceConvolution(grid, fft::convolution_size(grid.nx, grid.period.x),
+                         fft::convolution_size(grid.ny, grid.period.y)) {}
+
+SurfaceConvolution::SurfaceConvolution(const Grid& grid, int mx, int my)
+    : transform_(grid.nx, grid.ny, mx, my), offsets_(grid, mx, my) {}
 
 void SurfaceConvolution::transform(ParityKernel& kernel) const {
   const fft::ParitySpectrum spectrum(transform_);
@@ -39,9 +42,16 @@ void SurfaceConvolution::transform(ParityKernel& kernel) const {
   kernel.quarter = std::move(quarter);
 }
 
+void SurfaceConvolution::multiply(const ParityKernel& kernel, int ky, const Complex* in,
+                                  Complex* out) const {
+  const int mx = transform_.mx(), hx = mx / 2 + 1;
+  add_parity_product(kernel.quarter.data() + static_cast<std::size_t>(ky) * hx, kernel.parity, 1.0,
+                     in, out, mx);
+}
+
 void SurfaceConvolution::apply(std::span<const ParityKernel> kernels, const double* in, double* out,
                                ComplexField& work) const {
-  const int mx = transform_.mx(), mh = transform_.mh(), hx = mx / 2 + 1;
+  const int mx = transform_.mx(), mh = transform_.mh();
   work.resize(transform_.spectrum_size());
   transform_.forward(in, work.data(), mx, fft::PaddedTransform::Threads::many);
 #pragma omp parallel if (work.size() >= worth_threads_cells)
@@ -51,14 +61,42 @@ void SurfaceConvolution::apply(std::span<const ParityKernel> kernels, const doub
     for (int ky = 0; ky < mh; ++ky) {
       Complex* values = work.data() + static_cast<std::size_t>(ky) * mx;
       std::fill(column.begin(), column.end(), Complex{});
-      for (const auto& [parity, quarter] : kernels) {
-        add_parity_product(quarter.data() + static_cast<std::size_t>(ky) * hx, parity, 1.0, values,
-                           column.data(), mx);
-      }
+      for (const ParityKernel& kernel : kernels) multiply(kernel, ky, values, column.data());
       std::copy(column.begin(), column.end(), values);
     }
   }
   transform_.inverse(work.data(), out, mx, fft::PaddedTransform::Threads::many);
+}
+
+void SurfaceConvolution::apply(std::span<const MatrixKernel> kernels, int inputs, const double* in,
+                               int outputs, double* out, ComplexField& work) const {
+  const int mx = transform_.mx(), mh = transform_.mh(), most = std::max(inputs, outputs);
+  const std::size_t plane = static_cast<std::size_t>(transform_.nx()) * transform_.ny(),
+                    spectrum = transform_.spectrum_size();
+  work.resize(most * spectrum);
+  for (int c = 0; c < inputs; ++c) {
+    transform_.forward(in + c * plane, work.data() + c * spectrum, mx,
+                       fft::PaddedTransform::Threads::many);
+  }
+#pragma omp parallel if (work.size() >= worth_threads_cells)
+  {
+    ComplexField columns(static_cast<std::size_t>(outputs) * mx);
+#pragma omp for schedule(static)
+    for (int ky = 0; ky < mh; ++ky) {
+      Complex* values = work.data() + static_cast<std::size_t>(ky) * mx;
+      std::fill(columns.begin(), columns.end(), Complex{});
+      for (const auto& [to, from, kernel] : kernels) {
+        multiply(kernel, ky, values + from * spectrum, columns.data() + to * mx);
+      }
+      for (int c = 0; c < outputs; ++c) {
+        std::copy_n(columns.data() + c * mx, mx, values + c * spectrum);
+      }
+    }
+  }
+  for (int c = 0; c < outputs; ++c) {
+    transform_.inverse(work.data() + c * spectrum, out + c * plane, mx,
+                       fft::PaddedTransform::Threads::many);
+  }
 }
 
 double SurfaceConvolution::cost() const {

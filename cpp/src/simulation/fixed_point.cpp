@@ -7,11 +7,14 @@
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
-#include "samcontact/simulation/anderson.hpp"
+#include "samcontact/contact/anderson.hpp"
 #include "samcontact/simulation/plastic_increment.hpp"
 
 namespace samcontact::simulation {
 namespace {
+
+using contact::Anderson;
+using contact::norm;
 
 constexpr int anderson_depth = 8;
 /// The contact is solved this much more tightly than the plastic fixed point.

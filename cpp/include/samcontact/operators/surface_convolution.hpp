@@ -24,9 +24,21 @@ struct ParityKernel {
   Field quarter;
 };
 
+/// What one component of a field contributes to one of another.
+struct MatrixKernel {
+  int out, in;
+  ParityKernel kernel;
+};
+
 class SurfaceConvolution {
  public:
   explicit SurfaceConvolution(const Grid& grid);
+  /// Around periods of mx x my cells, even, not shorter than the grid: where they are shorter than
+  /// it takes, cells act through their nearest image.
+  SurfaceConvolution(const Grid& grid, int mx, int my);
+
+  int mx() const { return transform_.mx(); }
+  int my() const { return transform_.my(); }
 
   const KernelOffsets& offsets() const { return offsets_; }
 
@@ -37,11 +49,16 @@ class SurfaceConvolution {
   /// array. `work` is scratch that the caller keeps from call to call.
   void apply(std::span<const ParityKernel> kernels, const double* in, double* out,
              ComplexField& work) const;
+  /// The same of `inputs` fields one after the other to `outputs` fields.
+  void apply(std::span<const MatrixKernel> kernels, int inputs, const double* in, int outputs,
+             double* out, ComplexField& work) const;
 
-  /// Operations of one application, in the unit of fft::filter_cost.
+  /// Operations of one application from one field to one, in the unit of fft::filter_cost.
   double cost() const;
 
  private:
+  void multiply(const ParityKernel& kernel, int ky, const Complex* in, Complex* out) const;
+
   fft::PaddedTransform transform_;
   KernelOffsets offsets_;
 };

@@ -8,7 +8,7 @@
 
 #include "samcontact/base/aligned.hpp"
 
-namespace samcontact::simulation {
+namespace samcontact::contact {
 
 /// The history is kept in single precision: it only steers the next iterate, whose residual is
 /// computed anew.
@@ -37,4 +37,4 @@ class Anderson {
 /// Euclidean norm, the same digits for any number of threads.
 double norm(const Field& v);
 
-}  // namespace samcontact::simulation
+}  // namespace samcontact::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samcontact/simulation/anderson.hpp"
+#include "samcontact/contact/anderson.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "samcontact/base/reduce.hpp"
 
-namespace samcontact::simulation {
+namespace samcontact::contact {
 
 double norm(const Field& v) { return std::sqrt(ordered_dot(v.data(), v.data(), v.size())); }
 
@@ -70,4 +70,4 @@ void Anderson::next(Field& x, const Field& f) {
   }
 }
 
-}  // namespace samcontact::simulation
+}  // namespace samcontact::contact
