@@ -65,7 +65,8 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
   return influence;
 }
 
-/// Between mean planes the surfaces touch everywhere when they have met.
+}  // namespace
+
 void require_below_mean(const Grid& grid, const Field& gap, Given normal) {
   if (grid.period.x == 0 || grid.period.y == 0 || normal.is_force()) return;
   const double mean = ordered_sum(gap.size(), [&](std::size_t i) { return gap[i]; }) / gap.size();
@@ -75,8 +76,6 @@ void require_below_mean(const Grid& grid, const Field& gap, Given normal) {
               "give the load",
           normal.value);
 }
-
-}  // namespace
 
 std::string border_complaint(const Grid& grid, const Field& pressure, const std::string& what) {
   const auto [at_x, at_y] = border_pressure(grid, pressure);

@@ -22,6 +22,9 @@ std::string border_complaint(const Grid& grid, const Field& pressure, const std:
 /// The error of such a complaint, which also names the way to a warning.
 GridTooSmallError too_small(const Grid& grid, const Field& pressure, const std::string& complaint);
 
+/// Throws std::invalid_argument for an approach at which periodic surfaces touch everywhere.
+void require_below_mean(const Grid& grid, const Field& gap, Given normal);
+
 struct ContactSettings {
   double tol = 1e-8;
   int max_iterations = 5000;

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contact of two elastic bodies that stick and slip on each other by Coulomb's law: pressure and
+// shear for a drive, from what the increments before have left.
+#pragma once
+
+#include <array>
+
+#include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/contact/shear_solver.hpp"
+
+namespace samcontact::contact {
+
+/// What a contact remembers: its tractions, which tell how the surfaces lie against each other.
+struct ContactHistory {
+  Field pressure;  // [i][j] [Pa]; empty: the bodies have not touched yet
+  Field shear;     // [2][i][j] [Pa], on body 2
+};
+
+struct CoulombSolution {
+  Solution normal;  // its tractions hold the pressure only; work counts that of shear too
+  ShearSolution tangential;
+  int sweeps = 1;  // between pressure and shear
+};
+
+class CoulombContact {
+ public:
+  /// friction: coefficient mu >= 0, infinity: no slip. Throws std::invalid_argument where it is
+  /// not, or both bodies are rigid.
+  CoulombContact(const Grid& grid, const operators::SharedMedium& body1,
+                 const operators::SharedMedium& body2, double friction);
+
+  /// One increment. Bodies alike: pressure, then shear. Else both in turn (Panagiotopoulos), each
+  /// for the displacement of the other, accelerated; with stick everywhere a sweep contracts by the
+  /// square of Dundurs' second constant. initial_pressure may be empty. Throws
+  /// std::invalid_argument (bad input, a force beyond friction), GridTooSmallError and
+  /// ConvergenceError.
+  CoulombSolution solve(const Field& gap, Given normal, const TangentialDrive& tangential,
+                        const ContactHistory& before, const Field& initial_pressure,
+                        const ContactSettings& settings) const;
+
+  const Grid& grid() const { return grid_; }
+  double friction() const { return friction_; }
+  /// Whether pressure and shear act on each other.
+  bool is_coupled() const { return coupling_.is_on(); }
+
+ private:
+  class Sweeps;
+
+  Grid grid_;
+  double friction_;
+  Multilevel normal_;
+  ShearSolver shear_;
+  operators::NormalTangentialCoupling coupling_;
+};
+
+}  // namespace samcontact::contact

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shear under a given pressure on a grid: the box of the contact, a start from coarser boxes, and
+// the iteration of stick and slip on each.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "samcontact/base/box.hpp"
+#include "samcontact/base/grid.hpp"
+#include "samcontact/contact/drive.hpp"
+#include "samcontact/contact/shear_problem.hpp"
+
+namespace samcontact::contact {
+
+/// The three rigid motions along the surface: x, y, and the turn about z at the origin of the grid.
+using TangentialDrive = std::array<Given, 3>;
+
+/// Vector fields are [2][i][j] on the grid.
+struct ShearTask {
+  const Field& pressure;  // [i][j] [Pa]
+  double friction;        // mu, may be infinite
+  /// Before this increment, on body 2 [Pa]; empty: none.
+  const Field& previous_shear;
+  /// Slip of body 1 over body 2 in this increment but for the rigid motion and what the change of
+  /// the shear does [m]; empty: none.
+  const Field& free_slip;
+  /// Motions of this increment [m, m, rad], or total forces at its end [N, N, N m].
+  TangentialDrive drive;
+};
+
+struct ShearSolution {
+  Field shear, slip;                    // [2][i][j] [Pa], [m]; slip is 0 where the contact sticks
+  std::vector<unsigned char> sticking;  // [i][j]; without pressure nothing sticks
+  std::array<double, 3> motion{};       // of this increment [m, m, rad]
+  std::array<double, 3> force{};        // [N, N, N m]
+  double friction_work = 0.0;           // of this increment [J]
+  double error = 0.0;                   // natural residual e_t
+  double energy_gap = 0.0;              // [J]; no number where friction is infinite
+  int steps = 0, iterations = 0, fallbacks = 0;
+  int operator_applications = 0;  // of C on the box of the contact
+  /// Transforms of the whole solve in applications on the box of the contact.
+  double work = 0.0;
+  bool converged = true;
+};
+
+/// Keeps the operators of the box used last and of coarser ones. Thread-safe.
+class ShearSolver {
+ public:
+  ShearSolver(const Grid& grid, const operators::TangentialInfluence& influence);
+  ~ShearSolver();
+  ShearSolver(ShearSolver&&) noexcept;
+  ShearSolver& operator=(ShearSolver&&) noexcept;
+  ShearSolver(const ShearSolver&) = delete;
+  ShearSolver& operator=(const ShearSolver&) = delete;
+
+  /// Starts from `shear` and from `motion` of the forces that are given, or from coarser boxes if
+  /// the shear is empty.
+  /// Where the iteration ends beyond tol, converged is false. The forces must be possible.
+  ShearSolution solve(const ShearTask& task, const Field& shear,
+                      const std::array<double, 3>& motion, double tol, int most_steps) const;
+
+ private:
+  class Level;
+  std::shared_ptr<const Level> level(const Box& box) const;
+
+  struct Kept;
+  Grid grid_;
+  operators::TangentialInfluence influence_;
+  std::unique_ptr<Kept> kept_;
+};
+
+/// Forces of a shear [2][i][j] on a grid about its origin [N, N, N m].
+std::array<double, 3> forces(const Grid& grid, const Field& shear);
+/// The largest forces that friction holds under a pressure: along the surface, and the torque.
+struct LargestForces {
+  double along, torque;
+};
+LargestForces largest_forces(const Grid& grid, const Field& pressure, double friction);
+
+}  // namespace samcontact::contact

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/coulomb_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "samcontact/contact/anderson.hpp"
+
+namespace samcontact::contact {
+namespace {
+
+constexpr int most_sweeps = 100, most_steps = 100;
+/// Sweeps remembered: cells change sides between them, which makes the older ones useless.
+constexpr int anderson_depth = 4;
+/// What is solved within a sweep, of the last change; looser makes the changes oscillate.
+constexpr double inner_share = 0.05, loosest = 1e-2;
+/// A force this close to the largest has no definite motion.
+constexpr double least_margin = 1e-8;
+
+operators::SurfaceInfluence frictionless(const operators::SharedMedium& body1,
+                                         const operators::SharedMedium& body2) {
+  if (body1->is_rigid() && body2->is_rigid()) {
+    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
+  }
+  operators::SurfaceInfluence influence;
+  influence.add(body1);
+  influence.add(body2);
+  return influence;
+}
+
+void require_vectors(const Field& field, const Grid& grid, const std::string& name) {
+  if (field.size() != 2 * grid.surface_size()) {
+    throw std::invalid_argument(name + " must have shape (2, " + std::to_string(grid.nx) + ", " +
+                                std::to_string(grid.ny) + ")");
+  }
+  require(std::all_of(field.begin(), field.end(), [](double s) { return std::isfinite(s); }), name,
+          "finite everywhere", NAN);
+}
+
+double force_of(const Given& given) { return given.is_force() ? given.value : 0.0; }
+
+constexpr const char* beyond =
+    ", the largest that friction holds; at it everything slides and the motion is not determined "
+    "by "
+    "the force: give the motion (";
+
+/// Throws where no shear has the force. most: friction times the load [N].
+void require_held(const TangentialDrive& drive, double most) {
+  const double force = std::hypot(force_of(drive[0]), force_of(drive[1]));
+  require(
+      force == 0 || force < most * (1 - least_margin), "tangential_load",
+      "shorter than friction times the load, " + to_text(most) + " N" + beyond + "shift) instead",
+      force);
+}
+
+/// The same under a pressure, of the torque too.
+void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
+                  double friction) {
+  if (std::isinf(friction)) return;
+  const LargestForces most = largest_forces(grid, pressure, friction);
+  require_held(drive, most.along);
+  const double torque = force_of(drive[2]);
+  require(torque == 0 || std::fabs(torque) < most.torque * (1 - least_margin), "torque",
+          "smaller than " + to_text(most.torque) + " N m" + beyond + "twist) instead", torque);
+}
+
+/// Of a mu p that may be without limit, or of the shear itself where that is much less.
+double change_of(const Field& from, const Field& to, double largest_bound) {
+  Field difference = to;
+  add_scaled(-1.0, from, difference);
+  const double scale = std::min(largest_bound, 10 * std::max(longest(to), longest(from)));
+  return scale > 0 ? longest(difference) / scale : 0.0;
+}
+
+}  // namespace
+
+CoulombContact::CoulombContact(const Grid& grid, const operators::SharedMedium& body1,
+                               const operators::SharedMedium& body2, double friction)
+    : grid_(grid),
+      friction_(friction),
+      normal_(grid, frictionless(body1, body2)),
+      shear_(grid, {body1, body2}),
+      coupling_(grid, {body1, body2}) {
+  require(friction >= 0, "friction", "a number >= 0, or infinite", friction);
+}
+
+/// One increment.
+class CoulombContact::Sweeps {
+ public:
+  Sweeps(const CoulombContact& contact, const Field& gap, Given normal,
+         const TangentialDrive& tangential, const ContactHistory& before,
+         const ContactSettings& settings)
+      : contact_(contact),
+        gap_(gap),
+        normal_(normal),
+        tangential_(tangential),
+        before_(before),
+        settings_(settings),
+        n_(gap.size()),
+        raised_(n_, 0.0) {
+    if (contact_.is_coupled() && !before.pressure.empty()) {
+      slid_before_.resize(2 * n_);
+      contact_.coupling_.tangential(before.pressure.data(), slid_before_.data(), work_);
+    }
+  }
+
+  CoulombSolution run(Field pressure) {
+    Field shear = before_.shear;
+    if (!contact_.is_coupled()) {
+      press(std::move(pressure), settings_.tol);
+      slide(shear, settings_.tol);
+      s_.normal.converged = s_.normal.converged && s_.tangential.converged;
+      return std::move(s_);
+    }
+    shear.resize(2 * n_, 0.0);
+    iterate(std::move(pressure), std::move(shear));
+    return std::move(s_);
+  }
+
+ private:
+  /// Pressure under the shear that raised_ belongs to.
+  void press(Field pressure, double tol) {
+    Field gap = gap_;
+    for (std::size_t i = 0; i < n_; ++i) gap[i] += raised_[i];
+    const Solution before = std::move(s_.normal);
+    s_.normal =
+        contact_.normal_.solve(gap, normal_, std::move(pressure), tol, settings_.max_iterations);
+    s_.normal.iterations += before.iterations;
+    s_.normal.operator_applications += before.operator_applications;
+    s_.normal.work += before.work;
+    require_held(contact_.grid_, tangential_, s_.normal.tractions.pressure, contact_.friction_);
+  }
+
+  /// Shear under the present pressure, starting from one.
+  void slide(const Field& start, double tol) {
+    const Field& p = s_.normal.tractions.pressure;
+    Field free_slip;
+    if (contact_.is_coupled()) {
+      free_slip.resize(2 * n_);
+      contact_.coupling_.tangential(p.data(), free_slip.data(), work_);
+      for (std::size_t i = 0; i < 2 * n_; ++i) {
+        free_slip[i] = (slid_before_.empty() ? 0.0 : slid_before_[i]) - free_slip[i];
+      }
+    }
+    const ShearSolution before = std::move(s_.tangential);
+    s_.tangential =
+        contact_.shear_.solve({p, contact_.friction_, before_.shear, free_slip, tangential_}, start,
+                              before.motion, tol, most_steps);
+    s_.tangential.steps += before.steps;
+    s_.tangential.iterations += before.iterations;
+    s_.tangential.fallbacks += before.fallbacks;
+    s_.tangential.operator_applications += before.operator_applications;
+    s_.tangential.work += before.work;
+  }
+
+  void raise(const Field& shear) { contact_.coupling_.normal(shear.data(), raised_.data(), work_); }
+
+  void iterate(Field pressure, Field shear) {
+    Anderson anderson(anderson_depth);
+    const double full = settings_.tol;
+    double change = 1.0;
+    bool warm = longest(shear) > 0;
+    raise(shear);
+    for (s_.sweeps = 1;; ++s_.sweeps) {
+      const double tol = std::clamp(inner_share * change, full, loosest);
+      press(std::move(pressure), std::max(0.3 * tol, 1e-13));
+      if (!s_.normal.converged) return;
+      slide(warm ? shear : Field{}, tol);
+      warm = true;
+      const Field& p = s_.normal.tractions.pressure;
+      change = change_of(shear, s_.tangential.shear,
+                         contact_.friction_ * *std::max_element(p.begin(), p.end()));
+      s_.normal.converged = change <= full && tol <= full && s_.tangential.converged;
+      if (s_.normal.converged || s_.sweeps >= most_sweeps) break;
+      Field residual = s_.tangential.shear;
+      add_scaled(-1.0, shear, residual);
+      anderson.next(shear, residual);
+      raise(shear);
+      pressure = p;
+    }
+    s_.tangential.error += change;
+    settle();
+  }
+
+  /// The gap under the shear found, not that of the sweep before.
+  void settle() {
+    const Field before = raised_;
+    raise(s_.tangential.shear);
+    for (std::size_t i = 0; i < n_; ++i) s_.normal.gap[i] += raised_[i] - before[i];
+    if (!normal_.is_force()) return;
+    const double closer = contact_mean(s_.normal.tractions.pressure, s_.normal.gap);
+    for (double& g : s_.normal.gap) g -= closer;
+    s_.normal.motion.approach += closer;
+  }
+
+  const CoulombContact& contact_;
+  const Field& gap_;
+  const Given normal_;
+  const TangentialDrive& tangential_;
+  const ContactHistory& before_;
+  const ContactSettings& settings_;
+  const std::size_t n_;
+  Field raised_;       // B s of the present shear
+  Field slid_before_;  // B' p of the history
+  ComplexField work_;
+  CoulombSolution s_;
+};
+
+namespace {
+
+void require_solved(const CoulombSolution& solution, Given normal,
+                    const ContactSettings& settings) {
+  if (solution.normal.converged) return;
+  const ShearSolution& shear = solution.tangential;
+  std::string text = "stick and slip did not converge at " + describe(Drive{normal}) + ": ";
+  if (shear.converged && solution.normal.error > settings.tol) {
+    text += "error of the pressure " + to_text(solution.normal.error);
+  } else {
+    text += "error of the shear " + to_text(shear.error);
+  }
+  text += " after " + std::to_string(solution.sweeps) + " sweeps, tol " + to_text(settings.tol) +
+          "; reached: tangential_load = (" + to_text(shear.force[0]) + ", " +
+          to_text(shear.force[1]) + ") N, torque = " + to_text(shear.force[2]) +
+          " N m: take a smaller force or increment, or a larger tol";
+  throw ConvergenceError(text, solution.normal.iterations + shear.iterations,
+                         std::max(shear.error, solution.normal.error));
+}
+
+}  // namespace
+
+CoulombSolution CoulombContact::solve(const Field& gap, Given normal,
+                                      const TangentialDrive& tangential,
+                                      const ContactHistory& before, const Field& initial_pressure,
+                                      const ContactSettings& settings) const {
+  require_surface(gap, grid_, "gap");
+  if (!initial_pressure.empty()) require_surface(initial_pressure, grid_, "initial_pressure");
+  if (!before.pressure.empty()) {
+    require_surface(before.pressure, grid_, "previous.pressure");
+    require_vectors(before.shear, grid_, "previous.shear");
+  }
+  require_valid(Drive{normal});
+  if (normal.is_force() && !std::isinf(friction_))
+    require_held(tangential, friction_ * normal.value);
+  require_below_mean(grid_, gap, normal);
+  Field pressure = initial_pressure.empty() ? before.pressure : initial_pressure;
+  pressure.resize(gap.size(), 0.0);
+  for (double& p : pressure) p = std::max(p, 0.0);
+  CoulombSolution solution =
+      Sweeps(*this, gap, normal, tangential, before, settings).run(std::move(pressure));
+  require_solved(solution, normal, settings);
+  Solution& pressed = solution.normal;
+  pressed.border_complaint =
+      border_complaint(grid_, pressed.tractions.pressure, describe(Drive{normal}));
+  if (!pressed.border_complaint.empty() && settings.on_border == OnBorder::error) {
+    throw too_small(grid_, pressed.tractions.pressure, pressed.border_complaint);
+  }
+  return solution;
+}
+
+}  // namespace samcontact::contact

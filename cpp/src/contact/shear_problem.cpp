@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/shear_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
+
+namespace samcontact::contact {
+
+void ShearApplier::scatter(const Field& v) {
+  const std::size_t m = problem_.size(), n = problem_.box_size;
+  std::fill(box_.begin(), box_.end(), 0.0);
+  for (std::size_t c = 0; c < m; ++c) {
+    box_[problem_.cells[c]] = v[c];
+    box_[n + problem_.cells[c]] = v[m + c];
+  }
+}
+
+void ShearApplier::gather(Field& v) const {
+  const std::size_t m = problem_.size(), n = problem_.box_size;
+  for (std::size_t c = 0; c < m; ++c) {
+    v[c] = box_[problem_.cells[c]];
+    v[m + c] = box_[n + problem_.cells[c]];
+  }
+}
+
+void ShearApplier::displacement(const Field& v, Field& u) {
+  const auto& exact = problem_.operators->displacement;
+  scatter(v);
+  exact.apply(box_.data(), box_.data(), work_);
+  gather(u);
+  ++applications_;
+  operations_ += exact.cost();
+}
+
+void ShearApplier::precondition(const Field& r, Field& z) {
+  const auto& preconditioner = problem_.operators->preconditioner;
+  scatter(r);
+  preconditioner.apply(box_.data(), box_.data(), work_);
+  gather(z);
+  operations_ += preconditioner.cost();
+}
+
+double dot(const Field& a, const Field& b) { return ordered_dot(a.data(), b.data(), a.size()); }
+
+double longest(const Field& v) {
+  const std::size_t m = v.size() / 2;
+  return std::sqrt(largest_of(m, [&](std::size_t i) { return v[i] * v[i] + v[m + i] * v[m + i]; }));
+}
+
+void add_scaled(double factor, const Field& x, Field& y) {
+  const std::ptrdiff_t n = std::ssize(y);
+#pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
+  for (std::ptrdiff_t i = 0; i < n; ++i) y[i] += factor * x[i];
+}
+
+void cut_to_bound(const Field& bound, Field& v) {
+  const std::size_t m = bound.size();
+  for (std::size_t i = 0; i < m; ++i) {
+    const double length = std::hypot(v[i], v[m + i]);
+    if (!(length > bound[i])) continue;
+    v[i] *= bound[i] / length;
+    v[m + i] *= bound[i] / length;
+  }
+}
+
+double shear_scale(const ShearProblem& problem, const Field& shear, const Field& slip) {
+  const double bound = *std::max_element(problem.bound.begin(), problem.bound.end());
+  const double present = std::max(longest(shear), problem.stiffness * longest(slip));
+  return std::max(std::min(bound, 10 * present), problem.smallest_shear);
+}
+
+double natural_residual(const ShearProblem& problem, const Field& shear, const Field& slip) {
+  const std::size_t m = problem.size();
+  const double rho = problem.stiffness;
+  const double furthest = largest_of(m, [&](std::size_t i) {
+    const double x = shear[i] + rho * slip[i], y = shear[m + i] + rho * slip[m + i];
+    const double square = x * x + y * y, bound = problem.bound[i];
+    const double share = square > bound * bound ? bound / std::sqrt(square) : 1.0;
+    const double off_x = shear[i] - share * x, off_y = shear[m + i] - share * y;
+    return off_x * off_x + off_y * off_y;
+  });
+  const double scale = shear_scale(problem, shear, slip);
+  double error = std::sqrt(furthest) / scale;
+  for (const ShearProblem::Mode& mode : problem.modes) {
+    const Field& direction = mode.direction;
+    const double possible = ordered_sum(2 * m, [&](std::size_t i) {
+      return std::fabs(direction[i]) * std::min(problem.bound[i < m ? i : i - m], scale);
+    });
+    error = std::max(error, std::fabs(mode.target - dot(direction, shear)) / possible);
+  }
+  return error;
+}
+
+double energy_gap(const ShearProblem& problem, const Field& shear, const Field& slip) {
+  const std::size_t m = problem.size();
+  return ordered_sum(m, [&](std::size_t i) {
+    return problem.bound[i] * std::hypot(slip[i], slip[m + i]) - shear[i] * slip[i] -
+           shear[m + i] * slip[m + i];
+  });
+}
+
+}  // namespace samcontact::contact

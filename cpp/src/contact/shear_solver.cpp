@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/shear_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <utility>
+
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/coarsening.hpp"
+#include "samcontact/contact/stick_slip.hpp"
+
+namespace samcontact::contact {
+namespace {
+
+/// Boxes are halved while their shorter side keeps this many cells.
+constexpr int coarsest_side = 16;
+/// A start needs no more: finer cells change which of them slip.
+constexpr double coarse_tol = 1e-3;
+constexpr int coarse_steps = 30;
+/// Shear below this share of the pressure is none.
+constexpr double smallest_share = 1e-12;
+
+/// Field over all cells of a box, and vectors [2][i][j] there.
+struct BoxTask {
+  Field pressure, free_slip;
+  double x0, y0;  // of the first cell
+};
+
+struct BoxStart {
+  Field shear;  // empty: none
+  std::vector<unsigned char> slipping;
+  std::vector<double> motion;
+};
+
+/// A component of a vector field.
+Field part(const Field& vector, int component) {
+  const std::size_t n = vector.size() / 2;
+  return {vector.begin() + component * n, vector.begin() + (component + 1) * n};
+}
+
+Field joined(Field x, const Field& y) {
+  x.insert(x.end(), y.begin(), y.end());
+  return x;
+}
+
+template <class Change>
+Field by_component(const Field& vector, const Change& change) {
+  return joined(change(part(vector, 0)), change(part(vector, 1)));
+}
+
+/// Values of cells without contact become the mean of their neighbours with it, so that an
+/// interpolation at the edge has some.
+Field filled_outwards(const Grid& box, const Field& pressure, const Field& values) {
+  Field filled = values;
+  for (int i = 0; i < box.nx; ++i) {
+    for (int j = 0; j < box.ny; ++j) {
+      const std::size_t at = static_cast<std::size_t>(i) * box.ny + j;
+      if (pressure[at] > 0) continue;
+      double sum = 0.0;
+      int count = 0;
+      const auto add = [&](bool inside, std::size_t there) {
+        if (!inside || !(pressure[there] > 0)) return;
+        sum += values[there];
+        ++count;
+      };
+      add(i > 0, at - box.ny);
+      add(i + 1 < box.nx, at + box.ny);
+      add(j > 0, at - 1);
+      add(j + 1 < box.ny, at + 1);
+      filled[at] = count > 0 ? sum / count : 0.0;
+    }
+  }
+  return filled;
+}
+
+}  // namespace
+
+/// The operators of one box size.
+class ShearSolver::Level {
+ public:
+  Level(const Grid& box, const operators::TangentialInfluence& influence)
+      : box_(box), influence_(influence), operators_(box, influence) {
+    if (std::min(box.nx, box.ny) >= 2 * coarsest_side && box.can_be_coarsened()) {
+      coarser_ = std::make_unique<Level>(coarsened(box), influence);
+    }
+  }
+
+  const Grid& box() const { return box_; }
+  const ShearOperators& operators() const { return operators_; }
+
+  struct Answer {
+    ShearResult result;
+    std::vector<std::size_t> cells;
+    int applications = 0;
+    double operations = 0.0;
+  };
+  Answer solve(const BoxTask& task, double friction, const TangentialDrive& drive, BoxStart start,
+               double tol, int most_steps) const;
+
+ private:
+  ShearProblem problem_of(const BoxTask& task, double friction, const TangentialDrive& drive) const;
+  double stiffness_of(const Field& pressure) const;
+  BoxStart coarse_start(const BoxTask& task, double friction, const TangentialDrive& drive,
+                        double tol, double& operations) const;
+
+  Grid box_;
+  operators::TangentialInfluence influence_;
+  ShearOperators operators_;
+  std::unique_ptr<Level> coarser_;
+};
+
+/// Of the slip that a shear in proportion to the pressure makes; on the coarsest box, since it is
+/// but a scale.
+double ShearSolver::Level::stiffness_of(const Field& pressure) const {
+  if (coarser_) return coarser_->stiffness_of(coarsened(box_, pressure));
+  const double most = *std::max_element(pressure.begin(), pressure.end());
+  Field shear = pressure, displacement(2 * pressure.size());
+  for (double& s : shear) s /= most;
+  shear.resize(2 * pressure.size(), 0.0);
+  ComplexField work;
+  operators_.displacement.apply(shear.data(), displacement.data(), work);
+  return 1 / longest(displacement);
+}
+
+ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction,
+                                            const TangentialDrive& drive) const {
+  ShearProblem problem;
+  problem.operators = &operators_;
+  problem.box_size = box_.surface_size();
+  for (std::size_t at = 0; at < task.pressure.size(); ++at) {
+    if (task.pressure[at] > 0) problem.cells.push_back(at);
+  }
+  const std::size_t m = problem.cells.size();
+  std::array<Field, 3> directions{Field(2 * m, 0.0), Field(2 * m, 0.0), Field(2 * m)};
+  problem.free_slip.resize(2 * m);
+  double largest = 0.0;
+  for (std::size_t c = 0; c < m; ++c) {
+    const std::size_t at = problem.cells[c];
+    largest = std::max(largest, task.pressure[at]);
+    problem.bound.push_back(friction * task.pressure[at]);
+    problem.free_slip[c] = task.free_slip[at];
+    problem.free_slip[m + c] = task.free_slip[problem.box_size + at];
+    directions[0][c] = directions[1][m + c] = 1.0;
+    directions[2][c] = -(task.y0 + static_cast<double>(at % box_.ny) * box_.dy);
+    directions[2][m + c] = task.x0 + static_cast<double>(at / box_.ny) * box_.dx;
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (drive[k].is_force()) {
+      problem.modes.push_back({std::move(directions[k]), drive[k].value / box_.cell_area()});
+    } else {
+      add_scaled(drive[k].value, directions[k], problem.free_slip);
+    }
+  }
+  problem.stiffness = stiffness_of(task.pressure);
+  problem.smallest_shear = smallest_share * std::min(friction, 1.0) * largest;
+  return problem;
+}
+
+BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, double friction,
+                                          const TangentialDrive& drive, double tol,
+                                          double& operations) const {
+  const auto coarsen = [&](const Field& field) { return coarsened(box_, field); };
+  const BoxTask coarse{coarsen(task.pressure), by_component(task.free_slip, coarsen),
+                       task.x0 + 0.5 * box_.dx, task.y0 + 0.5 * box_.dy};
+  Answer answer =
+      coarser_->solve(coarse, friction, drive, {}, std::max(coarse_tol, tol), coarse_steps);
+  operations += answer.operations;
+  // The ratio to the pressure is what is smooth, and tells slip at the edge.
+  const Grid& grid = coarser_->box();
+  const std::size_t n = grid.surface_size(), m = answer.cells.size();
+  Field ratio(2 * n, 0.0), slips(n, 0.0);
+  for (std::size_t c = 0; c < m; ++c) {
+    const std::size_t at = answer.cells[c];
+    ratio[at] = answer.result.shear[c] / coarse.pressure[at];
+    ratio[n + at] = answer.result.shear[m + c] / coarse.pressure[at];
+    slips[at] = answer.result.slipping[c];
+  }
+  const auto refine = [&](const Field& field) {
+    return refined(box_, filled_outwards(grid, coarse.pressure, field));
+  };
+  BoxStart start{by_component(ratio, refine), {}, std::move(answer.result.motion)};
+  const std::size_t fine = task.pressure.size();
+  for (std::size_t at = 0; at < fine; ++at) {
+    start.shear[at] *= task.pressure[at];
+    start.shear[fine + at] *= task.pressure[at];
+  }
+  for (const double share : refine(slips)) start.slipping.push_back(share > 0.5);
+  return start;
+}
+
+ShearSolver::Level::Answer ShearSolver::Level::solve(const BoxTask& task, double friction,
+                                                     const TangentialDrive& drive, BoxStart start,
+                                                     double tol, int most_steps) const {
+  Answer answer;
+  if (start.shear.empty() && coarser_) {
+    start = coarse_start(task, friction, drive, tol, answer.operations);
+  }
+  ShearProblem problem = problem_of(task, friction, drive);
+  const std::size_t m = problem.size(), n = problem.box_size;
+  ShearStart begin{{}, {}, std::move(start.motion)};
+  if (!start.shear.empty()) {
+    begin.shear.resize(2 * m);
+    for (std::size_t c = 0; c < m; ++c) {
+      begin.shear[c] = start.shear[problem.cells[c]];
+      begin.shear[m + c] = start.shear[n + problem.cells[c]];
+      if (!start.slipping.empty()) begin.slipping.push_back(start.slipping[problem.cells[c]]);
+    }
+  }
+  ShearApplier applier(problem);
+  answer.result = solve_stick_slip(problem, applier, std::move(begin), tol, most_steps);
+  if (std::isinf(friction)) {
+    answer.result.energy_gap = std::numeric_limits<double>::quiet_NaN();
+  }
+  answer.cells = std::move(problem.cells);
+  answer.applications = applier.applications();
+  answer.operations += applier.operations();
+  return answer;
+}
+
+struct ShearSolver::Kept {
+  std::mutex mutex;
+  std::shared_ptr<const Level> level;
+};
+
+ShearSolver::ShearSolver(const Grid& grid, const operators::TangentialInfluence& influence)
+    : grid_(grid), influence_(influence), kept_(std::make_unique<Kept>()) {}
+ShearSolver::~ShearSolver() = default;
+ShearSolver::ShearSolver(ShearSolver&&) noexcept = default;
+ShearSolver& ShearSolver::operator=(ShearSolver&&) noexcept = default;
+
+std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box) const {
+  const std::lock_guard lock(kept_->mutex);
+  auto& kept = kept_->level;
+  if (!kept || kept->box().nx != box.nx || kept->box().ny != box.ny) {
+    kept = std::make_shared<const Level>(Box{0, 0, box.nx, box.ny, 0}.grid(grid_), influence_);
+  }
+  return kept;
+}
+
+namespace {
+
+/// The box of the contact, now and before, its sides multiples of 8 so that few different sizes
+/// occur.
+Box box_of(const Grid& grid, const Field& pressure, const Field& before) {
+  const std::size_t n = before.size() / 2;
+  Box box = bounding_box(grid, [&](std::size_t at) {
+    return pressure[at] > 0 || (n > 0 && (before[at] != 0 || before[n + at] != 0));
+  });
+  const auto widen = [](int cells, int& start, int& length) {
+    const int wide = std::min((length + 7) / 8 * 8, cells);
+    start = std::clamp(start - (wide - length) / 2, 0, cells - wide);
+    length = wide;
+  };
+  if (box.empty()) return box;
+  widen(grid.nx, box.i0, box.nx);
+  widen(grid.ny, box.j0, box.ny);
+  return box;
+}
+
+Field over(const Grid& grid, const Box& box, const Field& field) {
+  Field values(box.surface_size());
+  extract(field.data(), Box::surface(grid), values.data(), box);
+  return values;
+}
+
+}  // namespace
+
+ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
+                                 const std::array<double, 3>& motion, double tol,
+                                 int most_steps) const {
+  const std::size_t n = grid_.surface_size();
+  ShearSolution solution;
+  solution.shear.assign(2 * n, 0.0);
+  solution.slip.assign(2 * n, 0.0);
+  solution.sticking.assign(n, 0);
+  for (int k = 0; k < 3; ++k) {
+    solution.motion[k] = task.drive[k].is_force() ? 0.0 : task.drive[k].value;
+  }
+  const bool touches =
+      std::any_of(task.pressure.begin(), task.pressure.end(), [](double p) { return p > 0; });
+  if (!touches || task.friction == 0) return solution;
+  const Box box = box_of(grid_, task.pressure, task.previous_shear);
+  const auto level_of_box = level(box);
+  const auto boxed = [&](const Field& field) { return over(grid_, box, field); };
+  BoxTask part{boxed(task.pressure), Field(2 * box.surface_size(), 0.0), grid_.x()[box.i0],
+               grid_.y()[box.j0]};
+  if (!task.free_slip.empty()) part.free_slip = by_component(task.free_slip, boxed);
+  if (!task.previous_shear.empty()) {
+    // What the surfaces slid against each other so far, they did not slip.
+    Field slid = by_component(task.previous_shear, boxed);
+    ComplexField work;
+    level_of_box->operators().displacement.apply(slid.data(), slid.data(), work);
+    add_scaled(1.0, slid, part.free_slip);
+  }
+  BoxStart start;
+  if (!shear.empty()) start.shear = by_component(shear, boxed);
+  for (int k = 0; k < 3 && !shear.empty(); ++k) {
+    if (task.drive[k].is_force()) start.motion.push_back(motion[k]);
+  }
+  Level::Answer answer =
+      level_of_box->solve(part, task.friction, task.drive, std::move(start), tol, most_steps);
+  const ShearResult& result = answer.result;
+  const std::size_t m = answer.cells.size();
+  for (std::size_t c = 0; c < m; ++c) {
+    const std::size_t at = answer.cells[c], i = box.i0 + at / box.ny, j = box.j0 + at % box.ny;
+    const std::size_t there = i * grid_.ny + j;
+    for (int k = 0; k < 2; ++k) {
+      solution.shear[k * n + there] = result.shear[k * m + c];
+      solution.slip[k * n + there] = result.slipping[c] ? result.slip[k * m + c] : 0.0;
+    }
+    solution.sticking[there] = !result.slipping[c];
+  }
+  for (int k = 0, mode = 0; k < 3; ++k) {
+    if (task.drive[k].is_force()) solution.motion[k] = result.motion[mode++];
+  }
+  solution.force = forces(grid_, solution.shear);
+  solution.friction_work = grid_.cell_area() * dot(solution.shear, solution.slip);
+  solution.error = result.error;
+  solution.energy_gap = grid_.cell_area() * result.energy_gap;
+  solution.steps = result.steps;
+  solution.iterations = result.iterations;
+  solution.fallbacks = result.fallbacks;
+  solution.operator_applications = answer.applications;
+  solution.work = answer.operations / level_of_box->operators().displacement.cost();
+  solution.converged = result.converged;
+  return solution;
+}
+
+std::array<double, 3> forces(const Grid& grid, const Field& shear) {
+  const std::size_t n = grid.surface_size();
+  const std::vector<double> x = grid.x(), y = grid.y();
+  const double area = grid.cell_area();
+  return {area * ordered_sum(n, [&](std::size_t at) { return shear[at]; }),
+          area * ordered_sum(n, [&](std::size_t at) { return shear[n + at]; }),
+          area * ordered_sum(n, [&](std::size_t at) {
+            return x[at / grid.ny] * shear[n + at] - y[at % grid.ny] * shear[at];
+          })};
+}
+
+LargestForces largest_forces(const Grid& grid, const Field& pressure, double friction) {
+  const std::vector<double> x = grid.x(), y = grid.y();
+  const double bound = friction * grid.cell_area();
+  return {bound * ordered_sum(pressure.size(), [&](std::size_t at) { return pressure[at]; }),
+          bound * ordered_sum(pressure.size(), [&](std::size_t at) {
+            return pressure[at] * std::hypot(x[at / grid.ny], y[at % grid.ny]);
+          })};
+}
+
+}  // namespace samcontact::contact
