@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "samcontact/base/box.hpp"
@@ -110,6 +111,30 @@ TEST_CASE("mirrored operators give the stored part of what whole ones give") {
       }
     }
   }
+}
+
+TEST_CASE("kernels of a shallower box are those of a deeper one") {
+  const SharedMedium steel = half_space({210e9, 0.3});
+  const auto grid_of = [](int nz) { return Grid(11, 9, 1.0, 1.3, nz, 0.8); };
+  const VolumeOptions options{Tensor::deviator, Symmetry::none, ResidualMethod::fast, 1e-5};
+  const auto stress_and_displacement = [](const VolumeOperators& operators) {
+    const Field strain = symmetric_strain(operators.grid(), Symmetry::none, operators.tensor());
+    Tractions tractions;
+    tractions.pressure.assign(strain.begin(), strain.begin() + operators.grid().surface_size());
+    tractions.shear_x = tractions.pressure;
+    Field found = operators.stress(strain.data(), &tractions, 1.0);
+    VolumeSpectrum spectrum = operators.make_spectrum();
+    forward(operators.transform(), strain.data(), spectrum);
+    Field u(operators.transform().plane_size());
+    operators.residual_displacement().apply(spectrum, u.data());
+    found.insert(found.end(), u.begin(), u.end());
+    return found;
+  };
+  const auto shallow = std::make_shared<const VolumeOperators>(grid_of(3), steel, options);
+  stress_and_displacement(*shallow);
+  const VolumeOperators deep(grid_of(7), steel, options, shallow);
+  const VolumeOperators anew(grid_of(7), steel, options);
+  CHECK(stress_and_displacement(deep) == stress_and_displacement(anew));
 }
 
 TEST_CASE("a transform and its inverse give the planes back") {

@@ -9,7 +9,8 @@ import pytest
 
 import samcontact as sc
 from samcontact import _certified, results
-from samcontact.accuracy import estimate
+from samcontact.accuracy import Refinable, estimate
+from samcontact.cases import Case as SectionsOfCase
 from samcontact.cases import CaseError
 
 STEEL = {"law": "elastic", "E": 210e9, "nu": 0.3}
@@ -71,6 +72,26 @@ def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
     assert float(end["print_depth_body2"]) == found.series["print_depth_body2"][-1]
     assert float(end["print_depth_body2_error"]) == found.series_errors["print_depth_body2"][-1]
     assert results.scalars(dataset)["max_residual_von_mises_body2"].notnull().sum() == 2
+
+
+def test_only_segments_that_flow_have_many_increments():
+    path = [{"approach": 2.5e-5}, {"load": 900.0, "start": 1800.0}, {"load": 0.0}]
+    case = SectionsOfCase.model_validate({"title": "x", "accuracy": 0.1, **YIELDING, "path": path})
+    scene = Refinable(case)
+    run = scene.run(0, 2)
+    scene.settle(run)
+    # from 1800 N, which the approach does not reach, it is loaded on
+    counts = [segment.increments for segment in scene.on(1, 4).path]
+    assert counts == [4, 32, 1]
+    assert case.contact.tol == scene.on(1, 4).contact.tol == 1e-6
+    scene.accept(0.01)
+    assert scene.on(1, 4).contact.tol == 1e-4
+
+
+def test_corrections_of_first_order_hold_on_other_grids():
+    twice = np.array([1.0, 1.0, 1.0, 0.0])
+    more = np.array([2.0, 9.0, -2.0, 0.5])
+    assert np.array_equal(estimate.irregular(more, twice), [0.0, 7.0, 4.0, 0.5])
 
 
 THERMAL = {"conductivity": 50.2, "expansion": 11.7e-6, "diffusivity": 1.367e-5}

@@ -29,6 +29,10 @@ CLEAN = 0.5
 MIXED = 0.03
 """How much of a correction found on a coarse grid a finer one may change."""
 
+REGULAR = 1.4, 3.0
+"""Corrections of n increments over those of 2 n, where they are of first order; elsewhere what is
+beyond twice the latter may be different on a finer grid."""
+
 MIXED_AREA = 0.3
 """The same of the contact area, over the relative correction of the largest pressure: on a coarse
 grid it moves by whole cells, or not at all."""
@@ -102,6 +106,24 @@ def of_increments(series: ArrayLike, used: int = 0) -> Estimate:
     if len(limits) > 1:
         left = np.maximum(np.abs(limits[-1] - limits[-2]), 0.1 * left)
     return Estimate(correction, left, np.ones(left.shape, dtype=bool))
+
+
+def irregular(more: FloatArray, twice: FloatArray) -> FloatArray:
+    """What is not of first order in the corrections of n increments.
+
+    Parameters
+    ----------
+    more, twice : ndarray
+        Corrections of n and 2 n increments.
+
+    Returns
+    -------
+    ndarray
+        Nothing where their ratio is `REGULAR`.
+    """
+    low, high = REGULAR
+    inside = (more * twice > 0) & (abs(more) >= low * abs(twice)) & (abs(more) <= high * abs(twice))
+    return np.where(inside, 0.0, np.abs(more - 2.0 * twice))
 
 
 def joined(found: Estimate, parts: Sequence[int]) -> Estimate:

@@ -14,7 +14,16 @@ import numpy as np
 
 from .. import _memory
 from .._checks import FloatArray, positive
-from .estimate import MIXED, MIXED_AREA, RATIO, Estimate, joined, of_grids, of_increments
+from .estimate import (
+    MIXED,
+    MIXED_AREA,
+    RATIO,
+    Estimate,
+    irregular,
+    joined,
+    of_grids,
+    of_increments,
+)
 from .outcome import AccuracyWarning, Accurate, largest
 from .scene import Refinable, Run
 
@@ -32,6 +41,8 @@ OF_INCREMENTS = ("max_pressure", "contact_area")
 """Always there: how the first changes with the increments tells of the second."""
 PART_OF_TIME = 0.3
 """Of all that is allowed, for judging increments."""
+UNEVEN = 0.25
+"""What of that correction is not of first order, over the accuracy."""
 RAW = 10.0
 """Error of the increments used, over the accuracy, that is corrected instead of solved."""
 MOST_GRIDS = 24
@@ -208,7 +219,11 @@ class _Search:
         for run in series[:-1]:
             self.used = run.increments
             off = np.abs(limit.values - self._join(run.values, 0.0 * run.values).values)
-            if np.all(self._relative(limit._replace(errors=off)) <= RAW * self.wanted):
+            uneven = self._join(run.values, irregular(*self._corrections()))
+            if np.all(
+                (self._relative(limit._replace(errors=off)) <= RAW * self.wanted)
+                & (self._relative(uneven) <= UNEVEN * self.wanted)
+            ):
                 break
 
     def _limit(self, series: list[Run]) -> Estimate:
@@ -238,6 +253,13 @@ class _Search:
         at = [run.increments for run in series].index(self.used)
         return of_increments([run.values for run in series], at)
 
+    def _corrections(self) -> tuple[FloatArray, FloatArray]:
+        """Of the increments used, and of twice as many."""
+        series = self._of_increments()
+        at = [run.increments for run in series].index(self.used)
+        values = [run.values for run in series]
+        return of_increments(values, at).values, of_increments(values, at + 1).values
+
     def _estimate(self, grids: list[Run]) -> Estimate:
         """Of space and increments together, shape (marks, names)."""
         found = of_grids([run.values for run in grids])
@@ -249,7 +271,7 @@ class _Search:
 
     def _mixed(self, values: FloatArray, more: FloatArray) -> FloatArray:
         """What a finer grid may change in corrections that were found on a coarse one."""
-        mixed: FloatArray = MIXED * np.abs(more)
+        mixed: FloatArray = MIXED * np.abs(more) + irregular(*self._corrections())
         before = self.scene.names.index
         area, pressure = (sum(self.parts[: before(n)]) for n in ("contact_area", "max_pressure"))
         p = values[:, pressure]

@@ -30,6 +30,9 @@ ROOM_OF_WAY = 2.0
 """The same along x where bodies move: what flowed stays in the window for so long."""
 TOL_SHARE = 0.01
 """Tolerance of the iteration over the accuracy; values have a tenth of it."""
+_FROM_START = 8
+"""Times the increments of a segment with a start of its own, which may be beyond what was reached:
+with few increments the first of them is not."""
 _CELLS_OF_DETAIL = 4.0  # across the least detail of a surface, on the first grid
 _DEPTH = 1.2  # of the layers of elastic bodies, over the smaller semi-axis
 
@@ -153,7 +156,7 @@ class Refinable:
         )
         path = []
         for number, segment in enumerate(self.case.path):
-            changes: dict[str, Any] = {"increments": 1 if number in self.elastic else increments}
+            changes: dict[str, Any] = {"increments": self._count(number, increments)}
             for kind in ("roll", "slide"):
                 passes = getattr(segment, kind)
                 if passes is not None:
@@ -168,6 +171,12 @@ class Refinable:
         shortest = min([heat.history[0], *(step["duration"] for step in case.steps())])
         history = [shortest, heat.history[1]]
         return case.model_copy(update={"heat": heat.model_copy(update={"history": history})})
+
+    def _count(self, number: int, increments: int) -> int:
+        """Increments of a segment, where most have as many as given."""
+        if number in self.elastic:
+            return 1
+        return increments * (1 if self.case.path[number].start is None else _FROM_START)
 
     def run(self, level: int, increments: int) -> Run:
         """Solve it; what is warned of is kept, since a finer grid may have nothing to tell."""
@@ -193,7 +202,8 @@ class Refinable:
             parts = zip([0, *ends], ends, strict=False)
             self.elastic = {
                 number for number, (first, end) in enumerate(parts)
-                if not any(state.iterations for state in run.states[first:end])
+                if run.case.path[number].start is None
+                and not any(state.iterations for state in run.states[first:end])
             }  # fmt: skip
 
     def accept(self, accuracy: float) -> None:
