@@ -42,11 +42,13 @@ def run_into(
     steps: Sequence[Mapping[str, Any]],
     progress: bool,
     checkpoint: str | os.PathLike[str] | None,
+    *,
+    leave: bool,
 ) -> None:
-    """Append the state of each increment as soon as it is done."""
+    """Append the state of each increment as soon as it is done; leave: the progress when it is."""
     with (
         journal_of(checkpoint, simulation, path=steps) as journal,
-        progress_bar(len(steps), "increment", shown=progress) as bar,
+        progress_bar(len(steps), "increment", shown=progress, leave=leave) as bar,
     ):
         for arguments in steps:
             state = journal.next() if journal else None

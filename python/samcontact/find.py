@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import math
+import os
 import warnings
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy
@@ -15,26 +16,24 @@ import scipy
 from . import _certified, half_resolution
 from ._checks import FloatArray, number, positive
 from ._core import ConvergenceError
+from ._load_scenes import YIELD, Built, Scaled, elastic, of_case, resolved
+from ._progress import tell
 from ._quantities import described
 from ._repr import Rows, Shown, quantity
 from .grid_errors import estimate_errors
-from .material import Material
+from .runs.journal import describe
+from .runs.solves import Solves
 
 if TYPE_CHECKING:
     from .cases import Case
-    from .simulation import Simulation
     from .state import State
 
 __all__ = ["FoundLoad", "find_load"]
 
-YIELD = "yield"
-SYNONYMS = {"max_plastic_strain": "max_equivalent_plastic_strain"}
 _MOST = 100.0  # times the largest load of a case
 _LEAST = 1e-9  # times the first load that is tried
 _COARSE = 1e-2  # relative tolerance of the load on the coarser grid
 _TRIES = 12  # on the grid itself
-
-Built = tuple["Simulation", Sequence[Mapping[str, Any]]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,45 +76,75 @@ class FoundLoad(Shown):
         return f"FoundLoad({self.quantity!r}, load={self.load!r}, load_error={self.load_error:.2g})"
 
 
-@dataclass
-class _Search:
-    """What was tried so far."""
+class Search:
+    """What was tried so far: each load at most once on a grid.
 
-    name: str
-    target: float
-    bodies: tuple[Material, Material]
-    build: Callable[[float], Built]
-    fine: dict[float, tuple[float, Built, list[State]]] = field(default_factory=dict)
-    largest: tuple[float, float] = (0.0, 0.0)
-    """Value and load."""
+    start, most: loads where it begins and ends [N]; tolerance: of what is reached.
+    """
+
+    def __init__(
+        self, quantity: str, target: float, build: Callable[[float], Built], start: float,
+        most: float, tolerance: float, progress: bool,
+    ) -> None:  # fmt: skip
+        simulation, path = build(most)
+        self.name, self.target = resolved(quantity, simulation), target
+        self.build, self.start, self.most = build, start, most
+        self.tolerance, self.progress = tolerance, progress
+        self.bodies = simulation.body1, simulation.body2
+        self.solves = Solves(describe(simulation, path=list(path), quantity=self.name))
+        self.largest = (0.0, 0.0)
+        """Value and load."""
+        self._last: tuple[str, Built, list[State]] | None = None
+
+    def find(self) -> FoundLoad:
+        return _refined(self, _enclosed(self, self.start, self.most), self.tolerance)
 
     def on_coarse(self, load: float) -> float:
         """What is missing [of the target], on cells twice as large."""
-        simulation, path = self._built(load)
-        path, _ = half_resolution.coarser_path(path, simulation.grid)
-        return self._value(half_resolution.coarser(simulation, simulation.heat), path, load)[0]
+
+        def made() -> Built:
+            simulation, path = self._built(load)
+            path, _ = half_resolution.coarser_path(path, simulation.grid)
+            return half_resolution.coarser(simulation, simulation.heat), path
+
+        return self._missing(f"coarse_{load!r}", "cells twice as large", load, made)
 
     def on_grid(self, load: float) -> float:
         """The same on the grid itself."""
-        if load not in self.fine:
-            built = self._built(load)
-            missing, states = self._value(*built, load)
-            self.fine[load] = missing, built, states
-        return self.fine[load][0]
+        return self._missing(_name(load), "the grid itself", load, lambda: self._built(load))
+
+    def run(self, load: float) -> tuple[Built, list[State]]:
+        """What `on_grid` has solved last, or what is kept of it."""
+        if self._last is None or self._last[0] != _name(load):
+            self._solve(_name(load), self._built(load))
+        assert self._last is not None
+        return self._last[1:]
 
     def _built(self, load: float) -> Built:
         simulation, path = self.build(load)
-        return (_elastic(simulation), path) if self.name == YIELD else (simulation, path)
+        return (elastic(simulation), path) if self.name == YIELD else (simulation, path)
 
-    def _value(
-        self, simulation: Simulation, path: Sequence[Mapping[str, Any]], load: float
-    ) -> tuple[float, list[State]]:
+    def _solve(self, name: str, built: Built) -> list[State]:
+        self._last = None  # whose memory the next may need
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            states = simulation.run(path, progress=False)
-        reached = max(self._reached(states[at]) for at in _marks(states))
+            states = self.solves.run(name, built[0], list(built[1]), progress=self.progress)
+        self._last = name, built, states
+        return states
+
+    def _missing(self, name: str, where: str, load: float, make: Callable[[], Built]) -> float:
+        if name not in self.solves.given:
+            states = self._solve(name, make())
+            reached = max(self._reached(states[at]) for at in _marks(states))
+            self.solves.add(name, {"reached": reached})
+            self.solves.forget_increments([name])
+        reached = self.solves.given[name]["reached"]
+        told = (
+            f"{where}, {quantity(load, 'N', 6)}: {reached / self.target:.6g} of what is asked for"
+        )
+        tell(told, shown=self.progress)
         self.largest = max(self.largest, (reached, load))
-        return reached / self.target - 1.0, states
+        return float(reached / self.target - 1.0)
 
     def _reached(self, state: State) -> float:
         return max(_certified.value(state, name) / by for name, by in self.parts.items())
@@ -147,6 +176,8 @@ def find_load(
     *,
     tolerance: float = 1e-3,
     largest_load: float | None = None,
+    progress: bool = True,
+    checkpoint: str | os.PathLike[str] | None = None,
 ) -> FoundLoad:
     """Find the load at which a quantity reaches a value.
 
@@ -169,6 +200,11 @@ def find_load(
         Relative, of what is reached; in [1e-8, 0.1].
     largest_load : float, optional
         Where the search ends [N]; 100 times that of the case. A function needs it.
+    progress : bool, optional
+        Tell of each load that is tried, on stderr.
+    checkpoint : path, optional
+        Folder in which to keep what each load has given, and the increments of the last one. The
+        same call goes on from it, with the same bits. Remove it when it is no longer needed.
 
     Returns
     -------
@@ -178,87 +214,39 @@ def find_load(
     ------
     ValueError
         The value is not reached; the text has the largest one. An argument out of range, a case
-        without loads, wear; with "yield", bodies that cannot, or that soften.
+        without loads, wear; with "yield", bodies that cannot, or that soften; a `checkpoint` of
+        another call.
     """
+    search = searched(
+        case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
+    )
+    with search.solves.kept_in(checkpoint):
+        return search.find()
+
+
+def searched(
+    case: Case | Callable[[float], Built],
+    quantity: str,
+    value: float,
+    *,
+    tolerance: float,
+    largest_load: float | None,
+    progress: bool,
+) -> Search:
+    """What `find_load` does, before anything is solved."""
     target, relative = positive("value", value), number("tolerance", tolerance)
     if not 1e-8 <= relative <= 0.1:
         raise ValueError(f"tolerance must be in [1e-8, 0.1], got {tolerance!r}")
+    build: Callable[[float], Built]
     if callable(case):
         if largest_load is None:
             raise ValueError("largest_load must be given with a function, got None")
-        build, most = case, positive("largest_load", largest_load)
+        build, start = case, positive("largest_load", largest_load)
     else:
-        first = _largest_load(case)
-        build = _Scaled(case, first)
-        most = _MOST * first if largest_load is None else positive("largest_load", largest_load)
-    made, _ = build(most)
-    name = _resolved(quantity, made)
-    search = _Search(name, target, (made.body1, made.body2), build)
-    start = most if callable(case) else min(_largest_load(case), most)
-    near = _enclosed(search, start, most)
-    return _refined(search, near, relative)
-
-
-@dataclass(frozen=True)
-class _Scaled:
-    """A case under other loads."""
-
-    case: Case
-    largest: float
-
-    def __call__(self, load: float) -> Built:
-        factor = load / self.largest
-        path = [
-            segment.model_copy(
-                update={
-                    "load": factor * (segment.load or 0.0),
-                    "start": None if segment.start is None else factor * segment.start,
-                }
-            )
-            for segment in self.case.path
-        ]
-        return self.case.model_copy(update={"path": path}).build()
-
-
-def _largest_load(case: Case) -> float:
-    if case.wear is not None:
-        raise ValueError("wear: a load is found of one contact, not of cycles of wear")
-    loads = [segment.load for segment in case.path]
-    given = [load for load in loads if load is not None]
-    if len(given) < len(loads) or not max(given) > 0:
-        raise ValueError("path: a load is found of a path of loads, one at least > 0")
-    return max(given)
-
-
-def _resolved(name: str, simulation: Simulation) -> str:
-    """A name as `value_of` takes it; ValueError for one that the simulation has not."""
-    bodies = simulation.body1, simulation.body2
-    if name == YIELD:
-        if not any(body.is_plastic for body in bodies):
-            raise ValueError('quantity = "yield" needs a body that yields')
-        if any(body.softening for body in bodies):
-            raise ValueError('quantity = "yield" is not for bodies that soften by heat')
-        if not simulation.grid.has_volume:
-            raise ValueError('quantity = "yield" needs a grid with dz')
-        return name
-    name = SYNONYMS.get(name, name)
-    known = _certified.names(bodies, volume=simulation.grid.has_volume)
-    found = [one for one in known if one in (name, f"{name}_body1", f"{name}_body2")]
-    if not found or name == "load":
-        allowed = [one for one in known if one != "load"]
-        raise ValueError(f"quantity must be one of {', '.join(allowed)}, yield, got {name!r}")
-    return name if name in found else ",".join(found)
-
-
-def _elastic(simulation: Simulation) -> Simulation:
-    """With bodies that do not yield."""
-    bodies = {}
-    for name in ("body1", "body2"):
-        body = getattr(simulation, name)
-        if body.is_plastic:
-            elastic = Material.elastic(body.E, body.nu)
-            bodies[name] = elastic if body.thermal is None else elastic.with_thermal(*body.thermal)
-    return half_resolution.remade(simulation, **bodies)
+        start = of_case(case)
+        build = Scaled(case, start)
+    most = _MOST * start if largest_load is None else positive("largest_load", largest_load)
+    return Search(quantity, target, build, min(start, most), most, relative, progress)
 
 
 def _marks(states: Sequence[State]) -> set[int]:
@@ -268,7 +256,12 @@ def _marks(states: Sequence[State]) -> set[int]:
     return {max(n for n, load in enumerate(loads) if load >= most), len(states) - 1}
 
 
-def _enclosed(search: _Search, start: float, most: float) -> float:
+def _name(load: float) -> str:
+    """Of a solve on the grid itself, in files."""
+    return f"grid_{load!r}"
+
+
+def _enclosed(search: Search, start: float, most: float) -> float:
     """About where, on cells twice as large."""
     try:
         half_resolution.coarser_grid(search.build(start)[0].grid)
@@ -302,7 +295,7 @@ def _enclosed(search: _Search, start: float, most: float) -> float:
     return found
 
 
-def _refined(search: _Search, near: float, tolerance: float) -> FoundLoad:
+def _refined(search: Search, near: float, tolerance: float) -> FoundLoad:
     """By secants on the grid itself; halves where these leave what encloses the load."""
     low, high = 0.0, math.inf
     points: list[tuple[float, float]] = []
@@ -312,7 +305,7 @@ def _refined(search: _Search, near: float, tolerance: float) -> FoundLoad:
         points.append((load, missing))
         low, high = (load, high) if missing < 0 else (low, load)
         if abs(missing) <= tolerance and len(points) > 1:
-            return _outcome(search, load, _slope(points))
+            return _outcome(search, load, missing, _slope(points))
         step = -missing / _slope(points) if len(points) > 1 else -missing * load
         load += min(max(step if step else tolerance * load, -0.5 * load), load)
         if not low < load < high:
@@ -328,8 +321,8 @@ def _slope(points: Sequence[tuple[float, float]]) -> float:
     return slope if slope > 0 else 1.0 / load
 
 
-def _outcome(search: _Search, load: float, slope: float) -> FoundLoad:
-    missing, (simulation, path), states = search.fine[load]
+def _outcome(search: Search, load: float, missing: float, slope: float) -> FoundLoad:
+    (simulation, path), states = search.run(load)
     try:
         estimated = estimate_errors(simulation, path, states)
         errors = [_relative(estimated.values[n], estimated.errors[n]) for n in search.parts]

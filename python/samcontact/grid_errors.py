@@ -64,7 +64,7 @@ class GridErrors(Shown):
     slope_beyond: float
 
     def _rows(self) -> Rows:
-        found = _largest_of(self.values, self.errors)
+        found = _largest_of(self.values, self.errors, {})
         return [(row.label, f"{row.shown} ± {100 * row.relative:.2g} %") for row in found]
 
     def __repr__(self) -> str:
@@ -203,23 +203,30 @@ def said_of_slope(share: float) -> str:
 
 
 class ErrorRow(NamedTuple):
-    """A quantity where it is largest: the number of the increment, its value, its error."""
+    """A quantity where it is largest: the number of the increment, its value; its error over that
+    (the largest of the run where an accuracy was asked for)."""
 
     label: str
     increment: int
     shown: str
     relative: float
+    asked: float | None = None
 
 
 def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:
     """Of results with errors; none of others."""
     names = [str(name)[: -len("_error")] for name in dataset if str(name).endswith("_error")]
-    values = {name: dataset[name].values for name in names}
-    return _largest_of(values, {name: dataset[f"{name}_error"].values for name in names})
+    values = {name: dataset[f"{name}_best" if f"{name}_best" in dataset else name].values
+              for name in names}  # fmt: skip
+    errors = {name: dataset[f"{name}_error"].values for name in names}
+    asked = {name: dataset[f"{name}_error"].attrs.get("accuracy") for name in names}
+    return _largest_of(values, errors, asked)
 
 
 def _largest_of(
-    values: Mapping[str, FloatArray], errors: Mapping[str, FloatArray]
+    values: Mapping[str, FloatArray],
+    errors: Mapping[str, FloatArray],
+    asked: Mapping[str, float | None],
 ) -> list[ErrorRow]:
     """Without what is zero throughout, or given."""
     rows = []
@@ -232,5 +239,7 @@ def _largest_of(
             label = quantity_of.heading
             label = label if body is None else f"{label}, body {body}"
             shown = quantity(float(values[name][at]), unit, 5)
-            rows.append(ErrorRow(label, at + 1, shown, float(error[at] / known[at])))
+            wanted = asked.get(name)  # of all increments, relative to the largest value
+            relative = float((error[at] if wanted is None else np.nanmax(error)) / known[at])
+            rows.append(ErrorRow(label, at + 1, shown, relative, wanted))
     return rows

@@ -310,13 +310,15 @@ class Simulation(Windowed, Shown):
         steps: Sequence[Mapping[str, Any]],
         progress: bool,
         checkpoint: str | os.PathLike[str] | None,
+        *,
+        leave: bool = True,
     ) -> None:
         """Append the state of each increment as soon as it is done."""
         self._told.doubt(self._scene, self._heat, largest_target(steps), stacklevel=3)
         if not any(self._heat.factor) and (load := largest_cold_load(steps)) is not None:
             self._make_room(load)
         with self._told.as_a_whole():
-            run_into(states, self, steps, progress, checkpoint)
+            run_into(states, self, steps, progress, checkpoint, leave=leave)
         self._told.warn_of_run(states, self._scene, stacklevel=3)
 
     @property
@@ -370,10 +372,8 @@ class Simulation(Windowed, Shown):
     _rows = simulation_rows
 
     def __repr__(self) -> str:
-        return (
-            f"Simulation({self.grid!r}, {self.body1!r}, {self.body2!r}, {self._settings}, "
-            f"heat={self.heat!r})"
-        )
+        scene = f"{self.grid!r}, {self.body1!r}, {self.body2!r}, {self._settings}"
+        return f"Simulation({scene}, heat={self.heat!r})"
 
     def __reduce__(self) -> tuple[Any, ...]:
         return reduced(self)

@@ -35,6 +35,7 @@ PRESSED = {"run": sc.Simulation(**BODIES, gap=GAP), "path": [{"load": LOAD}], "s
 FIND = {
     "case": lambda load: (sc.Simulation(**BODIES, gap=GAP), [{"load": load}]),
     "quantity": "approach", "value": 1e-6, "tolerance": 1e-2, "largest_load": 2 * LOAD,
+    "progress": False, "checkpoint": None,
 }  # fmt: skip
 ERRORS = sc.estimate_errors(**PRESSED)
 TRACK = STATE.track(2, margin=0)
@@ -72,6 +73,7 @@ increments = 1
 """,
     encoding="utf-8",
 )
+ACCURATE = sc.to_accuracy(CASE, 0.5, progress=False)
 
 SETTINGS = {
     "tol": 1e-4, "on_border": "error", "max_iterations": 60,
@@ -280,10 +282,10 @@ CALLS = [
         sc.to_accuracy,
         {
             "case": CASE, "accuracy": 0.5, "quantities": ["max_pressure"], "max_memory": 1e9,
-            "max_time": 1e3,
+            "max_time": 1e3, "progress": False, "checkpoint": None,
         },
     ),
-    ("Accurate.to_dataset", sc.to_accuracy(CASE, 0.5).to_dataset, {"volume": "none"}),
+    ("Accurate.to_dataset", ACCURATE.to_dataset, {"volume": "none"}),
     ("wear.depth", sc.wear.depth, {"equivalent": STRAIN[0], "dz": 5e-5, "threshold": 0.04}),
     (
         "wear.run",

@@ -45,7 +45,7 @@ FOLDERS = {
     "asperities": {"runs"},
     "wear": {"runs"},
     "cases": {"hertz", "paths", "measured", "asperities", "wear"},
-    "accuracy": {"hertz", "cases", "results"},
+    "accuracy": {"runs", "hertz", "cases", "results"},
     "sweeps": {"runs", "cases", "results", "accuracy"},
     "report": {"cases", "results", "plotting", "asperities"},
     "commands": {

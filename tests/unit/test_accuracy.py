@@ -69,9 +69,9 @@ def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
     assert abs(depth / found.values["print_depth_body2"] - 1) < 0.05
     dataset = found.to_dataset()
     end = dataset.isel(increment=-1)
-    assert float(end["print_depth_body2"]) == found.series["print_depth_body2"][-1]
+    assert float(end["print_depth_body2_best"]) == found.series["print_depth_body2"][-1]
     assert float(end["print_depth_body2_error"]) == found.series_errors["print_depth_body2"][-1]
-    assert results.scalars(dataset)["max_residual_von_mises_body2"].notnull().sum() == 2
+    assert results.scalars(dataset)["max_residual_von_mises_body2_best"].notnull().sum() == 2
 
 
 def test_only_segments_that_flow_have_many_increments():

@@ -101,8 +101,8 @@ def test_a_run_of_a_case_has_errors_and_changes_nothing_else(tmp_path):
         file = tmp_path / f"{name}.toml"
         file.write_text(first + MINIMAL, encoding="utf-8")
         outcomes[name] = invoke("run", file, "--no-figures", "--output", tmp_path / name)
-    assert "Estimated errors" in outcomes["on"].stdout
-    assert "Estimated errors" not in outcomes["off"].stdout
+    assert "Values with their errors" in outcomes["on"].stdout
+    assert "Values with their errors" not in outcomes["off"].stdout
     with (
         results.open_results(tmp_path / "on" / "results.nc") as on,
         results.open_results(tmp_path / "off" / "results.nc") as off,

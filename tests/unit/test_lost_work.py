@@ -14,7 +14,7 @@ from case_texts import MINIMAL, TUGGING, WEAR
 from command import check_failure, fields, invoke, pressed
 from samcontact import plotting, report, results
 from samcontact.commands import interrupted, solve_contact
-from samcontact.runs import lock
+from samcontact.runs import journal, lock
 from samcontact.runs.lock import LOCK, locked
 
 OPTIONS = ("--no-figures", "--quiet")
@@ -171,7 +171,7 @@ def test_no_room_for_anything(case_file, tmp_path, monkeypatch):
     full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
     monkeypatch.setattr(sc.Simulation, "step", stop_at(3, ERRORS[0]))
     monkeypatch.setattr(results, "save", fails(full))
-    monkeypatch.setattr(interrupted.Journal, "add", fails(full))
+    monkeypatch.setattr(journal.Journal, "add", fails(full))
     outcome = invoke("run", case_file, "--output", tmp_path, *OPTIONS)
     assert outcome.exit_code == 1
     assert "error: no convergence: residual 0.1" in outcome.stderr

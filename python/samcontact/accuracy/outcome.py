@@ -70,8 +70,9 @@ class Accurate(Shown):
     def to_dataset(self, *, volume: str | None = None) -> xr.Dataset:
         """Results of the finest grid, with these values and their errors.
 
-        ``X`` has the values at ``increments``, elsewhere what was solved on the finest grid;
-        ``X_error`` the errors, NaN elsewhere, with the accuracy asked for as its attribute.
+        Beside each ``X`` as it was solved on the finest grid there is ``X_best``, the value at
+        ``increments``, and ``X_error``, its error, with the accuracy asked for as its attribute;
+        both are NaN elsewhere.
 
         Parameters
         ----------
@@ -81,19 +82,17 @@ class Accurate(Shown):
         from .. import results
 
         dataset = results.to_dataset(self.simulation, self.states, self.case, volume=volume)
-        at = list(self.increments)
         for name, series in self.series.items():
             known, body = described(name)
-            values = np.full(len(self.states), np.nan)
-            if name in dataset:
-                values = dataset[name].values.astype(np.float64)
-            errors = np.full(len(self.states), np.nan)
-            values[at], errors[at] = series, self.series_errors[name]
-            dataset[name] = known.variable("increment", values, body)
-            error = known.variable("increment", errors, body)
-            error.attrs["long_name"] = f"estimated error of {dataset[name].attrs['long_name']}"
-            error.attrs["accuracy"] = self.accuracy[name]
-            dataset[f"{name}_error"] = error
+            text = known.variable("increment", [], body).attrs["long_name"]
+            found = {"best": series, "error": self.series_errors[name]}
+            for suffix, label in (("best", "best value"), ("error", "its estimated error")):
+                values = np.full(len(self.states), np.nan)
+                values[list(self.increments)] = found[suffix]
+                variable = known.variable("increment", values, body)
+                variable.attrs["long_name"] = f"{text}: {label}"
+                dataset[f"{name}_{suffix}"] = variable
+            dataset[f"{name}_error"].attrs["accuracy"] = self.accuracy[name]
         dataset.attrs["accuracy_reached"] = int(self.reached)
         if self.needs:
             dataset.attrs["accuracy_needs"] = self.needs

@@ -6,14 +6,13 @@ from __future__ import annotations
 import logging
 import math
 import warnings
-from collections.abc import Mapping, Sequence
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import _memory
-from .._checks import FloatArray, positive
+from .._checks import FloatArray
+from .._progress import tell
+from .._repr import counts
+from ..runs.solves import Solves
 from .estimate import (
     MIXED,
     MIXED_AREA,
@@ -25,10 +24,7 @@ from .estimate import (
     of_increments,
 )
 from .outcome import AccuracyWarning, Accurate, largest
-from .scene import Refinable, Run
-
-if TYPE_CHECKING:
-    from ..cases import Case
+from .scene import Refinable, Run, Solved, marks_of
 
 _logger = logging.getLogger("samcontact")
 
@@ -46,165 +42,84 @@ UNEVEN = 0.25
 RAW = 10.0
 """Error of the increments used, over the accuracy, that is corrected instead of solved."""
 MOST_GRIDS = 24
-HOUR = 3600.0
 
 
-def to_accuracy(
-    case: Case | str | Path | Mapping[str, Any],
-    accuracy: float | Mapping[str, float] | None = None,
-    *,
-    quantities: Sequence[str] | None = None,
-    max_memory: float | None = None,
-    max_time: float | None = None,
-) -> Accurate:
-    """Solve a case on grids that become finer, until the errors of its values are small enough.
-
-    Window, cells, layers and increments are chosen; a [grid] of the case, its ``increments`` and
-    the ``step`` of passes are not used. docs/theory.md, "Accuracy", has how errors are estimated.
-
-    Parameters
-    ----------
-    case : Case, path or dict
-        A case of one contact, from `load_case`, its file, or a dictionary of the same layout.
-    accuracy : float or dict, optional
-        Relative error [-], in (0, 1), of all quantities or of each by its name; default that of the
-        case.
-    quantities : sequence of str, optional
-        Names in results files, e.g. "max_pressure", "print_depth_body2"; default all that the
-        case has, or those that it names.
-    max_memory : float, optional
-        Of the finest grid [bytes]; default what is available.
-    max_time : float, optional
-        In all [s]; default an hour. The first three grids are solved whatever they take.
-
-    Returns
-    -------
-    Accurate
-
-    Raises
-    ------
-    ValueError
-        An argument out of range, or a case with surfaces that are known on one grid only: the text
-        names them and what to do instead.
-
-    Warns
-    -----
-    AccuracyWarning
-        The accuracy needs more memory or time than allowed: what it would need. The best values so
-        far are returned with their errors.
-    """
-    known = _case(case, accuracy)
-    scene = Refinable(known)
-    asked = _asked(scene, known, accuracy, quantities)
-    scene.accept(min(asked.values()))
-    scene.names = [name for name in scene.names if name in asked or name in OF_INCREMENTS]
-    memory = known.max_memory if max_memory is None else positive("max_memory", max_memory)
-    limit = known.max_time if max_time is None else positive("max_time", max_time)
-    if memory is None:
-        memory = _memory.available() or math.inf
-    return _Search(scene, asked, memory, HOUR if limit is None else limit).search()
-
-
-def _case(case: Case | str | Path | Mapping[str, Any], accuracy: Any) -> Case:
-    from ..cases import Case, load_case
-    from ..cases.case import validated
-
-    made: object = case
-    if isinstance(case, (str, Path)):
-        made = load_case(Path(case))
-    elif isinstance(case, Mapping):
-        given = accuracy is None or "grid" in case
-        asked = {} if given else {"accuracy": accuracy}
-        made = validated({"title": "to an accuracy", **case, **asked}, Path("case"))
-    if not isinstance(made, Case):
-        raise ValueError(
-            "case must be a case of one contact, a path of its file, or a dict, got "
-            f"{type(made).__name__}"
-        )
-    return made
-
-
-def _asked(
-    scene: Refinable,
-    case: Case,
-    accuracy: float | Mapping[str, float] | None,
-    quantities: Sequence[str] | None,
-) -> dict[str, float]:
-    """Relative accuracy of each quantity that is judged."""
-    given = case.accuracy if accuracy is None else accuracy
-    if given is None:
-        raise ValueError("accuracy must be a number in (0, 1), e.g. 0.01, or a dict of them")
-    chosen = case.quantities if quantities is None else quantities
-    if isinstance(given, Mapping):
-        asked = dict(given)
-        for name in chosen or ():
-            if name not in asked:
-                raise ValueError(f"accuracy has no value for {name!r} of quantities")
-    else:
-        asked = dict.fromkeys(scene.names if chosen is None else chosen, given)
-    if not asked:
-        raise ValueError("quantities must name one at least, got none")
-    for name, value in asked.items():
-        if name not in scene.names:
-            raise ValueError(
-                f"quantities: {name!r} is none of this case, which has {', '.join(scene.names)}"
-            )
-        positive("accuracy", value)
-        if not value < 1:
-            raise ValueError(
-                f"accuracy must be a relative error in (0, 1), e.g. 0.01 for 1 %, got {value!r}"
-            )
-    return asked
-
-
-class _Search:
+class Search:
     """Runs of a scene, each at most once, and what they tell together."""
 
     def __init__(
-        self, scene: Refinable, asked: dict[str, float], memory: float, limit: float
+        self,
+        scene: Refinable,
+        asked: dict[str, float],
+        memory: float,
+        limit: float,
+        progress: bool,
     ) -> None:
         self.scene, self.asked, self.memory, self.limit = scene, asked, memory, limit
         self.parts = scene.parts
         self.chosen = [scene.names.index(name) for name in asked]
         self.wanted = np.array(list(asked.values()))
+        self.progress = progress
+        self.solves = Solves(scene.who)
         self.runs: dict[tuple[int, int], Run] = {}
-        self.solved: list[tuple[int, int, int, float]] = []
+        self.grids: list[Run] = []
         self.used = FEWEST if scene.has_history else 1
         self.needs = ""
 
     def run(self, level: int, increments: int) -> Run:
         key = level, increments
         if key not in self.runs:
-            made = self.runs[key] = self.scene.run(level, increments)
-            grid = made.simulation.grid
-            self.solved.append((grid.nx, grid.ny, increments, made.seconds))
-            _logger.info(
-                "%d x %d cells, %d increments: %.2f s", grid.nx, grid.ny, increments, made.seconds
-            )
+            made = self.scene.run(level, increments, self.solves, progress=self.progress)
+            self.runs[key] = made
+            self._forget(but=[made, *self.grids[-1:]])
+            each = f", {increments} increments a segment" if self.scene.has_history else ""
+            told = f"grid {level + 1}: {counts(*made.cells)} cells{each}, {made.seconds:.2g} s"
+            _logger.info("%s", told)
+            tell(told, shown=self.progress)
         return self.runs[key]
+
+    def _forget(self, but: list[Run]) -> None:
+        """States that are no longer those of the finest grid."""
+        for run in self.runs.values():
+            if run not in but:
+                run.solved = None
+        # names are in the order of the grids: the last may be kept of what was interrupted
+        self.solves.forget_increments([max(self.solves.given), *(run.name for run in but)])
 
     @property
     def seconds(self) -> float:
-        return sum(seconds for *_, seconds in self.solved)
+        return sum(run.seconds for run in self.runs.values())
 
     def search(self) -> Accurate:
         self.scene.settle(self.run(0, self.used))
         if self.scene.has_history:
             self._judge_increments()
-        grids = [self.run(0, self.used)]
+        grids = self.grids = [self.run(0, self.used)]
         while True:
             enough = len(grids) >= FEWEST_GRIDS
-            worst = float(np.max(self._relative(self._estimate(grids)) / self.wanted))
+            found = self._estimate(grids)
+            worst = float(np.max(self._relative(found) / self.wanted))
+            tell(self._still_to_do(found), shown=self.progress and enough)
             if enough and worst <= 1.0:
                 break
             if enough and self._increments_matter(grids) and self._more_increments():
                 continue
             if not self._affordable(grids, worst):
                 break
-            for run in self.runs.values():  # only the finest states are handed on
-                run.states = []
             grids.append(self.run(len(grids), self.used))
-        return self._outcome(grids)
+        outcome = self._outcome(grids)
+        self._warn(outcome)
+        return outcome
+
+    def best(self) -> Accurate | None:
+        """Of the grids so far; None of fewer than tell an error."""
+        return self._outcome(self.grids) if len(self.grids) >= FEWEST_GRIDS else None
+
+    def _still_to_do(self, found: Estimate) -> str:
+        """Errors that are larger than asked for."""
+        relative = dict(zip(self.asked, self._relative(found), strict=True))
+        above = [f"{n} {100 * e:.2g} %" for n, e in relative.items() if e > self.asked[n]]
+        return f"  errors: {', '.join(above) or 'all are below those asked for'}"
 
     def _judge_increments(self) -> None:
         """Runs on a coarse grid with ever more increments, and how many the others need."""
@@ -300,7 +215,7 @@ class _Search:
         last = grids[-1]
         growth = 2.5 * RATIO if len(grids) < 3 else last.seconds / max(grids[-2].seconds, 1e-3)
         growth = min(max(growth, 2.0), 8.0)
-        seconds, size = last.seconds * growth, memory_of(last) * RATIO**3
+        seconds, size = last.seconds * growth, last.memory * RATIO**3
         # without some grids there is no error to tell
         spent = self.seconds + seconds if len(grids) >= FEWEST_GRIDS else 0.0
         if len(grids) < MOST_GRIDS and size <= self.memory and spent <= self.limit:
@@ -308,48 +223,45 @@ class _Search:
         more = max(1, math.ceil(math.log2(worst))) if math.isfinite(worst) else FEWEST_GRIDS
         seconds = self.seconds + sum(last.seconds * growth**n for n in range(1, more + 1))
         self.needs = (
-            f"{more} finer grids would need about {memory_of(last) * RATIO ** (3 * more) / 1e9:.2g}"
+            f"{more} finer grids would need about {last.memory * RATIO ** (3 * more) / 1e9:.2g}"
             f" GB and {seconds:.2g} s in all"
         )
         return False
 
-    def _outcome(self, grids: list[Run]) -> Accurate:
-        found, names, last = self._estimate(grids), self.scene.names, grids[-1]
-        for warning in last.told:
+    def _finest(self, last: Run) -> Solved:
+        if last.solved is None:  # it was kept
+            last.solved = self.scene.solve(last.level, last.increments, self.solves)
+        return last.solved
+
+    def _warn(self, outcome: Accurate) -> None:
+        for warning in self._finest(self.grids[-1]).told:
             warnings.warn(warning.message, stacklevel=4)
-        values, errors = largest(found.values, found.errors)
-        relative = self._relative(found)
-        reached = bool(np.all(relative <= self.wanted))
-        if not reached:
-            at = int(np.argmax(relative / self.wanted))
+        if not outcome.reached:
+            relative = outcome.relative_errors
+            name = max(self.asked, key=lambda one: relative[one] / self.asked[one])
             warnings.warn(
-                f"the accuracy of {self.wanted[at]:.3g} is not reached: "
-                f"{list(self.asked)[at]} has a relative error of {relative[at]:.2g}; {self.needs}: "
-                "raise max_memory or max_time, ask for less, or leave it out of quantities",
+                f"the accuracy of {self.asked[name]:.3g} is not reached: {name} has a relative "
+                f"error of {relative[name]:.2g}; {self.needs}: raise max_memory or max_time, ask "
+                "for less, or leave it out of quantities",
                 AccuracyWarning,
                 stacklevel=4,
             )
+
+    def _outcome(self, grids: list[Run]) -> Accurate:
+        found, names, last = self._estimate(grids), self.scene.names, self._finest(grids[-1])
+        values, errors = largest(found.values, found.errors)
         kept = [names.index(name) for name in self.asked]
         return Accurate(
             values={names[i]: float(values[i]) for i in kept},
             errors={names[i]: float(errors[i]) for i in kept},
             accuracy=self.asked,
-            reached=reached,
+            reached=bool(np.all(self._relative(found) <= self.wanted)),
             series={names[i]: found.values[:, i] for i in kept},
             series_errors={names[i]: found.errors[:, i] for i in kept},
-            increments=tuple(last.marks),
+            increments=tuple(marks_of(last.case)),
             states=last.states,
             simulation=last.simulation,
             case=last.case,
-            runs=tuple(self.solved),
+            runs=tuple((*run.cells, run.increments, run.seconds) for run in self.runs.values()),
             needs=self.needs,
         )
-
-
-def memory_of(run: Run) -> float:
-    """What a run takes with the fields of its states [bytes]."""
-    grid = run.simulation.grid
-    layers = max((len(state.depths) for state in run.states[-1:]), default=0)
-    plastic = float(run.simulation.counters["volume_bytes"])
-    fields = _memory.volume(grid, _memory.VOLUME_FIELD, layers)
-    return _memory.surface(grid, _memory.SIMULATION) + plastic + fields

@@ -8,12 +8,14 @@ import time
 import warnings
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from .. import _certified, hertz
+from .. import _certified, _memory, hertz
 from .._checks import FloatArray
+from ..runs.identity import Identity, identity
+from ..runs.solves import Solves
 from ..zone import strained_extent
 from .estimate import RATIO
 
@@ -34,21 +36,20 @@ _FROM_START = 8
 """Times the increments of a segment with a start of its own, which may be beyond what was reached:
 with few increments the first of them is not."""
 _CELLS_OF_DETAIL = 4.0  # across the least detail of a surface, on the first grid
+_NO_NUMBERS = {
+    "title", "description", "output", "estimate_error", "accuracy", "quantities", "max_memory",
+    "max_time",
+}  # fmt: skip
+"""Fields of a case on which no value on a grid depends."""
 _DEPTH = 1.2  # of the layers of elastic bodies, over the smaller semi-axis
 
 
-@dataclass
-class Run:
-    """A case on one grid."""
+class Solved(NamedTuple):
+    """A case on a grid, its states, and what was warned of: a finer grid may have none of it."""
 
-    level: int
-    increments: int
     case: Case
     simulation: Simulation
     states: list[State]
-    marks: list[int]
-    values: FloatArray  # (marks, parts of all names)
-    seconds: float
     told: list[warnings.WarningMessage]
 
     @property
@@ -68,6 +69,50 @@ class Run:
                     reach[axis] = max(reach[axis], n - 2 * ends[0], 2 * ends[1] + 2 - n)
         grid = self.simulation.grid
         return 0.5 * reach[0] * grid.dx, 0.5 * reach[1] * grid.dy
+
+    @property
+    def elastic(self) -> list[int]:
+        """Segments in which nothing flows."""
+        ends = ends_of(self.case)
+        parts = zip([0, *ends], ends, strict=False)
+        return [
+            number for number, (first, end) in enumerate(parts)
+            if self.case.path[number].start is None
+            and not any(state.iterations for state in self.states[first:end])
+        ]  # fmt: skip
+
+    @property
+    def memory(self) -> float:
+        """What it takes with the fields of its states [bytes]."""
+        grid = self.simulation.grid
+        layers = max((len(state.depths) for state in self.states[-1:]), default=0)
+        plastic = float(self.simulation.counters["volume_bytes"])
+        fields = _memory.volume(grid, _memory.VOLUME_FIELD, layers)
+        return _memory.surface(grid, _memory.SIMULATION) + plastic + fields
+
+
+@dataclass(eq=False)
+class Run:
+    """What a case gave on one grid; all but `solved` is kept, which can be had again."""
+
+    level: int
+    increments: int
+    cells: tuple[int, int]  # along x and y
+    values: FloatArray  # (marks, parts of all names)
+    half: tuple[float, float]
+    elastic: list[int]
+    memory: float
+    seconds: float
+    solved: Solved | None = None
+
+    @property
+    def name(self) -> str:
+        return name_of(self.level, self.increments)
+
+
+def name_of(level: int, increments: int) -> str:
+    """Of a run in files."""
+    return f"grid{level:02d}_increments{increments:04d}"
 
 
 class Refinable:
@@ -92,6 +137,11 @@ class Refinable:
         """Segments in which nothing flows: one increment of them is as good as many."""
         along_x = ROOM_OF_WAY if case.moves else ROOM
         self.half = along_x * self.semi_axes[0], ROOM * self.semi_axes[1]
+
+    @property
+    def who(self) -> Identity:
+        """What values of runs depend on: of the accuracy it is only the tolerance."""
+        return identity(names=self.names, tol=self.tol, **self.case.model_dump(exclude=_NO_NUMBERS))
 
     @property
     def parts(self) -> list[int]:
@@ -178,19 +228,42 @@ class Refinable:
             return 1
         return increments * (1 if self.case.path[number].start is None else _FROM_START)
 
-    def run(self, level: int, increments: int) -> Run:
-        """Solve it; what is warned of is kept, since a finer grid may have nothing to tell."""
-        began = time.perf_counter()
-        case = self.on(level, increments)
-        marks = marks_of(case)
+    def solve(
+        self, level: int, increments: int, solves: Solves | None = None, *, progress: bool = False
+    ) -> Solved:
+        """Solve it, as far as it is not kept."""
+        solves = Solves(self.who) if solves is None else solves
+        name, case = name_of(level, increments), self.on(level, increments)
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always")
             simulation, path = case.build()
-            states = simulation.run(path, progress=False)
-            found = [[_certified.parts(states[m], name) for name in self.names] for m in marks]
-            values = np.array([[part for parts in of_mark for part in parts] for of_mark in found])
-        seconds = time.perf_counter() - began
-        return Run(level, increments, case, simulation, states, marks, values, seconds, told)
+            states = solves.run(name, simulation, path, progress=progress)
+        return Solved(case, simulation, states, told)
+
+    def run(
+        self, level: int, increments: int, solves: Solves | None = None, *, progress: bool = False
+    ) -> Run:
+        """The same with the values; of one that is kept nothing is solved."""
+        name = name_of(level, increments)
+        if solves is not None and name in solves.given:
+            return Run(level, increments, **solves.given[name])
+        began = time.perf_counter()
+        solved = self.solve(level, increments, solves, progress=progress)
+        values = []
+        for mark in marks_of(solved.case):
+            found = [_certified.parts(solved.states[mark], name) for name in self.names]
+            values.append([part for parts in found for part in parts])
+        given: dict[str, Any] = {
+            "cells": solved.simulation.grid.surface_shape,
+            "values": np.array(values),
+            "half": solved.half,
+            "elastic": solved.elastic,
+            "memory": solved.memory,
+            "seconds": time.perf_counter() - began,
+        }
+        if solves is not None:
+            solves.add(name, given)
+        return Run(level, increments, **given, solved=solved)
 
     def settle(self, run: Run) -> None:
         """Take from a run the window that later grids have, and which segments are elastic."""
@@ -198,13 +271,7 @@ class Refinable:
         along_x = max(half[0], self.half[0]) if self.case.moves else half[0]
         self.half = along_x, half[1]
         if self.case.heat is None or self.case.heat.history is None:
-            ends = ends_of(run.case)
-            parts = zip([0, *ends], ends, strict=False)
-            self.elastic = {
-                number for number, (first, end) in enumerate(parts)
-                if run.case.path[number].start is None
-                and not any(state.iterations for state in run.states[first:end])
-            }  # fmt: skip
+            self.elastic = set(run.elastic)
 
     def accept(self, accuracy: float) -> None:
         """Iterate no further than a relative accuracy of the values needs."""

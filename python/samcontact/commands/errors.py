@@ -47,7 +47,7 @@ def short_errors() -> Iterator[None]:
 
 
 def tell_partial(
-    write: Callable[[str], object], error: Exception, what: str, directory: Path
+    write: Callable[[str], object], error: BaseException, what: str, directory: Path
 ) -> str:
     """Write what an error has left of a run; the text for those who wait for it.
 
@@ -67,6 +67,11 @@ def tell_partial(
         write(reason)
     except Exception as another:
         told = f"{what} are done, but not all could be written: {another}"
+    return told
+
+
+def to_try_on(told: str, directory: Path) -> str:
+    """The text with how to go on."""
     return f"{told}; to try on:\n  samcontact resume {directory}"
 
 

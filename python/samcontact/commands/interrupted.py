@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,14 +13,10 @@ import click
 
 from .._atomic import replacing, undisturbed
 from ..runs.file import ForeignCheckpointError
-from ..runs.journal import Journal
 from ..runs.lock import locked
 
 if TYPE_CHECKING:
     from ..cases.base import CaseFile
-    from ..runs.identity import Identity
-    from ..simulation import Simulation
-    from ..state import State
 
 FOLDER = "checkpoints"
 OLD = "checkpoints.old"
@@ -85,7 +81,7 @@ class Checkpoints:
         try:
             yield folder
         except Exception as error:
-            if not any(folder.glob("*.h5")):  # nothing to go on from
+            if not any(folder.rglob("*.h5")):  # nothing to go on from
                 shutil.rmtree(folder)
             elif isinstance(error, ForeignCheckpointError):
                 self._give_back(before)
@@ -99,15 +95,13 @@ class Checkpoints:
             else:
                 (self.folder / name).write_text(text, encoding="utf-8")
 
-    def keep(self, simulation: Simulation, who: Identity, states: Sequence[State]) -> None:
-        """Write the increments that a run without a journal has done, as far as there is room."""
-        if len(states) > MANY:
-            click.echo(f"writing checkpoints of {len(states)} increments", err=True)
+    def keep(self, write: Callable[[Path], None], increments: int) -> None:
+        """Have the increments written that a run without a journal has done, if there is room."""
+        if increments > MANY:
+            click.echo(f"writing checkpoints of {increments} increments", err=True)
         try:
             with undisturbed():
-                journal = Journal(self.remember(), simulation, who)
-                for state in states:
-                    journal.add(state)
+                write(self.remember())
         except OSError as error:
             click.echo(f"not all increments could be kept to go on from: {error}", err=True)
 

@@ -9,19 +9,20 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import click
 import numpy as np
 from rich.console import Console
 
 from .. import hertz, results
 from .._peak import peak_of_dataset
-from .._quantities import described
-from ..accuracy import Accurate, to_accuracy
+from ..accuracy import Accurate
+from ..accuracy.asked import searched
 from ..grid_errors import GridErrors, error_rows, estimate_errors, said_of_slope
 from ..results.against_hertz import hertz_rows
-from ..runs.journal import describe
-from ..runs.lock import locked
+from ..results.dataset import completeness
+from ..runs.journal import Journal, describe
 from ..state import in_one_window
-from .errors import StoppedEarlyError, tell_partial
+from .errors import StoppedEarlyError, tell_partial, to_try_on
 from .folder import publish
 from .interrupted import checkpoints_of
 from .tables import CONTACT_COLUMNS, Sheet, numbers, of_contact, values_sheet
@@ -53,6 +54,10 @@ def solve_contact(
         journal = checkpoints.claim(resume)
         console.print(case.title, style="bold", markup=False, highlight=False)
         states: list[State] = []
+
+        def write(folder: Path) -> None:
+            Journal(folder, simulation, who).add_all(states)
+
         try:
             with checkpoints.used() if journal else nullcontext() as kept:
                 error = None
@@ -64,25 +69,51 @@ def solve_contact(
                     error = stop
             run = _Run(case, directory, console, simulation, in_one_window(states))
             if error is not None:
-                raise StoppedEarlyError(run.partial(error, len(path), figures)) from error
+                told = run.partial(error, f"{len(states)} of {len(path)} increments", figures)
+                raise StoppedEarlyError(to_try_on(told, directory)) from error
             return run.write(figures=figures, animate=animate)
         except BaseException:
             if states and not journal:
-                checkpoints.keep(simulation, who, states)
+                checkpoints.keep(write, len(states))
             raise
 
 
 def solve_to_accuracy(
     case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """The same on grids that become finer; the files of the finest."""
-    if resume:
-        raise ValueError("--resume is not for a case with accuracy: its grids are solved at once")
-    with locked(directory, "give another --output"):
+    """The same on grids that become finer; the files of the finest.
+
+    An error or an interrupt leaves the best values so far as results, too.
+    """
+    search = searched(case, progress=not console.quiet)
+    with checkpoints_of(directory, case) as checkpoints:
+        journal = checkpoints.claim(resume)
         console.print(case.title, style="bold", markup=False, highlight=False)
-        found = to_accuracy(case)
-        run = _Run(found.case, directory, console, found.simulation, found.states, found)
-        return run.write(figures=figures)
+        try:
+            error: BaseException | None = None
+            found: Accurate | None = None
+            with (
+                checkpoints.used() if journal else nullcontext() as kept,
+                search.solves.kept_in(kept),
+            ):
+                try:
+                    found = search.search()
+                except (Exception, KeyboardInterrupt) as stop:
+                    error, found = stop, search.best()
+                    if found is None:
+                        raise
+            run = _Run(found.case, directory, console, found.simulation, found.states, found)
+            if error is None:
+                return run.write(figures=figures)
+            told = run.partial(error, f"values of {len(search.grids)} grids", figures)
+            if isinstance(error, Exception):
+                raise StoppedEarlyError(to_try_on(told, directory)) from error
+            click.echo(told, err=True)
+            raise error
+        except BaseException:
+            if not journal and search.solves.increments:
+                checkpoints.keep(search.solves.keep, search.solves.increments)
+            raise
 
 
 @dataclass
@@ -100,7 +131,7 @@ class _Run:
         """Results, tables and figures; the files."""
         case, console, states = self.case, self.console, self.states
         if self.accurate is not None:
-            dataset = self.accurate.to_dataset()
+            dataset = self.accurate.to_dataset().assign_attrs(completeness(stopped_by))
         else:
             dataset = results.to_dataset(self.simulation, states, case, stopped_by=stopped_by)
         errors = None if stopped_by or self.accurate is not None else self._errors()
@@ -109,13 +140,11 @@ class _Run:
         written = [publish(dataset, self.directory / "results.nc")]
         body = case.output.body
         console.print(_summary(dataset, body))
-        if errors is not None:
-            console.print(_errors_sheet(dataset))
-            if told := said_of_slope(errors.slope_beyond):
-                console.print(told, markup=False, highlight=False)
-        if self.accurate is not None:
-            console.print(_values_with_errors(self.accurate))
-        elif told := self.simulation._growth():
+        if (sheet := _errors_sheet(dataset)) is not None:
+            console.print(sheet)
+        if errors is not None and (told := said_of_slope(errors.slope_beyond)):
+            console.print(told, markup=False, highlight=False)
+        if self.accurate is None and (told := self.simulation._growth()):
             console.print(f"{told}: [grid] gives only the first", markup=False, highlight=False)
         peak = peak_of_dataset(dataset)
         load = float(dataset["load"].values[peak])
@@ -158,12 +187,12 @@ class _Run:
             return dataset
         return results.to_dataset(self.simulation, self.states, self.case, volume=sorted(shown))
 
-    def partial(self, error: Exception, wanted: int, figures: bool) -> str:
+    def partial(self, error: BaseException, what: str, figures: bool) -> str:
         """Write what there is after an error; what is told of it."""
         return tell_partial(
             lambda reason: self.write(figures=figures, stopped_by=reason),
             error,
-            f"{len(self.states)} of {wanted} increments",
+            what,
             self.directory,
         )
 
@@ -173,35 +202,23 @@ def _summary(dataset: xr.Dataset, body: int) -> Sheet:
     names = (*CONTACT_COLUMNS, "print_depth", "travel", "iterations")
     shown = of_contact(dataset, names, body)
     columns = [(quantity, dataset[name].values, None) for name, quantity in shown.items()]
-    return values_sheet("Increments", dataset["increment"].values, columns)
+    finest = ", as solved on the finest grid" if "accuracy_reached" in dataset.attrs else ""
+    return values_sheet(f"Increments{finest}", dataset["increment"].values, columns)
 
 
-def _values_with_errors(found: Accurate) -> Sheet:
-    """The largest values of the run."""
-    sheet = Sheet("Values with their errors")
-    labels, texts = [], []
-    for name, value in found.values.items():
-        known, body = described(name)
-        shown = known.fitting(abs(value))
-        labels.append(shown.column(body).replace("\n", " "))
-        texts.append([value * shown.factor, found.errors[name] * shown.factor])
-    sheet.add("", labels)
-    sheet.add("value", [f"{value:.6g}" for value, _ in texts])
-    sheet.add("error", [f"{error:.2g}" for _, error in texts])
-    relative = found.relative_errors
-    sheet.add("error [%]", [f"{100 * relative[name]:.2g}" for name in found.values])
-    sheet.add("asked [%]", [f"{100 * found.accuracy[name]:.3g}" for name in found.values])
-    return sheet
-
-
-def _errors_sheet(dataset: xr.Dataset) -> Sheet:
-    """What is certified, where it is largest, with its error."""
+def _errors_sheet(dataset: xr.Dataset) -> Sheet | None:
+    """What is certified, where it is largest, with its error; None of results without any."""
     rows = error_rows(dataset)
-    sheet = Sheet("Estimated errors, from cells twice as large")
+    if not rows:
+        return None
+    asked = [row.asked for row in rows if row.asked is not None]
+    sheet = Sheet(f"Values with their errors{'' if asked else ', from cells twice as large'}")
     sheet.add("", [row.label for row in rows])
     sheet.add("increment", [str(row.increment) for row in rows])
     sheet.add("value", [row.shown for row in rows])
     sheet.add("error\n[%]", [f"{100 * row.relative:.2g}" for row in rows])
+    if asked:
+        sheet.add("asked\nfor [%]", [f"{100 * accuracy:.3g}" for accuracy in asked])
     return sheet
 
 

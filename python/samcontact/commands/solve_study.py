@@ -19,7 +19,7 @@ from ..asperities.series import of_passes
 from ..plotting import tugging, wear
 from ..plotting.parts import save as save_figure
 from ..results.dataset import completeness
-from .errors import StoppedEarlyError, tell_partial
+from .errors import StoppedEarlyError, tell_partial, to_try_on
 from .folder import publish
 from .interrupted import checkpoints_of
 from .tables import Sheet, values_sheet
@@ -129,7 +129,7 @@ def _solve(
                 raise
             what = kind.amount(done)
             told = tell_partial(lambda reason: write(done, reason), error, what, directory)
-            raise StoppedEarlyError(told) from error
+            raise StoppedEarlyError(to_try_on(told, directory)) from error
         return write(result)
 
 

@@ -30,12 +30,12 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     load = float(dataset["load"].values[peak])
     hertz = case.hertz(load) if case is not None and load > 0 else None
     body = _body(dataset)
-    values = [("increments", "Increments", tables.scalars_table(dataset))]
-    if (accurate := tables.accuracy_table(dataset)) is not None:
-        values.append(("accuracy", "Values with their errors", accurate))
-    else:
-        errors = tables.errors_table(dataset)
-        values += [("errors", "Estimated errors", table) for table in errors]
+    accurate = "accuracy_reached" in dataset.attrs
+    heading = "Increments, as solved on the finest grid" if accurate else "Increments"
+    values = [("increments", heading, tables.scalars_table(dataset))]
+    errors = tables.errors_table(dataset)
+    if errors.rows:
+        values.append(("errors", "Values with their errors", errors))
     return {
         "file": "results.nc",
         "hertz": tables.hertz_table(dataset, peak, hertz, body) if hertz else [],

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from .._checks import FloatArray
-from .._quantities import CONTACT, Quantity, described
+from .._quantities import CONTACT, Quantity
 from .._repr import counts, lengths, quantity
 from ..cases.field_units import field_unit
 from ..grid_errors import error_rows
@@ -52,6 +52,7 @@ class Table(NamedTuple):
     rows: list[tuple[str, list[Cell]]]
     first: str = "increment"
     """What the rows are."""
+    note: str = ""
 
 
 def parameters(dataset: xr.Dataset) -> list[Row]:
@@ -141,43 +142,26 @@ def scalars_table(dataset: xr.Dataset) -> Table:
     return values_table(dataset, "increment", CONTACT, _SCALARS)
 
 
-def accuracy_table(dataset: xr.Dataset) -> Table | None:
-    """Values of a run to an accuracy with their errors; None of other runs."""
-    if "accuracy_reached" not in dataset.attrs:
-        return None
-    known = [str(name) for name in dataset if f"{name}_error" in dataset]
-    if not known:
-        return None
-    columns = []
-    for name in known:
-        known_as, body = described(name)
-        shown = known_as.fitting(float(np.nanmax(np.abs(dataset[name].values))))
-        columns.append((shown.of(body), name, shown.factor))
-    marks = np.flatnonzero(np.isfinite(dataset[f"{known[0]}_error"].values))
+def errors_table(dataset: xr.Dataset) -> Table:
+    """Certified quantities where they are largest, with their errors; no rows without any."""
+    found = error_rows(dataset)
     rows = []
-    for at in marks:
-        cells = []
-        for _, name, factor in columns:
-            value, error = (float(dataset[key].values[at]) for key in (name, f"{name}_error"))
-            cells.append(Cell(f"{value * factor:.6g} ± {error * factor:.2g}", repr(value)))
-        rows.append((str(int(dataset["increment"].values[at])), cells))
-    return Table([heading for heading, _, _ in columns], rows)
+    for row in found:
+        cells = [cell(row.increment, 1.0), Cell(row.shown, ""), _percent(row.relative)]
+        rows.append((row.label, cells if row.asked is None else [*cells, _percent(row.asked)]))
+    asked = ["asked for [%]"] * any(row.asked is not None for row in found)
+    note = (
+        "Best values at the ends of the segments of the path, from all grids and numbers of "
+        "increments; figures and increments are those of the finest grid."
+        if asked
+        else "From a solve over cells twice as large. Quantities of the volume are compared at the "
+        "increment of largest stress and at the last only."
+    )
+    return Table(["increment", "value", "error [%]", *asked], rows, "quantity", note)
 
 
-def errors_table(dataset: xr.Dataset) -> list[Table]:
-    """Certified quantities where they are largest, with their errors; none without any."""
-    rows = [
-        (
-            row.label,
-            [
-                cell(row.increment, 1.0),
-                Cell(row.shown, ""),
-                Cell(f"{100 * row.relative:.2g}", repr(row.relative)),
-            ],
-        )
-        for row in error_rows(dataset)
-    ]
-    return [Table(["increment", "value", "error [%]"], rows, "quantity")] if rows else []
+def _percent(share: float) -> Cell:
+    return Cell(f"{100 * share:.2g}", repr(share))
 
 
 def convergence_table(dataset: xr.Dataset) -> Table:

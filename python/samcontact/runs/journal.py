@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
@@ -117,6 +117,11 @@ class Journal:
         kept = snapshot(self.simulation, state)
         write_checkpoint(self._file(self.count + 1), kept, run=self.who)
         self.count += 1
+
+    def add_all(self, states: Iterable[State]) -> None:
+        """The same of the increments so far of a run that had no journal."""
+        for state in states:
+            self.add(state)
 
     def _file(self, number: int) -> Path:
         return self.folder / f"increment_{number:05d}.h5"

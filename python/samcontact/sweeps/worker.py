@@ -63,7 +63,7 @@ def _solve(case: Any) -> Variables:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ResolutionWarning)  # the sweep tells it of all
         if case.accuracy is not None:
-            dataset = to_accuracy(case).to_dataset(volume="none")
+            dataset = to_accuracy(case, progress=False).to_dataset(volume="none")
         else:
             simulation, path = case.build()
             states = simulation.run(path, progress=False)

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes in which a load is looked for: cases under other loads, and what is asked of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from . import _certified, half_resolution
+from .material import Material
+
+if TYPE_CHECKING:
+    from .cases import Case
+    from .simulation import Simulation
+
+YIELD = "yield"
+SYNONYMS = {"max_plastic_strain": "max_equivalent_plastic_strain"}
+
+Built = tuple["Simulation", Sequence[Mapping[str, Any]]]
+
+
+@dataclass(frozen=True)
+class Scaled:
+    """A case under other loads."""
+
+    case: Case
+    largest: float
+
+    def __call__(self, load: float) -> Built:
+        factor = load / self.largest
+        path = [
+            segment.model_copy(
+                update={
+                    "load": factor * (segment.load or 0.0),
+                    "start": None if segment.start is None else factor * segment.start,
+                }
+            )
+            for segment in self.case.path
+        ]
+        return self.case.model_copy(update={"path": path}).build()
+
+
+def of_case(case: Case) -> float:
+    if case.wear is not None:
+        raise ValueError("wear: a load is found of one contact, not of cycles of wear")
+    loads = [segment.load for segment in case.path]
+    given = [load for load in loads if load is not None]
+    if len(given) < len(loads) or not max(given) > 0:
+        raise ValueError("path: a load is found of a path of loads, one at least > 0")
+    return max(given)
+
+
+def resolved(name: str, simulation: Simulation) -> str:
+    """A name as `value_of` takes it; ValueError for one that the simulation has not."""
+    bodies = simulation.body1, simulation.body2
+    if name == YIELD:
+        if not any(body.is_plastic for body in bodies):
+            raise ValueError('quantity = "yield" needs a body that yields')
+        if any(body.softening for body in bodies):
+            raise ValueError('quantity = "yield" is not for bodies that soften by heat')
+        if not simulation.grid.has_volume:
+            raise ValueError('quantity = "yield" needs a grid with dz')
+        return name
+    name = SYNONYMS.get(name, name)
+    known = _certified.names(bodies, volume=simulation.grid.has_volume)
+    found = [one for one in known if one in (name, f"{name}_body1", f"{name}_body2")]
+    if not found or name == "load":
+        allowed = [one for one in known if one != "load"]
+        raise ValueError(f"quantity must be one of {', '.join(allowed)}, yield, got {name!r}")
+    return name if name in found else ",".join(found)
+
+
+def elastic(simulation: Simulation) -> Simulation:
+    """With bodies that do not yield."""
+    bodies = {}
+    for name in ("body1", "body2"):
+        body = getattr(simulation, name)
+        if body.is_plastic:
+            made = Material.elastic(body.E, body.nu)
+            bodies[name] = made if body.thermal is None else made.with_thermal(*body.thermal)
+    return half_resolution.remade(simulation, **bodies)
