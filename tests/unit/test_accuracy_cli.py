@@ -38,7 +38,7 @@ def case(tmp_path):
     return file
 
 
-def test_values_come_with_errors(case, tmp_path):
+def test_values_come_with_errors(case, tmp_path, undrawn):
     outcome = invoke("run", case, "--output", tmp_path / "out", "--no-figures")
     assert outcome.exit_code == 0, outcome.output
     assert "Values with their errors" in outcome.stdout

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from case_texts import MINIMAL
-from command import invoke
+from case_texts import MINIMAL, SWIFT
+from command import fields, invoke
 from samcontact import half_resolution, report, results
+from samcontact.cases import parse_case
 from samcontact.relief import heights_over
 
 STEEL = sc.Material.elastic(210e9, 0.3)
@@ -95,41 +96,42 @@ def test_slope_beyond_is_that_of_short_waves():
     assert math.isnan(half_resolution.slope_beyond(smooth, 1.0, 1.0))
 
 
-def test_a_run_of_a_case_has_errors_and_changes_nothing_else(tmp_path):
-    outcomes = {}
-    for name, first in (("on", ""), ("off", "estimate_error = false\n")):
-        file = tmp_path / f"{name}.toml"
-        file.write_text(first + MINIMAL, encoding="utf-8")
-        outcomes[name] = invoke("run", file, "--no-figures", "--output", tmp_path / name)
-    assert "Values with their errors" in outcomes["on"].stdout
-    assert "Values with their errors" not in outcomes["off"].stdout
-    with (
-        results.open_results(tmp_path / "on" / "results.nc") as on,
-        results.open_results(tmp_path / "off" / "results.nc") as off,
-    ):
-        more = {name for name in on if name.endswith("_error")}
-        assert {"max_pressure_error", "contact_area_error", "print_depth_body2_error"} <= more
-        for name in off:
-            np.testing.assert_array_equal(on[name].values, off[name].values)
-        names = [check.name for check in report.checks(on)]
-        assert any("largest estimated error" in name for name in names)
-
-
-def test_errors_that_cannot_be_estimated_are_told(tmp_path):
-    file = tmp_path / "case.toml"
-    text = MINIMAL.replace("ny = 13", 'ny = 14\nperiodic = "y"')
+def run(folder, text):
+    """The command's output and results."""
+    file = folder / "case.toml"
     file.write_text(text, encoding="utf-8")
-    outcome = invoke("run", file, "--no-figures", "--output", tmp_path / "out")
-    assert outcome.exit_code == 0
-    assert "errors of the grid are not estimated: ny must be a multiple of 4" in outcome.stdout
+    outcome = invoke("run", file, "--no-figures", "--output", folder)
+    assert outcome.exit_code == 0, outcome.output
+    return outcome.stdout, fields(folder)
+
+
+def test_a_run_of_a_case_has_errors_and_changes_nothing_else(tmp_path):
+    told, on = run(tmp_path, MINIMAL)
+    assert "Values with their errors" in told
+    more = {name for name in on if name.endswith("_error")}
+    assert {"max_pressure_error", "contact_area_error", "print_depth_body2_error"} <= more
+    case = parse_case(MINIMAL)
+    simulation, path = case.build()
+    plain = results.to_dataset(simulation, simulation.run(path, progress=False), case)
+    for name in plain:
+        np.testing.assert_array_equal(on[name].values, plain[name].values)
+    names = [check.name for check in report.checks(on)]
+    assert any("largest estimated error" in name for name in names)
+
+
+def test_errors_that_nobody_wants_or_that_cannot_be_estimated(tmp_path):
+    elastic = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3')
+    told, _ = run(tmp_path, f"estimate_error = false\n{elastic}")
+    assert "with their errors" not in told
+    assert "not estimated" not in told
+    told, _ = run(tmp_path, elastic.replace("ny = 13", 'ny = 14\nperiodic = "y"'))
+    assert "errors of the grid are not estimated: ny must be a multiple of 4" in told
 
 
 def test_what_a_rough_surface_has_beyond_its_grid_is_told(tmp_path):
     rough = '[surface.roughness]\nkind = "self_affine"\nrms_height = 1e-7\nhurst = 0.5\nseed = 1\n'
-    file = tmp_path / "case.toml"
-    file.write_text(MINIMAL.replace("[[path]]", f"{rough}[[path]]", 1), encoding="utf-8")
-    outcome = invoke("run", file, "--no-figures", "--output", tmp_path / "out")
-    assert "of the mean square slope of the surface is in waves shorter than" in outcome.stdout
-    with results.open_results(tmp_path / "out" / "results.nc") as dataset:
-        (check,) = [c for c in report.checks(dataset) if "mean square slope" in c.name]
-        assert check.value == dataset.attrs["slope_beyond"] > check.limit
+    elastic = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3')
+    told, dataset = run(tmp_path, elastic.replace("[[path]]", f"{rough}[[path]]", 1))
+    assert "of the mean square slope of the surface is in waves shorter than" in told
+    (check,) = [c for c in report.checks(dataset) if "mean square slope" in c.name]
+    assert check.value == dataset.attrs["slope_beyond"] > check.limit

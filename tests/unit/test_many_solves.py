@@ -26,6 +26,7 @@ body1 = {law = "rigid"}
 body2 = {law = "elastic", E = 210e9, nu = 0.3}
 surface = {shape = "paraboloid", Rx = 7.5e-3}
 path = [{load = 100.0}, {load = 300.0}, {load = 500.0}]
+output = {volume = "none"}
 """
 ELASTIC = tomllib.loads(TEXT)
 SWIFT = {"law": "swift", "E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121}
@@ -99,7 +100,7 @@ def test_an_interrupted_search_goes_on_with_the_same_bits(expected, steps, tmp_p
 
 
 def test_increments_that_are_judged_are_kept(steps, tmp_path, monkeypatch):
-    monkeypatch.setattr(scene, "COARSEST", 3.0)  # on few cells, which is enough to go on from
+    monkeypatch.setattr(scene, "COARSEST", 2.5)  # on few cells, which is enough to go on from
     whole = solved(YIELDING)
     total = steps.made
     steps.stop(4 + 4 + 6)  # in the second of the runs on the second grid
@@ -207,7 +208,7 @@ def test_the_command_goes_on_looking_for_a_load(steps, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     file = tmp_path / "case.toml"
     grid = "[grid]\nnx = 25\nny = 25\ndx = 25e-6\ndy = 25e-6\n"
-    of_accuracy = ("accuracy", "quantities", "path")
+    of_accuracy = ("accuracy", "quantities", "path", "output")
     lines = [line for line in TEXT.splitlines() if not line.startswith(of_accuracy)]
     text = "\n".join([*lines, "path = [{load = 500.0, increments = 1}]", ""])
     file.write_text(text + grid, encoding="utf-8")
