@@ -14,7 +14,7 @@
 #include "samcontact/kernels/heat_steady.hpp"
 #include "samcontact/kernels/heat_stress.hpp"
 #include "samcontact/kernels/heat_temperature.hpp"
-#include "samcontact/kernels/surface_traction.hpp"
+#include "samcontact/operators/cell_influence.hpp"
 
 namespace samcontact::bindings {
 
@@ -134,71 +134,66 @@ void bind_heat(py::module_& m) {
       py::arg("heated"), py::arg("speed"), py::arg("tol"));
 }
 
+/// Axes and tractions are 0, 1, 2 along x, y, z; that along z is the pressure.
+operators::Axis axis_of(int axis) { return static_cast<operators::Axis>(axis); }
+
 void bind_tractions(py::module_& m) {
   m.def(
-      "pressure_displacement",
-      [](const Array& X, const Array& Y, double a, double b, double E, double nu) {
+      "traction_displacement",
+      [](int traction, int axis, const Array& X, const Array& Y, double a, double b, double E,
+         double nu) {
         const double unit = 2 * a;
-        const double factor = Elastic{E, nu}.normal_compliance() / pi * unit;
+        const auto load = operators::traction_along(axis_of(traction));
+        const double factor =
+            operators::compliance_factor({E, nu}, load, axis_of(axis)) / pi * unit;
         return evaluate<1>(X, [&](py::ssize_t i) {
           auto sum = k::corner_sum_2d<1>(
-              X.data()[i] / unit, Y.data()[i] / unit, a / unit, b / unit,
-              [](double x, double y) { return std::array{k::pressure_displacement(x, y)}; });
+              X.data()[i] / unit, Y.data()[i] / unit, a / unit, b / unit, [&](double x, double y) {
+                return std::array{operators::compliance_corner(load, axis_of(axis), x, y, nu)};
+              });
           sum[0] *= factor;
           return sum;
         });
       },
-      py::arg("X"), py::arg("Y"), py::arg("a"), py::arg("b"), py::arg("E"), py::arg("nu"));
+      py::arg("traction"), py::arg("axis"), py::arg("X"), py::arg("Y"), py::arg("a"), py::arg("b"),
+      py::arg("E"), py::arg("nu"));
   m.def(
-      "shear_displacement",
-      [](const Array& X, const Array& Y, double a, double b, double E, double nu) {
+      "traction_stress",
+      [](int traction, const Array& X, const Array& Y, const Array& z, double a, double b,
+         double nu) {
         const double unit = 2 * a;
-        const double factor = Elastic{E, nu}.coupling_compliance() / (2 * pi) * unit;
-        return evaluate<1>(X, [&](py::ssize_t i) {
-          auto sum = k::corner_sum_2d<1>(
-              X.data()[i] / unit, Y.data()[i] / unit, a / unit, b / unit,
-              [](double x, double y) { return std::array{k::shear_displacement(x, y)}; });
-          sum[0] *= factor;
+        const auto load = operators::traction_along(axis_of(traction));
+        return evaluate<6>(X, [&](py::ssize_t i) {
+          auto sum = k::corner_sum_2d<6>(
+              X.data()[i] / unit, Y.data()[i] / unit, a / unit, b / unit, [&](double x, double y) {
+                return operators::stress_corner(load, x, y, z.data()[i] / unit, nu);
+              });
+          for (double& v : sum) v /= 2 * pi;
           return sum;
         });
       },
-      py::arg("X"), py::arg("Y"), py::arg("a"), py::arg("b"), py::arg("E"), py::arg("nu"));
-  const auto bind_stress = [&](const char* name, auto corner) {
-    m.def(
-        name,
-        [corner](const Array& X, const Array& Y, const Array& z, double a, double b, double nu) {
-          const double unit = 2 * a;
-          return evaluate<6>(X, [&](py::ssize_t i) {
-            auto sum = k::corner_sum_2d<6>(
-                X.data()[i] / unit, Y.data()[i] / unit, a / unit, b / unit,
-                [&](double x, double y) { return corner(x, y, z.data()[i] / unit, nu); });
-            for (double& v : sum) v /= 2 * pi;
-            return sum;
-          });
-        },
-        py::arg("X"), py::arg("Y"), py::arg("z"), py::arg("a"), py::arg("b"), py::arg("nu"));
-  };
-  bind_stress("pressure_stress", k::pressure_stress);
-  bind_stress("shear_stress", k::shear_stress);
+      py::arg("traction"), py::arg("X"), py::arg("Y"), py::arg("z"), py::arg("a"), py::arg("b"),
+      py::arg("nu"));
 }
 
 void bind_eigenstrain(py::module_& m) {
   m.def(
       "eigenstrain_displacement",
-      [](const Array& X, const Array& Y, double zc, double a, double b, double c, double nu) {
+      [](int axis, const Array& X, const Array& Y, double zc, double a, double b, double c,
+         double nu) {
         const double unit = 2 * a;
         return evaluate<6>(X, [&](py::ssize_t i) {
           auto sum =
               k::corner_sum_3d<6>(X.data()[i] / unit, Y.data()[i] / unit, zc / unit, a / unit,
                                   b / unit, c / unit, [&](double x, double y, double z) {
-                                    return k::eigenstrain_displacement(x, y, z, nu);
+                                    return operators::residual_corner(axis_of(axis), x, y, z, nu);
                                   });
           for (double& v : sum) v *= unit / (2 * pi);
           return sum;
         });
       },
-      py::arg("X"), py::arg("Y"), py::arg("zc"), py::arg("a"), py::arg("b"), py::arg("c"),
-      py::arg("nu"));
+      py::arg("axis"), py::arg("X"), py::arg("Y"), py::arg("zc"), py::arg("a"), py::arg("b"),
+      py::arg("c"), py::arg("nu"));
   m.def(
       "eigenstrain_stress",
       [](const Array& X, const Array& Y, const Array& z, double zc, double a, double b, double c,

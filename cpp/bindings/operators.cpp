@@ -31,7 +31,8 @@ py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& 
   return tensor_array(std::move(stress), grid, grid.nz);
 }
 
-py::array residual_displacement(const Grid& grid, const Array& strain, double nu) {
+/// Along x, y or z: axis 0, 1 or 2.
+py::array residual_displacement(const Grid& grid, const Array& strain, double nu, int axis) {
   const Field field = to_field(strain);
   Field out(grid.surface_size());
   {
@@ -39,7 +40,7 @@ py::array residual_displacement(const Grid& grid, const Array& strain, double nu
     const operators::VolumeOperators volume(grid, operators::half_space({1.0, nu}), {});
     operators::VolumeSpectrum spectrum = volume.make_spectrum();
     operators::forward(volume.transform(), field.data(), spectrum);
-    volume.residual_displacement().apply(spectrum, out.data());
+    volume.residual_displacement(static_cast<operators::Axis>(axis)).apply(spectrum, out.data());
   }
   return surface_array(std::move(out), grid);
 }
@@ -72,15 +73,17 @@ py::array surface_stress(const Grid& grid, const Elastic& elastic,
   return tensor_array(std::move(out), grid, static_cast<py::ssize_t>(z.size()));
 }
 
-/// By zones (i0, j0, nx, ny, nz): stress there, 0 elsewhere, and displacement, of a strain and of
-/// tractions on body 2.
+/// By zones (i0, j0, nx, ny, nz): stress there, 0 elsewhere, of a strain and of tractions on body
+/// 2, and displacement [axis][i][j] of the strain.
 std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& elastic,
                                             const std::vector<std::array<int, 5>>& boxes,
                                             const Array& strain, const py::object& pressure,
-                                            const py::object& shear_x, double image_tol) {
+                                            const py::object& shear_x, const py::object& shear_y,
+                                            double image_tol) {
   const Field field = to_field(strain);
-  const operators::Tractions tractions{to_field_or_empty(pressure), to_field_or_empty(shear_x), {}};
-  Field stress(6 * grid.volume_size(), 0.0), displacement(grid.surface_size(), 0.0);
+  const operators::Tractions tractions{to_field_or_empty(pressure), to_field_or_empty(shear_x),
+                                       to_field_or_empty(shear_y)};
+  Field stress(6 * grid.volume_size(), 0.0), displacement(3 * grid.surface_size(), 0.0);
   {
     const py::gil_scoped_release release;
     const Box whole = Box::whole(grid);
@@ -105,8 +108,11 @@ std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& ela
       }
       first += zone.volume_size();
     }
-    operators.transform(own);
-    operators.displacement(displacement.data());
+    operators.transform(own, operators::all_axes);
+    for (const operators::Axis axis : operators::all_axes) {
+      const auto place = static_cast<std::size_t>(axis) * grid.surface_size();
+      operators.displacement(axis, displacement.data() + place);
+    }
     operators.for_each_layer(&own, tractions, 1.0, [&](std::size_t z, int k, const double* layer) {
       Box plane = zones[z];
       plane.nz = 1;
@@ -117,8 +123,10 @@ std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& ela
       }
     });
   }
+  const py::ssize_t nx = grid.nx, ny = grid.ny;
   return {tensor_array(std::move(stress), grid, grid.nz),
-          surface_array(std::move(displacement), grid)};
+          bindings::own(std::move(displacement), {py::ssize_t{3}, nx, ny},
+                        {item * nx * ny, item * ny, item})};
 }
 
 py::array temperature(const Grid& grid, const operators::Heating& heating,
@@ -229,11 +237,12 @@ void bind_operators(py::module_& parent) {
   m.def("residual_stress", &residual_stress, py::arg("grid"), py::arg("strain"), py::arg("elastic"),
         py::arg("exact"), py::arg("image_tol"));
   m.def("residual_displacement", &residual_displacement, py::arg("grid"), py::arg("strain"),
-        py::arg("nu"));
+        py::arg("nu"), py::arg("axis"));
   m.def("surface_displacement", &surface_displacement, py::arg("grid"), py::arg("elastic"),
         py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"), py::arg("axis"));
   m.def("zone_fields", &zone_fields, py::arg("grid"), py::arg("elastic"), py::arg("zones"),
-        py::arg("strain"), py::arg("pressure"), py::arg("shear_x"), py::arg("image_tol"));
+        py::arg("strain"), py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"),
+        py::arg("image_tol"));
   m.def("temperature", &temperature, py::arg("grid"), py::arg("heating"), py::arg("z"),
         py::arg("pressure"));
   m.def("surface_stress", &surface_stress, py::arg("grid"), py::arg("elastic"), py::arg("heating"),

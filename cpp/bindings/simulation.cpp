@@ -54,19 +54,22 @@ auto volume_method(Field (State::*method)(int, simulation::Layers) const) {
 /// First cell and sizes (i0, j0, nx, ny, nz), as Python has boxes.
 using BoxTuple = std::array<int, 5>;
 BoxTuple to_tuple(const Box& box) { return {box.i0, box.j0, box.nx, box.ny, box.nz}; }
+Box to_box(const BoxTuple& cells) {
+  const auto& [i0, j0, nx, ny, nz] = cells;
+  return {i0, j0, nx, ny, nz};
+}
 
 /// A field over the cells of a box, which may lie beside the grid.
 template <Rank rank>
 auto box_method(Field (State::*method)(int, const Box&) const) {
   return [method](const State& state, int body, const BoxTuple& cells) {
-    const auto& [i0, j0, nx, ny, nz] = cells;
-    const Box box{i0, j0, nx, ny, nz};
+    const Box box = to_box(cells);
     Field field;
     {
       const py::gil_scoped_release release;
       field = (state.*method)(body, box);
     }
-    return to_array<rank>(std::move(field), box.grid(state.scene().grid), nz);
+    return to_array<rank>(std::move(field), box.grid(state.scene().grid), box.nz);
   };
 }
 
@@ -74,7 +77,18 @@ void bind_boxes(py::class_<State>& state) {
   const auto bind = [&](const char* name, auto method) {
     state.def(name, method, py::arg("body"), py::arg("box"));
   };
-  bind("residual_displacement_in", box_method<Rank::surface>(&State::residual_displacement));
+  state.def(
+      "residual_displacement_in",
+      [](const State& s, int body, const BoxTuple& cells, int axis) {
+        const Box box = to_box(cells);
+        Field field;
+        {
+          const py::gil_scoped_release release;
+          field = s.residual_displacement(body, static_cast<operators::Axis>(axis), box);
+        }
+        return surface_array(std::move(field), box.grid(s.scene().grid));
+      },
+      py::arg("body"), py::arg("box"), py::arg("axis"));
   bind("residual_stress_in", box_method<Rank::tensor>(&State::residual_stress));
   bind("plastic_strain_in", box_method<Rank::tensor>(&State::plastic_strain));
   bind("equivalent_plastic_strain_in", box_method<Rank::scalar>(&State::equivalent_plastic_strain));
@@ -157,7 +171,17 @@ void bind_fields(py::class_<State>& bound) {
     bound.def(name, surface_method(method), py::arg("body"));
   };
   bind_surface("surface_temperature", &State::surface_temperature);
-  bind_surface("residual_displacement", &State::residual_displacement);
+  bound.def(
+      "residual_displacement",
+      [](const State& s, int body, int axis) {
+        Field field;
+        {
+          const py::gil_scoped_release release;
+          field = s.residual_displacement(body, static_cast<operators::Axis>(axis));
+        }
+        return surface_array(std::move(field), s.scene().grid);
+      },
+      py::arg("body"), py::arg("axis"));
   bind_surface("surface_displacement", &State::surface_displacement);
 }
 

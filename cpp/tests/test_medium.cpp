@@ -18,7 +18,6 @@ using namespace samcontact::operators;
 namespace {
 
 constexpr double E = 210e9, nu = 0.3, G = E / (2 * (1 + nu)), pi = std::numbers::pi;
-constexpr std::array all_axes{Axis::x, Axis::y, Axis::z};
 
 /// Displacement along x, y, z at (x, y) of the surface due to a unit force at the origin:
 /// Boussinesq and Cerruti, Johnson (1985), sections 3.2 and 3.6.

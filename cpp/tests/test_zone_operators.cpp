@@ -127,15 +127,18 @@ TEST_CASE("strain and tractions in zones do what they do in the whole box") {
     const Field everywhere = on_grid(strain, parts, operators.cells());
 
     Field displacement(grid.surface_size(), 0.0), reference(displacement.size());
-    operators.transform(strain);
-    operators.displacement(displacement.data());
+    operators.transform(strain, all_axes);
     VolumeSpectrum spectrum = whole.make_spectrum();
     forward(whole.transform(), everywhere.data(), spectrum);
-    whole.residual_displacement().apply(spectrum, reference.data());
-    Error moved;
-    for (std::size_t n = 0; n < reference.size(); ++n) moved.add(displacement[n], reference[n]);
-    CHECK(moved.rms() < 3e-4);
-    CHECK(moved.max() < 3e-4);
+    for (const Axis axis : all_axes) {
+      operators.displacement(axis, displacement.data());
+      whole.residual_displacement(axis).apply(spectrum, reference.data());
+      Error moved;
+      for (std::size_t n = 0; n < reference.size(); ++n) moved.add(displacement[n], reference[n]);
+      // Along the surface the strains xx and yy act the most, whose tables fall off slowest.
+      CHECK(moved.rms() < (axis == Axis::z ? 3e-4 : 1e-3));
+      CHECK(moved.max() < (axis == Axis::z ? 3e-4 : 1e-3));
+    }
 
     const Tractions none{Field(grid.surface_size(), 0.0), {}, {}};
     const Error residual =
@@ -162,7 +165,8 @@ TEST_CASE("the von Mises stress of tractions is within its bound") {
   for (int k = 0; k < grid.nz; ++k) depths.push_back((k + 0.5) * grid.dz);
   const StressBound bound(tables, depths);
   for (const double friction : {0.0, 0.3}) {
-    const Tractions loads{spots(1.0), friction > 0 ? spots(friction) : Field{}, {}};
+    const Tractions loads{spots(1.0), friction > 0 ? spots(friction) : Field{},
+                          friction > 0 ? spots(-0.5 * friction) : Field{}};
     const Field s = whole.stress(nullptr, &loads, 1.0);
     const double most = *std::max_element(loads.pressure.begin(), loads.pressure.end());
     const std::size_t cells = grid.volume_size();
@@ -204,15 +208,17 @@ TEST_CASE("zones beside the grid act on it") {
   Field strain(6 * outside.cells());
   for (std::size_t n = 0; n < strain.size(); ++n) strain[n] = 1e-3 * number(n);
   Field here(grid.surface_size(), 0.0), there(wide.surface_size(), 0.0);
-  outside.transform(strain);
-  outside.displacement(here.data());
-  inside.transform(strain);
-  inside.displacement(there.data());
-  Error error;
-  for (std::size_t n = 0; n < here.size(); ++n) {
-    error.add(here[n], there[n + static_cast<std::size_t>(24) * grid.ny]);
+  outside.transform(strain, all_axes);
+  inside.transform(strain, all_axes);
+  for (const Axis axis : all_axes) {
+    outside.displacement(axis, here.data());
+    inside.displacement(axis, there.data());
+    Error error;
+    for (std::size_t n = 0; n < here.size(); ++n) {
+      error.add(here[n], there[n + static_cast<std::size_t>(24) * grid.ny]);
+    }
+    CHECK(error.max() < (axis == Axis::z ? 1e-4 : 3e-4));
   }
-  CHECK(error.max() < 1e-4);
 }
 
 TEST_CASE("what smooth continuation leaves, a coarse lattice holds") {

@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "samcontact/simulation/box_volume.hpp"
+#include "samcontact/simulation/outside_strain.hpp"
 #include "samcontact/simulation/plastic_body.hpp"
 #include "samcontact/simulation/simulation.hpp"
 
@@ -139,6 +141,46 @@ TEST_CASE("an increment goes on from several zones, and fields know their strain
   REQUIRE(b.flowed[1]);
   same_to(a.equivalent_plastic_strain(1), b.equivalent_plastic_strain(1), 1e-6);
   same_to(a.tractions.pressure, b.tractions.pressure, 1e-6);
+}
+
+TEST_CASE("a box and what lies outside of it move the surface along all axes") {
+  const Simulation simulation = ball();
+  const State& state = simulation.state();
+  const Scene& scene = state.scene();
+  for (const Symmetry symmetry : {Symmetry::none, Symmetry::y}) {
+    const auto history = unfolded(state.plastic[1], scene.grid, symmetry);
+    Box left = history->box();
+    left.nx /= 2;
+    const Zones zones({left});
+    const auto method = operators::ResidualMethod::fast;
+    BoxVolume inside(scene, 1, zones, history->tensor(), method, symmetry, {});
+    inside.transform(history->strain(zones), operators::all_axes);
+    const OutsideStrain outside =
+        outside_strain(scene, 1, *history, zones, method, operators::all_axes);
+    const Box common = inside.surface().intersected(outside.surface);
+    const Box stored = stored_part(scene.grid, symmetry), whole = Box::surface(scene.grid);
+    CHECK(common.i0 == left.i0);
+    for (const operators::Axis axis : operators::all_axes) {
+      const auto cut = [&](const Field& from, const Box& of) {
+        Field part(common.surface_size());
+        extract(from.data(), of, part.data(), common);
+        return part;
+      };
+      Field own(inside.surface().surface_size());
+      inside.displacement(axis, own.data());
+      const Field a = cut(own, inside.surface());
+      const Field b = cut(outside.displacement[static_cast<int>(axis)], outside.surface);
+      const Field all = cut(state.residual_displacement(1, axis), whole);
+      CHECK(common.j0 >= stored.j0);
+      double largest = 0.0, off = 0.0;
+      for (std::size_t n = 0; n < all.size(); ++n) {
+        largest = std::max(largest, std::fabs(all[n]));
+        off = std::max(off, std::fabs(a[n] + b[n] - all[n]));
+      }
+      CHECK(largest > 1e-8);
+      CHECK(off < 1e-10 * largest);
+    }
+  }
 }
 
 TEST_CASE("zones off a mirror plane have images beside it") {

@@ -152,6 +152,11 @@ def choice(name: str, value: Any, allowed: tuple[Any, ...]) -> Any:
     return allowed[allowed.index(value)]  # 2 where 2.0 was given
 
 
+def axis_number(axis: Any) -> int:
+    """Return 0, 1 or 2 for "x", "y" or "z"."""
+    return ("x", "y", "z").index(choice("axis", axis, ("x", "y", "z")))
+
+
 def require_fast(name: str, method: str, periodic: str) -> None:
     """Raise ValueError for the exact residual stress on a periodic grid."""
     if method == "exact" and periodic:

@@ -125,7 +125,7 @@ class State:
     offset: tuple[float, float]
     first_cell: tuple[int, int]
     def history_rows(self, body: int) -> tuple[int, int] | None: ...
-    def residual_displacement_in(self, body: int, box: Box) -> FloatArray: ...
+    def residual_displacement_in(self, body: int, box: Box, axis: int) -> FloatArray: ...
     def residual_stress_in(self, body: int, box: Box) -> FloatArray: ...
     def plastic_strain_in(self, body: int, box: Box) -> FloatArray: ...
     def equivalent_plastic_strain_in(self, body: int, box: Box) -> FloatArray: ...
@@ -149,7 +149,7 @@ class State:
     def surface_temperature(self, body: int) -> FloatArray: ...
     def softening(self, body: int) -> FloatArray | None: ...
     def relief(self, body: int) -> FloatArray: ...
-    def residual_displacement(self, body: int) -> FloatArray: ...
+    def residual_displacement(self, body: int, axis: int) -> FloatArray: ...
     def surface_displacement(self, body: int) -> FloatArray: ...
 
 class Settings:
@@ -209,24 +209,30 @@ class Simulation:
 
 class kernels:
     @staticmethod
-    def pressure_displacement(
-        X: FloatArray, Y: FloatArray, a: float, b: float, E: float, nu: float
+    def traction_displacement(
+        traction: int,
+        axis: int,
+        X: FloatArray,
+        Y: FloatArray,
+        a: float,
+        b: float,
+        E: float,
+        nu: float,
     ) -> FloatArray: ...
     @staticmethod
-    def shear_displacement(
-        X: FloatArray, Y: FloatArray, a: float, b: float, E: float, nu: float
-    ) -> FloatArray: ...
-    @staticmethod
-    def pressure_stress(
-        X: FloatArray, Y: FloatArray, z: FloatArray, a: float, b: float, nu: float
-    ) -> FloatArray: ...
-    @staticmethod
-    def shear_stress(
-        X: FloatArray, Y: FloatArray, z: FloatArray, a: float, b: float, nu: float
+    def traction_stress(
+        traction: int, X: FloatArray, Y: FloatArray, z: FloatArray, a: float, b: float, nu: float
     ) -> FloatArray: ...
     @staticmethod
     def eigenstrain_displacement(
-        X: FloatArray, Y: FloatArray, zc: float, a: float, b: float, c: float, nu: float
+        axis: int,
+        X: FloatArray,
+        Y: FloatArray,
+        zc: float,
+        a: float,
+        b: float,
+        c: float,
+        nu: float,
     ) -> FloatArray: ...
     @staticmethod
     def eigenstrain_stress(
@@ -312,7 +318,9 @@ class operators:
         grid: Grid, strain: FloatArray, elastic: Elastic, exact: bool, image_tol: float
     ) -> FloatArray: ...
     @staticmethod
-    def residual_displacement(grid: Grid, strain: FloatArray, nu: float) -> FloatArray: ...
+    def residual_displacement(
+        grid: Grid, strain: FloatArray, nu: float, axis: int
+    ) -> FloatArray: ...
     @staticmethod
     def surface_displacement(
         grid: Grid,

@@ -7,13 +7,17 @@ broadcast. Components: xx, yy, zz, yz, xz, xy, tensor (not engineering) shear st
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import FloatArray, positive, real_array
+from ._checks import FloatArray, axis_number, choice, positive, real_array
+
+_PRESSURE = 2  # tractions are named by the axis they act along
+
+
+def _shear(along: str) -> int:
+    return ("x", "y").index(choice("along", along, ("x", "y")))
 
 
 def _points(*coordinates: ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
@@ -40,29 +44,53 @@ def _depths(z: FloatArray) -> FloatArray:
     return z
 
 
-def pressure_displacement(
-    X: ArrayLike, Y: ArrayLike, a: float, b: float, E: float, nu: float
+def _displacement(
+    traction: int, axis: str, X: ArrayLike, Y: ArrayLike, a: float, b: float, E: float, nu: float
 ) -> FloatArray:
-    """u_z [m] per unit pressure [Pa] on a rectangle (Love 1929); shape of X."""
     (x, y), shape = _points(X, Y)
     a, b = _sizes(a=a, b=b)
-    E, nu = _constants(E, nu)
-    return _core.kernels.pressure_displacement(x, y, a, b, E, nu).reshape(shape)
+    number = axis_number(axis)
+    values = _core.kernels.traction_displacement(traction, number, x, y, a, b, *_constants(E, nu))
+    return values.reshape(shape)
+
+
+def pressure_displacement(
+    X: ArrayLike, Y: ArrayLike, a: float, b: float, E: float, nu: float, *, axis: str = "z"
+) -> FloatArray:
+    """Displacement of the surface [m] per unit pressure [Pa] on a rectangle; shape of X.
+
+    Along `axis`: "z", into the body (Love 1929), "x" or "y", towards the rectangle (Boussinesq's
+    point force, Johnson 1985, section 3.2, integrated).
+    """
+    return _displacement(_PRESSURE, axis, X, Y, a, b, E, nu)
 
 
 def shear_displacement(
-    X: ArrayLike, Y: ArrayLike, a: float, b: float, E: float, nu: float
+    X: ArrayLike,
+    Y: ArrayLike,
+    a: float,
+    b: float,
+    E: float,
+    nu: float,
+    *,
+    along: str = "x",
+    axis: str = "z",
 ) -> FloatArray:
-    """u_z [m] per unit shear s_x [Pa] acting on a rectangle in +x (Cerruti 1882); shape of X."""
-    (x, y), shape = _points(X, Y)
-    a, b = _sizes(a=a, b=b)
-    E, nu = _constants(E, nu)
-    return _core.kernels.shear_displacement(x, y, a, b, E, nu).reshape(shape)
+    """Displacement of the surface [m] per unit shear [Pa] on a rectangle; shape of X.
+
+    The shear acts on the body in +x or +y, which `along` says; the displacement is that along
+    `axis`: "x", "y" or "z". Cerruti (1882); Johnson (1985), section 3.6, integrated.
+    """
+    return _displacement(_shear(along), axis, X, Y, a, b, E, nu)
 
 
-def _stress(function: Any, X: ArrayLike, Y: ArrayLike, z: ArrayLike, *rest: float) -> FloatArray:
+def _stress(
+    traction: int, X: ArrayLike, Y: ArrayLike, z: ArrayLike, a: float, b: float, nu: float
+) -> FloatArray:
+    nu = _constants(1.0, nu)[1]
     (x, y, depth), shape = _points(X, Y, z)
-    values: FloatArray = function(x, y, _depths(depth), *rest)
+    a, b = _sizes(a=a, b=b)
+    values = _core.kernels.traction_stress(traction, x, y, _depths(depth), a, b, nu)
     return values.reshape(6, *shape)
 
 
@@ -70,35 +98,49 @@ def pressure_stress(
     X: ArrayLike, Y: ArrayLike, z: ArrayLike, a: float, b: float, nu: float
 ) -> FloatArray:
     """Stress [-] per unit pressure on a rectangle, shape (6, ...). Boucly (2008), (2.81)-(2.86)."""
-    nu = _constants(1.0, nu)[1]
-    return _stress(_core.kernels.pressure_stress, X, Y, z, *_sizes(a=a, b=b), nu)
+    return _stress(_PRESSURE, X, Y, z, a, b, nu)
 
 
 def shear_stress(
-    X: ArrayLike, Y: ArrayLike, z: ArrayLike, a: float, b: float, nu: float
+    X: ArrayLike,
+    Y: ArrayLike,
+    z: ArrayLike,
+    a: float,
+    b: float,
+    nu: float,
+    *,
+    along: str = "x",
 ) -> FloatArray:
-    """Stress [-] per unit shear s_x on a rectangle, shape (6, ...).
+    """Stress [-] per unit shear, `along` +x or +y, on a rectangle, shape (6, ...).
 
     Boucly (2008), eqs (2.88)-(2.93), with L_22 corrected.
     """
-    nu = _constants(1.0, nu)[1]
-    return _stress(_core.kernels.shear_stress, X, Y, z, *_sizes(a=a, b=b), nu)
+    return _stress(_shear(along), X, Y, z, a, b, nu)
 
 
 def eigenstrain_displacement(
-    X: ArrayLike, Y: ArrayLike, zc: float, a: float, b: float, c: float, nu: float
+    X: ArrayLike,
+    Y: ArrayLike,
+    zc: float,
+    a: float,
+    b: float,
+    c: float,
+    nu: float,
+    *,
+    axis: str = "z",
 ) -> FloatArray:
-    """Surface u_z [m] per unit eigenstrain component of a cuboid at depth zc, shape (6, ...).
+    """Displacement of the surface [m] per unit eigenstrain component of a cuboid, shape (6, ...).
 
-    A shear component counts once (with its transpose). Raises ValueError when the cuboid sticks out
-    of the half-space. Boucly (2008), eqs (2.64)-(2.71), corrected, with the term of the trace.
+    Along `axis`: "z", into the body, "x" or "y". zc is the depth of the cuboid's centre; a shear
+    component counts once (with its transpose). Raises ValueError when the cuboid sticks out of the
+    half-space. u_z: Boucly (2008), eqs (2.64)-(2.71), corrected, with the term of the trace; u_x
+    and u_y by reciprocity, docs/theory.md.
     """
+    number = axis_number(axis)
     (x, y), shape = _points(X, Y)
     a, b, c = _sizes(a=a, b=b, c=c)
     nu = _constants(1.0, nu)[1]
-    values: FloatArray = _core.kernels.eigenstrain_displacement(
-        x, y, _centre_depth(zc, c), a, b, c, nu
-    )
+    values = _core.kernels.eigenstrain_displacement(number, x, y, _centre_depth(zc, c), a, b, c, nu)
     return values.reshape(6, *shape)
 
 

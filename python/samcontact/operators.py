@@ -10,7 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _memory
-from ._checks import FloatArray, choice, finite_array, real_array, require_fast, tractions
+from ._checks import (
+    FloatArray,
+    axis_number,
+    choice,
+    finite_array,
+    real_array,
+    require_fast,
+    tractions,
+)
 from ._settings import Settings
 from .grid import Grid
 
@@ -50,9 +58,15 @@ def _require_volume(grid: Grid) -> None:
 
 
 def surface_displacement(
-    grid: Grid, pressure: ArrayLike, E: float, nu: float, shear: ArrayLike | None = None
+    grid: Grid,
+    pressure: ArrayLike,
+    E: float,
+    nu: float,
+    shear: ArrayLike | None = None,
+    *,
+    axis: str = "z",
 ) -> FloatArray:
-    """Normal displacement u_z [m] of the surface, shape (nx, ny), positive into the body.
+    """Displacement of the surface along an axis [m], shape (nx, ny); u_z is positive into the body.
 
     Parameters
     ----------
@@ -62,17 +76,20 @@ def surface_displacement(
         Young's modulus [Pa], Poisson's ratio.
     shear : array_like, shape (nx, ny) or (2, nx, ny), optional
         Shear s_x, or (s_x, s_y), acting on the body [Pa].
+    axis : {"x", "y", "z"}, optional
+        `ContactSolver.displacement` gives all three.
 
     Notes
     -----
     Love (1929) and Cerruti (1882); Boucly (2008), eqs (2.34), (2.37) with the prefactor corrected.
     """
+    number = axis_number(axis)
     needed = _memory.surface(grid, _memory.DISPLACEMENT)
     _memory.require_for_grid("a displacement", grid, needed)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     elastic = _core.Elastic.isotropic(E, nu)
     field: FloatArray = _core.operators.surface_displacement(
-        grid._core, elastic, p, *shear_components(grid, shear), 2
+        grid._core, elastic, p, *shear_components(grid, shear), number
     )
     return field
 
@@ -147,24 +164,30 @@ def residual_stress(
     return field
 
 
-def residual_displacement(grid: Grid, strain: ArrayLike, nu: float) -> FloatArray:
-    """Normal surface displacement u_z [m] of an eigenstrain field, shape (nx, ny).
+def residual_displacement(
+    grid: Grid, strain: ArrayLike, nu: float, *, axis: str = "z"
+) -> FloatArray:
+    """Surface displacement along an axis [m] of an eigenstrain field, shape (nx, ny).
 
     Parameters
     ----------
     strain : array_like, shape (6, nx, ny, nz)
         As in `residual_stress`.
     nu : float
+    axis : {"x", "y", "z"}, optional
+        u_z is positive into the body. Periodic surfaces: the body is at rest far below.
 
     Notes
     -----
-    Boucly (2008), eqs (2.62)-(2.71), corrected and completed by the term of the trace.
+    u_z: Boucly (2008), eqs (2.62)-(2.71), corrected and completed by the term of the trace. u_x and
+    u_y by reciprocity with the stress of surface shear; docs/theory.md.
     """
+    number = axis_number(axis)
     _require_volume(grid)
     nu = _core.Elastic.isotropic(1.0, nu).nu
     needed = _memory.volume(grid, _memory.FAST_RESIDUAL)
     _memory.require_for_grid("a displacement", grid, needed)
     field: FloatArray = _core.operators.residual_displacement(
-        grid._core, depth_major(grid, "strain", strain), nu
+        grid._core, depth_major(grid, "strain", strain), nu, number
     )
     return field

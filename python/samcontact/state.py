@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from . import _memory
-from ._checks import MOST_CELLS, FloatArray, choice, integer
+from ._checks import MOST_CELLS, FloatArray, axis_number, choice, integer
 from ._frozen import Fixed
 from ._kept import kept
 from ._repr import Rows, Shown, quantity
@@ -286,9 +286,18 @@ class State(Fixed, Shown):
         """Heights of the body's `Relief` where it stands now [m], shape (nx, ny); 0 without."""
         return self._field("relief", body)
 
-    def residual_displacement(self, body: int = 2) -> FloatArray:
-        """Permanent print [m], shape (nx, ny): u_z of the plastic strain, positive inwards."""
-        return self._field("residual_displacement", body)
+    def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
+        """Permanent print [m], shape (nx, ny): u_z of the plastic strain, positive inwards.
+
+        With axis="x" or "y" the displacement that the plastic strain leaves along the surface, in
+        the directions that both bodies share. Of a periodic surface the body is at rest far below.
+        """
+        number = axis_number(axis)
+        core, index = self._core, choice("body", body, (1, 2)) - 1
+        return self._field(
+            f"residual_displacement along {axis}", body,
+            lambda: core.residual_displacement(index, number),
+        )  # fmt: skip
 
     def surface_displacement(self, body: int = 2) -> FloatArray:
         """u_z of the surface under load [m], shape (nx, ny), positive into the body."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _memory
-from ._checks import FloatArray
+from ._checks import FloatArray, axis_number
 from ._frozen import Fixed, read_only
 from ._kept import kept
 from ._quantities import CONTACT, TRACK
@@ -61,9 +61,15 @@ class Track(Fixed):
         """Mid-depths of the layers [m]."""
         return self.grid.z
 
-    def residual_displacement(self) -> FloatArray:
-        """Permanent print [m], shape (len(x), ny), positive into the body."""
-        return self._field("residual_displacement")
+    def residual_displacement(self, axis: str = "z") -> FloatArray:
+        """Permanent print [m], shape (len(x), ny), positive into the body.
+
+        With axis="x" or "y" the displacement along the surface.
+        """
+        return kept(
+            self, f"residual_displacement along {axis}",
+            lambda: self._of_core("residual_displacement", axis_number(axis)),
+        )  # fmt: skip
 
     def residual_stress(self) -> FloatArray:
         """Stress of the plastic strain [Pa], shape (6, len(x), ny, nz)."""
@@ -131,13 +137,13 @@ class Track(Fixed):
     def _field(self, name: str) -> FloatArray:
         return kept(self, name, lambda: self._of_core(name))
 
-    def _of_core(self, name: str) -> FloatArray:
+    def _of_core(self, name: str, *axis: int) -> FloatArray:
         cell = _memory.FAST_RESIDUAL if name.startswith("residual") else _memory.VOLUME_FIELD
         needed = _memory.volume(self.grid, cell)
         _memory.require_for_grid(f"the field {name} of a track", self.grid, needed)
         method = getattr(self._core, f"{name}_in")
         box = self._first_row, 0, self.grid.nx, self.grid.ny, self.grid.nz
-        field: FloatArray = method(self.body - 1, box)
+        field: FloatArray = method(self.body - 1, box, *axis)
         return field
 
     def __repr__(self) -> str:

@@ -146,8 +146,8 @@ def solve(X, Y, z, zc, a, b, c, E, nu):
 
 
 def surface_displacement(X, Y, zc, a, b, c, nu):
-    """u_z (6,) [m] of the free surface per unit eigenstrain; independent of E."""
-    return solve(X, Y, 0.0, zc, a, b, c, 1.0, nu)[0][2]
+    """u_x, u_y, u_z (3, 6) [m] of the free surface per unit eigenstrain; independent of E."""
+    return solve(X, Y, 0.0, zc, a, b, c, 1.0, nu)[0]
 
 
 def stress(X, Y, z, zc, a, b, c, E, nu):

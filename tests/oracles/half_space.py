@@ -79,16 +79,21 @@ def _integrate(function, x, y, z, rect):
     return function(-u, -v, np.full_like(u, z)) @ weight
 
 
-def uz_pressure(x, y, rect, nu, E):
-    """u_z at (x, y, 0) [m/Pa] per unit pressure on the rectangle."""
-    return _integrate(lambda X, Y, Z: point_normal_displacement(X, Y, Z, nu, E)[2], x, y, 0.0, rect)
+def displacement_pressure(x, y, rect, nu, E):
+    """Displacement (3,) [m/Pa] at (x, y, 0) per unit pressure on the rectangle."""
+    return _integrate(lambda X, Y, Z: point_normal_displacement(X, Y, Z, nu, E), x, y, 0.0, rect)
 
 
-def uz_shear(x, y, rect, nu, E):
-    """u_z at (x, y, 0) [m/Pa] per unit shear traction along +x on the rectangle."""
+def displacement_shear_x(x, y, rect, nu, E):
+    """Displacement (3,) [m/Pa] at (x, y, 0) per unit shear traction along +x on the rectangle."""
     return _integrate(
-        lambda X, Y, Z: point_tangential_displacement(X, Y, Z, nu, E)[2], x, y, 0.0, rect
+        lambda X, Y, Z: point_tangential_displacement(X, Y, Z, nu, E), x, y, 0.0, rect
     )
+
+
+def displacement_shear_y(x, y, rect, nu, E):
+    """Displacement (3,) [m/Pa] at (x, y, 0) per unit shear traction along +y on the rectangle."""
+    return displacement_shear_x(y, x, rect[::-1], nu, E)[[1, 0, 2]]
 
 
 def stress_pressure(x, y, z, rect, nu):

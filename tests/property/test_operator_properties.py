@@ -49,9 +49,10 @@ def test_pressures_are_reciprocal(nx, ny, ratio, nu, seed):
     X=st.floats(-5.0, 5.0),
     Y=st.floats(-5.0, 5.0),
     nu=poisson,
+    axis=st.sampled_from("xyz"),
 )
-def test_pressure_and_plastic_strain_are_reciprocal(cuboid, cover, rect, X, Y, nu):
-    """Work of p on a rectangle through u_r(eps) = integral of eps : sigma(p) over the cuboid.
+def test_tractions_and_plastic_strain_are_reciprocal(cuboid, cover, rect, X, Y, nu, axis):
+    """Work of a traction on a rectangle through u_r(eps) = that of eps : sigma over the cuboid.
 
     The equality is exact. Singularities stay one unit off 24-point Gauss rules on sides of at
     most four: Bernstein ellipse 0.5 + sqrt(1.25), error about 1.618**-48 = 1e-10.
@@ -60,15 +61,19 @@ def test_pressure_and_plastic_strain_are_reciprocal(cuboid, cover, rect, X, Y, n
     zc = c + cover
     x, wx = gauss(-rect[0], rect[0], 24)
     y, wy = gauss(-rect[1], rect[1], 24)
-    u = kernels.eigenstrain_displacement(X + x[:, None], Y + y, zc, a, b, c, nu)
-    of_pressure = np.einsum("eij,i,j->e", u, wx, wy)
+    u = kernels.eigenstrain_displacement(X + x[:, None], Y + y, zc, a, b, c, nu, axis=axis)
+    of_traction = np.einsum("eij,i,j->e", u, wx, wy)
 
     x, wx = gauss(-a, a, 24)
     y, wy = gauss(-b, b, 24)
     z, wz = gauss(zc - c, zc + c, 24)
-    stress = kernels.pressure_stress(x[:, None, None] - X, y[:, None] - Y, z, *rect, nu)
+    places = x[:, None, None] - X, y[:, None] - Y, z
+    if axis == "z":
+        stress = kernels.pressure_stress(*places, *rect, nu)
+    else:
+        stress = kernels.shear_stress(*places, *rect, nu, along=axis)
     of_strain = CONTRACTION * np.einsum("eijk,i,j,k->e", stress, wx, wy, wz)
-    assert_close(of_pressure, of_strain, 1e-8)
+    assert_close(of_traction, of_strain, 1e-8)
 
 
 def test_grid_operators_are_reciprocal_to_second_order():
@@ -134,9 +139,10 @@ def test_exchange_of_x_and_y(shape, ratio, nu, seed):
     shear, turned_shear = np.array([sx, sy]), np.array([sy.T, sx.T])
     turned_strain = strain[SWAP].transpose(0, 2, 1, 3)
 
-    u = operators.surface_displacement(grid, p, E, nu, shear=shear)
-    v = operators.surface_displacement(turned, p.T, E, nu, shear=turned_shear)
-    assert_close(v.T, u, 1e-12)
+    for axis, other in ("xy", "yx", "zz"):
+        u = operators.surface_displacement(grid, p, E, nu, shear=shear, axis=axis)
+        v = operators.surface_displacement(turned, p.T, E, nu, shear=turned_shear, axis=other)
+        assert_close(v.T, u, 1e-12)
     depths = [0.0, 1e-5, 5e-5]
     s = operators.surface_stress(grid, p, depths, nu, shear=shear)
     t = operators.surface_stress(turned, p.T, depths, nu, shear=turned_shear)
@@ -144,9 +150,10 @@ def test_exchange_of_x_and_y(shape, ratio, nu, seed):
     s = operators.residual_stress(grid, strain, E, nu)
     t = operators.residual_stress(turned, turned_strain, E, nu)
     assert_close(t[SWAP].transpose(0, 2, 1, 3), s, 1e-11)
-    u = operators.residual_displacement(grid, strain, nu)
-    v = operators.residual_displacement(turned, turned_strain, nu)
-    assert_close(v.T, u, 1e-11)
+    for axis, other in ("xy", "yx", "zz"):
+        u = operators.residual_displacement(grid, strain, nu, axis=axis)
+        v = operators.residual_displacement(turned, turned_strain, nu, axis=other)
+        assert_close(v.T, u, 1e-11)
 
 
 @few
@@ -244,9 +251,10 @@ def test_reversal_of_x(shape, ratio, nu, seed):
     strain = random(seed + 1, 6, *shape)
     reversed_strain = (MIRROR_X[:, None, None, None] * strain)[:, ::-1]
     shear, turned = np.array([sx, sy]), np.array([-sx, sy])[:, ::-1]
-    u = operators.surface_displacement(grid, p, E, nu, shear)
-    v = operators.surface_displacement(grid, p[::-1], E, nu, turned)
-    assert_close(v[::-1], u, 1e-12)
+    for axis, sign in (("x", -1), ("y", 1), ("z", 1)):
+        u = operators.surface_displacement(grid, p, E, nu, shear, axis=axis)
+        v = operators.surface_displacement(grid, p[::-1], E, nu, turned, axis=axis)
+        assert_close(sign * v[::-1], u, 1e-12)
     s = operators.surface_stress(grid, p, grid.z, nu, shear)
     t = operators.surface_stress(grid, p[::-1], grid.z, nu, turned)
     assert_close(MIRROR_X[:, None, None, None] * t[:, ::-1], s, 1e-12)
@@ -254,9 +262,10 @@ def test_reversal_of_x(shape, ratio, nu, seed):
         s = operators.residual_stress(grid, strain, E, nu, method=method)
         t = operators.residual_stress(grid, reversed_strain, E, nu, method=method)
         assert_close(MIRROR_X[:, None, None, None] * t[:, ::-1], s, tolerance)
-    u = operators.residual_displacement(grid, strain, nu)
-    v = operators.residual_displacement(grid, reversed_strain, nu)
-    assert_close(v[::-1], u, 1e-11)
+    for axis, sign in (("x", -1), ("y", 1), ("z", 1)):
+        u = operators.residual_displacement(grid, strain, nu, axis=axis)
+        v = operators.residual_displacement(grid, reversed_strain, nu, axis=axis)
+        assert_close(sign * v[::-1], u, 1e-11)
 
 
 @few

@@ -89,11 +89,11 @@ PARTS = {"advance": (1e-5, 2e-5), "duration": 0.1, "heat_factor": 0.01}
 BODY_FIELDS = (
     "offset", "stress", "residual_stress", "von_mises", "hydrostatic", "plastic_strain",
     "equivalent_plastic_strain", "backstress", "max_equivalent_plastic_strain",
-    "max_plastic_strain", "relief", "residual_displacement", "surface_displacement", "temperature",
+    "max_plastic_strain", "relief", "surface_displacement", "temperature",
     "surface_temperature", "softening", "zones",
 )  # fmt: skip
 TRACK_FIELDS = (
-    "residual_displacement", "residual_stress", "residual_von_mises", "residual_hydrostatic",
+    "residual_stress", "residual_von_mises", "residual_hydrostatic",
     "plastic_strain", "equivalent_plastic_strain", "backstress",
 )  # fmt: skip
 ZONE_FIELDS = ("stress", "residual_stress", "plastic_strain", "equivalent_plastic_strain")
@@ -180,8 +180,10 @@ CALLS = [
     ("State.track", STATE.track, {"body": 2, "margin": 1}),
     ("State.plastic_cells", STATE.plastic_cells, {}),
     *((f"State.{name}", getattr(STATE, name), {"body": 2}) for name in BODY_FIELDS),
+    ("State.residual_displacement", STATE.residual_displacement, {"body": 2, "axis": "x"}),
     *((f"Zone.{name}", getattr(ZONE, name), {}) for name in ZONE_FIELDS),
     *((f"Track.{name}", getattr(TRACK, name), {}) for name in TRACK_FIELDS),
+    ("Track.residual_displacement", TRACK.residual_displacement, {"axis": "x"}),
     ("Track.to_dataset", TRACK.to_dataset, {"volume": True}),
     (
         "Heat",
@@ -225,7 +227,7 @@ CALLS = [
     (
         "operators.surface_displacement",
         sc.operators.surface_displacement,
-        {"grid": GRID, "pressure": PATCH, "E": E, "nu": NU, "shear": PATCH},
+        {"grid": GRID, "pressure": PATCH, "E": E, "nu": NU, "shear": PATCH, "axis": "x"},
     ),
     (
         "operators.surface_stress",
@@ -249,7 +251,7 @@ CALLS = [
     (
         "operators.residual_displacement",
         sc.operators.residual_displacement,
-        {"grid": GRID, "strain": STRAIN, "nu": NU},
+        {"grid": GRID, "strain": STRAIN, "nu": NU, "axis": "y"},
     ),
     *(
         (f"paths.{name}", getattr(sc.paths, name), {**driver, **PASSES, **rest})

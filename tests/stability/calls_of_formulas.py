@@ -234,17 +234,18 @@ CALLS = [
     ("hertz.LineContact.axis_stress", LINE.axis_stress, {"z": Z, "nu": NU}),
     ("hertz.LineContact.max_von_mises", LINE.max_von_mises, {"nu": NU}),
     *(
-        (f"kernels.{name}", getattr(sc.kernels, name), {**RECTANGLE, **ELASTIC})
-        for name in ("pressure_displacement", "shear_displacement")
-    ),
-    *(
-        (f"kernels.{name}", getattr(sc.kernels, name), {**RECTANGLE, "z": Z, "nu": NU})
-        for name in ("pressure_stress", "shear_stress")
+        (f"kernels.{name}", getattr(sc.kernels, name), {**RECTANGLE, **rest})
+        for name, rest in (
+            ("pressure_displacement", {**ELASTIC, "axis": "x"}),
+            ("shear_displacement", {**ELASTIC, "along": "y", "axis": "x"}),
+            ("pressure_stress", {"z": Z, "nu": NU}),
+            ("shear_stress", {"z": Z, "nu": NU, "along": "y"}),
+        )
     ),
     (
         "kernels.eigenstrain_displacement",
         sc.kernels.eigenstrain_displacement,
-        {**RECTANGLE, "zc": 4e-5, "c": 1e-5, "nu": NU},
+        {**RECTANGLE, "zc": 4e-5, "c": 1e-5, "nu": NU, "axis": "x"},
     ),
     (
         "kernels.eigenstrain_stress",

@@ -7,6 +7,7 @@ Tolerances are relative to the largest component at the same field point. The or
 """
 
 import itertools
+from functools import partial
 
 import numpy as np
 import pytest
@@ -75,16 +76,23 @@ class TestRectangleAgainstQuadrature:
 
     def test_displacement(self, rect, nu):
         a, b = rect
-        largest_shear = abs(half_space.uz_shear(a, 0.0, rect, nu, 1.0))
         for p, q in self.points:
             X, Y = p * a, q * b
-            place = (X * LENGTH, Y * LENGTH, a * LENGTH, b * LENGTH)
-            pressure = kernels.pressure_displacement(*place, E, nu) * E / LENGTH
-            assert_close(pressure, half_space.uz_pressure(X, Y, rect, nu, 1.0))
-            shear = kernels.shear_displacement(*place, E, nu) * E / LENGTH
-            expected = half_space.uz_shear(X, Y, rect, nu, 1.0)
-            # Zero at X = 0 by symmetry, so the error is measured against the edge.
-            assert abs(shear - expected) < 1e-11 * largest_shear + TOLERANCE * abs(expected)
+            place = (X * LENGTH, Y * LENGTH, a * LENGTH, b * LENGTH, E, nu)
+            for expected, actual in (
+                (half_space.displacement_pressure, kernels.pressure_displacement),
+                (half_space.displacement_shear_x, kernels.shear_displacement),
+                (half_space.displacement_shear_y, partial(kernels.shear_displacement, along="y")),
+            ):
+                found = [actual(*place, axis=axis) * E / LENGTH for axis in "xyz"]
+                assert_close(np.array(found), expected(X, Y, rect, nu, 1.0))
+            # What most loads and axes are asked for.
+            assert kernels.pressure_displacement(*place) == kernels.pressure_displacement(
+                *place, axis="z"
+            )
+            assert kernels.shear_displacement(*place) == kernels.shear_displacement(
+                *place, along="x", axis="z"
+            )
 
     def test_stress(self, rect, nu):
         a, b = rect
@@ -95,6 +103,8 @@ class TestRectangleAgainstQuadrature:
             assert_close(kernels.pressure_stress(*place, nu), expected)
             expected = half_space.stress_shear_x(X, Y, z, rect, nu)
             assert_close(kernels.shear_stress(*place, nu), expected)
+            expected = half_space.stress_shear_y(X, Y, z, rect, nu)
+            assert_close(kernels.shear_stress(*place, nu, along="y"), expected)
 
 
 @pytest.mark.parametrize(("half", "nu"), CUBOIDS_AND_POISSON)
@@ -113,8 +123,12 @@ class TestCuboidAgainstQuadrature:
         scaled = [LENGTH * h for h in half]
         for X, Y in {point[:2] for point in cuboid_points(half, zc)}:
             place = (X * LENGTH, Y * LENGTH, zc * LENGTH)
-            actual = kernels.eigenstrain_displacement(*place, *scaled, nu) / LENGTH
-            assert_close(actual, eigenstrain.surface_displacement(X, Y, zc, *half, nu))
+            expected = eigenstrain.surface_displacement(X, Y, zc, *half, nu)
+            actual = np.array(
+                [kernels.eigenstrain_displacement(*place, *scaled, nu, axis=a) for a in "xyz"]
+            )
+            assert_close(actual[2] / LENGTH, expected[2])
+            assert_close(actual / LENGTH, expected)
 
 
 X, Y = np.array([0.13, 0.9, -2.2, 4.0]), np.array([-0.4, 1.3, 0.7, 2.5])
@@ -150,13 +164,16 @@ class TestSymmetry:
     def test_eigenstrain(self, nu):
         a, b, c = HALF
         for zc in (c, 1.4):
-            u = kernels.eigenstrain_displacement(X, Y, zc, *HALF, nu)
-            x_flipped = kernels.eigenstrain_displacement(-X, Y, zc, *HALF, nu)
-            y_flipped = kernels.eigenstrain_displacement(X, -Y, zc, *HALF, nu)
-            swapped = kernels.eigenstrain_displacement(Y, X, zc, b, a, c, nu)
-            assert_close(x_flipped, MIRROR_X[:, None] * u, 1e-11)
-            assert_close(y_flipped, MIRROR_Y[:, None] * u, 1e-11)
-            assert_close(swapped[SWAP], u, 1e-11)
+            for axis, other, sign_x, sign_y in (
+                ("x", "y", -1, 1), ("y", "x", 1, -1), ("z", "z", 1, 1),
+            ):  # fmt: skip
+                moved = partial(kernels.eigenstrain_displacement, axis=axis)
+                u = moved(X, Y, zc, *HALF, nu)
+                x_flipped, y_flipped = moved(-X, Y, zc, *HALF, nu), moved(X, -Y, zc, *HALF, nu)
+                swapped = kernels.eigenstrain_displacement(Y, X, zc, b, a, c, nu, axis=other)
+                assert_close(x_flipped, sign_x * MIRROR_X[:, None] * u, 1e-11)
+                assert_close(y_flipped, sign_y * MIRROR_Y[:, None] * u, 1e-11)
+                assert_close(swapped[SWAP], u, 1e-11)
             s = kernels.eigenstrain_stress(X, Y, 0.6, zc, *HALF, E, nu)
             x_flipped = kernels.eigenstrain_stress(-X, Y, 0.6, zc, *HALF, E, nu)
             y_flipped = kernels.eigenstrain_stress(X, -Y, 0.6, zc, *HALF, E, nu)

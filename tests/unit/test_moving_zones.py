@@ -13,7 +13,7 @@ from rough_scenes import (
     STEEL,
     WIDE,
     WIDE_PERCENT,
-    errors,
+    assert_few_errors,
     rolling,
     rough_gap,
     same,
@@ -44,8 +44,7 @@ def test_zones_left_behind_act_as_in_one_box(bodies, cells, steps, options):
     counts = []
     for step in range(steps):
         zones, one = (moved(sim, cells if step else (0, 0)) for sim in sims)
-        found = errors(zones, one, inelastic)
-        assert max(found.values()) < 5e-4, found
+        assert_few_errors(zones, one, inelastic, 5e-4)
         counts.append(max(zone_counts(sims[0])))
         assert max(zone_counts(sims[1])) == 1
     assert sum(count > 1 for count in counts) >= 2

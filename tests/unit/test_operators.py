@@ -14,7 +14,6 @@ from samcontact import kernels, operators
 
 E, NU = 210e9, 0.3
 TOLERANCE = 1e-10
-SWAP = [1, 0, 2, 4, 3, 5]
 # Square, prime, long, one row, one cell.
 PLANES = ((8, 8), (7, 11), (13, 5), (16, 3), (1, 9), (1, 1))
 
@@ -45,13 +44,12 @@ def plane_sum(kernel, source):
     return total
 
 
-def direct_displacement(grid, pressure, shear_x, shear_y):
-    X, Y = offsets(grid)
-    a, b = grid.dx / 2, grid.dy / 2
+def direct_displacement(grid, pressure, shear_x, shear_y, axis="z"):
+    place = (*offsets(grid), grid.dx / 2, grid.dy / 2, E, NU)
     return (
-        plane_sum(kernels.pressure_displacement(X, Y, a, b, E, NU), pressure)
-        + plane_sum(kernels.shear_displacement(X, Y, a, b, E, NU), shear_x)
-        + plane_sum(kernels.shear_displacement(Y, X, b, a, E, NU), shear_y)
+        plane_sum(kernels.pressure_displacement(*place, axis=axis), pressure)
+        + plane_sum(kernels.shear_displacement(*place, along="x", axis=axis), shear_x)
+        + plane_sum(kernels.shear_displacement(*place, along="y", axis=axis), shear_y)
     )
 
 
@@ -61,7 +59,7 @@ def direct_stress(grid, pressure, shear_x, shear_y, depths):
     layers = [
         plane_sum(kernels.pressure_stress(X, Y, z, a, b, NU), pressure)
         + plane_sum(kernels.shear_stress(X, Y, z, a, b, NU), shear_x)
-        + plane_sum(kernels.shear_stress(Y, X, z, b, a, NU)[SWAP], shear_y)
+        + plane_sum(kernels.shear_stress(X, Y, z, a, b, NU, along="y"), shear_y)
         for z in depths
     ]
     return np.stack(layers, axis=-1)
@@ -79,12 +77,12 @@ def direct_residual_stress(grid, strain, nu=NU):
     return total
 
 
-def direct_residual_displacement(grid, strain, nu=NU):
+def direct_residual_displacement(grid, strain, nu=NU, axis="z"):
     X, Y = offsets(grid)
     half = (grid.dx / 2, grid.dy / 2, grid.dz / 2)
     total = np.zeros((grid.nx, grid.ny))
     for source, zc in enumerate(grid.z):
-        kernel = kernels.eigenstrain_displacement(X, Y, zc, *half, nu)
+        kernel = kernels.eigenstrain_displacement(X, Y, zc, *half, nu, axis=axis)
         for component in range(6):
             total += plane_sum(kernel[component], strain[component, :, :, source])
     return total
@@ -104,8 +102,9 @@ def test_surface_displacement_is_the_direct_sum(plane):
     assert_close(actual, direct_displacement(grid, p, zero, zero))
     actual = operators.surface_displacement(grid, p, E, NU, shear=sx)
     assert_close(actual, direct_displacement(grid, p, sx, zero))
-    actual = operators.surface_displacement(grid, p, E, NU, shear=np.array([sx, sy]))
-    assert_close(actual, direct_displacement(grid, p, sx, sy))
+    for axis in "xyz":
+        actual = operators.surface_displacement(grid, p, E, NU, shear=[sx, sy], axis=axis)
+        assert_close(actual, direct_displacement(grid, p, sx, sy, axis))
 
 
 @pytest.mark.parametrize("plane", PLANES)
@@ -150,8 +149,9 @@ def test_residual_operators_are_the_direct_sum(shape, nu):
     strain = random(6, *shape)
     actual = operators.residual_stress(grid, strain, E, nu)
     assert_close(actual, direct_residual_stress(grid, strain, nu))
-    actual = operators.residual_displacement(grid, strain, nu)
-    assert_close(actual, direct_residual_displacement(grid, strain, nu))
+    for axis in "xyz":
+        actual = operators.residual_displacement(grid, strain, nu, axis=axis)
+        assert_close(actual, direct_residual_displacement(grid, strain, nu, axis))
 
 
 @pytest.mark.parametrize("component", range(6))
@@ -166,8 +166,10 @@ def test_one_cell_of_one_component_gives_the_influence_coefficient(component):
     Y = (grid.y - grid.y[j])[None, :, None]
     stress = kernels.eigenstrain_stress(X, Y, grid.z[None, None, :], grid.z[k], *half, E, NU)
     assert_close(operators.residual_stress(grid, strain, E, NU), stress[:, component])
-    u = kernels.eigenstrain_displacement(X[..., 0], Y[..., 0], grid.z[k], *half, NU)
-    assert_close(operators.residual_displacement(grid, strain, NU), u[component])
+    for axis in "xyz":
+        u = kernels.eigenstrain_displacement(X[..., 0], Y[..., 0], grid.z[k], *half, NU, axis=axis)
+        found = operators.residual_displacement(grid, strain, NU, axis=axis)
+        assert_close(found, u[component])
 
 
 def test_wide_layer_is_in_biaxial_stress():
@@ -244,6 +246,15 @@ def test_wrong_shapes_are_rejected():
         operators.residual_stress(grid, np.zeros((6, 7, 6, 2)), E, NU)
     with pytest.raises(ValueError, match=r"6.*7.*6.*3"):
         operators.residual_displacement(grid, np.zeros((5, 7, 6, 3)), NU)
+    for call in (
+        lambda: operators.residual_displacement(grid, np.zeros((6, 7, 6, 3)), NU, axis="w"),
+        lambda: operators.surface_displacement(grid, np.zeros((7, 6)), E, NU, axis=0),
+        lambda: kernels.pressure_displacement(0.0, 0.0, 1.0, 1.0, E, NU, axis="xy"),
+    ):
+        with pytest.raises(ValueError, match="axis must be one of 'x', 'y', 'z', got"):
+            call()
+    with pytest.raises(ValueError, match="along must be one of 'x', 'y', got 'z'"):
+        kernels.shear_displacement(0.0, 0.0, 1.0, 1.0, E, NU, along="z")
 
 
 @pytest.mark.parametrize(("axes", "components"), [((0, 1), (0, 1)), ((0, 2), (0, 2))])

@@ -62,6 +62,16 @@ def test_a_surface_and_its_repetitions_are_the_same(cells, sides, periodic, tile
         np.testing.assert_allclose(found, expected[(*inside, slice(None))], atol=1e-11 * 1e9)
 
 
+@pytest.mark.parametrize("periodic", ["x", "y", "xy"])
+def test_work_of_one_traction_on_the_displacement_of_another_is_mutual(periodic, rng):
+    grid = sc.Grid(8, 6, 1e-6, 1.5e-6, periodic=periodic)
+    solver = sc.ContactSolver(grid, STEEL, STEEL)
+    loads = rng.normal(size=(2, 3, *grid.surface_shape))  # s_x, s_y, p
+    moved = [solver.displacement(load[2], load[:2]) for load in loads]
+    work = np.sum(loads[0] * moved[1])
+    assert abs(work - np.sum(loads[1] * moved[0])) < 1e-12 * np.abs(loads[0] * moved[1]).sum()
+
+
 @pytest.mark.parametrize(("cells", "sides", "periodic", "tiles"), TILINGS)
 def test_strain_and_its_repetitions_are_the_same(cells, sides, periodic, tiles, rng):
     one, many = grids(cells, sides, periodic, tiles, nz=4)
@@ -72,9 +82,10 @@ def test_strain_and_its_repetitions_are_the_same(cells, sides, periodic, tiles, 
             strain[(slice(None),) * (axis + 1) + (ends,)] = 0
     wide = np.tile(strain, (1, *tiles, 1))
     inside = tuple(slice(n) for n in cells)
-    lift, expected = (operators.residual_displacement(g, e, 0.3)
-                      for g, e in ((one, strain), (many, wide)))  # fmt: skip
-    np.testing.assert_allclose(lift, expected[inside], atol=1e-9 * np.abs(expected).max())
+    for axis in "xyz":
+        moved, expected = (operators.residual_displacement(g, e, 0.3, axis=axis)
+                           for g, e in ((one, strain), (many, wide)))  # fmt: skip
+        np.testing.assert_allclose(moved, expected[inside], atol=1e-9 * np.abs(expected).max())
     for image_tol in (1e-6, 1e-3):
         stress, expected = (
             operators.residual_stress(g, e, 210e9, 0.3, method="fast", image_tol=image_tol)
@@ -123,6 +134,10 @@ def test_uniform_strain_and_pressure():
     lift = operators.residual_displacement(grid, strain, nu)
     stretch = 1.5e-3 + nu / (1 - nu) * (1e-3 - 2e-3)
     np.testing.assert_allclose(lift, -4e-6 * stretch, rtol=1e-9)
+    # Each layer shears what lies above it, seen from far below.
+    for axis, shear in (("x", -2e-4), ("y", 3e-4)):
+        moved = operators.residual_displacement(grid, strain, nu, axis=axis)
+        np.testing.assert_allclose(moved, -2 * 4e-6 * shear, rtol=1e-9)
     solver = sc.ContactSolver(grid, STEEL, STEEL)
     np.testing.assert_allclose(
         solver.stress(np.full(grid.surface_shape, 1e9), [3e-6])[:, 0, 0, 0],

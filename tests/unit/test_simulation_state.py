@@ -24,6 +24,7 @@ from simulation_scenes import (
 )
 
 import samcontact as sc
+from samcontact import operators
 
 
 class TestState:
@@ -101,6 +102,30 @@ class TestState:
         assert np.abs(state.gap - total).max() < 1e-6 * EXACT.approach
         assert np.abs(state.gap[inside]).max() < 1e-6 * EXACT.approach
         assert state.gap.min() > -1e-6 * EXACT.approach
+
+    @pytest.mark.parametrize("bodies", [(STEEL, SOFT), (OTHER, SOFT)])
+    def test_plastic_strain_moves_the_surface_along_all_axes(self, bodies):
+        sim = simulation(*bodies)
+        for step in ({"load": LOAD}, {"load": 0.0}):
+            sim.step(**step)
+        state = sim.state
+        for body in (1, 2):
+            strain = state.plastic_strain(body)
+            moved = [state.residual_displacement(body, axis) for axis in "xyz"]
+            for axis, found in zip("xyz", moved, strict=True):
+                nu = bodies[body - 1].nu
+                assert_close(
+                    found, operators.residual_displacement(GRID, strain, nu, axis=axis), 1e-10
+                )
+            np.testing.assert_array_equal(moved[2], state.residual_displacement(body))
+            if strain.any():  # the ball is round
+                along_x, along_y = moved[0], moved[1]
+                assert_close(along_x[::-1], -along_x, 1e-5)
+                assert_close(along_x[:, ::-1], along_x, 1e-5)
+                assert_close(along_y[:, ::-1], -along_y, 1e-5)
+                assert np.abs(along_x).max() > 0.05 * np.abs(moved[2]).max()
+        with pytest.raises(ValueError, match="axis must be one of 'x', 'y', 'z', got 2"):
+            state.residual_displacement(2, axis=2)
 
     def test_repr(self, state):
         assert re.fullmatch(r"State\(load=.* N, approach=.* m, .*iterations=\d+\)", repr(state))

@@ -74,6 +74,23 @@ std::array<double, 6> eigenstrain_displacement(double x, double y, double z, dou
           2 * (-2 * nu * R - k * z * L_z)};
 }
 
+std::array<double, 6> eigenstrain_side_displacement(double x, double y, double z, double nu) {
+  const double R = std::max(std::sqrt(x * x + y * y + z * z), 1e-140);
+  const double T = std::max(R + z, 1e-140);
+  const double k = 1 - 2 * nu;
+  const double L_z = std::log(T), q = 0.5 * (L_z + z / T);
+  const double T_z = std::atan2(x * y, z * R);
+  const double xT_x = x == 0 ? 0.0 : x * std::atan(y * z / (x * R));
+  const double yT_y = y == 0 ? 0.0 : y * std::atan(x * z / (y * R));
+  const double zLy_yLz = z * log_ratio(y, x, z) + y * L_z;
+  return {xT_x + k * y * q - 2 * zLy_yLz,
+          y * L_z - k * y * q - 2 * nu * (zLy_yLz - xT_x),
+          xT_x - y * L_z,
+          -2 * R,
+          2 * (y * log_ratio(x, y, z) - z * T_z),
+          -2 * (z * log_ratio(x, y, z) - yT_y + k * x * q)};
+}
+
 std::array<double, full_space_count> full_space_scalars(double x, double y, double z) {
   const double R = std::max(std::sqrt(x * x + y * y + z * z), 1e-140);
   // On the face of a cuboid at the free surface the limit from inside is wanted, not the mean.

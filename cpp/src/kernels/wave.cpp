@@ -19,6 +19,28 @@ Stress pressure_stress_of(const Direction& k, double e, double ye, double nu) {
           -c * s * (along - across)};
 }
 
+/// Of unit shear along x, from exp(-y) and y at y = q z.
+Stress shear_stress_of(const Direction& k, double e, double y, double nu) {
+  const auto [q, c, s] = k;
+  const double cc = c * c, ss = s * s;
+  return {-c * e * (cc * (2 - y) + 2 * (1 + nu) * ss),
+          -c * e * (2 * nu * cc - ss * y),
+          -c * e * y,
+          -c * s * e * y,
+          e * (cc * y - 1),
+          -s * e * (cc * (2 - y - 2 * nu) - cc + ss)};
+}
+
+/// Means of exp(-y) and of y exp(-y) over depths.
+struct Means {
+  double e, ye;
+  Means(double q, double z0, double z1) {
+    const double h = q * (z1 - z0), e0 = std::exp(-q * z0), lost = -std::expm1(-h);
+    e = e0 * lost / h;
+    ye = e0 * (q * z0 * lost + lost - h * std::exp(-h)) / h;
+  }
+};
+
 /// ln of the distance, of which only differences count.
 double log_distance(double x, double z) { return 0.5 * std::log(std::fmax(x * x + z * z, 1e-280)); }
 
@@ -53,23 +75,20 @@ Stress pressure_wave_stress(double kx, double ky, double z, double nu) {
 
 Stress shear_wave_stress(double kx, double ky, double z, double nu) {
   const Direction k(kx, ky);
-  const auto [q, c, s] = k;
-  const double y = q * z, e = std::exp(-y), cc = c * c, ss = s * s;
-  return {-c * e * (cc * (2 - y) + 2 * (1 + nu) * ss),
-          -c * e * (2 * nu * cc - ss * y),
-          -c * e * y,
-          -c * s * e * y,
-          e * (cc * y - 1),
-          -s * e * (cc * (2 - y - 2 * nu) - cc + ss)};
+  const double y = k.q * z;
+  return shear_stress_of(k, std::exp(-y), y, nu);
 }
 
 Stress pressure_wave_mean(double kx, double ky, double z0, double z1, double nu) {
   const Direction k(kx, ky);
-  const double h = k.q * (z1 - z0), e0 = std::exp(-k.q * z0), lost = -std::expm1(-h);
-  // Means of exp(-y) and of y exp(-y).
-  const double e = e0 * lost / h;
-  const double ye = e0 * (k.q * z0 * lost + lost - h * std::exp(-h)) / h;
-  return pressure_stress_of(k, e, ye, nu);
+  const Means mean(k.q, z0, z1);
+  return pressure_stress_of(k, mean.e, mean.ye, nu);
+}
+
+Stress shear_wave_mean(double kx, double ky, double z0, double z1, double nu) {
+  const Direction k(kx, ky);
+  const Means mean(k.q, z0, z1);
+  return shear_stress_of(k, mean.e, mean.e > 0 ? mean.ye / mean.e : 0.0, nu);
 }
 
 Stress strip_pressure_stress(double x, double z, double nu) {
@@ -97,6 +116,16 @@ std::array<double, 6> bar_displacement(double x, double z, double nu) {
           0.0,
           shear,
           0.0};
+}
+
+std::array<double, 6> bar_displacement_across(double x, double z, double nu) {
+  const double log = z * log_distance(x, z), turn = x == 0 ? 0.0 : x * std::atan(z / x);
+  return {2 * log + turn, 2 * nu * (log + turn), turn, 0.0, -2 * z * angle(x, z), 0.0};
+}
+
+std::array<double, 6> bar_displacement_along(double x, double z) {
+  const double log = log_distance(x, z), turn = x == 0 ? 0.0 : x * std::atan(z / x);
+  return {0.0, 0.0, 0.0, -2 * (x * log + z * angle(x, z)), 0.0, 2 * (z * log + turn)};
 }
 
 }  // namespace samcontact::kernels

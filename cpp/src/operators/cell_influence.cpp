@@ -90,10 +90,8 @@ Field pressure_sums(const CellOffsets& offsets, double aspect) {
   return sums;
 }
 
-kernels::Stress corner_stress(Traction traction, double x, double y, double z, double nu) {
-  if (traction == Traction::pressure) return kernels::pressure_stress(x, y, z, nu);
-  if (traction == Traction::shear_x) return kernels::shear_stress(x, y, z, nu);
-  const auto s = kernels::shear_stress(y, x, z, nu);
+/// Components xx, yy, zz, yz, xz, xy with x and y exchanged.
+std::array<double, 6> turned(const std::array<double, 6>& s) {
   return {s[1], s[0], s[2], s[4], s[3], s[5]};
 }
 
@@ -115,22 +113,23 @@ Field strip_sums(int nx, double d, const Function& function) {
   return sums;
 }
 
-std::vector<kernels::Parity> stress_parities(Traction traction) {
-  std::vector<kernels::Parity> parities;
-  for (int c = 0; c < 6; ++c) {
-    auto parity = kernels::component_parity(c);
-    parity.odd_x ^= traction == Traction::shear_x;
-    parity.odd_y ^= traction == Traction::shear_y;
-    parities.push_back(parity);
-  }
-  return parities;
-}
-
 kernels::Stress wave_stress(Traction traction, double kx, double ky, double z, double nu) {
   if (traction == Traction::pressure) return kernels::pressure_wave_stress(kx, ky, z, nu);
   if (traction == Traction::shear_x) return kernels::shear_wave_stress(kx, ky, z, nu);
-  const auto s = kernels::shear_wave_stress(ky, kx, z, nu);
-  return {s[1], s[0], s[2], s[4], s[3], s[5]};
+  return turned(kernels::shear_wave_stress(ky, kx, z, nu));
+}
+
+kernels::Stress wave_mean(Traction traction, double kx, double ky, double z0, double z1,
+                          double nu) {
+  if (traction == Traction::pressure) return kernels::pressure_wave_mean(kx, ky, z0, z1, nu);
+  if (traction == Traction::shear_x) return kernels::shear_wave_mean(kx, ky, z0, z1, nu);
+  return turned(kernels::shear_wave_mean(ky, kx, z0, z1, nu));
+}
+
+std::array<double, 6> bar_displacement(Axis axis, double x, double z, double nu) {
+  if (axis == Axis::z) return kernels::bar_displacement(x, z, nu);
+  return axis == Axis::x ? kernels::bar_displacement_across(x, z, nu)
+                         : kernels::bar_displacement_along(x, z);
 }
 
 kernels::Stress strip_stress(Traction traction, double x, double z, double nu) {
@@ -169,37 +168,45 @@ double line_primitive(double x, bool odd, double reference) {
 }  // namespace
 
 kernels::Parity compliance_parity(Traction traction, Axis axis) {
-  return {(traction == Traction::shear_x) != (axis == Axis::x),
-          (traction == Traction::shear_y) != (axis == Axis::y), false};
+  const auto load = vector_parity(traction), moved = vector_parity(traction_along(axis));
+  return {load.odd_x != moved.odd_x, load.odd_y != moved.odd_y, false};
+}
+
+kernels::Parity stress_parity(Traction traction, int component) {
+  const auto load = vector_parity(traction), own = kernels::component_parity(component);
+  return {load.odd_x != own.odd_x, load.odd_y != own.odd_y, own.odd_z};
+}
+
+double compliance_corner(Traction traction, Axis axis, double x, double y, double nu) {
+  const Traction moved = traction_along(axis);
+  if (traction == Traction::shear_y || (traction == Traction::pressure && axis == Axis::y)) {
+    return compliance_corner(exchanged(traction), exchanged(axis), y, x, nu);
+  }
+  if (traction == moved) {
+    return axis == Axis::z ? kernels::pressure_displacement(x, y)
+                           : kernels::along_displacement(x, y, nu);
+  }
+  // Betti: what pressure does to the side is what shear does downwards, seen from the other.
+  return axis == Axis::y ? kernels::cross_displacement(x, y, nu)
+                         : kernels::shear_displacement(x, y);
+}
+
+double compliance_factor(const Elastic& elastic, Traction traction, Axis axis) {
+  if (traction == Traction::pressure && axis == Axis::z) return elastic.normal_compliance();
+  if (axis == Axis::z) return 0.5 * elastic.coupling_compliance();
+  if (traction == Traction::pressure) return -0.5 * elastic.coupling_compliance();
+  return 0.5 / elastic.shear_modulus();
 }
 
 Field cell_compliance(const Elastic& elastic, Traction traction, Axis axis, const Grid& grid,
                       const CellOffsets& offsets) {
-  const double aspect = grid.dy / grid.dx;
-  double factor = 0.0;
-  Field table;
-  if (traction == Traction::pressure && axis == Axis::z) {
-    table = pressure_sums(offsets, aspect);
-    factor = elastic.normal_compliance();
-  } else if (traction == Traction::pressure || axis == Axis::z) {
-    const bool along_x = traction == Traction::shear_x || axis == Axis::x;
-    table = corner_sums(offsets, aspect, [along_x](double x, double y) {
-      return along_x ? kernels::shear_displacement(x, y) : kernels::shear_displacement(y, x);
-    });
-    // Betti: what pressure does to the side is what shear does downwards, seen from the other.
-    factor = (axis == Axis::z ? 0.5 : -0.5) * elastic.coupling_compliance();
-  } else {
-    const double nu = elastic.nu;
-    const bool across = (traction == Traction::shear_x) != (axis == Axis::x);
-    const bool along_x = traction == Traction::shear_x;
-    table = corner_sums(offsets, aspect, [nu, across, along_x](double x, double y) {
-      if (across) return kernels::cross_displacement(x, y, nu);
-      return along_x ? kernels::along_displacement(x, y, nu)
-                     : kernels::along_displacement(y, x, nu);
-    });
-    factor = 0.5 / elastic.shear_modulus();
-  }
-  factor *= grid.dx / std::numbers::pi;
+  const double aspect = grid.dy / grid.dx, nu = elastic.nu;
+  Field table = traction == Traction::pressure && axis == Axis::z
+                    ? pressure_sums(offsets, aspect)
+                    : corner_sums(offsets, aspect, [=](double x, double y) {
+                        return compliance_corner(traction, axis, x, y, nu);
+                      });
+  const double factor = compliance_factor(elastic, traction, axis) * (grid.dx / pi);
   for (double& value : table) value *= factor;
   return table;
 }
@@ -232,6 +239,12 @@ CellInfluence compliance_of_cell(const Elastic& elastic, Traction traction, Axis
   return influence;
 }
 
+kernels::Stress stress_corner(Traction traction, double x, double y, double z, double nu) {
+  if (traction == Traction::pressure) return kernels::pressure_stress(x, y, z, nu);
+  if (traction == Traction::shear_x) return kernels::shear_stress(x, y, z, nu);
+  return turned(kernels::shear_stress(y, x, z, nu));
+}
+
 Field cell_stress(double nu, Traction traction, const Grid& grid, int nx, int ny, double z,
                   Tensor tensor) {
   const CornerLattice lattice{nx, ny, grid.dy / grid.dx};
@@ -239,7 +252,7 @@ Field cell_stress(double nu, Traction traction, const Grid& grid, int nx, int ny
   Field corners(6 * lattice.size()), table(count(tensor) * plane);
   lattice.evaluate<6>(
       [&](double x, double y) {
-        auto s = select(corner_stress(traction, x, y, z / grid.dx, nu), tensor);
+        auto s = select(stress_corner(traction, x, y, z / grid.dx, nu), tensor);
         for (double& v : s) v /= 2 * std::numbers::pi;
         return s;
       },
@@ -253,7 +266,7 @@ Field cell_stress(double nu, Traction traction, const Grid& grid, int nx, int ny
 Field cell_stress(double nu, Traction traction, const Grid& grid, const CellOffsets& offsets,
                   double z, Tensor tensor) {
   return corner_sums<6>(offsets, grid.dy / grid.dx, count(tensor), [&](double x, double y) {
-    auto s = select(corner_stress(traction, x, y, z / grid.dx, nu), tensor);
+    auto s = select(stress_corner(traction, x, y, z / grid.dx, nu), tensor);
     for (double& v : s) v /= 2 * pi;
     return s;
   });
@@ -261,7 +274,7 @@ Field cell_stress(double nu, Traction traction, const Grid& grid, const CellOffs
 
 CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, double z) {
   CellInfluence influence;
-  influence.parities = stress_parities(traction);
+  for (int c = 0; c < 6; ++c) influence.parities.push_back(stress_parity(traction, c));
   influence.uniform = uniform_stress(traction, nu);
   influence.cell = [=](int nx, int ny) {
     return cell_stress(nu, traction, grid, nx, ny, z, Tensor::full);
@@ -275,38 +288,48 @@ CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, dou
   return influence;
 }
 
-Field cell_residual_displacement(double nu, const Grid& grid, const CellOffsets& offsets,
+std::array<double, 6> residual_corner(Axis axis, double x, double y, double z, double nu) {
+  if (axis == Axis::z) return kernels::eigenstrain_displacement(x, y, z, nu);
+  if (axis == Axis::x) return kernels::eigenstrain_side_displacement(x, y, z, nu);
+  return turned(kernels::eigenstrain_side_displacement(y, x, z, nu));
+}
+
+Field cell_residual_displacement(double nu, Axis axis, const Grid& grid, const CellOffsets& offsets,
                                  int layer) {
   return corner_sums<6>(offsets, grid.dy / grid.dx, 6, [&](double x, double y) {
     const double dz = grid.dz / grid.dx;
-    auto u = kernels::eigenstrain_displacement(x, y, (layer + 1) * dz, nu);
-    const auto upper = kernels::eigenstrain_displacement(x, y, layer * dz, nu);
+    auto u = residual_corner(axis, x, y, (layer + 1) * dz, nu);
+    const auto upper = residual_corner(axis, x, y, layer * dz, nu);
     for (int c = 0; c < 6; ++c) u[c] = (u[c] - upper[c]) * grid.dx / (2 * pi);
     return u;
   });
 }
 
-CellInfluence residual_of_cell(double nu, const Grid& grid, int layer) {
+CellInfluence residual_of_cell(double nu, Axis axis, const Grid& grid, int layer) {
   const double z0 = layer * grid.dz, z1 = (layer + 1) * grid.dz, h = grid.dz;
+  // Betti: the work of a traction on the displacement is that of its stress on the eigenstrain.
+  const Traction traction = traction_along(axis);
   CellInfluence influence;
-  for (int c = 0; c < 6; ++c) influence.parities.push_back(kernels::component_parity(c));
-  // Betti: the work of a pressure on the displacement is that of its stress on the eigenstrain.
-  const auto uniform = uniform_stress(Traction::pressure, nu);
-  for (const double stress : uniform) influence.uniform.push_back(h * stress);
+  std::array<double, 6> factors{};
+  const auto uniform = uniform_stress(traction, nu);
+  for (int c = 0; c < 6; ++c) {
+    const auto parity = stress_parity(traction, c);
+    // Seen from the other end; each shear with its transpose.
+    factors[c] = (parity.odd_x != parity.odd_y ? -1.0 : 1.0) * (c < 3 ? 1.0 : 2.0);
+    influence.parities.push_back(parity);
+    influence.uniform.push_back(h * factors[c] * uniform[c]);
+  }
   influence.wave = [=](double kx, double ky, double* u) {
-    const auto stress = kernels::pressure_wave_mean(kx, ky, z0, z1, nu);
-    for (int c = 0; c < 6; ++c) u[c] = h * stress[c];
-    u[3] *= -2;
-    u[4] *= -2;
-    u[5] *= 2;
+    const auto stress = wave_mean(traction, kx, ky, z0, z1, nu);
+    for (int c = 0; c < 6; ++c) u[c] = h * stress[c] * factors[c];
   };
   influence.cell = [=](int nx, int ny) {
-    return cell_residual_displacement(nu, grid, CellOffsets::lattice(nx, ny), layer);
+    return cell_residual_displacement(nu, axis, grid, CellOffsets::lattice(nx, ny), layer);
   };
   influence.strip = [=](int nx) {
     return strip_sums(nx, grid.dx, [&](double x) {
-      auto u = kernels::bar_displacement(x, z1, nu);
-      const auto lower = kernels::bar_displacement(x, z0, nu);
+      auto u = bar_displacement(axis, x, z1, nu);
+      const auto lower = bar_displacement(axis, x, z0, nu);
       for (int c = 0; c < 6; ++c) u[c] -= lower[c];
       return u;
     });

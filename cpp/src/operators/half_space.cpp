@@ -76,9 +76,9 @@ class HalfSpace : public Medium {
                Tensor tensor) const override {
     return cell_stress(elastic_.nu, traction, grid, offsets, z, tensor);
   }
-  Field residual_displacement(const Grid& grid, const CellOffsets& offsets,
+  Field residual_displacement(Axis axis, const Grid& grid, const CellOffsets& offsets,
                               int layer) const override {
-    return cell_residual_displacement(elastic_.nu, grid, offsets, layer);
+    return cell_residual_displacement(elastic_.nu, axis, grid, offsets, layer);
   }
 
   std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
@@ -96,19 +96,21 @@ class HalfSpace : public Medium {
     return std::make_unique<LayerResidualStress>(grid, transform, elastic_, settings);
   }
   std::unique_ptr<ResidualDisplacement> residual_displacement(
-      const Grid& grid, const VolumeTransform& transform, Tensor tensor,
+      Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,
       const ResidualDisplacement* shallower) const override {
     const double nu = elastic_.nu;
     if (!grid.period.is_on()) {
-      return std::make_unique<ResidualDisplacement>(grid, transform, nu, tensor, shallower);
+      return std::make_unique<ResidualDisplacement>(grid, transform, nu, axis, tensor, shallower);
     }
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
     const auto layer = [&](int k) {
-      const auto cell = [&](const Grid& own, bool) { return residual_of_cell(nu, own, k); };
+      const auto cell = [&](const Grid& own, bool turned) {
+        return residual_of_cell(nu, turned ? exchanged(axis) : axis, own, k);
+      };
       return sums_.sum(grid, CellOffsets::lattice(offsets.nx, offsets.ny), cell,
                        exchanged_components);
     };
-    return std::make_unique<ResidualDisplacement>(grid, transform, layer, grid.nz, tensor,
+    return std::make_unique<ResidualDisplacement>(grid, transform, axis, layer, grid.nz, tensor,
                                                   shallower);
   }
 

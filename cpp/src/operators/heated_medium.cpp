@@ -57,9 +57,9 @@ class HeatedMedium : public VolumeMedium {
     }
     return sum;
   }
-  Field residual_displacement(const Grid& grid, const CellOffsets& offsets,
+  Field residual_displacement(Axis axis, const Grid& grid, const CellOffsets& offsets,
                               int layer) const override {
-    return medium_->residual_displacement(grid, offsets, layer);
+    return medium_->residual_displacement(axis, grid, offsets, layer);
   }
   std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
                                                   const VolumeTransform& transform,
@@ -67,9 +67,9 @@ class HeatedMedium : public VolumeMedium {
     return medium_->residual_stress(grid, transform, settings);
   }
   std::unique_ptr<ResidualDisplacement> residual_displacement(
-      const Grid& grid, const VolumeTransform& transform, Tensor tensor,
+      Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,
       const ResidualDisplacement* shallower) const override {
-    return medium_->residual_displacement(grid, transform, tensor, shallower);
+    return medium_->residual_displacement(axis, grid, transform, tensor, shallower);
   }
 
  private:

@@ -10,6 +10,7 @@
 
 #include "samcontact/base/smooth_step.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
+#include "samcontact/operators/cell_influence.hpp"
 #include "samcontact/operators/node_spread.hpp"
 #include "samcontact/operators/smooth_continuation.hpp"
 #include "samcontact/operators/volume_medium.hpp"
@@ -76,33 +77,30 @@ class BandTables {
   /// [component][j][i] at nodes 0..offsets - 1 of the band.
   Field stress(Band band, Traction traction, const KernelOffsets& offsets, double z,
                Tensor tensor) const {
-    std::vector<kernels::Parity> parities;
-    for (const int c : components(tensor)) {
-      auto p = kernels::component_parity(c);
-      p.odd_x ^= traction == Traction::shear_x;
-      p.odd_y ^= traction == Traction::shear_y;
-      parities.push_back(p);
-    }
-    const Key key{static_cast<int>(traction), z, tensor};
-    return tables(band, key, offsets, parities, [&](const CellOffsets& at) {
+    const Key key{false, traction, z, tensor};
+    return tables(band, key, offsets, parities(traction, tensor), [&](const CellOffsets& at) {
       return medium_->stress(traction, cells_, at, z, tensor);
     });
   }
 
-  Field residual_displacement(Band band, const KernelOffsets& offsets, int layer) const {
-    std::vector<kernels::Parity> parities;
-    parities.reserve(6);
-    for (int c = 0; c < 6; ++c) parities.push_back(kernels::component_parity(c));
-    const Key key{-1, static_cast<double>(layer), Tensor::full};
-    return tables(band, key, offsets, parities, [&](const CellOffsets& at) {
-      return medium_->residual_displacement(cells_, at, layer);
+  Field residual_displacement(Band band, Axis axis, const KernelOffsets& offsets, int layer) const {
+    const Traction along = traction_along(axis);
+    const Key key{true, along, static_cast<double>(layer), Tensor::full};
+    return tables(band, key, offsets, parities(along, Tensor::full), [&](const CellOffsets& at) {
+      return medium_->residual_displacement(axis, cells_, at, layer);
     });
   }
 
  private:
-  using Key = std::tuple<int, double, Tensor>;
+  /// Of displacement or stress, and the depth or layer.
+  using Key = std::tuple<bool, Traction, double, Tensor>;
   using Exact = std::function<Field(const CellOffsets& offsets)>;
   using Parities = std::vector<kernels::Parity>;
+  static Parities parities(Traction traction, Tensor tensor) {
+    Parities parities;
+    for (const int c : components(tensor)) parities.push_back(stress_parity(traction, c));
+    return parities;
+  }
   /// [component][j][i]: the short tables of near and middle nodes, and the inside of the far ones.
   struct Split {
     Field near, middle, far;
@@ -318,11 +316,13 @@ class BandMedium : public VolumeMedium {
     return std::make_unique<FarResidualStress>(std::move(whole), own(0.0, 0.0));
   }
   std::unique_ptr<ResidualDisplacement> residual_displacement(
-      const Grid& grid, const VolumeTransform& transform, Tensor tensor,
+      Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,
       const ResidualDisplacement* /*shallower*/) const override {
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
-    const auto layer = [&](int k) { return tables_->residual_displacement(band_, offsets, k); };
-    return std::make_unique<ResidualDisplacement>(grid, transform, layer,
+    const auto layer = [&](int k) {
+      return tables_->residual_displacement(band_, axis, offsets, k);
+    };
+    return std::make_unique<ResidualDisplacement>(grid, transform, axis, layer,
                                                   tables_->strained_layers(band_, grid), tensor);
   }
 

@@ -68,4 +68,10 @@ void copy_layers(const Field& from, int from_layers, Field& to, int to_layers, i
   }
 }
 
+double mirror_sign(Symmetry symmetry, kernels::Parity kernel, kernels::Parity input) {
+  const bool y = symmetry != Symmetry::none && kernel.odd_y && input.odd_y;
+  const bool x = symmetry == Symmetry::xy && kernel.odd_x && input.odd_x;
+  return x != y ? -1.0 : 1.0;
+}
+
 }  // namespace samcontact::operators

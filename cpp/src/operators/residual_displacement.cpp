@@ -6,7 +6,7 @@
 
 #include "samcontact/base/threads.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
-#include "samcontact/kernels/eigenstrain.hpp"
+#include "samcontact/operators/cell_influence.hpp"
 #include "samcontact/operators/influence_lattice.hpp"
 #include "samcontact/operators/layer_differences.hpp"
 #include "samcontact/operators/parity_product.hpp"
@@ -14,9 +14,10 @@
 
 namespace samcontact::operators {
 
-ResidualDisplacement::ResidualDisplacement(const VolumeTransform& transform, int layers,
+ResidualDisplacement::ResidualDisplacement(const VolumeTransform& transform, Axis axis, int layers,
                                            Tensor tensor, const ResidualDisplacement* shallower)
     : transform_(&transform),
+      axis_(axis),
       nz_(layers),
       first_(shallower != nullptr ? std::min(layers, shallower->nz_) : 0),
       tensor_(tensor) {
@@ -30,7 +31,7 @@ ResidualDisplacement::ResidualDisplacement(const VolumeTransform& transform, int
 void ResidualDisplacement::store(const fft::ParitySpectrum& spectrum, int component, int layer,
                                  double* quarter) {
   const auto places = components(tensor_);
-  const auto parity = kernels::component_parity(places[component]);
+  const auto parity = stress_parity(traction_along(axis_), places[component]);
   const int hx = spectrum.hx(), hy = spectrum.hy();
   spectrum.transform(quarter, parity.odd_x, parity.odd_y);
   for (int ky = 0; ky < hy; ++ky) {
@@ -41,17 +42,17 @@ void ResidualDisplacement::store(const fft::ParitySpectrum& spectrum, int compon
 }
 
 ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
-                                           double nu, Tensor tensor,
+                                           double nu, Axis axis, Tensor tensor,
                                            const ResidualDisplacement* shallower)
-    : ResidualDisplacement(transform, grid.nz, tensor, shallower) {
+    : ResidualDisplacement(transform, axis, grid.nz, tensor, shallower) {
   const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
   const CornerLattice lattice{grid.nx, grid.ny, grid.dy / grid.dx};
   const double dz = grid.dz / grid.dx;
   // Lengths are in units of dx, so the displacement is too.
   const double factor = grid.dx / (2 * std::numbers::pi);
   // A deviator's zz is -(xx + yy).
-  const auto corner = [nu, tensor](double x, double y, double z) -> std::array<double, 6> {
-    const auto d = kernels::eigenstrain_displacement(x, y, z, nu);
+  const auto corner = [nu, axis, tensor](double x, double y, double z) -> std::array<double, 6> {
+    const auto d = residual_corner(axis, x, y, z, nu);
     if (tensor == Tensor::full) return d;
     return {d[0] - d[2], d[1] - d[2], d[3], d[4], d[5], 0.0};
   };
@@ -69,10 +70,10 @@ ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransfo
 }
 
 ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,
-                                           const std::function<Field(int layer)>& tables,
+                                           Axis axis, const std::function<Field(int layer)>& tables,
                                            int layers, Tensor tensor,
                                            const ResidualDisplacement* shallower)
-    : ResidualDisplacement(transform, layers, tensor, shallower) {
+    : ResidualDisplacement(transform, axis, layers, tensor, shallower) {
   const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
   const KernelOffsets offsets(grid, transform.mx(), transform.my());
   const std::size_t plane = static_cast<std::size_t>(offsets.nx) * offsets.ny;
@@ -105,18 +106,16 @@ void ResidualDisplacement::apply(const VolumeSpectrum& strain, double* displacem
     const double* quarter =
         spectra_.data() + static_cast<std::size_t>(ky) * strain.components * nz_ * hx;
     for (int c = 0; c < strain.components; ++c) {
-      const auto parity = kernels::component_parity(places[c]);
-      // The strain's own factor (-i) meets that of the kernel.
-      const bool negative = (strain.symmetry != Symmetry::none && parity.odd_y) !=
-                            (strain.symmetry == Symmetry::xy && parity.odd_x);
+      const auto parity = stress_parity(traction_along(axis_), places[c]);
+      const double sign =
+          mirror_sign(strain.symmetry, parity, kernels::component_parity(places[c]));
       for (int k = 0; k < nz_; ++k, quarter += hx) {
         if (!strain.used[k]) continue;
-        add_parity_product(quarter, parity, negative ? -1.0 : 1.0, strain.row(ky, c, k), out,
-                           *transform_);
+        add_parity_product(quarter, parity, sign, strain.row(ky, c, k), out, *transform_);
       }
     }
   }
-  transform_->inverse(sum, displacement);
+  transform_->inverse(sum, displacement, vector_parity(traction_along(axis_)));
 }
 
 }  // namespace samcontact::operators

@@ -127,7 +127,7 @@ Field TractionStress::build(Part part, const std::vector<std::vector<ParityParts
   return built;
 }
 
-void TractionStress::add(Part part, const Field& traction, double scale,
+void TractionStress::add(Part part, kernels::Parity input, const Field& traction, double scale,
                          VolumeSpectrum& out) const {
   const Field& spectra = spectra_[static_cast<int>(part)];
   const int nz = layers(), hx = out.mx / 2 + 1;
@@ -138,9 +138,10 @@ void TractionStress::add(Part part, const Field& traction, double scale,
     const double* quarter =
         spectra.data() + static_cast<std::size_t>(ky) * out.components * nz * hx;
     for (int c = 0; c < out.components; ++c) {
+      const auto own = parity(part, places[c]);
+      const double signed_scale = scale * mirror_sign(out.symmetry, own, input);
       for (int k = 0; k < nz; ++k, quarter += hx) {
-        add_parity_product(quarter, parity(part, places[c]), scale, in, out.row(ky, c, k),
-                           *transform_);
+        add_parity_product(quarter, own, signed_scale, in, out.row(ky, c, k), *transform_);
       }
     }
   }
@@ -153,8 +154,9 @@ void TractionStress::add(const Tractions& tractions, double shear_sign, VolumeSp
     const Field& field = tractions.of(kind);
     if (field.empty()) continue;
     prepare(kind, shallower);
-    const Field spectrum = transform_->forward(field.data());
-    for (const Part part : parts(kind)) add(part, spectrum, sign_of(kind, shear_sign), out);
+    const auto input = vector_parity(kind);
+    const Field spectrum = transform_->forward(field.data(), input);
+    for (const Part part : parts(kind)) add(part, input, spectrum, sign_of(kind, shear_sign), out);
   }
 }
 

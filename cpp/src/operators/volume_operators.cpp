@@ -51,16 +51,18 @@ const ResidualStress& VolumeOperators::residual_stress() const {
   return *residual_stress_;
 }
 
-const ResidualDisplacement& VolumeOperators::residual_displacement() const {
+const ResidualDisplacement& VolumeOperators::residual_displacement(Axis axis) const {
   const std::lock_guard lock(mutex_);
-  if (!residual_displacement_) {
+  auto& displacement = residual_displacement_[static_cast<int>(axis)];
+  if (!displacement) {
     const auto other = shallower_.lock();
     std::unique_lock<std::mutex> other_lock;
     if (other) other_lock = std::unique_lock(other->mutex_);
-    residual_displacement_ = medium_->residual_displacement(
-        grid_, transform_, options_.tensor, other ? other->residual_displacement_.get() : nullptr);
+    const auto* known =
+        other ? other->residual_displacement_[static_cast<int>(axis)].get() : nullptr;
+    displacement = medium_->residual_displacement(axis, grid_, transform_, options_.tensor, known);
   }
-  return *residual_displacement_;
+  return *displacement;
 }
 
 void VolumeOperators::for_each_layer(
@@ -107,8 +109,12 @@ Field VolumeOperators::stress(const double* strain, const Tractions* tractions,
 
 std::size_t VolumeOperators::bytes() const {
   const std::lock_guard lock(mutex_);
-  return traction_stress_.bytes() + (residual_stress_ ? residual_stress_->bytes() : 0) +
-         (residual_displacement_ ? residual_displacement_->bytes() : 0);
+  std::size_t bytes = traction_stress_.bytes();
+  if (residual_stress_) bytes += residual_stress_->bytes();
+  for (const auto& displacement : residual_displacement_) {
+    if (displacement) bytes += displacement->bytes();
+  }
+  return bytes;
 }
 
 }  // namespace samcontact::operators

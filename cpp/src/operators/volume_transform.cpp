@@ -58,11 +58,11 @@ void VolumeTransform::inverse(std::span<const Plane> planes, std::size_t stride)
   }
 }
 
-Field VolumeTransform::forward(const double* plane) const {
+Field VolumeTransform::forward(const double* plane, kernels::Parity parity) const {
   Field spectrum(mh() * row_size());
   if (mirrored_) {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the values are only read.
-    const Plane one{const_cast<double*>(plane), spectrum.data(), false, false};
+    const Plane one{const_cast<double*>(plane), spectrum.data(), parity.odd_x, parity.odd_y};
     mirrored_->forward({&one, 1}, row_size());
   } else {
     whole_.forward(plane, reinterpret_cast<Complex*>(spectrum.data()), pitch(), Threads::many);
@@ -70,9 +70,9 @@ Field VolumeTransform::forward(const double* plane) const {
   return spectrum;
 }
 
-void VolumeTransform::inverse(Field& spectrum, double* plane) const {
+void VolumeTransform::inverse(Field& spectrum, double* plane, kernels::Parity parity) const {
   if (mirrored_) {
-    const Plane one{plane, spectrum.data(), false, false};
+    const Plane one{plane, spectrum.data(), parity.odd_x, parity.odd_y};
     mirrored_->inverse({&one, 1}, row_size());
   } else {
     whole_.inverse(reinterpret_cast<Complex*>(spectrum.data()), plane, pitch(), Threads::many);

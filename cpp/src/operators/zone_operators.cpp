@@ -54,8 +54,8 @@ struct ZoneOperators::Around {
   int mx, my;              // the plane
   std::vector<int> zones;  // that have cells in it
   ZoneTables::Operators operators;
-  Field fade_x, fade_y;  // weights of the strain in it
-  Field displacement;    // [i][j] of the plane, of the zone's own strain
+  Field fade_x, fade_y;               // weights of the strain in it
+  std::array<Field, 3> displacement;  // by axis, [i][j] of the plane, of the zone's own strain
   // Of the strain, where the zone is alone: then one transform serves displacement and stress.
   std::optional<VolumeSpectrum> spectrum;
   bool is_alone() const { return zones.size() == 1; }
@@ -203,7 +203,7 @@ void ZoneOperators::spread_layer(int k, const Field& strain) {
   forward(middle_->operators->transform(), nodes, middle_->spectrum, k);
 }
 
-void ZoneOperators::transform(const Field& strain) {
+void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
   check_interrupt();
   far_strain_.assign(static_cast<std::size_t>(count(tensor_)) * layers_ * far_->plane_size(), 0.0);
 #pragma omp parallel for schedule(dynamic)
@@ -213,33 +213,36 @@ void ZoneOperators::transform(const Field& strain) {
   // Not in the loop over zones: what is kept is made once, by all threads.
   for (const Around& around : around_) {
     std::ignore = around.operators->residual_stress();
-    std::ignore = around.operators->residual_displacement();
+    for (const Axis axis : axes) std::ignore = around.operators->residual_displacement(axis);
   }
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
     Around& around = around_[z];
     const VolumeOperators& near = *around.operators;
-    const ResidualDisplacement& displacement = near.residual_displacement();
-    const int layers = around.is_alone() ? around.box.nz : displacement.layers();
+    const int strained = near.residual_displacement(axes.front()).layers();  // of each axis
+    const int layers = around.is_alone() ? around.box.nz : strained;
     VolumeSpectrum own = spectrum_around(around, {static_cast<int>(z)}, layers, strain);
-    around.displacement.resize(near.grid().surface_size());
-    displacement.apply(own, around.displacement.data());
+    for (const Axis axis : axes) {
+      Field& displacement = around.displacement[static_cast<int>(axis)];
+      displacement.resize(near.grid().surface_size());
+      near.residual_displacement(axis).apply(own, displacement.data());
+    }
     if (around.is_alone()) around.spectrum = std::move(own);
   }
 }
 
-void ZoneOperators::displacement(double* out) const {
+void ZoneOperators::displacement(Axis axis, double* out) const {
   std::fill_n(out, grid_.surface_size(), 0.0);
   const Box surface = Box::surface(grid_);
   Field middle(middle_->plane_size()), far(far_->plane_size());
-  far_->operators->residual_displacement().apply(far_->spectrum, far.data());
-  middle_->operators->residual_displacement().apply(middle_->spectrum, middle.data());
+  far_->operators->residual_displacement(axis).apply(far_->spectrum, far.data());
+  middle_->operators->residual_displacement(axis).apply(middle_->spectrum, middle.data());
   gather_low(far.data(), middle.data(), surface, out);
   for (const Around& around : around_) {
     const Box box = around.box.intersected(surface);
     for (int i = box.i0; i < box.i0 + box.nx; ++i) {
-      const double* row = around.displacement.data() +
+      const double* row = around.displacement[static_cast<int>(axis)].data() +
                           static_cast<std::ptrdiff_t>(i - around.box.i0) * around.my -
                           around.box.j0;
       double* to = out + static_cast<std::size_t>(i) * grid_.ny;

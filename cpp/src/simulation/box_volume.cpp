@@ -29,7 +29,7 @@ Field BoxVolume::spread(const Field& strain) const {
   return out;
 }
 
-void BoxVolume::transform(const Field& strain) {
+void BoxVolume::transform(const Field& strain, std::span<const operators::Axis>) {
   if (is_one()) {
     operators::forward(operators_->transform(), strain.data(), spectrum_);
   } else {
@@ -37,8 +37,8 @@ void BoxVolume::transform(const Field& strain) {
   }
 }
 
-void BoxVolume::displacement(double* out) const {
-  operators_->residual_displacement().apply(spectrum_, out);
+void BoxVolume::displacement(operators::Axis axis, double* out) const {
+  operators_->residual_displacement(axis).apply(spectrum_, out);
 }
 
 void BoxVolume::for_each_layer(bool strained, const Field& strain,

@@ -43,7 +43,8 @@ Zones acting_zones(const PlasticState& history, const Zones& zones, const Grid& 
 }
 
 OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,
-                             const Zones& zones, operators::ResidualMethod method) {
+                             const Zones& zones, operators::ResidualMethod method,
+                             std::span<const operators::Axis> axes) {
   if (!history.reaches_beyond(zones)) return {};
   const Grid& grid = scene.grid;
   const fft::Symmetry symmetry = history.symmetry();
@@ -59,13 +60,16 @@ OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& h
   operators::VolumeSpectrum spectrum = operators->make_spectrum();
   operators::forward(operators->transform(), strain.data(), spectrum);
   OutsideStrain out;
-  Field displacement(around.surface_size());
-  operators->residual_displacement().apply(spectrum, displacement.data());
   out.surface = {part.i0, around.j0, part.nx, around.ny, 1};
-  out.displacement.resize(out.surface.surface_size());
   Box surface = around;
   surface.nz = 1;
-  extract(displacement.data(), surface, out.displacement.data(), out.surface);
+  Field displacement(around.surface_size());
+  for (const operators::Axis axis : axes) {
+    operators->residual_displacement(axis).apply(spectrum, displacement.data());
+    Field& of_axis = out.displacement[static_cast<int>(axis)];
+    of_axis.resize(out.surface.surface_size());
+    extract(displacement.data(), surface, of_axis.data(), out.surface);
+  }
   if (zones.empty()) return out;
 
   out.stress.resize(zones.count());
@@ -88,16 +92,20 @@ OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& h
 }
 
 OutsideStrain outside_strain_in_zones(const std::shared_ptr<const operators::ZoneTables>& tables,
-                                      const PlasticState& history, const Zones& zones, int reach) {
+                                      const PlasticState& history, const Zones& zones, int reach,
+                                      std::span<const operators::Axis> axes) {
   const Zones all = acting_zones(history, zones, tables->grid(), reach);
   if (all == zones) return {};
   operators::ZoneOperators operators(tables, all.boxes());
   const Field strain = strain_without(history, all, zones);
-  operators.transform(strain);
+  operators.transform(strain, axes);
   OutsideStrain out;
   out.surface = Box::surface(tables->grid());
-  out.displacement.resize(out.surface.surface_size());
-  operators.displacement(out.displacement.data());
+  for (const operators::Axis axis : axes) {
+    Field& of_axis = out.displacement[static_cast<int>(axis)];
+    of_axis.resize(out.surface.surface_size());
+    operators.displacement(axis, of_axis.data());
+  }
   const int components = operators::count(history.tensor());
   for (const Box& box : zones.boxes()) out.stress.emplace_back(components * box.volume_size());
   operators.for_each_layer(&strain, {}, 1.0, [&](std::size_t from, int k, const double* stress) {

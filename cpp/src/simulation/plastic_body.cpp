@@ -171,14 +171,15 @@ void PlasticBody::transform(bool active) {
 
 void PlasticBody::open(Field& gap) {
   rim_displacement_ = 0.0;
-  if (!outside_.displacement.empty()) {
-    open(outside_.surface, outside_.displacement, gap);
-    rim_displacement_ += largest_at_rim(outside_.surface, outside_.displacement, false);
+  const Field& lift = outside_.displacement[static_cast<int>(operators::Axis::z)];
+  if (!lift.empty()) {
+    open(outside_.surface, lift, gap);
+    rim_displacement_ += largest_at_rim(outside_.surface, lift, false);
   }
   if (!strained_) return;
   const Box& surface = volume_->surface();
   Field displacement(surface.surface_size());
-  volume_->displacement(displacement.data());
+  volume_->displacement(operators::Axis::z, displacement.data());
   open(surface, displacement, gap);
   rim_displacement_ += largest_at_rim(surface, displacement, true);
 }

@@ -269,22 +269,22 @@ Field State::backstress(int body, const Box& region) const {
   return out;
 }
 
-Field State::residual_displacement(int body) const {
+Field State::residual_displacement(int body, operators::Axis axis) const {
   const Grid& grid = scene_->grid;
   Field own(grid.surface_size());
   if (is_in_zones(body)) {
     const PlasticState& history = *plastic[body];
     const Zones all = acting_zones(history, Zones(flow_boxes[body]), grid, scene_->reach);
     operators::ZoneOperators zones(scene_->zone_tables(body, history.tensor(), {}), all.boxes());
-    zones.transform(history.strain(all));
-    zones.displacement(own.data());
+    zones.transform(history.strain(all), {&axis, 1});
+    zones.displacement(axis, own.data());
   } else {
-    own = residual_displacement(body, {0, 0, grid.nx, grid.ny, 0});
+    own = residual_displacement(body, axis, {0, 0, grid.nx, grid.ny, 0});
   }
   return seen_from_body(own, grid, -placement().offset[body]);
 }
 
-Field State::residual_displacement(int body, const Box& region) const {
+Field State::residual_displacement(int body, operators::Axis axis, const Box& region) const {
   const Box surface{region.i0, region.j0, region.nx, region.ny, 1};
   Field out(surface.surface_size(), 0.0);
   if (!plastic[body]) return out;
@@ -306,8 +306,9 @@ Field State::residual_displacement(int body, const Box& region) const {
   operators::VolumeSpectrum spectrum = operators->make_spectrum();
   operators::forward(operators->transform(), history->strain(stored).data(), spectrum);
   Field displacement(stored.surface_size()), plane(around.surface_size());
-  operators->residual_displacement().apply(spectrum, displacement.data());
-  unfold(displacement.data(), stored, symmetry, false, false, plane.data(), around, grid);
+  operators->residual_displacement(axis).apply(spectrum, displacement.data());
+  unfold(displacement.data(), stored, symmetry, axis == operators::Axis::x,
+         axis == operators::Axis::y, plane.data(), around, grid);
   Box layer = around;
   layer.nz = 1;
   extract(plane.data(), layer, out.data(), surface);
@@ -315,7 +316,7 @@ Field State::residual_displacement(int body, const Box& region) const {
 }
 
 Field State::surface_displacement(int body) const {
-  Field out = residual_displacement(body);
+  Field out = residual_displacement(body, operators::Axis::z);
   if (scene_->media[body]->is_rigid()) return out;
   add(operators::surface_displacement(scene_->grid, *scene_->media[body], heating[body], tractions,
                                       operators::shear_sign(body), operators::Axis::z),

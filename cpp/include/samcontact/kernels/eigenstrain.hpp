@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Influence of a cuboid with uniform eigenstrain (plastic strain) in a half-space: u_z of the
-// surface and stress anywhere. Corner functions; sums in corners.hpp.
+// Influence of a cuboid with uniform eigenstrain (plastic strain) in a half-space: displacement of
+// the surface and stress anywhere. Corner functions; sums in corners.hpp.
 //
 // Lengths in one unit. Strain components xx, yy, zz, yz, xz, xy are tensor components and each
 // shear component is counted once (the factor 2 of its transpose is inside the kernels).
@@ -17,6 +17,12 @@ namespace samcontact::kernels {
 /// even-odd, xz odd-even, xy odd-odd. Boucly (2008), eqs (2.64)-(2.71), with (2.68) corrected and
 /// the term of the trace added, so that any symmetric strain is allowed.
 std::array<double, 6> eigenstrain_displacement(double x, double y, double z, double nu);
+
+/// Corner functions H_I of the displacement along the surface: u_x = 1/(2 pi) sum_I eps_I S3[H_I],
+/// arguments as above. Parities in (x, y): xx, yy, zz odd-even, yz odd-odd, xz even-even, xy
+/// even-odd. For u_y exchange x and y, xx and yy, yz and xz. By reciprocity, the stress of a unit
+/// shear force (shear_stress()) integrated over the cuboid: docs/theory.md.
+std::array<double, 6> eigenstrain_side_displacement(double x, double y, double z, double nu);
 
 constexpr int full_space_count = 15;
 constexpr int image_count = 43;

@@ -19,8 +19,9 @@ std::array<double, 3> shear_wave_displacement(double kx, double ky, double nu);
 Stress pressure_wave_stress(double kx, double ky, double z, double nu);
 Stress shear_wave_stress(double kx, double ky, double z, double nu);
 
-/// Means over depths z0 < z < z1 of pressure_wave_stress.
+/// Means over depths z0 < z < z1 of pressure_wave_stress and of shear_wave_stress.
 Stress pressure_wave_mean(double kx, double ky, double z0, double z1, double nu);
+Stress shear_wave_mean(double kx, double ky, double z0, double z1, double nu);
 
 /// Corner functions in x of the stress below a strip -a < x < a: sigma = traction/pi (F(x + a) -
 /// F(x - a)), of pressure, shear along x and shear along y. Johnson (1985), sec. 2.5; the last one
@@ -31,5 +32,8 @@ Stress strip_antiplane_stress(double x, double z);
 
 /// The same of eigenstrain_displacement for a bar with corner depths z: u_z = 1/pi S_2[D].
 std::array<double, 6> bar_displacement(double x, double z, double nu);
+/// Of its displacement across, u_x, and along, u_y.
+std::array<double, 6> bar_displacement_across(double x, double z, double nu);
+std::array<double, 6> bar_displacement_along(double x, double z);
 
 }  // namespace samcontact::kernels

@@ -3,6 +3,8 @@
 // lattice sums of them need.
 #pragma once
 
+#include <array>
+
 #include "samcontact/base/elastic.hpp"
 #include "samcontact/base/grid.hpp"
 #include "samcontact/operators/periodic_sums.hpp"
@@ -13,12 +15,23 @@ namespace samcontact::operators {
 /// In x and y: odd in a direction that one of traction and displacement has and the other not.
 kernels::Parity compliance_parity(Traction traction, Axis axis);
 
+/// Corner function of the displacement of the surface along an axis under a unit traction on a
+/// rectangle, and what pi times the displacement over its corner sum is [1/Pa].
+double compliance_corner(Traction traction, Axis axis, double x, double y, double nu);
+double compliance_factor(const Elastic& elastic, Traction traction, Axis axis);
 /// Displacement of the surface along an axis per unit traction [j][i] [m/Pa].
 Field cell_compliance(const Elastic& elastic, Traction traction, Axis axis, const Grid& grid,
                       const CellOffsets& offsets);
 CellInfluence compliance_of_cell(const Elastic& elastic, Traction traction, Axis axis,
                                  const Grid& grid);
 
+/// The same of a stress component under a traction, and of the displacement which that works on
+/// under the component as an eigenstrain.
+kernels::Parity stress_parity(Traction traction, int component);
+
+/// Corner functions of the stress under a unit traction on a rectangle, whose corner sum counts
+/// 1/(2 pi).
+kernels::Stress stress_corner(Traction traction, double x, double y, double z, double nu);
 /// Stress at a depth per unit traction on offsets 0..nx-1, 0..ny-1: [component][j][i] [-].
 Field cell_stress(double nu, Traction traction, const Grid& grid, int nx, int ny, double z,
                   Tensor tensor);
@@ -27,11 +40,12 @@ Field cell_stress(double nu, Traction traction, const Grid& grid, const CellOffs
                   double z, Tensor tensor);
 CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, double z);
 
-/// u_z of the surface per unit eigenstrain xx, yy, zz, yz, xz, xy in a cell of a layer,
+/// Displacement of the surface along an axis per unit eigenstrain xx, yy, zz, yz, xz, xy in a cell
+/// of a layer: corner functions, whose sum over the eight corners counts 1/(2 pi), and tables
 /// [component][j][i] [m].
-Field cell_residual_displacement(double nu, const Grid& grid, const CellOffsets& offsets,
+std::array<double, 6> residual_corner(Axis axis, double x, double y, double z, double nu);
+Field cell_residual_displacement(double nu, Axis axis, const Grid& grid, const CellOffsets& offsets,
                                  int layer);
-/// u_z of the surface per unit eigenstrain xx, yy, zz, yz, xz, xy in a cell of a layer [m].
-CellInfluence residual_of_cell(double nu, const Grid& grid, int layer);
+CellInfluence residual_of_cell(double nu, Axis axis, const Grid& grid, int layer);
 
 }  // namespace samcontact::operators

@@ -45,9 +45,9 @@ class Medium {
   /// The same at any offsets, of a grid without period.
   virtual Field stress(Traction traction, const Grid& grid, const CellOffsets& offsets, double z,
                        Tensor tensor) const = 0;
-  /// u_z of the surface under a unit eigenstrain in a cell of a layer, [component of all
-  /// six][j][i] [m], of a grid without period.
-  virtual Field residual_displacement(const Grid& grid, const CellOffsets& offsets,
+  /// Displacement of the surface along an axis under a unit eigenstrain in a cell of a layer,
+  /// [component of all six][j][i] [m], of a grid without period.
+  virtual Field residual_displacement(Axis axis, const Grid& grid, const CellOffsets& offsets,
                                       int layer) const = 0;
 
   /// Operators of eigenstrain in the layers of a grid, the first of which starts at the surface.
@@ -56,7 +56,7 @@ class Medium {
       const ResidualSettings& settings) const = 0;
   /// shallower: that of fewer layers, which are taken from it; null: none.
   virtual std::unique_ptr<ResidualDisplacement> residual_displacement(
-      const Grid& grid, const VolumeTransform& transform, Tensor tensor,
+      Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,
       const ResidualDisplacement* shallower) const = 0;
 
   /// Of heat that enters with a unit pressure on one cell, see heating.hpp.

@@ -17,8 +17,6 @@
 
 namespace samcontact::operators {
 
-enum class Axis { x, y, z };
-
 /// With x and y exchanged.
 Traction exchanged(Traction traction);
 Axis exchanged(Axis axis);

@@ -24,9 +24,9 @@ class TractionStress {
   TractionStress(const Grid& grid, const VolumeTransform& transform, SharedMedium medium,
                  std::shared_ptr<const HeatStress> heat, std::vector<double> depths, Tensor tensor);
 
-  /// out += stress of tractions [i][j], their shear multiplied by shear_sign. All layers of `out`
-  /// then count as used. shallower: the same of the first depths, whose spectra are taken where
-  /// they are there; null: none.
+  /// out += stress of tractions [i][j], their shear multiplied by shear_sign; in mirrors they are
+  /// those of a vector (vector_parity()). All layers of `out` then count as used. shallower: the
+  /// same of the first depths, whose spectra are taken where they are there; null: none.
   void add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
            const TractionStress* shallower = nullptr) const;
 
@@ -46,7 +46,9 @@ class TractionStress {
   /// heat: by depth, empty without. first: depths before it are those of `known`.
   Field build(Part part, const std::vector<std::vector<ParityParts>>& heat, int first,
               const Field& known) const;
-  void add(Part part, const Field& traction, double scale, VolumeSpectrum& out) const;
+  /// Of a traction's spectrum, whose plane is even or odd as told in mirrored directions.
+  void add(Part part, kernels::Parity input, const Field& traction, double scale,
+           VolumeSpectrum& out) const;
 
   Grid grid_;
   const VolumeTransform* transform_;

@@ -1,15 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What loads a surface: pressure and shear along x and y.
+// What loads a surface, pressure and shear along x and y, and the axes it moves along.
 #pragma once
 
 #include <array>
 
 #include "samcontact/base/aligned.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
 
 namespace samcontact::operators {
 
 enum class Traction { pressure, shear_x, shear_y };
 inline constexpr std::array all_tractions{Traction::pressure, Traction::shear_x, Traction::shear_y};
+
+enum class Axis { x, y, z };
+inline constexpr std::array all_axes{Axis::x, Axis::y, Axis::z};
+inline constexpr std::array normal_axis{Axis::z};
+
+/// Of a traction, and of the displacement that it works on, as a component of a vector in the
+/// mirrors x = 0 and y = 0.
+constexpr kernels::Parity vector_parity(Traction traction) {
+  return {traction == Traction::shear_x, traction == Traction::shear_y, false};
+}
+
+/// The traction that works on a displacement along an axis.
+constexpr Traction traction_along(Axis axis) {
+  if (axis == Axis::z) return Traction::pressure;
+  return axis == Axis::x ? Traction::shear_x : Traction::shear_y;
+}
 
 /// Tractions on a surface [i][j] [Pa] in the body's own frame; empty arrays mean none.
 struct Tractions {

@@ -15,9 +15,10 @@ class VolumeMedium : public Medium {
     fail();
   }
   Field stress(Traction, const Grid&, const CellOffsets&, double, Tensor) const override { fail(); }
-  Field residual_displacement(const Grid&, const CellOffsets&, int) const override { fail(); }
+  Field residual_displacement(Axis, const Grid&, const CellOffsets&, int) const override { fail(); }
   std::unique_ptr<ResidualDisplacement> residual_displacement(
-      const Grid&, const VolumeTransform&, Tensor, const ResidualDisplacement*) const override {
+      Axis, const Grid&, const VolumeTransform&, Tensor,
+      const ResidualDisplacement*) const override {
     fail();
   }
 

@@ -2,6 +2,7 @@
 // All operators of one body's volume, each built when it is first needed.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -38,7 +39,7 @@ class VolumeOperators {
   VolumeSpectrum make_spectrum() const { return {transform_, grid_.nz, options_.tensor}; }
 
   const ResidualStress& residual_stress() const;
-  const ResidualDisplacement& residual_displacement() const;
+  const ResidualDisplacement& residual_displacement(Axis axis) const;
   /// Stress of an eigenstrain and of tractions; either pointer may be null. shear_sign multiplies
   /// the shear.
   Field stress(const double* strain, const Tractions* tractions, double shear_sign) const;
@@ -60,7 +61,7 @@ class VolumeOperators {
   mutable std::mutex mutex_;
   TractionStress traction_stress_;
   mutable std::unique_ptr<ResidualStress> residual_stress_;
-  mutable std::unique_ptr<ResidualDisplacement> residual_displacement_;
+  mutable std::array<std::unique_ptr<ResidualDisplacement>, 3> residual_displacement_;  // by axis
 };
 
 }  // namespace samcontact::operators

@@ -8,6 +8,7 @@
 #include "samcontact/base/grid.hpp"
 #include "samcontact/fft/mirrored_transform.hpp"
 #include "samcontact/fft/padded_transform.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
 
 namespace samcontact::operators {
 
@@ -41,9 +42,10 @@ class VolumeTransform {
   void forward(std::span<const Plane> planes, std::size_t stride) const;
   void inverse(std::span<const Plane> planes, std::size_t stride) const;
 
-  /// One plane, even in x and y; the spectrum [ky][kx] in rows of row_size(). Threaded where whole.
-  Field forward(const double* plane) const;
-  void inverse(Field& spectrum, double* plane) const;
+  /// One plane, even or odd in mirrored directions; the spectrum [ky][kx] in rows of row_size().
+  /// Threaded where whole.
+  Field forward(const double* plane, kernels::Parity parity = {}) const;
+  void inverse(Field& spectrum, double* plane, kernels::Parity parity = {}) const;
 
  private:
   int nx_, ny_;

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "samcontact/base/box.hpp"
@@ -60,10 +61,10 @@ class ZoneOperators {
   const std::vector<Box>& zones() const { return zones_; }
   std::size_t cells() const { return cells_; }
 
-  /// Takes the strain for what follows.
-  void transform(const Field& strain);
-  /// Its u_z of the surface [m] over the grid, [i][j].
-  void displacement(double* out) const;
+  /// Takes the strain for what follows: displacement along these axes, at least one, and stress.
+  void transform(const Field& strain, std::span<const Axis> axes = normal_axis);
+  /// Its displacement of the surface [m] over the grid, [i][j], along one of these.
+  void displacement(Axis axis, double* out) const;
   /// stress: [component][i][j] of a layer of a zone.
   using Use = std::function<void(std::size_t zone, int layer, const double* stress)>;
   /// Stress of the strain, which is the one that was taken, or none (null), and of tractions on the

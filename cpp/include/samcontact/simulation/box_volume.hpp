@@ -15,9 +15,9 @@ class BoxVolume : public ZoneVolume {
             operators::ResidualMethod method, fft::Symmetry symmetry,
             const operators::Heating& heating);
 
-  void transform(const Field& strain) override;
+  void transform(const Field& strain, std::span<const operators::Axis> axes) override;
   const Box& surface() const override { return surface_; }
-  void displacement(double* out) const override;
+  void displacement(operators::Axis axis, double* out) const override;
   void for_each_layer(bool strained, const Field& strain, const operators::Tractions& tractions,
                       double sign, const Use& use) override;
 

@@ -21,9 +21,13 @@ class SplitVolume : public ZoneVolume {
         heating_(heating),
         operators_(std::move(tables), zones.boxes()) {}
 
-  void transform(const Field& strain) override { operators_.transform(strain); }
+  void transform(const Field& strain, std::span<const operators::Axis> axes) override {
+    operators_.transform(strain, axes);
+  }
   const Box& surface() const override { return surface_; }
-  void displacement(double* out) const override { operators_.displacement(out); }
+  void displacement(operators::Axis axis, double* out) const override {
+    operators_.displacement(axis, out);
+  }
   void for_each_layer(bool strained, const Field& strain, const operators::Tractions& tractions,
                       double sign, const Use& use) override {
     operators_.for_each_layer(strained ? &strain : nullptr,

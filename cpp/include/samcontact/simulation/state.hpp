@@ -114,7 +114,7 @@ class State {
   Field backstress(int body, const Box& region) const;
   /// Fields of the plastic strain over cells of the body beside or in the grid; [i][j] or
   /// [component][k][i][j] of the region.
-  Field residual_displacement(int body, const Box& region) const;
+  Field residual_displacement(int body, operators::Axis axis, const Box& region) const;
   Field residual_stress(int body, const Box& region) const;
   Field plastic_strain(int body, const Box& region) const;
   Field equivalent_plastic_strain(int body, const Box& region) const;
@@ -132,8 +132,9 @@ class State {
   /// by the operators of the increment.
   Field deviator_in_own_box(int body, bool with_tractions) const;
 
-  /// Surface fields [i][j] [m], positive into the body: of the plastic strain, and of all.
-  Field residual_displacement(int body) const;
+  /// Surface fields [i][j] [m]: displacement along an axis due to the plastic strain, and u_z, into
+  /// the body, due to all.
+  Field residual_displacement(int body, operators::Axis axis) const;
   Field surface_displacement(int body) const;
   /// Rise of temperature [K] at mid-depth of the layers [k][i][j], and of the surface [i][j].
   Field temperature(int body, Layers layers = {}) const;
