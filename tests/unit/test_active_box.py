@@ -172,6 +172,24 @@ class TestMirrors:
         assert (state.equivalent_plastic_strain() >= before).all()
         assert state.grid == grid
 
+    @pytest.mark.parametrize("sliding", [0.0, 0.2])
+    def test_shear_is_a_vector_in_mirrors(self, sliding):
+        """Towards the middle, and along x besides: s_x is odd about x = 0, s_y about y = 0."""
+        sim, crooked = simulation(), simulation()
+        x, y = np.meshgrid(sim.grid.x, sim.grid.y, indexing="ij")
+        pressure = 4.5e9 * np.sqrt(np.maximum(1 - (x**2 + y**2) / (0.2 * np.ptp(x)) ** 2, 0))
+        shear = pressure * np.stack([sliding - 0.3 * x / x.max(), -0.3 * y / y.max()])
+        state = sim.step(pressure=pressure, shear=shear)
+        shear[1, 16, 16] += 1e-8 * pressure.max()
+        whole = crooked.step(pressure=pressure, shear=shear)
+        assert (mirrors(state), mirrors(whole)) == (1 if sliding else 2, 0)
+        assert state.max_plastic_strain() > 1e-3
+        for name in ("plastic_strain", "stress", "residual_displacement"):
+            assert close(getattr(state, name)(), getattr(whole, name)(), 1e-4)
+        for axis in "xy":
+            moved, reference = (s.residual_displacement(2, axis) for s in (state, whole))
+            assert close(moved, reference, 1e-4)
+
     def test_both_bodies(self):
         state = simulation(bodies=(STEEL, STEEL)).step(load=1200.0)
         for name in ("plastic_strain", "residual_displacement"):

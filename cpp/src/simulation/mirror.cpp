@@ -16,16 +16,17 @@ fft::Symmetry symmetry_of(const operators::HeatingPair& heating) {
   return symmetry;
 }
 
-fft::Symmetry symmetry_of(const Field& field, const Grid& grid) {
+fft::Symmetry symmetry_of(const Field& field, const Grid& grid, kernels::Parity parity) {
   const auto at = [&](int i, int j) { return field[static_cast<std::size_t>(i) * grid.ny + j]; };
   double largest = 0.0;
   for (const double value : field) largest = std::max(largest, std::fabs(value));
   const double rounding = 1e-10 * largest;
+  const double sign_x = parity.odd_x ? -1.0 : 1.0, sign_y = parity.odd_y ? -1.0 : 1.0;
   bool x = true, y = true;
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
-      y = y && std::fabs(at(i, j) - at(i, grid.ny - 1 - j)) <= rounding;
-      x = x && std::fabs(at(i, j) - at(grid.nx - 1 - i, j)) <= rounding;
+      y = y && std::fabs(at(i, j) - sign_y * at(i, grid.ny - 1 - j)) <= rounding;
+      x = x && std::fabs(at(i, j) - sign_x * at(grid.nx - 1 - i, j)) <= rounding;
     }
   }
   if (!y) return fft::Symmetry::none;
@@ -33,10 +34,11 @@ fft::Symmetry symmetry_of(const Field& field, const Grid& grid) {
 }
 
 fft::Symmetry symmetry_of(const operators::Tractions& tractions, const Grid& grid) {
-  if (!tractions.shear_y.empty()) return fft::Symmetry::none;
-  fft::Symmetry symmetry = symmetry_of(tractions.pressure, grid);
-  if (!tractions.shear_x.empty()) {
-    symmetry = common(symmetry, common(fft::Symmetry::y, symmetry_of(tractions.shear_x, grid)));
+  auto symmetry = fft::Symmetry::xy;
+  for (const operators::Traction kind : operators::all_tractions) {
+    const Field& field = tractions.of(kind);
+    if (field.empty()) continue;
+    symmetry = common(symmetry, symmetry_of(field, grid, operators::vector_parity(kind)));
   }
   return symmetry;
 }

@@ -13,7 +13,7 @@ namespace samcontact::simulation {
 /// Mirror planes that heat leaves.
 fft::Symmetry symmetry_of(const operators::HeatingPair& heating);
 /// Mirror planes of a surface field, to 1e-10 of its largest value.
-fft::Symmetry symmetry_of(const Field& field, const Grid& grid);
+fft::Symmetry symmetry_of(const Field& field, const Grid& grid, kernels::Parity parity = {});
 /// Those of tractions, which are along x and y.
 fft::Symmetry symmetry_of(const operators::Tractions& tractions, const Grid& grid);
 /// Those that both have.
