@@ -47,6 +47,13 @@ inline py::array surface_array(Field field, const Grid& grid) {
   return own(std::move(field), {grid.nx, grid.ny}, {item * grid.ny, item});
 }
 
+/// [component][i][j] of a vector of the surface.
+inline py::array vector_array(Field field, const Grid& grid) {
+  const auto plane = static_cast<py::ssize_t>(grid.surface_size());
+  return own(std::move(field), {py::ssize_t{2}, py::ssize_t{grid.nx}, py::ssize_t{grid.ny}},
+             {item * plane, item * grid.ny, item});
+}
+
 /// Depth-major [k][i][j] seen as (nx, ny, layers).
 inline py::array volume_array(Field field, const Grid& grid, py::ssize_t layers) {
   const auto plane = static_cast<py::ssize_t>(grid.surface_size());

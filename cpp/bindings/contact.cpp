@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/contact/coulomb_contact.hpp"
 #include "samcontact/operators/half_space.hpp"
 
 namespace samcontact::bindings {
@@ -41,6 +46,70 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
   return result;
 }
 
+contact::TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
+                                          const std::array<double, 3>& values) {
+  using contact::Given;
+  const auto given = [&](int k) {
+    return is_force[k] ? Given::force(values[k]) : Given::motion(values[k]);
+  };
+  return {given(0), given(1), given(2)};
+}
+
+py::array_t<bool> flags_array(const std::vector<unsigned char>& flags, const Grid& grid) {
+  py::array_t<bool> array({grid.nx, grid.ny});
+  std::copy(flags.begin(), flags.end(), array.mutable_data());
+  return array;
+}
+
+/// Fields of a StickSlipSolution, without the totals of increments before.
+py::dict to_python(contact::CoulombSolution solution, const Grid& grid) {
+  auto& [normal, tangential, sweeps] = solution;
+  py::dict result;
+  result["pressure"] = surface_array(std::move(normal.tractions.pressure), grid);
+  result["gap"] = surface_array(std::move(normal.gap), grid);
+  result["approach"] = normal.motion.approach;
+  result["load"] = normal.load;
+  result["error"] = normal.error;
+  result["iterations"] = normal.iterations;
+  result["operator_applications"] = normal.operator_applications;
+  result["work"] = normal.work;
+  result["converged"] = normal.converged;
+  result["border_complaint"] = normal.border_complaint;
+  result["shear"] = vector_array(std::move(tangential.shear), grid);
+  result["slip"] = vector_array(std::move(tangential.slip), grid);
+  result["sticking"] = flags_array(tangential.sticking, grid);
+  result["motion"] = tangential.motion;
+  result["force"] = tangential.force;
+  result["friction_work"] = tangential.friction_work;
+  result["tangential_error"] = tangential.error;
+  result["energy_gap"] = tangential.energy_gap;
+  result["tangential_iterations"] = tangential.iterations;
+  result["tangential_applications"] = tangential.operator_applications;
+  result["tangential_work"] = tangential.work;
+  result["fallbacks"] = tangential.fallbacks;
+  result["sweeps"] = sweeps;
+  return result;
+}
+
+py::dict stick_and_slip(const contact::CoulombContact& contact, const Array& gap, bool load_driven,
+                        double value, const std::array<bool, 3>& is_force,
+                        const std::array<double, 3>& tangential, const py::object& pressure,
+                        const py::object& shear, const py::object& initial_pressure, double tol,
+                        int max_iterations, bool error_on_border) {
+  const Field h = to_field(gap), start = to_field_or_empty(initial_pressure);
+  const contact::ContactHistory before{to_field_or_empty(pressure), to_field_or_empty(shear)};
+  const contact::ContactSettings settings{
+      tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
+  const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
+  contact::CoulombSolution solution;
+  {
+    const py::gil_scoped_release release;
+    solution =
+        contact.solve(h, normal, tangential_drive(is_force, tangential), before, start, settings);
+  }
+  return to_python(std::move(solution), contact.grid());
+}
+
 /// Shear s_x on body 2 that goes with a pressure; None without friction.
 py::object shear(const ContactSolver& solver, const Array& pressure) {
   Field along_x = solver.sliding().tractions(to_field(pressure)).shear_x;
@@ -64,6 +133,19 @@ void bind_contact(py::module_& m) {
            py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
            py::arg("error_on_border"))
       .def("shear", &shear, py::arg("pressure"));
+
+  py::class_<contact::CoulombContact>(m, "CoulombContact")
+      .def(py::init(
+               [](const Grid& grid, const Elastic& body1, const Elastic& body2, double friction) {
+                 return std::make_unique<contact::CoulombContact>(
+                     grid, operators::half_space(body1), operators::half_space(body2), friction);
+               }),
+           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"))
+      .def_property_readonly("is_coupled", &contact::CoulombContact::is_coupled)
+      .def("solve", &stick_and_slip, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
+           py::arg("is_force"), py::arg("tangential"), py::arg("previous_pressure"),
+           py::arg("previous_shear"), py::arg("initial_pressure"), py::arg("tol"),
+           py::arg("max_iterations"), py::arg("error_on_border"));
 }
 
 }  // namespace samcontact::bindings

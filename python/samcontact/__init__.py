@@ -31,8 +31,9 @@ from ._core import version as __version__
 from ._doubts import UnitWarning
 from ._told import PlasticStrainWarning
 from .accuracy import AccuracyWarning, Accurate, to_accuracy
-from .contact import ContactSolution, ContactSolver, GridTooSmallWarning
+from .contact import ContactSolver, GridTooSmallWarning
 from .find import FoundLoad, find_load
+from .friction import Coulomb
 from .grid import Grid
 from .grid_errors import GridErrors, estimate_errors
 from .heat import Heat
@@ -41,6 +42,7 @@ from .relief import Relief
 from .resolution import ElasticStrainWarning, ResolutionWarning
 from .runs.file import CheckpointError
 from .simulation import Simulation
+from .solution import ContactSolution, StickSlipSolution
 from .state import State
 from .sweeps import SweepInterrupted, sweep
 from .track import Track
@@ -53,6 +55,7 @@ __all__ = [
     "ContactSolution",
     "ContactSolver",
     "ConvergenceError",
+    "Coulomb",
     "ElasticStrainWarning",
     "FoundLoad",
     "Grid",
@@ -66,6 +69,7 @@ __all__ = [
     "ResolutionWarning",
     "Simulation",
     "State",
+    "StickSlipSolution",
     "SweepInterrupted",
     "Track",
     "UnitWarning",

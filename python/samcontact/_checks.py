@@ -62,6 +62,12 @@ def finite(name: str, value: Any) -> float:
     return result
 
 
+def require_type(name: str, value: Any, kind: type) -> None:
+    """Raise TypeError naming the argument unless `value` is a `kind`."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{name} must be a samcontact.{kind.__name__}, got {value!r}")
+
+
 def positive(name: str, value: Any, *, allow_inf: bool = False) -> float:
     """Return `value` as a float > 0, finite unless `allow_inf`."""
     result = number(name, value)

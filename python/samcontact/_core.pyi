@@ -115,6 +115,25 @@ class ContactSolver:
     ) -> dict[str, Any]: ...  # fields of ContactSolution (operator_applications, work, ...)
     def shear(self, pressure: FloatArray) -> FloatArray | None: ...
 
+class CoulombContact:
+    def __init__(self, grid: Grid, body1: Elastic, body2: Elastic, friction: float) -> None: ...
+    @property
+    def is_coupled(self) -> bool: ...
+    def solve(
+        self,
+        gap: FloatArray,
+        load_driven: bool,
+        value: float,
+        is_force: tuple[bool, bool, bool],
+        tangential: tuple[float, float, float],
+        previous_pressure: FloatArray | None,
+        previous_shear: FloatArray | None,
+        initial_pressure: FloatArray | None,
+        tol: float,
+        max_iterations: int,
+        error_on_border: bool,
+    ) -> dict[str, Any]: ...  # fields of StickSlipSolution, without totals
+
 class State:
     def __getattr__(self, name: str) -> Any: ...  # one of its content; None: there is none
     def content(self) -> dict[str, Any]: ...

@@ -16,8 +16,8 @@ from . import hertz
 from ._core import ConvergenceError
 
 if TYPE_CHECKING:
-    from .contact import ContactSolution
     from .material import Material
+    from .solution import ContactSolution
     from .state import State
 
 SHARE = 1e-3

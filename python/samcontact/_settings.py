@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 from . import _core
 from ._checks import choice, in_cells, integer, number
 from ._frozen import Fixed
+from .friction import Coulomb
 
 
 @dataclass(frozen=True)
@@ -73,6 +74,14 @@ class Words:
         return word
 
 
+@dataclass(frozen=True)
+class Friction(Range):
+    """A coefficient, or a law of friction."""
+
+    def check(self, name: str, value: Any) -> Any:
+        return value if isinstance(value, Coulomb) else super().check(name, value)
+
+
 Allowed = Range | Counted | Words
 
 
@@ -90,7 +99,7 @@ def allowed(settings: type[ContactSettings]) -> Mapping[str, Allowed]:
 class ContactSettings:
     """Of `ContactSolver`, which tells what they mean."""
 
-    friction: float = _setting(0.0, Range(ge=0.0))
+    friction: float | Coulomb = _setting(0.0, Friction(ge=0.0))  # noqa: RUF009 (a field)
     tol: float = _setting(1e-8, Range(ge=1e-13, lt=1.0))
     on_border: str = _setting("error", Words(("error", "warn")))
     max_iterations: int = _setting(5000, Counted())
@@ -107,9 +116,13 @@ class ContactSettings:
         """A value of one of them."""
         return allowed(cls)[name].check(name, value)
 
+    def arguments(self) -> dict[str, Any]:
+        """By name."""
+        return {item.name: getattr(self, item.name) for item in fields(self)}
+
     def __str__(self) -> str:
         """Those that are not None, as the arguments they are."""
-        given = {name: value for name, value in asdict(self).items() if value is not None}
+        given = {name: value for name, value in self.arguments().items() if value is not None}
         return ", ".join(f"{name}={value!r}" for name, value in given.items())
 
 
@@ -117,6 +130,7 @@ class ContactSettings:
 class Settings(ContactSettings):
     """Of `Simulation`, which tells what they mean."""
 
+    friction: float = _setting(0.0, Range(ge=0.0))
     tol: float = _setting(1e-6, Range(ge=1e-11, lt=1.0))
     max_iterations: int = _setting(60, Counted())
     increment_tol: float | None = _setting(None, Range(gt=0.0, lt=1.0))
@@ -136,7 +150,7 @@ class Settings(ContactSettings):
 
     def to_core(self, dx: float) -> _core.Settings:
         """As the core takes them, on cells of this length along x [m]."""
-        given = asdict(self)
+        given = self.arguments()
         del given["friction"]  # of the scene
         given["increment_tol"] = self.increment_tol or 0.0
         given["one_zone"] = given.pop("zones") == "one"
@@ -147,7 +161,7 @@ class Settings(ContactSettings):
 class Configured(Fixed):
     """Has its settings as attributes."""
 
-    friction: float
+    friction: Any  # float, or a law
     tol: float
     on_border: str
     max_iterations: int
@@ -155,4 +169,4 @@ class Configured(Fixed):
 
     def _configure(self, settings: ContactSettings) -> None:
         self._settings = settings
-        vars(self).update(asdict(settings))
+        vars(self).update(settings.arguments())

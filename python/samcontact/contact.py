@@ -5,104 +5,45 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, replace
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _expected, _memory, resolution
-from ._checks import FloatArray, choice, exactly_one, finite_array, number
+from ._checks import FloatArray, choice, exactly_one, finite_array, number, require_type
 from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
-from ._repr import Brief, Rows, Shown, quantity
 from ._settings import Configured, ContactSettings
 from ._window import GROWS, Surfaces, Window, counts_for, require_continued, told_in
+from .friction import Coulomb, Tangential, require_cold, tangential_drive
 from .grid import Grid
 from .heat import Heat
 from .material import Material
 from .operators import depths_of, shear_components
+from .solution import ContactSolution, StickSlipSolution, fits
 
 
 class GridTooSmallWarning(UserWarning):
     """The contact reaches the border of the grid, or fields do not show all plastic strain."""
 
 
-def require_type(name: str, value: Any, kind: type) -> None:
-    """Raise TypeError naming the argument unless `value` is a `kind`."""
-    if not isinstance(value, kind):
-        raise TypeError(f"{name} must be a samcontact.{kind.__name__}, got {value!r}")
-
-
-@dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
-class ContactSolution(Brief, Shown):
-    """Solution of one elastic contact.
-
-    Attributes
-    ----------
-    grid : Grid
-        Of the fields: that of the solver, or a larger one.
-    pressure : ndarray, shape (nx, ny)
-        Contact pressure [Pa], >= 0.
-    gap : ndarray, shape (nx, ny)
-        Separation under load [m], zero (to `error`) where the pressure is positive.
-    approach : float
-        Rigid-body approach of the bodies [m].
-    load : float
-        Total load [N].
-    iterations : int
-        Conjugate-gradient steps on the grid; the start from coarser grids is not counted.
-    operator_applications : int
-        Exact displacements computed on the grid, each a pair of zero-padded transforms (with
-        coupled friction, those of the shear included).
-    work : float
-        All transforms of the solve, those of the preconditioner, of its cheap displacements and of
-        coarser grids included, in units of one exact displacement [-].
-    error : float
-        Largest violation of p >= 0, g >= 0, p g = 0: largest size of min(p/max p, g/max u) [-].
-    converged : bool
-        Whether error <= tol (a solve that is not raises ConvergenceError).
-    """
-
-    grid: Grid
-    pressure: FloatArray
-    gap: FloatArray
-    approach: float
-    load: float
-    iterations: int
-    operator_applications: int
-    work: float
-    error: float
-    converged: bool
-
-    def _rows(self) -> Rows:
-        return [
-            ("load", quantity(self.load, "N")),
-            ("approach", quantity(self.approach, "m")),
-            ("maximum pressure", quantity(float(self.pressure.max()), "Pa")),
-            ("cells in contact", f"{np.count_nonzero(self.pressure)} of {self.pressure.size}"),
-            ("iterations", str(self.iterations)),
-            ("work", quantity(self.work)),
-            ("error", quantity(self.error)),
-            ("converged", "yes" if self.converged else "no"),
-        ]
-
-
 class ContactSolver(Configured):
-    """Contact of two elastic half-spaces with Coulomb friction, gross sliding along x.
+    """Contact of two elastic half-spaces with friction.
 
     Exact Love and Cerruti coefficients, discrete convolution by FFT, active sets with a spectral
-    preconditioner, started from coarser grids. The shear mu p acts on body
-    2 in +x and on body 1 in -x; where the elastic constants couple it to the normal displacement,
-    the coupling is iterated to convergence.
+    preconditioner, started from coarser grids. Friction as a number is gross sliding along x: the
+    shear mu p acts on body 2 in +x and on body 1 in -x. With `Coulomb` the bodies stick and slip;
+    shear is solved for as pressure is. Where the elastic constants couple shear to the normal
+    displacement, the coupling is iterated to convergence.
 
     Parameters
     ----------
     grid : Grid
     body1, body2 : Material
         Upper and lower body; at most one is rigid. Plastic materials act elastically here.
-    friction : float, optional
-        Coefficient of friction mu >= 0 [-].
+    friction : float or Coulomb, optional
+        Coefficient of friction mu >= 0 [-]: gross sliding along x. `Coulomb(mu)`: stick and slip.
     tol : float, optional
         Stop when the complementarity error (see ContactSolution.error) is below, in [1e-13, 1).
     on_border : {"error", "warn"}, optional
@@ -125,7 +66,7 @@ class ContactSolver(Configured):
         grid: Grid,
         body1: Material,
         body2: Material,
-        friction: float = ContactSettings.friction,
+        friction: float | Coulomb = ContactSettings.friction,
         *,
         tol: float = ContactSettings.tol,
         on_border: str = ContactSettings.on_border,
@@ -149,7 +90,12 @@ class ContactSolver(Configured):
             )
         self._heating = heating(self.heat, (body1, body2), grid)
         self._require_memory()
-        self._core = _core.ContactSolver(grid._core, upper, lower, self.friction, self._heating)
+        self._core: _core.ContactSolver | _core.CoulombContact
+        if isinstance(self.friction, Coulomb):
+            require_cold(self.friction, self.heat)
+            self._core = _core.CoulombContact(grid._core, upper, lower, self.friction.coefficient)
+        else:
+            self._core = _core.ContactSolver(grid._core, upper, lower, self.friction, self._heating)
 
     def __repr__(self) -> str:
         return (
@@ -158,8 +104,10 @@ class ContactSolver(Configured):
         )
 
     def _require_memory(self) -> None:
-        coupled = self.friction > 0 and self.body1.parameters != self.body2.parameters
+        coupled = self.friction != 0 and self.body1.parameters != self.body2.parameters
         cell = _memory.COUPLED_CONTACT if coupled else _memory.CONTACT
+        if isinstance(self.friction, Coulomb):
+            cell = _memory.STICK_SLIP
         cell = max(cell, _memory.HEATED_CONTACT) if any(self.heat.factor) else cell
         _memory.require_for_grid("a contact", self.grid, _memory.surface(self.grid, cell))
 
@@ -169,9 +117,14 @@ class ContactSolver(Configured):
         *,
         load: float | None = None,
         approach: float | None = None,
+        shift: Sequence[float | None] | None = None,
+        tangential_load: Sequence[float | None] | None = None,
+        twist: float | None = None,
+        torque: float | None = None,
+        previous: StickSlipSolution | None = None,
         initial_pressure: ArrayLike | None = None,
     ) -> ContactSolution:
-        """Solve for a load or an approach.
+        """Solve for a load or an approach; with `Coulomb`, one increment of a history.
 
         Parameters
         ----------
@@ -183,15 +136,34 @@ class ContactSolver(Configured):
             Total load [N], >= 0; or
         approach : float
             Rigid-body approach [m]; exactly one of the two.
+        shift : (x, y), optional
+            With `Coulomb`: rigid motion of body 1 over body 2 in this increment [m]. None in place
+            of a number, or of both, leaves that direction to `tangential_load`.
+        tangential_load : (Qx, Qy), optional
+            With `Coulomb`: total force on body 2 at the end of the increment [N]; its length is
+            less than mu times the load. A direction of which nothing is told is held: shift 0.
+        twist : float, optional
+            With `Coulomb`: turn of body 1 over body 2 about z at the origin in this increment
+            [rad]; or
+        torque : float, optional
+            the moment on body 2 at its end [N m]; without both the turn is held.
+        previous : StickSlipSolution, optional
+            With `Coulomb`: the end of the increment before; default bodies that have not touched.
         initial_pressure : array_like, shape (nx, ny), optional
             Start of the iteration [Pa]; a good one, such as the solution for a similar gap or load,
             saves the coarser grids and most steps; where one leads nowhere, there is another try
             without.
 
+        Returns
+        -------
+        ContactSolution
+            With `Coulomb` a `StickSlipSolution`.
+
         Raises
         ------
         ValueError
-            Bad arguments; GridTooSmallError when the contact touches the border of the grid.
+            Bad arguments, a tangential load or torque beyond what friction holds;
+            GridTooSmallError when the contact touches the border of the grid.
         ConvergenceError
             With .iterations and .residual.
 
@@ -212,20 +184,23 @@ class ContactSolver(Configured):
         value = number(driver, load if approach is None else approach)
         if driver == "approach":
             require_reference(self.heat)
+        drive = tangential_drive(self.friction, shift, tangential_load, twist, torque, previous)
         start = None
         if initial_pressure is not None:
             start = finite_array("initial_pressure", initial_pressure, self.grid.surface_shape)
             # numbers that mean nothing beside any load would divide by zero
             start = np.where(start > 1e-75, start, 0.0)
         surfaces, solver = Surfaces(gap), self
-        window, bodies = surfaces.over(self.grid), (self.body1, self.body2)
+        if callable(gap) and previous is not None and not fits(previous, self.grid):
+            solver = self._over(previous.grid.surface_shape)
+        window, bodies = surfaces.over(solver.grid), (self.body1, self.body2)
         scene = _expected.Scene(window.grid, window.initial_gap, bodies)
         target = {"load": load, "approach": approach}
         doubted = scene.doubted(self.heat, target, stacklevel=2)
         while True:
             try:
                 with scene.beside(load=load, approach=approach):
-                    solution, complaint = solver._solved_from(start, window, driver, value)
+                    solution, complaint = solver._solved_from(start, window, driver, value, drive)
                 break
             except _core.GridTooSmallError as error:
                 if not callable(gap) and not self.grid.periodic:
@@ -249,14 +224,19 @@ class ContactSolver(Configured):
     def _over(self, counts: Sequence[int]) -> ContactSolver:
         """The same on a grid of other counts."""
         grid = replace(self.grid, nx=counts[0], ny=counts[1])
-        settings = asdict(self._settings)
+        settings = self._settings.arguments()
         return ContactSolver(grid, self.body1, self.body2, heat=self.heat, **settings)
 
     def _solved_from(
-        self, start: FloatArray | None, window: Window, driver: str, value: float
+        self,
+        start: FloatArray | None,
+        window: Window,
+        driver: str,
+        value: float,
+        drive: Tangential,
     ) -> tuple[ContactSolution, str]:
         """As `_solved`, without a start that leads nowhere."""
-        given = window.initial_gap, driver == "load", value
+        given = window.initial_gap, driver == "load", value, drive
         try:
             return self._solved(*given, start)
         except _core.ConvergenceError:
@@ -265,12 +245,21 @@ class ContactSolver(Configured):
             return self._solved(*given, None)
 
     def _solved(
-        self, gap: FloatArray, is_load: bool, value: float, start: FloatArray | None
+        self,
+        gap: FloatArray,
+        is_load: bool,
+        value: float,
+        drive: Tangential,
+        start: FloatArray | None,
     ) -> tuple[ContactSolution, str]:
         """The solution, and what is to be said of the border."""
-        found = self._core.solve(
-            gap, is_load, value, start, self.tol, self.max_iterations, self.on_border == "error"
-        )
+        tol, most, refuse = self.tol, self.max_iterations, self.on_border == "error"
+        if isinstance(self._core, _core.CoulombContact):
+            before = drive.tractions_before(self.grid)
+            along = drive.is_force, drive.values
+            found = self._core.solve(gap, is_load, value, *along, *before, start, tol, most, refuse)
+            return drive.solution(self.grid, found)
+        found = self._core.solve(gap, is_load, value, start, tol, most, refuse)
         complaint = found.pop("border_complaint")
         solution = ContactSolution(grid=self.grid, **found)
         bodies = (self.body1, self.body2)
@@ -296,7 +285,7 @@ class ContactSolver(Configured):
         body : {1, 2}, optional
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
             Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction times
-            pressure.
+            pressure. With `Coulomb` there is no default.
 
         Returns
         -------
@@ -329,7 +318,7 @@ class ContactSolver(Configured):
             [Pa], positive in compression.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
             Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction times
-            pressure.
+            pressure. With `Coulomb` there is no default.
         body : {1, 2}, optional
 
         Returns
@@ -364,7 +353,14 @@ class ContactSolver(Configured):
     ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
         """Pressure, s_x and s_y on a body, of those on body 2; without shear that of friction."""
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
-        parts = shear_components(self.grid, self._core.shear(p) if shear is None else shear)
+        if shear is None and not isinstance(self._core, _core.CoulombContact):
+            shear = self._core.shear(p)
+        elif shear is None:
+            raise ValueError(
+                f"shear must be given where friction is {self.friction!r}, got None: it does not "
+                "follow from the pressure; a solution has it"
+            )
+        parts = shear_components(self.grid, shear)
         s_x, s_y = parts if body == 2 else (None if s is None else -s for s in parts)
         return p, s_x, s_y
 

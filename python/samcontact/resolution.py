@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from ._expected import Scene
-    from .contact import ContactSolution
+    from .solution import ContactSolution
     from .state import State
 
 FEW = 8

@@ -10,7 +10,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import FloatArray, choice, require_fast, step_list
+from ._checks import FloatArray, choice, require_fast, require_type, step_list
 from ._core import ConvergenceError
 from ._heating import COLD, core_law, heating
 from ._overlap import require_apart
@@ -22,7 +22,6 @@ from ._told import Told
 from ._turn import Turn
 from ._window import Surfaces, Window, Windowed
 from .checkpoint import loaded, reduced, snapshot, stand_at, write_checkpoint
-from .contact import require_type
 from .grid import Grid
 from .heat import Heat
 from .material import Material

@@ -29,6 +29,8 @@ HEATED = {
 }
 BODIES = {"grid": GRID, "body1": STEEL, "body2": SOFT}
 SOLVER = sc.ContactSolver(GRID, HOT, HOT, heat=sc.Heat((0.0, 0.01), time=1.0, reference=1.0))
+STICKING = sc.ContactSolver(GRID, STEEL, STEEL, sc.Coulomb(0.3))
+STUCK = STICKING.solve(GAP, load=LOAD)
 SIMULATION = sc.Simulation(**BODIES, gap=GAP, tol=1e-4)
 STATE = SIMULATION.step(load=LOAD)
 PRESSED = {"run": sc.Simulation(**BODIES, gap=GAP), "path": [{"load": LOAD}], "states": [STATE]}
@@ -122,6 +124,18 @@ CALLS = [
     *(
         ("ContactSolver.solve", SOLVER.solve, {"gap": GAP, "initial_pressure": PATCH, **driver})
         for driver in DRIVERS
+    ),
+    ("Coulomb", sc.Coulomb, {"coefficient": 0.3}),
+    *(
+        (
+            "ContactSolver.solve",
+            STICKING.solve,
+            {"gap": GAP, "previous": STUCK, "load": LOAD, **drive},
+        )
+        for drive in (
+            {"shift": (1e-8, 0.0), "twist": 1e-6},
+            {"tangential_load": (1.0, 2.0), "torque": 1e-6},
+        )
     ),
     (
         "ContactSolver.stress",

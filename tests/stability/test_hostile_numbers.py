@@ -21,7 +21,8 @@ MADE_BY_THE_PACKAGE = {
     "bearings.LoadZone",
     "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalSlidingSphere",
     "critical.CriticalSphere", "flattening.Flattening", "hertz.EllipticContact",
-    "hertz.LineContact", "hertz.PointContact", "wear.Cycle", "wear.WearResult", "Zone",
+    "hertz.LineContact", "hertz.PointContact", "StickSlipSolution", "wear.Cycle",
+    "wear.WearResult", "Zone",
 }  # fmt: skip
 """Results: only their methods take arguments of the user."""
 
@@ -30,6 +31,8 @@ MEANT = {
     ("surfaces.paraboloid", "Rx", math.inf),
     ("surfaces.paraboloid", "Ry", math.inf),
     ("bearings.roller_on_race", "crown_radius", math.inf),
+    # no slip
+    ("Coulomb", "coefficient", math.inf),
     # a steady state
     ("heat_kernels.temperature", "time", math.inf),
     ("heat_kernels.displacement", "time", math.inf),

@@ -146,6 +146,18 @@ def test_contact_solution():
     assert float(rows["error"]) == pytest.approx(solution.error, rel=1e-3)
 
 
+def test_stick_slip_solution():
+    grid = sc.Grid(16, 16, 40e-6, 40e-6)
+    solver = sc.ContactSolver(grid, BALL, BALL, sc.Coulomb(0.3))
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    solution = solver.solve(gap, load=300.0, tangential_load=(45.0, 0.0))
+    name, rows = parsed(solution)
+    assert name == "StickSlipSolution"
+    assert rows["tangential load"] == "45 N, 0 N"
+    assert rows["cells that stick"] == str(solution.sticking.sum())
+    assert "friction=Coulomb(coefficient=0.3)" in repr(solver)
+
+
 CLOSED_FORMS = [
     sc.hertz.point(7.5e-3, E_STAR, load=1500.0),
     sc.hertz.elliptic(7.5e-3, 20e-3, E_STAR, load=1500.0),
@@ -234,6 +246,7 @@ def public_objects():
         *bent.state.zones(2), sc.estimate_errors(simulation, [{"load": 10.0}], [state]),
         sc.FoundLoad("max_pressure", 1.0 / 3, 1e-3, 1e9 / 3, 1e6 / 3, [state] * 100),
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
+        sc.Coulomb(0.3), sc.ContactSolver(grid, BALL, BALL, sc.Coulomb(0.3)).solve(gap, load=10.0),
         sc.measured.MeasuredSurface(heights, 1e-6, attrs={"source": "s" * 3000}),
         sc.asperities.Tugging(collision, simulation, series, [state]),
         sc.wear.WearResult(grid, (2,), [cycle] * 50, True, None, relief, worn, {2: 0}, (state,) * 2,

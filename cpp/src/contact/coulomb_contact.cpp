@@ -14,8 +14,9 @@ namespace {
 constexpr int most_sweeps = 100, most_steps = 100;
 /// Sweeps remembered: cells change sides between them, which makes the older ones useless.
 constexpr int anderson_depth = 4;
-/// What is solved within a sweep, of the last change; looser makes the changes oscillate.
-constexpr double inner_share = 0.05, loosest = 1e-2;
+/// What is solved within a sweep, of the last change; looser makes the changes oscillate. It gets
+/// tighter from sweep to sweep: one that does nothing because it may be loose tells nothing.
+constexpr double inner_share = 0.1, loosest = 1e-2, tighter = 0.1;
 /// A force this close to the largest has no definite motion.
 constexpr double least_margin = 1e-8;
 
@@ -66,11 +67,14 @@ void require_held(const Grid& grid, const TangentialDrive& drive, const Field& p
           "smaller than " + to_text(most.torque) + " N m" + beyond + "twist) instead", torque);
 }
 
-/// Of a mu p that may be without limit, or of the shear itself where that is much less.
-double change_of(const Field& from, const Field& to, double largest_bound) {
+/// Relative to what the natural residual is: the largest bound, or ten times the shear where that
+/// is much less, as long as it is more than rounding.
+double change_of(const Field& from, const Field& to, double largest_pressure, double friction) {
   Field difference = to;
   add_scaled(-1.0, from, difference);
-  const double scale = std::min(largest_bound, 10 * std::max(longest(to), longest(from)));
+  const double shear = 10 * std::max(longest(to), longest(from));
+  const double scale = std::max(std::min(friction * largest_pressure, shear),
+                                smallest_share * std::min(friction, 1.0) * largest_pressure);
   return scale > 0 ? longest(difference) / scale : 0.0;
 }
 
@@ -160,18 +164,19 @@ class CoulombContact::Sweeps {
   void iterate(Field pressure, Field shear) {
     Anderson anderson(anderson_depth);
     const double full = settings_.tol;
-    double change = 1.0;
+    double change = 1.0, tol = loosest;
     bool warm = longest(shear) > 0;
     raise(shear);
     for (s_.sweeps = 1;; ++s_.sweeps) {
-      const double tol = std::clamp(inner_share * change, full, loosest);
+      if (s_.sweeps > 1)
+        tol = std::clamp(inner_share * change, full, std::max(full, tighter * tol));
       press(std::move(pressure), std::max(0.3 * tol, 1e-13));
       if (!s_.normal.converged) return;
       slide(warm ? shear : Field{}, tol);
       warm = true;
       const Field& p = s_.normal.tractions.pressure;
-      change = change_of(shear, s_.tangential.shear,
-                         contact_.friction_ * *std::max_element(p.begin(), p.end()));
+      change = change_of(shear, s_.tangential.shear, *std::max_element(p.begin(), p.end()),
+                         contact_.friction_);
       s_.normal.converged = change <= full && tol <= full && s_.tangential.converged;
       if (s_.normal.converged || s_.sweeps >= most_sweeps) break;
       Field residual = s_.tangential.shear;
@@ -204,6 +209,7 @@ class CoulombContact::Sweeps {
   const std::size_t n_;
   Field raised_;       // B s of the present shear
   Field slid_before_;  // B' p of the history
+  SlidBefore slid_by_shear_;
   ComplexField work_;
   CoulombSolution s_;
 };

@@ -19,8 +19,6 @@ constexpr int coarsest_side = 16;
 /// A start needs no more: finer cells change which of them slip.
 constexpr double coarse_tol = 1e-3;
 constexpr int coarse_steps = 30;
-/// Shear below this share of the pressure is none.
-constexpr double smallest_share = 1e-12;
 
 /// Field over all cells of a box, and vectors [2][i][j] there.
 struct BoxTask {
@@ -287,13 +285,17 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   BoxTask part{boxed(task.pressure), Field(2 * box.surface_size(), 0.0), grid_.x()[box.i0],
                grid_.y()[box.j0]};
   if (!task.free_slip.empty()) part.free_slip = by_component(task.free_slip, boxed);
-  if (!task.previous_shear.empty()) {
-    // What the surfaces slid against each other so far, they did not slip.
-    Field slid = by_component(task.previous_shear, boxed);
+  SlidBefore own;
+  SlidBefore& slid = task.slid != nullptr ? *task.slid : own;
+  const bool known = slid.box == box && !slid.displacement.empty();
+  if (!task.previous_shear.empty() && !known) {
     ComplexField work;
-    level_of_box->operators().displacement.apply(slid.data(), slid.data(), work);
-    add_scaled(1.0, slid, part.free_slip);
+    slid = {box, by_component(task.previous_shear, boxed)};
+    level_of_box->operators().displacement.apply(slid.displacement.data(), slid.displacement.data(),
+                                                 work);
   }
+  // What the surfaces slid against each other so far, they did not slip.
+  if (!slid.displacement.empty()) add_scaled(1.0, slid.displacement, part.free_slip);
   BoxStart start;
   if (!shear.empty()) start.shear = by_component(shear, boxed);
   for (int k = 0; k < 3 && !shear.empty(); ++k) {

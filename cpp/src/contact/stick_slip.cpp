@@ -108,6 +108,7 @@ class StickSlip {
     const auto slipping = std::count(r_.slipping.begin(), r_.slipping.end(), 1);
     if (slipping == 0) return;
     operators_.displacement(r_.shear, u_);
+    u_is_known_ = true;
     Field w = problem_.free_slip;
     add_scaled(-1.0, u_, w);
     for (int k = 0; k < modes_; ++k) {
@@ -164,6 +165,7 @@ class StickSlip {
       for (int k = 0; k < modes_; ++k) add_scaled(change[k], set.directions[k], add);
       if (longest(add) > largest_correction * bound_scale_) return;
       add_scaled(1.0, add, r_.shear);
+      u_is_known_ = false;
       slip_beyond_bound();
     }
   }
@@ -196,7 +198,8 @@ class StickSlip {
 
   /// Displacement, motions, slip and error of the present shear.
   void evaluate() {
-    operators_.displacement(r_.shear, u_);
+    if (!u_is_known_) operators_.displacement(r_.shear, u_);
+    u_is_known_ = false;
     r_.slip = problem_.free_slip;
     add_scaled(-1.0, u_, r_.slip);
     take_normals();
@@ -272,7 +275,8 @@ class StickSlip {
   const int modes_;
   ShearResult r_;
   Field u_, normal_;
-  Field lambda_, share_;  // of each cell
+  bool u_is_known_ = false;  // that of the present shear
+  Field lambda_, share_;     // of each cell
   double bound_scale_, self_influence_;
 };
 

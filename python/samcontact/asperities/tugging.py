@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from .. import resolution, surfaces
-from .._checks import integer
+from .._checks import integer, require_type
 from .._progress import progress_bar
 from .._repr import Brief
-from ..contact import require_type
 from ..grid import Grid
 from ..material import Material
 from ..relief import Relief

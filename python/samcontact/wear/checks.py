@@ -11,9 +11,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, exactly_one, finite_array, integer, number, positive
+from .._checks import (
+    FloatArray,
+    choice,
+    exactly_one,
+    finite_array,
+    integer,
+    number,
+    positive,
+    require_type,
+)
 from .._told import SMALL_STRAIN
-from ..contact import ContactSolver, require_type
+from ..contact import ContactSolver
 from ..grid import Grid
 from ..material import Material
 from ..relief import Relief, relief_rows

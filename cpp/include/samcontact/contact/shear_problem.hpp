@@ -11,6 +11,9 @@
 
 namespace samcontact::contact {
 
+/// Shear below this share of the largest pressure, or of mu times it, is none.
+constexpr double smallest_share = 1e-12;
+
 /// Vectors are [component][cell] on the cells of contact.
 ///
 ///   min 1/2 s'C s - s'b   over |s_i| <= bound_i,  direction_k's = target_k

@@ -17,6 +17,12 @@ namespace samcontact::contact {
 /// The three rigid motions along the surface: x, y, and the turn about z at the origin of the grid.
 using TangentialDrive = std::array<Given, 3>;
 
+/// How the shear before an increment lets the surfaces slide in a box, for several solves of it.
+struct SlidBefore {
+  Box box;
+  Field displacement;  // [2][i][j] [m]
+};
+
 /// Vector fields are [2][i][j] on the grid.
 struct ShearTask {
   const Field& pressure;  // [i][j] [Pa]
@@ -28,6 +34,7 @@ struct ShearTask {
   const Field& free_slip;
   /// Motions of this increment [m, m, rad], or total forces at its end [N, N, N m].
   TangentialDrive drive;
+  SlidBefore* slid = nullptr;  // kept by the caller of several solves
 };
 
 struct ShearSolution {

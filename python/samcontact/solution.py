@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solutions of elastic contacts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._checks import FloatArray
+from ._repr import Brief, Rows, Shown, quantity
+from .grid import Grid
+
+
+@dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
+class ContactSolution(Brief, Shown):
+    """Solution of one elastic contact.
+
+    Attributes
+    ----------
+    grid : Grid
+        Of the fields: that of the solver, or a larger one.
+    pressure : ndarray, shape (nx, ny)
+        Contact pressure [Pa], >= 0.
+    gap : ndarray, shape (nx, ny)
+        Separation under load [m], zero (to `error`) where the pressure is positive.
+    approach : float
+        Rigid-body approach of the bodies [m].
+    load : float
+        Total load [N].
+    iterations : int
+        Conjugate-gradient steps on the grid; the start from coarser grids is not counted.
+    operator_applications : int
+        Exact displacements computed on the grid, each a pair of zero-padded transforms (with
+        coupled friction, those of the shear included).
+    work : float
+        All transforms of the solve, those of the preconditioner, of its cheap displacements and of
+        coarser grids included, in units of one exact displacement [-].
+    error : float
+        Largest violation of p >= 0, g >= 0, p g = 0: largest size of min(p/max p, g/max u) [-].
+    converged : bool
+        Whether error <= tol (a solve that is not raises ConvergenceError).
+    """
+
+    grid: Grid
+    pressure: FloatArray
+    gap: FloatArray
+    approach: float
+    load: float
+    iterations: int
+    operator_applications: int
+    work: float
+    error: float
+    converged: bool
+
+    def _rows(self) -> Rows:
+        return [
+            ("load", quantity(self.load, "N")),
+            ("approach", quantity(self.approach, "m")),
+            ("maximum pressure", quantity(float(self.pressure.max()), "Pa")),
+            ("cells in contact", f"{np.count_nonzero(self.pressure)} of {self.pressure.size}"),
+            ("iterations", str(self.iterations)),
+            ("work", quantity(self.work)),
+            ("error", quantity(self.error)),
+            ("converged", "yes" if self.converged else "no"),
+        ]
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class StickSlipSolution(ContactSolution):
+    """Solution of one contact that sticks and slips by Coulomb's law; also a `ContactSolution`.
+
+    Attributes
+    ----------
+    shear : ndarray, shape (2, nx, ny)
+        Along x and y, on body 2 [Pa]; reversed on body 1. Its length is at most mu p.
+    slip : ndarray, shape (2, nx, ny)
+        Of body 1 over body 2 in this increment [m]; zero where the bodies stick or do not touch.
+    sticking : ndarray of bool, shape (nx, ny)
+        Cells in contact that do not slip in this increment.
+    tangential_load : ndarray, shape (2,)
+        Force along x and y on body 2 [N].
+    torque : float
+        On body 2 about z at the origin [N m].
+    shift : ndarray, shape (2,)
+        Rigid motion of body 1 over body 2 along x and y since the first increment [m].
+    twist : float
+        Turn of body 1 over body 2 about z at the origin since then [rad].
+    friction_work : float
+        Turned into heat since then [J].
+    tangential_error : float
+        Natural residual of stick and slip: by how much the shear changes when it is moved along its
+        slip and cut at mu p, relative to the largest mu p, or to ten times the largest shear where
+        that is less [-]. With unlike bodies, the last change of the shear is added.
+    energy_gap : float
+        What friction could still turn over with these slips [J]: twice the elastic energy of the
+        error of the shear is less. NaN where friction is infinite.
+    sweeps : int
+        Between pressure and shear; 1 where they do not act on each other.
+    tangential_iterations : int
+        Conjugate-gradient steps for the shear on the finest grid.
+    tangential_applications : int
+        Displacements of shear computed on the box of the contact, each two pairs of transforms.
+    tangential_work : float
+        All transforms for the shear, those of the preconditioner and of coarser grids included, in
+        units of such a displacement [-].
+    """
+
+    shear: FloatArray
+    slip: FloatArray
+    sticking: NDArray[np.bool_]
+    tangential_load: FloatArray
+    torque: float
+    shift: FloatArray
+    twist: float
+    friction_work: float
+    tangential_error: float
+    energy_gap: float
+    sweeps: int
+    tangential_iterations: int
+    tangential_applications: int
+    tangential_work: float
+
+    def _rows(self) -> Rows:
+        pairs = {
+            "tangential load": (self.tangential_load, "N"),
+            "shift": (self.shift, "m"),
+        }
+        return [
+            *super()._rows(),
+            *((name, _pair(*pair)) for name, pair in pairs.items()),
+            ("torque", quantity(self.torque, "N m")),
+            ("twist", quantity(self.twist, "rad")),
+            ("friction work", quantity(self.friction_work, "J")),
+            ("cells that stick", str(np.count_nonzero(self.sticking))),
+            ("error of the shear", quantity(self.tangential_error)),
+        ]
+
+
+def _pair(values: FloatArray, unit: str) -> str:
+    """Two numbers, rounding beside the other as zero."""
+    small = 1e-9 * float(np.abs(values).max())
+    return ", ".join(quantity(float(v) if abs(v) > small else 0.0, unit) for v in values)
+
+
+def fits(solution: ContactSolution, grid: Grid) -> bool:
+    """Whether a grid has the cells of the solution, or more around them."""
+    own = solution.grid
+    more = [n - m for n, m in zip(grid.surface_shape, own.surface_shape, strict=True)]
+    same = (grid.dx, grid.dy, grid.periodic) == (own.dx, own.dy, own.periodic)
+    return same and all(n >= 0 and n % 2 == 0 for n in more)
+
+
+def tractions_on(solution: StickSlipSolution, grid: Grid) -> tuple[FloatArray, FloatArray]:
+    """Pressure and shear on a grid that fits; ValueError for others."""
+    if not fits(solution, grid):
+        raise ValueError(
+            f"previous must be a solution on the same cells, got one on {solution.grid!r} for "
+            f"{grid!r}"
+        )
+    margins = [
+        ((n - m) // 2, (n - m) // 2)
+        for n, m in zip(grid.surface_shape, solution.grid.surface_shape, strict=True)
+    ]
+    return np.pad(solution.pressure, margins), np.pad(solution.shear, [(0, 0), *margins])
