@@ -94,10 +94,12 @@ py::dict to_python(contact::CoulombSolution solution, const Grid& grid) {
 py::dict stick_and_slip(const contact::CoulombContact& contact, const Array& gap, bool load_driven,
                         double value, const std::array<bool, 3>& is_force,
                         const std::array<double, 3>& tangential, const py::object& pressure,
-                        const py::object& shear, const py::object& initial_pressure, double tol,
+                        const py::object& shear, const py::object& gap_before,
+                        double approach_before, const py::object& initial_pressure, double tol,
                         int max_iterations, bool error_on_border) {
   const Field h = to_field(gap), start = to_field_or_empty(initial_pressure);
-  const contact::ContactHistory before{to_field_or_empty(pressure), to_field_or_empty(shear)};
+  const contact::ContactHistory before{to_field_or_empty(pressure), to_field_or_empty(shear),
+                                       to_field_or_empty(gap_before), approach_before};
   const contact::ContactSettings settings{
       tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
   const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
@@ -144,8 +146,9 @@ void bind_contact(py::module_& m) {
       .def_property_readonly("is_coupled", &contact::CoulombContact::is_coupled)
       .def("solve", &stick_and_slip, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
            py::arg("is_force"), py::arg("tangential"), py::arg("previous_pressure"),
-           py::arg("previous_shear"), py::arg("initial_pressure"), py::arg("tol"),
-           py::arg("max_iterations"), py::arg("error_on_border"));
+           py::arg("previous_shear"), py::arg("previous_gap"), py::arg("previous_approach"),
+           py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
+           py::arg("error_on_border"));
 }
 
 }  // namespace samcontact::bindings

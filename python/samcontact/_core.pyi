@@ -128,6 +128,8 @@ class CoulombContact:
         tangential: tuple[float, float, float],
         previous_pressure: FloatArray | None,
         previous_shear: FloatArray | None,
+        previous_gap: FloatArray | None,
+        previous_approach: float,
         initial_pressure: FloatArray | None,
         tol: float,
         max_iterations: int,

@@ -148,7 +148,9 @@ class ContactSolver(Configured):
         torque : float, optional
             the moment on body 2 at its end [N m]; without both the turn is held.
         previous : StickSlipSolution, optional
-            With `Coulomb`: the end of the increment before; default bodies that have not touched.
+            With `Coulomb`: the end of the increment before, from which load and shear go on
+            together. Without it the bodies are pressed first, then sheared; the solution for
+            load=0 is the start of a path on which both begin together.
         initial_pressure : array_like, shape (nx, ny), optional
             Start of the iteration [Pa]; a good one, such as the solution for a similar gap or load,
             saves the coarser grids and most steps; where one leads nowhere, there is another try
@@ -255,9 +257,9 @@ class ContactSolver(Configured):
         """The solution, and what is to be said of the border."""
         tol, most, refuse = self.tol, self.max_iterations, self.on_border == "error"
         if isinstance(self._core, _core.CoulombContact):
-            before = drive.tractions_before(self.grid)
-            along = drive.is_force, drive.values
-            found = self._core.solve(gap, is_load, value, *along, *before, start, tol, most, refuse)
+            given = is_load, value, drive.is_force, drive.values
+            p, s, g, d = drive.before(self.grid)
+            found = self._core.solve(gap, *given, p, s, g, d, start, tol, most, refuse)
             return drive.solution(self.grid, found)
         found = self._core.solve(gap, is_load, value, start, tol, most, refuse)
         complaint = found.pop("border_complaint")

@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from ._checks import FloatArray, finite, number, require_type
+from ._checks import finite, number, require_type
 from ._repr import Shown
 from .grid import Grid
 from .heat import Heat
-from .solution import StickSlipSolution, tractions_on
+from .solution import Before, StickSlipSolution, before_on
 
 _DIRECTIONS = ("x", "y")
 
@@ -61,9 +61,9 @@ class Tangential:
     values: tuple[float, float, float]
     previous: StickSlipSolution | None
 
-    def tractions_before(self, grid: Grid) -> tuple[FloatArray | None, FloatArray | None]:
-        """Pressure and shear on a grid, which may be larger than that of the increment before."""
-        return (None, None) if self.previous is None else tractions_on(self.previous, grid)
+    def before(self, grid: Grid) -> Before:
+        """The end of the increment before, on a grid that may be larger."""
+        return (None, None, None, 0.0) if self.previous is None else before_on(self.previous, grid)
 
     def solution(self, grid: Grid, found: dict[str, Any]) -> tuple[StickSlipSolution, str]:
         """Of what the core found, with the totals of the increments before; and the complaint."""

@@ -12,6 +12,9 @@ from ._checks import FloatArray
 from ._repr import Brief, Rows, Shown, quantity
 from .grid import Grid
 
+Before = tuple[FloatArray | None, FloatArray | None, FloatArray | None, float]
+"""Pressure, shear, gap and approach at the end of an increment; None: not known, or none."""
+
 
 @dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
 class ContactSolution(Brief, Shown):
@@ -152,8 +155,8 @@ def fits(solution: ContactSolution, grid: Grid) -> bool:
     return same and all(n >= 0 and n % 2 == 0 for n in more)
 
 
-def tractions_on(solution: StickSlipSolution, grid: Grid) -> tuple[FloatArray, FloatArray]:
-    """Pressure and shear on a grid that fits; ValueError for others."""
+def before_on(solution: StickSlipSolution, grid: Grid) -> Before:
+    """Pressure, shear, gap and approach on a grid that fits; ValueError for others."""
     if not fits(solution, grid):
         raise ValueError(
             f"previous must be a solution on the same cells, got one on {solution.grid!r} for "
@@ -163,4 +166,6 @@ def tractions_on(solution: StickSlipSolution, grid: Grid) -> tuple[FloatArray, F
         ((n - m) // 2, (n - m) // 2)
         for n, m in zip(grid.surface_shape, solution.grid.surface_shape, strict=True)
     ]
-    return np.pad(solution.pressure, margins), np.pad(solution.shear, [(0, 0), *margins])
+    p, s = np.pad(solution.pressure, margins), np.pad(solution.shear, [(0, 0), *margins])
+    known = grid.surface_shape == solution.grid.surface_shape
+    return p, s, solution.gap if known else None, solution.approach

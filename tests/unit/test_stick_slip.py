@@ -235,3 +235,38 @@ def test_what_friction_cannot_be():
     moved = sc.ContactSolver(other, SOFT, SOFT, sc.Coulomb(0.1))
     with pytest.raises(ValueError, match="previous must be a solution on the same cells"):
         moved.solve(sc.surfaces.paraboloid(other, 1.0), load=0.01, previous=found)
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+@pytest.mark.parametrize("increments", [1, 3])
+def test_oblique_loading_does_not_slip(increments):
+    """Mindlin and Deresiewicz: Q = eta P with eta < mu from the beginning, s = eta p everywhere.
+
+    Cells that close in an increment slip from when they touch; exact where C and K are alike.
+    """
+    solver, gap, load, _ = two_balls(24, 0.4)
+    eta, found = 0.2, solver.solve(gap, load=0.0)
+    for k in range(1, increments + 1):
+        now = load * k / increments
+        found = solver.solve(gap, load=now, tangential_load=(eta * now, 0.0), previous=found)
+        assert np.array_equal(found.sticking, found.pressure > 0)
+        assert np.abs(found.shear[0] - eta * found.pressure).max() < 1e-6 * found.pressure.max()
+    assert found.shift[0] == pytest.approx(
+        eta * (found.approach - solver.solve(gap, load=0.0).approach), rel=1e-6
+    )
+    assert found.friction_work == 0.0
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+def test_increments_of_a_path_converge_at_first_order():
+    """Pressing, shifting and turning at once: what is lost halves when the increments double."""
+    solver, gap, load, _ = two_balls(20, 0.4, tol=1e-7)
+    ends = []
+    for increments in (2, 4, 8, 16):
+        found = solver.solve(gap, load=0.0)
+        for k in range(1, increments + 1):
+            drive = {"shift": (0.05 / increments, 0.0), "twist": 0.1 / increments}
+            found = solver.solve(gap, load=load * k / increments, **drive, previous=found)
+        ends.append((found.tangential_load[0], found.torque, found.friction_work))
+    steps = np.abs(np.diff(ends, axis=0))
+    assert (steps[:-1] > 1.4 * steps[1:]).all()

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "samcontact/contact/anderson.hpp"
 
@@ -17,6 +18,8 @@ constexpr int anderson_depth = 4;
 /// What is solved within a sweep, of the last change; looser makes the changes oscillate. It gets
 /// tighter from sweep to sweep: one that does nothing because it may be loose tells nothing.
 constexpr double inner_share = 0.1, loosest = 1e-2, tighter = 0.1;
+/// Rigid motions below this share of the approach are none.
+constexpr double smallest_motion = 1e-9;
 /// A force this close to the largest has no definite motion.
 constexpr double least_margin = 1e-8;
 
@@ -103,7 +106,14 @@ class CoulombContact::Sweeps {
         before_(before),
         settings_(settings),
         n_(gap.size()),
-        raised_(n_, 0.0) {
+        size_(0.5 *
+              std::hypot(contact.grid_.nx * contact.grid_.dx, contact.grid_.ny * contact.grid_.dy)),
+        raised_(n_, 0.0),
+        gap_before_(before.gap),
+        motion_(3, 0.0) {
+    for (int k = 0; k < 3; ++k) {
+      if (!tangential[k].is_force()) motion_[k] = tangential[k].value * (k == 2 ? size_ : 1.0);
+    }
     if (contact_.is_coupled() && !before.pressure.empty()) {
       slid_before_.resize(2 * n_);
       contact_.coupling_.tangential(before.pressure.data(), slid_before_.data(), work_);
@@ -139,24 +149,96 @@ class CoulombContact::Sweeps {
 
   /// Shear under the present pressure, starting from one.
   void slide(const Field& start, double tol) {
-    const Field& p = s_.normal.tractions.pressure;
     Field free_slip;
     if (contact_.is_coupled()) {
       free_slip.resize(2 * n_);
-      contact_.coupling_.tangential(p.data(), free_slip.data(), work_);
+      contact_.coupling_.tangential(s_.normal.tractions.pressure.data(), free_slip.data(), work_);
       for (std::size_t i = 0; i < 2 * n_; ++i) {
         free_slip[i] = (slid_before_.empty() ? 0.0 : slid_before_[i]) - free_slip[i];
       }
     }
+    const Field shares = shares_before_touch();
+    if (shares.empty()) return solve_shear(free_slip, start, tol);
+    free_slip.resize(2 * n_, 0.0);
+    Anderson anderson(anderson_depth);
+    for (int n = 0;; ++n) {
+      solve_shear(without_motion(free_slip, shares), n == 0 ? start : Field(s_.tangential.shear),
+                  tol);
+      Field residual(3);
+      const double change = motion_residual(residual);
+      if (change <= tol) return;
+      if (n == most_sweeps) {
+        s_.tangential.error = std::max(s_.tangential.error, change);
+        s_.tangential.converged = false;
+        return;
+      }
+      anderson.next(motion_, residual);
+    }
+  }
+
+  void solve_shear(const Field& free_slip, const Field& start, double tol) {
+    const Field& p = s_.normal.tractions.pressure;
     const ShearSolution before = std::move(s_.tangential);
-    s_.tangential =
-        contact_.shear_.solve({p, contact_.friction_, before_.shear, free_slip, tangential_}, start,
-                              before.motion, tol, most_steps);
+    const ShearTask task{p,         contact_.friction_, before_.shear,
+                         free_slip, tangential_,        &slid_by_shear_};
+    s_.tangential = contact_.shear_.solve(task, start, before.motion, tol, most_steps);
     s_.tangential.steps += before.steps;
     s_.tangential.iterations += before.iterations;
     s_.tangential.fallbacks += before.fallbacks;
     s_.tangential.operator_applications += before.operator_applications;
     s_.tangential.work += before.work;
+  }
+
+  /// Of each cell that touches for the first time, the share of the increment before it does: rigid
+  /// bodies that approach steadily close its gap then, and the elastic displacement changes what
+  /// they slip and what they close in the same proportion. Empty where there is none, and before
+  /// the first contact: it is pressed, then sheared.
+  Field shares_before_touch() {
+    Field shares;
+    const double closer = s_.normal.motion.approach - before_.approach;
+    if (before_.pressure.empty() || !(closer > 0)) return shares;
+    if (gap_before_.empty()) gap_before_ = find_gap_before();
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (!(s_.normal.tractions.pressure[i] > 0) || before_.pressure[i] > 0) continue;
+      if (!(gap_before_[i] > 0)) continue;
+      if (shares.empty()) shares.assign(n_, 0.0);
+      shares[i] = std::min(gap_before_[i] / closer, 1.0);
+    }
+    return shares;
+  }
+
+  /// Of the undeformed surfaces as they are now.
+  Field find_gap_before() {
+    Field gap(n_), raised(n_, 0.0);
+    contact_.normal_.displacement().apply(before_.pressure.data(), gap.data(), work_);
+    if (contact_.is_coupled()) {
+      contact_.coupling_.normal(before_.shear.data(), raised.data(), work_);
+    }
+    for (std::size_t i = 0; i < n_; ++i) gap[i] += gap_[i] + raised[i] - before_.approach;
+    return gap;
+  }
+
+  /// Free slip less that of the rigid motion before cells touch.
+  Field without_motion(Field free_slip, const Field& shares) const {
+    const Grid& grid = contact_.grid_;
+    const std::vector<double> x = grid.x(), y = grid.y();
+    for (std::size_t at = 0; at < n_; ++at) {
+      free_slip[at] -= shares[at] * (motion_[0] - motion_[2] / size_ * y[at % grid.ny]);
+      free_slip[n_ + at] -= shares[at] * (motion_[1] + motion_[2] / size_ * x[at / grid.ny]);
+    }
+    return free_slip;
+  }
+
+  /// What the motion is now less what it was taken for, and its share.
+  double motion_residual(Field& residual) const {
+    double largest = smallest_motion * std::fabs(s_.normal.motion.approach), change = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const double now = s_.tangential.motion[k] * (k == 2 ? size_ : 1.0);
+      residual[k] = now - motion_[k];
+      largest = std::max(largest, std::fabs(now));
+      change = std::max(change, std::fabs(residual[k]));
+    }
+    return largest > 0 ? change / largest : 0.0;
   }
 
   void raise(const Field& shear) { contact_.coupling_.normal(shear.data(), raised_.data(), work_); }
@@ -207,8 +289,11 @@ class CoulombContact::Sweeps {
   const ContactHistory& before_;
   const ContactSettings& settings_;
   const std::size_t n_;
+  const double size_;  // a turn times it is a length
   Field raised_;       // B s of the present shear
+  Field gap_before_;   // empty: not known
   Field slid_before_;  // B' p of the history
+  Field motion_;       // x, y and turn that cells which touch are taken to make [m]
   SlidBefore slid_by_shear_;
   ComplexField work_;
   CoulombSolution s_;
@@ -245,6 +330,7 @@ CoulombSolution CoulombContact::solve(const Field& gap, Given normal,
   if (!before.pressure.empty()) {
     require_surface(before.pressure, grid_, "previous.pressure");
     require_vectors(before.shear, grid_, "previous.shear");
+    if (!before.gap.empty()) require_surface(before.gap, grid_, "previous.gap");
   }
   require_valid(Drive{normal});
   if (normal.is_force() && !std::isinf(friction_))

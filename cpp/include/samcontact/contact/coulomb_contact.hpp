@@ -10,10 +10,13 @@
 
 namespace samcontact::contact {
 
-/// What a contact remembers: its tractions, which tell how the surfaces lie against each other.
+/// What a contact remembers: its tractions, which tell how the surfaces lie against each other, and
+/// how far they were apart where they did not touch.
 struct ContactHistory {
-  Field pressure;  // [i][j] [Pa]; empty: the bodies have not touched yet
+  Field pressure;  // [i][j] [Pa]; empty: none is known, the bodies are pressed, then sheared
   Field shear;     // [2][i][j] [Pa], on body 2
+  Field gap;       // [i][j] [m]; empty: that of the present surfaces under these tractions
+  double approach = 0.0;
 };
 
 struct CoulombSolution {
