@@ -15,6 +15,7 @@ from .harness import ROOT, run_tasks
 PARTS = (
     "elastic_smooth",
     "elastic_rough",
+    "slip",
     "plastic_smooth",
     "plastic_rough",
     "plastic_zones",

@@ -12,6 +12,7 @@
 #include "samcontact/contact/shear_solver.hpp"
 #include "samcontact/contact/stick_slip.hpp"
 #include "samcontact/operators/half_space.hpp"
+#include "samcontact/operators/near_tangential.hpp"
 
 using namespace samcontact;
 using contact::Given;
@@ -92,6 +93,23 @@ TEST_CASE("shear and pressure displace as the tables of their cells say") {
   CHECK(contact::dot(raised, pressure) == doctest::Approx(contact::dot(slid, shear)));
   // Bodies alike do neither.
   CHECK_FALSE(operators::NormalTangentialCoupling(grid, {soft, soft}).is_on());
+}
+
+TEST_CASE("the cheap sliding displacement is exact on small boxes and close on large ones") {
+  const auto largest_error = [](const Grid& grid) {
+    const Field shear = sample(2 * grid.surface_size());
+    Field exact(shear.size()), cheap(shear.size());
+    ComplexField work;
+    operators::TangentialDisplacement(grid, influence).apply(shear.data(), exact.data(), work);
+    operators::NearTangential(grid, influence).apply(shear.data(), cheap.data(), work);
+    return difference(exact, cheap) / contact::longest(exact);
+  };
+  CHECK(largest_error(Grid(12, 31, 1.0, 1.3)) < 1e-14);
+  // Across the seam the crossed coefficient, which is odd, has a step.
+  CHECK(largest_error(Grid(64, 64, 1.0, 1.3)) < 6e-3);
+  CHECK(largest_error(Grid(130, 75, 1.0, 1.3)) < 6e-3);
+  CHECK(largest_error(Grid(96, 70, 1.0, 1.3).joined(true, true)) < 1e-14);
+  CHECK(largest_error(Grid(96, 70, 1.0, 1.3).joined(false, true)) < 6e-3);
 }
 
 TEST_CASE("the preconditioner inverts the tangential displacement of a packet of waves") {
@@ -188,7 +206,7 @@ TEST_CASE("coarse boxes leave few applications for the finest, and start nothing
                                        Given::motion(1e-5)};
   const auto nested = solver.solve(task_of(pressure, drive), {}, {}, 1e-8, 60);
   CHECK(nested.converged);
-  CHECK(nested.operator_applications <= 40);
+  CHECK(nested.operator_applications <= 8);
   CHECK(nested.friction_work > 0);
   CHECK(nested.force[0] == doctest::Approx(0.2 * load));
   CHECK(nested.force[1] == doctest::Approx(-0.1 * load));

@@ -18,11 +18,11 @@ void ShearApplier::scatter(const Field& v) {
   }
 }
 
-void ShearApplier::gather(Field& v) const {
+void ShearApplier::gather(const Field& box, Field& v) const {
   const std::size_t m = problem_.size(), n = problem_.box_size;
   for (std::size_t c = 0; c < m; ++c) {
-    v[c] = box_[problem_.cells[c]];
-    v[m + c] = box_[n + problem_.cells[c]];
+    v[c] = box[problem_.cells[c]];
+    v[m + c] = box[n + problem_.cells[c]];
   }
 }
 
@@ -30,16 +30,24 @@ void ShearApplier::displacement(const Field& v, Field& u) {
   const auto& exact = problem_.operators->displacement;
   scatter(v);
   exact.apply(box_.data(), box_.data(), work_);
-  gather(u);
+  gather(box_, u);
   ++applications_;
   operations_ += exact.cost();
+}
+
+void ShearApplier::near(const Field& v, Field& u) {
+  const auto& cheap = problem_.operators->near;
+  scatter(v);
+  cheap.apply(box_.data(), near_.data(), work_);
+  gather(near_, u);
+  operations_ += cheap.cost();
 }
 
 void ShearApplier::precondition(const Field& r, Field& z) {
   const auto& preconditioner = problem_.operators->preconditioner;
   scatter(r);
   preconditioner.apply(box_.data(), box_.data(), work_);
-  gather(z);
+  gather(box_, z);
   operations_ += preconditioner.cost();
 }
 

@@ -238,9 +238,9 @@ class StickSlip {
     }
   }
 
-  /// P (C + lambda) v.
+  /// P (C + lambda) v, nearly: a step gains no more than the cheap operator is good for.
   void apply(const Field& v, Field& out) {
-    operators_.displacement(v, out);
+    operators_.near(v, out);
     for (std::size_t i = 0; i < m_; ++i) {
       out[i] += lambda_[i] * v[i];
       out[m_ + i] += lambda_[i] * v[m_ + i];

@@ -45,22 +45,25 @@ struct ShearProblem {
 class ShearApplier {
  public:
   explicit ShearApplier(const ShearProblem& problem)
-      : problem_(problem), box_(2 * problem.box_size, 0.0) {}
+      : problem_(problem), box_(2 * problem.box_size, 0.0), near_(box_.size()) {}
 
   /// u = C v on the cells of contact; may be the same field.
   void displacement(const Field& v, Field& u);
+  /// Nearly.
+  void near(const Field& v, Field& u);
   void precondition(const Field& r, Field& z);
 
+  /// Of the exact operator.
   int applications() const { return applications_; }
   /// In the unit of fft::filter_cost.
   double operations() const { return operations_; }
 
  private:
   void scatter(const Field& v);
-  void gather(Field& v) const;
+  void gather(const Field& box, Field& v) const;
 
   const ShearProblem& problem_;
-  Field box_;
+  Field box_, near_;
   ComplexField work_;
   int applications_ = 0;
   double operations_ = 0.0;

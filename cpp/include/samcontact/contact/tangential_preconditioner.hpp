@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "samcontact/operators/near_tangential.hpp"
 #include "samcontact/operators/tangential_displacement.hpp"
 
 namespace samcontact::contact {
@@ -25,13 +26,14 @@ class TangentialPreconditioner {
   std::vector<operators::MatrixKernel> inverse_;
 };
 
-/// C of a box and its preconditioner.
+/// C of a box, exact and cheap, and its preconditioner.
 struct ShearOperators {
   operators::TangentialDisplacement displacement;
+  operators::NearTangential near;
   TangentialPreconditioner preconditioner;
 
   ShearOperators(const Grid& box, const operators::TangentialInfluence& influence)
-      : displacement(box, influence), preconditioner(box, influence) {}
+      : displacement(box, influence), near(box, influence), preconditioner(box, influence) {}
 };
 
 }  // namespace samcontact::contact

@@ -5,10 +5,10 @@
 
 #include <functional>
 #include <memory>
-#include <vector>
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/fft/periodic_transform.hpp"
+#include "samcontact/operators/coarse_grid.hpp"
 #include "samcontact/operators/surface_influence.hpp"
 
 namespace samcontact::operators {
@@ -18,25 +18,15 @@ namespace samcontact::operators {
 int short_period_x(const Grid& box);
 int short_period_y(const Grid& box);
 
+/// Whether a box is too short for anything but full padding: its coarse grid would be as fine.
+bool padded_in_full(int nx, int ny);
+/// Whether a period of so many points is one of the surface, or longer than any distance.
+bool is_exact_period(int size, int cells, int period);
+
 /// Real quarter spectrum [ky][kx] of a displacement due to pressure on a periodic grid, at the
 /// distance of the nearest image. influence: SurfaceInfluence::even or elastic.
 Field periodic_spectrum(const fft::PeriodicTransform& transform, const Grid& box,
                         const std::function<Field(const CellOffsets&)>& influence);
-
-/// Linear interpolation along one axis between centres of coarse cells, each `factor` cells long,
-/// and centres of cells; extrapolation half a coarse cell at the ends.
-struct CoarseAxis {
-  int cells, factor;
-
-  int coarse_cells() const { return (cells + factor - 1) / factor; }
-  /// The first of the two coarse cells that cell i lies between.
-  int lower(int i) const;
-  /// Share of coarse cell I in cell i.
-  double weight(int i, int I) const;
-  /// Cells begin(I) <= i < end(I) hold all that have a share of I.
-  int begin(int I) const;
-  int end(int I) const;
-};
 
 /// K~ p on nx x ny cells, close to the operator of SurfaceDisplacement for pressure on these cells.
 /// The periodic grid is longer than the box by an eighth, so that cells interact across its seam
@@ -64,15 +54,9 @@ class NearDisplacement {
   double cost() const;
 
  private:
-  void add_far(const double* pressure, double* displacement, ComplexField& work) const;
-
   fft::PeriodicTransform transform_;
   Field near_;
-  CoarseAxis x_, y_;
-  // Along y: the first of the cells that lie beyond the centre of each coarse cell, and the share
-  // of the next coarse cell in each cell.
-  std::vector<int> y_begin_;
-  Field y_share_;
+  CoarseGrid coarse_;
   std::unique_ptr<fft::PeriodicTransform> far_transform_;  // null where padding is full
   Field far_;
 };
