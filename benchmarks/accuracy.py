@@ -80,7 +80,7 @@ class Judged(NamedTuple):
     reached: bool
 
 
-def finest(case: Case) -> dict[str, float]:
+def finest(case: Case, seconds: float = FINEST) -> dict[str, float]:
     """The best values that can be had in some time, with one order for all; closed forms of some.
 
     Four increments a segment on all grids, corrected by many more on a coarse one.
@@ -90,7 +90,7 @@ def finest(case: Case) -> dict[str, float]:
     start = time.perf_counter()
     runs = [scene.run(0, used)]
     scene.settle(runs[0])
-    while time.perf_counter() - start + 4 * runs[-1].seconds < FINEST or len(runs) < 4:
+    while time.perf_counter() - start + 4 * runs[-1].seconds < seconds or len(runs) < 4:
         runs[-1].states = []
         runs.append(scene.run(len(runs), used))
     coarse = [scene.run(1, n).values for n in INCREMENTS if n <= most]

@@ -20,16 +20,21 @@ import samcontact as sc
 from samcontact import hertz
 from samcontact.surfaces import paraboloid
 
+from ..accuracy import finest
+from ..accuracy_cases import BALL, SWIFT
+from ..accuracy_cases import STEEL as WITHOUT_FLOW
 from ..harness import ROOT
 from ..steel import ELASTIC, RADIUS, STEEL
 from . import calculix, deck
-from .page import Runs, error_of, page
+from .page import ASKED_FOR, Runs, error_against, error_of, page
 
 KEPT = Path(__file__).parent / "results.json"
 PAGE = ROOT / "docs" / "finite_elements.md"
 FIGURE = ROOT / "docs" / "figures" / "finite_elements.png"
 ELEMENTS = (5, 10, 20)  # on the Hertz radius
 CELLS = (8, 16, 32, 64)
+ASKED = (0.05, 0.01, 0.002)
+TRUTH = 150.0  # s for what these are compared with
 FLATTER, SLOPES_ON = (1.0, 4.0), 10
 REPEATS = 3  # the least time counts: what disturbs only adds
 
@@ -69,6 +74,28 @@ def measure(elements: tuple[int, ...], cells: tuple[int, ...]) -> dict[str, Runs
     return found
 
 
+def measure_accuracy() -> dict[str, Runs]:
+    """The scene to accuracies, and what it tends to with finer grids and more increments."""
+    case = {
+        "body1": WITHOUT_FLOW, "body2": SWIFT, "surface": BALL,
+        "path": [{"approach": 1e-3 * deck.APPROACH}, {"approach": 0.0}],
+    }  # fmt: skip
+    truth = finest(case, TRUTH)
+    found: dict[str, Runs] = {"truth": {"limit": {q: truth[n] for q, n in ASKED_FOR.items()}}}
+    found["runs"] = {}
+    for asked in ASKED:
+        timed = []
+        for _ in range(REPEATS):
+            start = time.process_time()
+            run = sc.to_accuracy(case, asked, quantities=list(ASKED_FOR.values()))
+            timed.append(time.process_time() - start)
+        values = {quantity: run.values[name] for quantity, name in ASKED_FOR.items()}
+        cells = run.grid.nx * run.grid.ny * len(run.states[-1].depths)
+        found["runs"][f"{asked:g}"] = {"cells": cells, "seconds": min(timed), **values}
+        print("to an accuracy", asked, found["runs"][f"{asked:g}"], flush=True)
+    return found
+
+
 def measure_slopes() -> Runs:
     """What the slopes of the surface do to an elastic contact: numbers over those of Hertz."""
     found: Runs = {}
@@ -85,13 +112,18 @@ def measure_slopes() -> Runs:
     return found
 
 
-def draw(results: dict[str, Runs]) -> None:
+def draw(results: dict[str, Runs], accuracy: dict[str, Runs]) -> None:
     """Largest error of all quantities over time."""
     figure, ax = plt.subplots(figsize=(5.2, 3.6), layout="constrained")
     for (code, runs), marker in zip(results.items(), "so", strict=True):
         errors = [error_of(runs, size) for size in runs]
         seconds = [run["seconds"] for run in runs.values()]
         ax.loglog(seconds, [100 * e for e in errors], marker=marker, label=code)
+    runs, truth = accuracy["runs"], accuracy["truth"]["limit"]
+    errors = [error_against(truth, run) for run in runs.values()]
+    seconds = [run["seconds"] for run in runs.values()]
+    label = "samcontact, to an accuracy"
+    ax.loglog(seconds, [100 * e for e in errors], marker="d", label=label)
     ax.set(xlabel="processor's time [s]", ylabel="largest error [%]")
     ax.grid(which="major", alpha=0.3)
     ax.legend()
@@ -103,6 +135,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="coarse meshes only, keep nothing")
     parser.add_argument("--docs", action="store_true", help="write the page of the documentation")
+    parser.add_argument("--accuracy", action="store_true", help="to accuracies anew, keep the rest")
     parser.add_argument("--page", action="store_true", help="only that, from what is kept")
     given = parser.parse_args()
     if not given.page and os.environ.get("OMP_NUM_THREADS") != "1":
@@ -110,12 +143,19 @@ def main() -> None:
     if given.quick:
         measure(ELEMENTS[:1], CELLS[:2])
         return
-    if not given.page:
-        kept = {"runs": measure(ELEMENTS, CELLS), "slopes": measure_slopes()}
+    if given.accuracy:
+        kept = json.loads(KEPT.read_text(encoding="utf-8")) | {"accuracy": measure_accuracy()}
+        KEPT.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
+    elif not given.page:
+        kept = {
+            "runs": measure(ELEMENTS, CELLS),
+            "slopes": measure_slopes(),
+            "accuracy": measure_accuracy(),
+        }
         KEPT.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
     if given.docs or given.page:
         results = json.loads(KEPT.read_text(encoding="utf-8"))
-        draw(results["runs"])
+        draw(results["runs"], results["accuracy"])
         PAGE.write_text(page(**results), encoding="utf-8")
 
 

@@ -16,6 +16,14 @@ QUANTITIES = {
     "residual_von_mises": ("largest residual von Mises stress [MPa]", 1e-6),
     "print": ("depth of the print [µm]", 1e6),
 }
+ASKED_FOR = {
+    "load": "load",
+    "von_mises": "max_von_mises_body2",
+    "plastic_strain": "max_equivalent_plastic_strain_body2",
+    "residual_von_mises": "max_residual_von_mises_body2",
+    "print": "print_depth_body2",
+}
+"""Names of the quantities in `to_accuracy`."""
 Runs = dict[str, dict[str, Any]]
 TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: OMP_NUM_THREADS=1 python -m benchmarks.finite_elements --docs -->
@@ -31,7 +39,9 @@ solve it on one thread, on meshes of their own:
   {far:.0f} radii; contact face to face with a stiffness that lets 4 nm through. It has the
   advantage of two dimensions: the scene has an axis, of which samcontact does not know.
 - samcontact, three-dimensional: cubic cells, as many on the contact's radius, no `nz`, all settings
-  as they come; the mirror planes are found.
+  as they come; the mirror planes are found;
+- the same asked for to 5, 1 and 0.2 % (`sc.to_accuracy`), which chooses cells and increments;
+  its time is that of all its grids.
 
 ```console
 $ apt install calculix-ccx
@@ -43,7 +53,8 @@ $ OMP_NUM_THREADS=1 python -m benchmarks.finite_elements --docs
 ## The same error
 
 The largest of the errors of five numbers, each against its code's own limit on fine meshes (the two
-finest extrapolated with order two), and the processor's time:
+finest extrapolated with order two; to an accuracy also in ever more increments), and the
+processor's time:
 
 {times}
 
@@ -75,27 +86,39 @@ def error_of(runs: Runs, size: str) -> float:
     return max(abs(runs[size][q] / limit(runs, q) - 1) for q in QUANTITIES)
 
 
-def time_at(runs: Runs, error: float) -> float | None:
-    """Time at an error between two meshes, in logarithms; None outside of them."""
-    known = sorted((error_of(runs, size), runs[size]["seconds"]) for size in runs)
+def error_against(truth: dict[str, float], run: dict[str, Any]) -> float:
+    """The largest relative error of a run whose limit is known."""
+    return max(abs(run[q] / truth[q] - 1) for q in QUANTITIES)
+
+
+def time_at(points: list[tuple[float, float]], error: float) -> float | None:
+    """Time at an error between those of points (error, time), in logarithms; None outside."""
+    known = sorted(points)
     errors, times = np.log(known).T
     if not errors[0] <= np.log(error) <= errors[-1]:
         return None
     return float(np.exp(np.interp(np.log(error), errors, times)))
 
 
-def ratios(results: dict[str, Runs]) -> str:
+def ratios(results: dict[str, Runs], accuracy: dict[str, Runs]) -> str:
     """What one code takes times the other, at the errors of the slower one's meshes."""
     lines = []
+    grids = results["samcontact"]
+    fixed = [(error_of(grids, size), grids[size]["seconds"]) for size in grids]
+    truth = accuracy["truth"]["limit"]
+    asked = [(error_against(truth, run), run["seconds"]) for run in accuracy["runs"].values()]
     for size in results["CalculiX"]:
         error = error_of(results["CalculiX"], size)
-        ours = time_at(results["samcontact"], error)
-        if ours is None:
-            continue
-        slower = results["CalculiX"][size]["seconds"] / ours
-        lines.append(
-            f"At an error of {100 * error:.2g} % finite elements take {slower:.0f} times as long."
-        )
+        theirs = results["CalculiX"][size]["seconds"]
+        for ours, than in (
+            (time_at(fixed, error), "a grid"),
+            (time_at(asked, error), "an accuracy"),
+        ):
+            if ours is not None:
+                lines.append(
+                    f"At an error of {100 * error:.2g} % finite elements take "
+                    f"{theirs / ours:.0f} times as long as {than}."
+                )
     return "\n".join(lines)
 
 
@@ -105,7 +128,7 @@ def table(heading: list[str], rows: list[list[str]]) -> str:
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
-def page(runs: dict[str, Runs], slopes: Runs) -> str:
+def page(runs: dict[str, Runs], slopes: Runs, accuracy: dict[str, Runs]) -> str:
     """All of it."""
     times, numbers = [], []
     for code, found in runs.items():
@@ -118,6 +141,12 @@ def page(runs: dict[str, Runs], slopes: Runs) -> str:
             numbers.append([code, size, *values])
         values = [f"{scale * limit(found, q):.5g}" for q, (_, scale) in QUANTITIES.items()]
         numbers.append([code, "limit", *values])
+    truth = accuracy["truth"]["limit"]
+    for asked, run in accuracy["runs"].items():
+        error = f"{100 * error_against(truth, run):.2g}"
+        mesh = f"{run['cells']} cells and coarser"
+        seconds = f"{run['seconds']:.3g}"
+        times.append([f"samcontact, to {100 * float(asked):g} %", "", mesh, error, seconds])
     one, other = runs.values()
     apart = {q: 100 * abs(limit(one, q) / limit(other, q) - 1) for q in QUANTITIES}
     off = {at: {q: 100 * (value - 1) for q, value in found.items()} for at, found in slopes.items()}
@@ -133,7 +162,7 @@ def page(runs: dict[str, Runs], slopes: Runs) -> str:
         growth=deck.GROWTH,
         far=deck.FAR,
         times=table(["code", "on the radius", "mesh", "largest error [%]", "time [s]"], times),
-        ratios=ratios(runs),
+        ratios=ratios(runs, accuracy),
         numbers=table(
             ["code", "on the radius", *(name for name, _ in QUANTITIES.values())], numbers
         ),
