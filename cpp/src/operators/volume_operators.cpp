@@ -34,13 +34,18 @@ VolumeTransform make_transform(const Grid& grid, const VolumeOptions& options) {
 
 VolumeOperators::VolumeOperators(const Grid& grid, SharedMedium medium,
                                  const VolumeOptions& options,
-                                 std::weak_ptr<const VolumeOperators> shallower)
+                                 std::shared_ptr<const VolumeOperators> shallower)
     : grid_(grid),
       medium_(std::move(medium)),
       options_(options),
       transform_(make_transform(grid, options)),
       shallower_(std::move(shallower)),
-      traction_stress_(grid, transform_, medium_, options.heat, grid.z(), options.tensor) {}
+      traction_stress_(grid, transform_, medium_, options.heat, grid.z(), options.tensor) {
+  if (!shallower_) return;
+  // One of them is enough.
+  const std::lock_guard lock(shallower_->mutex_);
+  shallower_->shallower_.reset();
+}
 
 const ResidualStress& VolumeOperators::residual_stress() const {
   const std::lock_guard lock(mutex_);
@@ -55,14 +60,19 @@ const ResidualDisplacement& VolumeOperators::residual_displacement(Axis axis) co
   const std::lock_guard lock(mutex_);
   auto& displacement = residual_displacement_[static_cast<int>(axis)];
   if (!displacement) {
-    const auto other = shallower_.lock();
-    std::unique_lock<std::mutex> other_lock;
-    if (other) other_lock = std::unique_lock(other->mutex_);
+    std::unique_lock<std::mutex> other;
+    if (shallower_) other = std::unique_lock(shallower_->mutex_);
     const auto* known =
-        other ? other->residual_displacement_[static_cast<int>(axis)].get() : nullptr;
+        shallower_ ? shallower_->residual_displacement_[static_cast<int>(axis)].get() : nullptr;
     displacement = medium_->residual_displacement(axis, grid_, transform_, options_.tensor, known);
+    other = {};
+    release_shallower();
   }
   return *displacement;
+}
+
+void VolumeOperators::release_shallower() const {
+  if (residual_displacement_[static_cast<int>(Axis::z)] && traction_stress_.bytes() > 0) shallower_.reset();
 }
 
 void VolumeOperators::for_each_layer(
@@ -75,9 +85,15 @@ void VolumeOperators::for_each_layer(
     far_field = residual_stress().far_field(options_.tensor, strain);
   }
   if (tractions != nullptr) {
-    const auto other = shallower_.lock();
+    std::shared_ptr<const VolumeOperators> other;
+    {
+      const std::lock_guard lock(mutex_);
+      other = shallower_;
+    }
     traction_stress_.add(*tractions, shear_sign, spectrum,
                          other ? &other->traction_stress_ : nullptr);
+    const std::lock_guard lock(mutex_);
+    release_shallower();
   }
   const std::size_t layer_size = count(options_.tensor) * transform_.plane_size();
 #pragma omp parallel if (per_number * layer_size * grid_.nz > worth_threads)

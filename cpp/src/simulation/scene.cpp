@@ -200,16 +200,16 @@ Scene::Operators Scene::volume(int body, const Box& box, operators::Tensor tenso
     if (!alike || k.size.nz > size.nz) continue;
     if (!shallower || k.size.nz > shallower->grid().nz) shallower = k.operators;
   }
-  const std::weak_ptr<const operators::VolumeOperators> like = std::exchange(shallower, nullptr);
   kept_.remove_if([&](const Kept& k) {
-    return k.medium == media[body] && k.tensor == tensor && k.operators.use_count() == 1 &&
+    const int own = k.operators == shallower ? 2 : 1;
+    return k.medium == media[body] && k.tensor == tensor && k.operators.use_count() == own &&
            k.size.volume_size() > large_box && size.contains(k.size);
   });
   const operators::VolumeOptions options{tensor, symmetry, method, image_tol_,
                                          heat_stress(body, heating)};
-  kept_.push_front(
-      {media[body], size, tensor, method, symmetry, heating,
-       std::make_shared<operators::VolumeOperators>(size.grid(grid), media[body], options, like)});
+  kept_.push_front({media[body], size, tensor, method, symmetry, heating,
+                    std::make_shared<operators::VolumeOperators>(size.grid(grid), media[body],
+                                                                 options, shallower)});
   if (kept_.size() > most_kept) kept_.pop_back();
   return kept_.front().operators;
 }

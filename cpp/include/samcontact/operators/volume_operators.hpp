@@ -29,9 +29,9 @@ struct VolumeOptions {
 /// have tractions and displacement.
 class VolumeOperators {
  public:
-  /// shallower: the same of fewer layers, whose kernels are taken while they are there.
+  /// shallower: the same of fewer layers, whose kernels are taken; null: none.
   VolumeOperators(const Grid& grid, SharedMedium medium, const VolumeOptions& options,
-                  std::weak_ptr<const VolumeOperators> shallower = {});
+                  std::shared_ptr<const VolumeOperators> shallower = {});
 
   const Grid& grid() const { return grid_; }
   Tensor tensor() const { return options_.tensor; }
@@ -57,8 +57,11 @@ class VolumeOperators {
   SharedMedium medium_;
   VolumeOptions options_;
   VolumeTransform transform_;
-  std::weak_ptr<const VolumeOperators> shallower_;
+  /// Under the mutex: lets go of what is shallower when all kernels are there.
+  void release_shallower() const;
+
   mutable std::mutex mutex_;
+  mutable std::shared_ptr<const VolumeOperators> shallower_;
   TractionStress traction_stress_;
   mutable std::unique_ptr<ResidualStress> residual_stress_;
   mutable std::array<std::unique_ptr<ResidualDisplacement>, 3> residual_displacement_;  // by axis
