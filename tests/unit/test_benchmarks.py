@@ -13,6 +13,7 @@ import pytest
 from benchmarks import (
     accuracy,
     accuracy_cases,
+    accuracy_cost,
     elastic_smooth,
     harness,
     images,
@@ -75,6 +76,17 @@ def test_a_rough_contact_converges_as_its_page_says():
         assert 0.5 < wrong / (coarse["uncertainty"] - fine["uncertainty"]) < 1.0
         assert coarse["pressure"] * coarse["area"] == pytest.approx(fine["pressure"] * fine["area"])
     assert "python -m benchmarks.resolution --docs" in resolution.page(rows, 1e9, rows[:2])
+
+
+def test_cost_beside_grids_by_hand():
+    hand = accuracy_cost.by_hand("balls, 1500 N", range(3))
+    mine = accuracy_cost.chosen("balls, 1500 N", 0.05)
+    assert [one.error for one in hand] == sorted((one.error for one in hand), reverse=True)
+    assert hand[-1].error < 0.01
+    assert mine.error < 0.05
+    rows = accuracy_cost.kept()
+    assert accuracy_cost.page(rows) == accuracy_cost.PAGE.read_text(encoding="utf-8")
+    assert {row.case for row in rows} <= set(accuracy_cost.NAMES)
 
 
 def test_stated_errors_cover_true_ones_as_their_page_says():
