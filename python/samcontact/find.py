@@ -95,6 +95,7 @@ class Search:
         self.largest = (0.0, 0.0)
         """Value and load."""
         self._last: tuple[str, Built, list[State]] | None = None
+        self._told: set[str] = set()
 
     def find(self) -> FoundLoad:
         return _refined(self, _enclosed(self, self.start, self.most), self.tolerance)
