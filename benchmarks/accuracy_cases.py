@@ -17,7 +17,12 @@ NITRIDED = SWIFT | {"B": 1240e6, "C": 30.0, "n": 0.085}
 BILINEAR = {"law": "linear_hardening", "E": E, "nu": NU, "yield_stress": 1e9,
             "tangent_modulus": 21e9}  # fmt: skip
 THERMAL = {"conductivity": 50.2, "expansion": 11.7e-6, "diffusivity": 1.367e-5}
+PERFECT = {"law": "perfect_plastic", "E": 200e9, "nu": 0.32, "yield_stress": 0.9115e9}
+CERAMIC = {"law": "elastic", "E": 310e9, "nu": 0.29}
+DIAMOND = {"law": "elastic", "E": 1141e9, "nu": 0.07}
 BALL = {"shape": "paraboloid", "Rx": R}
+LARGE_BALL = {"shape": "paraboloid", "Rx": 10e-3}
+TIP = {"shape": "paraboloid", "Rx": 105e-6}
 
 Case = dict[str, Any]
 
@@ -28,6 +33,12 @@ def pressed(body1: Case, body2: Case, load: float, surface: Case = BALL, **more:
     if not {body1["law"], body2["law"]} <= {"elastic", "rigid"}:
         path.append({"load": 0.0})
     return {"body1": body1, "body2": body2, "surface": surface, "path": path} | more
+
+
+def rolled(body1: Case, load: float, distance: float, surface: Case, passes: int = 1) -> Case:
+    """Over a Swift body, which is unloaded after each pass."""
+    roll = {"distance": distance, "step": 25e-6, "passes": passes}
+    return pressed(body1, SWIFT, load, surface) | {"path": [{"load": load, "roll": roll}]}
 
 
 def elliptic(ratio: float) -> Case:
@@ -57,16 +68,21 @@ YIELDING: dict[str, Case] = {
     "T1, 1500 N": pressed(STEEL, SWIFT, 1500.0),
     "T1, 600 N": pressed(STEEL, SWIFT, 600.0),
     "T1, 4000 N": pressed(STEEL, SWIFT, 4000.0),
-    "V1, rigid tip": pressed(RIGID, NITRIDED, 0.65, {"shape": "paraboloid", "Rx": 105e-6}),
+    "V1, rigid tip": pressed(RIGID, NITRIDED, 0.65, TIP),
+    "V1, 0.3 N": pressed(RIGID, NITRIDED, 0.3, TIP),
+    "V1, diamond tip": pressed(DIAMOND, NITRIDED, 0.3, TIP),
     "V2, both yield": pressed(SWIFT, SWIFT, 2000.0),
     "two laws": pressed(M50, BILINEAR, 1000.0),
-    "2a, rigid on M50": pressed(RIGID, M50, 800.0, {"shape": "paraboloid", "Rx": 10e-3}),
+    "2a, rigid on M50": pressed(RIGID, M50, 800.0, LARGE_BALL),
+    "2d, rigid on perfectly plastic": pressed(RIGID, PERFECT, 92.42736, LARGE_BALL),
     "bilinear": pressed(STEEL, BILINEAR, 800.0),
     "radii 1:3, yields": pressed(STEEL, SWIFT, 3000.0, elliptic(3.0)),
     "semi-axes 1:4, yields": pressed(STEEL, SWIFT, 6000.0, elliptic(8.3033)),
     "F2, friction 0.2": pressed(
-        STEEL, M50, 3000.0, {"shape": "paraboloid", "Rx": 10e-3}, contact={"friction": 0.2}
+        STEEL, M50, 3000.0, LARGE_BALL, contact={"friction": 0.2}
     ),
+    "F2, friction 0.25": pressed(STEEL, M50, 3000.0, LARGE_BALL, contact={"friction": 0.25}),
+    "F2, 5000 N": pressed(STEEL, M50, 5000.0, LARGE_BALL, contact={"friction": 0.1}),
     "given approach": pressed(STEEL, SWIFT, 1.0)
     | {"path": [{"approach": 2.5e-5}, {"load": 0.0, "start": 1800.0}]},
     "loaded twice": pressed(STEEL, SWIFT, 1.0)
@@ -80,10 +96,12 @@ YIELDING: dict[str, Case] = {
                 {"load": 0.0, "duration": 10e-3, "heat_factor": 0.0}]},
 }  # fmt: skip
 ROLLING: dict[str, Case] = {
-    "rolling ball": pressed(
-        STEEL | {"E": 310e9, "nu": 0.29}, SWIFT, 1.0, {"shape": "paraboloid", "Rx": 4.7625e-3}
-    )
-    | {"path": [{"load": 1152.9, "roll": {"distance": 0.6e-3, "step": 25e-6}}]},
+    "rolling ball": rolled(CERAMIC, 1152.9, 0.6e-3, BALL | {"Rx": 4.7625e-3}),
+    "R2, two passes": rolled(CERAMIC, 1152.9, 0.15e-3, BALL | {"Rx": 4.7625e-3}, passes=2),
+    "rolling along the short axis, 1:2": rolled(STEEL, 1500.0, 0.2e-3, elliptic(2.8428)),
+    "rolling along the long axis, 2:1": rolled(
+        STEEL, 1500.0, 0.2e-3, {"shape": "paraboloid", "Rx": 2.8428 * R, "Ry": R}
+    ),
 }
 CASES = ELASTIC | YIELDING | ROLLING
 

@@ -96,7 +96,9 @@ def test_stated_errors_cover_true_ones_as_their_page_says():
     assert all(0 < row.true < row.stated < 0.01 for row in rows)
     stored = accuracy.PAGE.read_text(encoding="utf-8")
     assert f"**{name}**" in stored
-    assert set(accuracy.stored()) == set(accuracy_cases.CASES)
+    assert stored == accuracy.page(accuracy.measured())
+    for known in (accuracy.stored(), (row.case for row in accuracy.measured())):
+        assert set(known) == set(accuracy_cases.CASES)
     for row in rows:  # of the page, to its two digits
         assert f"{100 * row.true:.2g} / {100 * row.stated:.2g}" in stored
     assert "python -m benchmarks.accuracy --docs" in stored
