@@ -85,6 +85,32 @@ TEST_CASE("the padded transform is the discrete Fourier transform of the padded 
   }
 }
 
+TEST_CASE(
+    "through a plane that is lent the transform is the same, of the rows that are asked for") {
+  const int nx = 21, ny = 18, first = 3, count = 11;
+  const fft::PaddedTransform transform(nx, ny, 28, 30);
+  for (const int empty : {0, 2, 9, nx}) {
+    Field plane = sample(nx * ny);
+    std::fill_n(plane.begin(), empty * ny, 0.0);
+    std::fill_n(plane.end() - empty * ny, empty * ny, 0.0);
+    const std::size_t stride = transform.mx() + 4;
+    ComplexField direct(transform.mh() * stride), through(direct.size()), lent;
+    transform.forward(plane.data(), direct.data(), stride, Threads::one);
+    transform.forward(plane.data(), lent, through.data(), stride);
+    for (std::size_t n = 0; n < direct.size(); ++n) REQUIRE(through[n] == direct[n]);
+
+    const double untouched = 7.0;
+    Field some(plane.size(), untouched), all(plane.size());
+    transform.inverse(through.data(), stride, lent, first, count, some.data());
+    CHECK(through == direct);
+    transform.inverse(direct.data(), all.data(), stride, Threads::one);
+    for (int n = 0; n < nx * ny; ++n) {
+      const bool asked = n / ny >= first && n / ny < first + count;
+      REQUIRE(some[n] == doctest::Approx(asked ? all[n] : untouched).epsilon(1e-14));
+    }
+  }
+}
+
 TEST_CASE("one and many threads give the same digits") {
   const int n = 150;
   const fft::PaddedTransform transform(n, n);

@@ -48,4 +48,36 @@ void PaddedTransform::inverse(Complex* spectrum, double* plane, std::size_t stri
   }
 }
 
+void PaddedTransform::forward(const double* plane, ComplexField& lent, Complex* spectrum,
+                              std::size_t stride) const {
+  const auto is_empty = [&](int i) {
+    const double* row = plane + static_cast<std::ptrdiff_t>(i) * ny_;
+    return std::all_of(row, row + ny_, [](double v) { return v == 0; });
+  };
+  int first = 0, last = nx_;
+  while (first < last && is_empty(first)) ++first;
+  while (first < last && is_empty(last - 1)) --last;
+  lent.resize(spectrum_size());
+  rows_.forward(plane + static_cast<std::ptrdiff_t>(first) * ny_, last - first, lent.data() + first,
+                mx_);
+  for (int ky = 0; ky < mh(); ++ky) {
+    Complex* column = lent.data() + static_cast<std::ptrdiff_t>(ky) * mx_;
+    std::fill(column, column + first, Complex{});
+    std::fill(column + last, column + mx_, Complex{});
+    fftw_execute_dft(column_forward_.get(), raw(column), raw(spectrum + ky * stride));
+  }
+}
+
+void PaddedTransform::inverse(const Complex* spectrum, std::size_t stride, ComplexField& lent,
+                              int first, int count, double* plane) const {
+  lent.resize(spectrum_size());
+  for (int ky = 0; ky < mh(); ++ky) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): from another place they are only read.
+    auto* from = const_cast<Complex*>(spectrum + ky * stride);
+    fftw_execute_dft(column_inverse_.get(), raw(from),
+                     raw(lent.data() + static_cast<std::ptrdiff_t>(ky) * mx_));
+  }
+  rows_.inverse(lent.data() + first, mx_, count, plane + static_cast<std::ptrdiff_t>(first) * ny_);
+}
+
 }  // namespace samcontact::fft

@@ -37,6 +37,14 @@ class PaddedTransform {
   /// Destroys the spectrum.
   void inverse(Complex* spectrum, double* plane, std::size_t stride, Threads threads) const;
 
+  /// The same by one thread through a plane's spectrum that the caller lends, where strides are so
+  /// long that rows are better transposed elsewhere. Skips zeros at both ends of the rows [i].
+  void forward(const double* plane, ComplexField& lent, Complex* spectrum,
+               std::size_t stride) const;
+  /// Rows first, .., first + count - 1 of the plane; the others are not touched.
+  void inverse(const Complex* spectrum, std::size_t stride, ComplexField& lent, int first,
+               int count, double* plane) const;
+
  private:
   int nx_, ny_, mx_, my_;
   Rows rows_;

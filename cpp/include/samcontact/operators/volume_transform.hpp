@@ -17,8 +17,9 @@ using fft::Symmetry;
 class VolumeTransform {
  public:
   /// Of the whole planes of a grid, also where only a part is stored; padded sizes are at least the
-  /// given ones.
-  VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx = 0, int least_my = 0);
+  /// given ones. unread_rows: so many at both ends of whole planes [i][j] are not brought back.
+  VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx = 0, int least_my = 0,
+                  int unread_rows = 0);
 
   Symmetry symmetry() const { return symmetry_; }
   /// Stored cells of a plane.
@@ -51,7 +52,7 @@ class VolumeTransform {
   int nx_, ny_;
   Symmetry symmetry_;
   fft::PaddedTransform whole_;
-  int mx_, my_;
+  int mx_, my_, unread_rows_;
   std::unique_ptr<fft::MirroredTransform> mirrored_;
 };
 
