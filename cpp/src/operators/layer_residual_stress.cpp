@@ -67,8 +67,7 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
 
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
                                          const Elastic& elastic, const Share& share)
-    : nz_(grid.nz),
-      nu_(elastic.nu),
+    : nu_(elastic.nu),
       lame_(2 * elastic.shear_modulus() * elastic.nu / (1 - 2 * elastic.nu)),
       shear_modulus_(elastic.shear_modulus()) {
   for (int ky = 0; ky < transform.mh(); ++ky) {
@@ -129,8 +128,8 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
 #pragma omp parallel if (per_number * spectrum.data.size() > worth_threads)
   {
     const FlushDenormals flush;
-    layers::Scratch scratch(nz_, spectrum.parts);
-    Field aliases(nz_ * block.layer_step);
+    layers::Scratch scratch(spectrum.nz, spectrum.parts);
+    Field aliases(spectrum.nz * block.layer_step);
 #pragma omp for schedule(dynamic)
     for (int ky = 0; ky < spectrum.mh; ++ky) {
       for (int kx = 0; kx < spectrum.modes; kx += width) {
@@ -150,7 +149,7 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
       }
     }
   }
-  spectrum.used.assign(nz_, 1);
+  spectrum.used.assign(spectrum.nz, 1);
 }
 
 Field LayerResidualStress::far_field(Tensor tensor, const double* strain) const {

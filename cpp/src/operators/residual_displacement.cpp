@@ -103,13 +103,13 @@ void ResidualDisplacement::apply(const VolumeSpectrum& strain, double* displacem
 #pragma omp parallel for schedule(static) if (2.0 * strain.data.size() > worth_threads)
   for (int ky = 0; ky < strain.mh; ++ky) {
     double* out = sum.data() + ky * strain.row_size();
-    const double* quarter =
-        spectra_.data() + static_cast<std::size_t>(ky) * strain.components * nz_ * hx;
     for (int c = 0; c < strain.components; ++c) {
+      const double* quarter =
+          spectra_.data() + (static_cast<std::size_t>(ky) * strain.components + c) * nz_ * hx;
       const auto parity = stress_parity(traction_along(axis_), places[c]);
       const double sign =
           mirror_sign(strain.symmetry, parity, kernels::component_parity(places[c]));
-      for (int k = 0; k < nz_; ++k, quarter += hx) {
+      for (int k = 0; k < std::min(nz_, strain.nz); ++k, quarter += hx) {
         if (!strain.used[k]) continue;
         add_parity_product(quarter, parity, sign, strain.row(ky, c, k), out, *transform_);
       }

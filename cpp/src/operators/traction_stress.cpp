@@ -130,22 +130,22 @@ Field TractionStress::build(Part part, const std::vector<std::vector<ParityParts
 void TractionStress::add(Part part, kernels::Parity input, const Field& traction, double scale,
                          VolumeSpectrum& out) const {
   const Field& spectra = spectra_[static_cast<int>(part)];
-  const int nz = layers(), hx = out.mx / 2 + 1;
+  const int hx = out.mx / 2 + 1;
   const auto places = components(tensor_);
 #pragma omp parallel for schedule(static) if (2.0 * out.data.size() > worth_threads)
   for (int ky = 0; ky < out.mh; ++ky) {
     const double* in = traction.data() + ky * transform_->row_size();
-    const double* quarter =
-        spectra.data() + static_cast<std::size_t>(ky) * out.components * nz * hx;
     for (int c = 0; c < out.components; ++c) {
+      const double* quarter =
+          spectra.data() + (static_cast<std::size_t>(ky) * out.components + c) * layers() * hx;
       const auto own = parity(part, places[c]);
       const double signed_scale = scale * mirror_sign(out.symmetry, own, input);
-      for (int k = 0; k < nz; ++k, quarter += hx) {
+      for (int k = 0; k < out.nz; ++k, quarter += hx) {
         add_parity_product(quarter, own, signed_scale, in, out.row(ky, c, k), *transform_);
       }
     }
   }
-  out.used.assign(nz, 1);
+  out.used.assign(out.nz, 1);
 }
 
 void TractionStress::add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,

@@ -27,7 +27,7 @@ VolumeTransform make_transform(const Grid& grid, const VolumeOptions& options) {
     mx = static_cast<int>(std::ceil(shortest_period * (2 * grid.ny - 1) * grid.dy / grid.dx));
     my = static_cast<int>(std::ceil(shortest_period * (2 * grid.nx - 1) * grid.dx / grid.dy));
   }
-  return {grid, options.symmetry, mx, my};
+  return {grid, options.symmetry, mx, my, options.unread_rows};
 }
 
 }  // namespace
@@ -72,12 +72,13 @@ const ResidualDisplacement& VolumeOperators::residual_displacement(Axis axis) co
 }
 
 void VolumeOperators::release_shallower() const {
-  if (residual_displacement_[static_cast<int>(Axis::z)] && traction_stress_.bytes() > 0) shallower_.reset();
+  if (residual_displacement_[static_cast<int>(Axis::z)] && traction_stress_.bytes() > 0)
+    shallower_.reset();
 }
 
 void VolumeOperators::for_each_layer(
     VolumeSpectrum& spectrum, const double* strain, const Tractions* tractions, double shear_sign,
-    const std::function<void(int layer, const double* stress)>& use) const {
+    const std::function<void(int layer, const double* stress)>& use, int layers) const {
   check_interrupt();
   Field far_field;
   if (strain != nullptr) {
@@ -100,7 +101,7 @@ void VolumeOperators::for_each_layer(
   {
     Field layer(layer_size);
 #pragma omp for schedule(dynamic)
-    for (int k = 0; k < grid_.nz; ++k) {
+    for (int k = 0; k < std::min(layers, spectrum.nz); ++k) {
       inverse(transform_, spectrum, k, layer.data());
       if (strain != nullptr) residual_stress_->correct(options_.tensor, far_field, k, layer.data());
       use(k, layer.data());

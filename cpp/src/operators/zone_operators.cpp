@@ -18,6 +18,8 @@ constexpr int ring = near_range;
 /// Nodes between the ends of the middle plane: its band is at its end there but for 1e-4 of the
 /// residual stress.
 constexpr int middle_ring = 10;
+/// Tables have so many layers, times a whole number: they outlast zones that grow.
+constexpr int layers_at_once = 8;
 /// The ring's strain fades out in its last part.
 constexpr double fades_from = 0.75;
 
@@ -41,8 +43,8 @@ Field fades(int count) {
   return weights;
 }
 
-VolumeSpectrum without_strain(const VolumeOperators& operators) {
-  VolumeSpectrum spectrum = operators.make_spectrum();
+VolumeSpectrum without_strain(const VolumeOperators& operators, int layers) {
+  VolumeSpectrum spectrum(operators.transform(), layers, operators.tensor());
   std::fill(spectrum.data.begin(), spectrum.data.end(), 0.0);
   return spectrum;
 }
@@ -67,11 +69,14 @@ struct ZoneOperators::Lattice {
   ZoneTables::Operators operators;
   VolumeSpectrum spectrum;
 
-  Lattice(NodeSpread spread, ZoneTables::Operators of)
-      : nodes(std::move(spread)), operators(std::move(of)), spectrum(operators->make_spectrum()) {}
+  Lattice(NodeSpread spread, ZoneTables::Operators of, int layers)
+      : nodes(std::move(spread)),
+        operators(std::move(of)),
+        spectrum(operators->transform(), layers, operators->tensor()) {}
 
   std::size_t plane_size() const { return operators->grid().surface_size(); }
   int pitch() const { return operators->grid().ny; }
+  int layers() const { return spectrum.nz; }
   /// The nodes of its planes.
   Box planes() const {
     const Grid& grid = operators->grid();
@@ -107,13 +112,15 @@ Grid ZoneTables::lattice(Band band, const NodeSpread& nodes, int layers) const {
   return lattice;
 }
 
-ZoneTables::Operators ZoneTables::of(Band band, const Grid& lattice) const {
+ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {
+  lattice.nz = (lattice.nz + layers_at_once - 1) / layers_at_once * layers_at_once;
   const std::lock_guard lock(mutex_);
   auto& place = kept_[{static_cast<int>(band), lattice.nx, lattice.ny, lattice.nz}];
   if (!place) {
-    place = std::make_shared<const VolumeOperators>(
-        lattice, media_[static_cast<int>(band)],
-        VolumeOptions{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_, {}});
+    VolumeOptions options{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_, {}};
+    if (band == Band::near) options.unread_rows = ring;
+    place =
+        std::make_shared<const VolumeOperators>(lattice, media_[static_cast<int>(band)], options);
   }
   return place;
 }
@@ -155,29 +162,28 @@ void ZoneOperators::add_ring(const Box& zone) {
     inside.push_back(static_cast<int>(z));
     box.nz = std::max(box.nz, zones_[z].nz);
   }
+  // Deeper strain of others is as far away as the ring's end.
+  box.nz = std::min(box.nz, zone.nz + static_cast<int>(std::ceil(ring * grid_.dx / grid_.dz)));
   const int mx = fft::good_even_size(box.nx), my = fft::good_even_size(box.ny);
   Grid plane(mx, my, grid_.dx, grid_.dy, box.nz, grid_.dz);
   plane.period = {mx, my, 0.0};
-  around_.push_back({box,
-                     mx,
-                     my,
-                     std::move(inside),
-                     tables_->of(Band::near, plane),
-                     fades(zone.nx),
-                     fades(zone.ny),
-                     {},
-                     {}});
+  const auto operators = tables_->of(Band::near, plane);
+  around_.push_back(
+      {box, mx, my, std::move(inside), operators, fades(zone.nx), fades(zone.ny), {}, {}});
 }
 
 void ZoneOperators::make_lattices() {
   Box cells = Box::surface(grid_);
   for (const Box& zone : zones_) cells = cells.united(zone);
   const NodeSpread middle(spacing(Band::middle), cells);
-  middle_ = std::make_unique<Lattice>(
-      middle, tables_->of(Band::middle, tables_->lattice(Band::middle, middle, layers_)));
+  const auto operators = [&](Band band, const NodeSpread& nodes) {
+    return tables_->of(band, tables_->lattice(band, nodes, layers_));
+  };
+  middle_ = std::make_unique<Lattice>(middle, operators(Band::middle, middle), layers_);
   const NodeSpread far(spacing(Band::far) / spacing(Band::middle), middle_->nodes.box());
-  far_ = std::make_unique<Lattice>(
-      far, tables_->of(Band::far, tables_->lattice(Band::far, far, layers_)));
+  const auto of_far = operators(Band::far, far);
+  // Its images need the strain of all layers.
+  far_ = std::make_unique<Lattice>(far, of_far, of_far->grid().nz);
 }
 
 void ZoneOperators::spread_layer(int k, const Field& strain) {
@@ -196,16 +202,18 @@ void ZoneOperators::spread_layer(int k, const Field& strain) {
   middle_->spectrum.used[k] = any;
   if (!any) return;
   for (int c = 0; c < parts; ++c) {
-    far_->nodes.spread(nodes + c * middle, middle_->pitch(), middle_->nodes.box(),
-                       far_strain_.data() + (static_cast<std::size_t>(c) * layers_ + k) * far,
-                       far_->pitch());
+    far_->nodes.spread(
+        nodes + c * middle, middle_->pitch(), middle_->nodes.box(),
+        far_strain_.data() + (static_cast<std::size_t>(c) * far_->layers() + k) * far,
+        far_->pitch());
   }
   forward(middle_->operators->transform(), nodes, middle_->spectrum, k);
 }
 
 void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
   check_interrupt();
-  far_strain_.assign(static_cast<std::size_t>(count(tensor_)) * layers_ * far_->plane_size(), 0.0);
+  far_strain_.assign(static_cast<std::size_t>(count(tensor_)) * far_->layers() * far_->plane_size(),
+                     0.0);
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < layers_; ++k) spread_layer(k, strain);
   forward(far_->operators->transform(), far_strain_.data(), far_->spectrum);
@@ -221,7 +229,7 @@ void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
     Around& around = around_[z];
     const VolumeOperators& near = *around.operators;
     const int strained = near.residual_displacement(axes.front()).layers();  // of each axis
-    const int layers = around.is_alone() ? around.box.nz : strained;
+    const int layers = around.is_alone() ? around.box.nz : std::min(around.box.nz, strained);
     VolumeSpectrum own = spectrum_around(around, {static_cast<int>(z)}, layers, strain);
     for (const Axis axis : axes) {
       Field& displacement = around.displacement[static_cast<int>(axis)];
@@ -276,10 +284,12 @@ Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, doubl
   Field far_stress(static_cast<std::size_t>(parts) * layers_ * far);
   const double* some = strained ? far_strain_.data() : nullptr;
   far_->operators->for_each_layer(
-      far_->spectrum, some, &on_far, shear_sign, [&](int k, const double* stress) {
+      far_->spectrum, some, &on_far, shear_sign,
+      [&](int k, const double* stress) {
         std::copy_n(stress, parts * far,
                     far_stress.data() + static_cast<std::size_t>(k) * parts * far);
-      });
+      },
+      layers_);
   Field low(parts * cells_, 0.0);
   middle_->operators->for_each_layer(
       middle_->spectrum, some, &on_middle, shear_sign, [&](int k, const double* stress) {
@@ -341,6 +351,8 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   Around& around = around_[zone];
   const VolumeOperators& near = *around.operators;
   const Box& box = zones_[zone];
+  const Box layer{box.i0, box.j0, box.nx, box.ny, 1};
+  const Box plane{around.box.i0, around.box.j0, around.mx, around.my, 1};
   const int parts = count(tensor_);
   const std::size_t plane_size = near.grid().surface_size(), size = box.surface_size();
   Tractions here;
@@ -348,16 +360,14 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   const auto cut = [&](const Field& field, Field& out) {
     if (field.empty()) return;
     out.assign(plane_size, 0.0);
-    const Box to{around.box.i0, around.box.j0, around.mx, around.my, 1};
-    copy_common(field.data(), Box::surface(grid_), out.data(), to);
-    const bool loaded = std::any_of(out.begin(), out.end(), [](double v) { return v != 0; });
-    if (!loaded) out.clear();
-    any = any || loaded;
+    copy_common(field.data(), Box::surface(grid_), out.data(), plane);
+    if (std::all_of(out.begin(), out.end(), [](double v) { return v == 0; })) out.clear();
+    any = any || !out.empty();
   };
   cut(tractions.pressure, here.pressure);
   cut(tractions.shear_x, here.shear_x);
   cut(tractions.shear_y, here.shear_y);
-  VolumeSpectrum spectrum = strain == nullptr ? without_strain(near)
+  VolumeSpectrum spectrum = strain == nullptr ? without_strain(near, around.box.nz)
                             : around.spectrum
                                 ? std::move(*around.spectrum)
                                 : spectrum_around(around, around.zones, around.box.nz, *strain);
@@ -365,23 +375,17 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   // A plane with a period has no images to be found from the strain.
   const double unused = 0.0;
   Field sum(parts * size);
+  const auto with_low = [&](int k, const double* stress) {
+    for (int c = 0; c < parts; ++c) {
+      const double* given = low.data() + c * cells_ + first_[zone] + k * size;
+      double* to = sum.data() + c * size;
+      extract(stress + c * plane_size, plane, to, layer);
+      for (std::size_t n = 0; n < size; ++n) to[n] += given[n];
+    }
+    use(zone, k, sum.data());
+  };
   near.for_each_layer(spectrum, strain != nullptr ? &unused : nullptr, any ? &here : nullptr,
-                      shear_sign, [&](int k, const double* stress) {
-                        if (k >= box.nz) return;
-                        for (int c = 0; c < parts; ++c) {
-                          const double* given = low.data() + c * cells_ + first_[zone] + k * size;
-                          for (int i = 0; i < box.nx; ++i) {
-                            const double* from = stress + c * plane_size +
-                                                 static_cast<std::size_t>(i + ring) * around.my +
-                                                 ring;
-                            for (int j = 0; j < box.ny; ++j) {
-                              const std::size_t at = static_cast<std::size_t>(i) * box.ny + j;
-                              sum[c * size + at] = given[at] + from[j];
-                            }
-                          }
-                        }
-                        use(zone, k, sum.data());
-                      });
+                      shear_sign, with_low, box.nz);
 }
 
 void ZoneOperators::for_each_layer(const Field* strain, const Tractions& tractions,

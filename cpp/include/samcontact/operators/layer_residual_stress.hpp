@@ -61,7 +61,6 @@ class LayerResidualStress : public ResidualStress {
   static Pass pass(const Grid& grid, const VolumeTransform& transform, int ky, bool alias_x,
                    bool alias_y, const Share& share);
 
-  int nz_;
   double nu_, lame_, shear_modulus_;
   std::vector<std::vector<Pass>> passes_;  // of each ky, first its own wavenumbers
   std::shared_ptr<const Images> images_;   // null where the surface has all of them

@@ -24,9 +24,10 @@ class TractionStress {
   TractionStress(const Grid& grid, const VolumeTransform& transform, SharedMedium medium,
                  std::shared_ptr<const HeatStress> heat, std::vector<double> depths, Tensor tensor);
 
-  /// out += stress of tractions [i][j], their shear multiplied by shear_sign; in mirrors they are
-  /// those of a vector (vector_parity()). All layers of `out` then count as used. shallower: the
-  /// same of the first depths, whose spectra are taken where they are there; null: none.
+  /// out += stress of tractions [i][j], their shear multiplied by shear_sign, on the first out.nz
+  /// depths; in mirrors they are those of a vector (vector_parity()). All layers of `out` then
+  /// count as used. shallower: the same of the first depths, whose spectra are taken where they are
+  /// there; null: none.
   void add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
            const TractionStress* shallower = nullptr) const;
 

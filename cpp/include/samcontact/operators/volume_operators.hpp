@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 
@@ -22,6 +23,8 @@ struct VolumeOptions {
   double image_tol = 1e-3;
   /// Heat that goes with the pressure; null: none.
   std::shared_ptr<const HeatStress> heat = {};
+  /// Rows [i][j] at both ends of whole planes whose stress nobody reads.
+  int unread_rows = 0;
 };
 
 /// Thread-safe; shared by bodies of one medium. Strain and stress have the
@@ -44,10 +47,13 @@ class VolumeOperators {
   /// the shear.
   Field stress(const double* strain, const Tractions* tractions, double shear_sign) const;
   /// The same layer by layer, in any order and several at once: calls use(layer, stress
-  /// [component][i][j]). spectrum: that of the eigenstrain on entry, zero without one; destroyed.
+  /// [component][i][j]) for the first ones. spectrum: that of the eigenstrain on entry, zero
+  /// without one; destroyed. It may have fewer layers than the grid where the residual stress has
+  /// no far field.
   void for_each_layer(VolumeSpectrum& spectrum, const double* strain, const Tractions* tractions,
                       double shear_sign,
-                      const std::function<void(int layer, const double* stress)>& use) const;
+                      const std::function<void(int layer, const double* stress)>& use,
+                      int layers = std::numeric_limits<int>::max()) const;
 
   /// Memory of the kernels built so far.
   std::size_t bytes() const;

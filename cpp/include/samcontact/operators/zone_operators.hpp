@@ -29,8 +29,8 @@ class ZoneTables {
   const SharedMedium& medium(Band band) const { return media_[static_cast<int>(band)]; }
   /// The planes of some nodes of a band, and so many layers.
   Grid lattice(Band band, const NodeSpread& nodes, int layers) const;
-  /// On a lattice.
-  Operators of(Band band, const Grid& lattice) const;
+  /// On a lattice; of some layers more than it has.
+  Operators of(Band band, Grid lattice) const;
   /// Those that nobody uses go.
   void forget_unused() const;
   std::size_t bytes() const;
