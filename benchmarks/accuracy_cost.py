@@ -92,14 +92,13 @@ def by_hand(name: str, levels: range = LEVELS) -> list[Solved]:
             start = time.process_time()
             run = scene.run(level, count)
             seconds = time.process_time() - start
-            grid = run.simulation.grid
             ends = np.cumsum(scene.parts)
             values = {
                 key: float(np.abs(run.values[:, end - parts : end]).max())
                 for key, parts, end in zip(scene.names, scene.parts, ends, strict=True)
             }
             known = {key: exact for key, exact in truth.items() if key in values}
-            what = f"{grid.nx} x {grid.ny} cells"
+            what = f"{run.cells[0]} x {run.cells[1]} cells"
             what += f", {count} increments" if scene.has_history else ""
             found.append(Solved(error_of(values, known), seconds, what))
     return found
