@@ -7,7 +7,6 @@
 
 #include "arrays.hpp"
 #include "rooms.hpp"
-#include "samcontact/base/elastic.hpp"
 #include "samcontact/kernels/corners.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/kernels/heat_displacement.hpp"
