@@ -138,7 +138,8 @@ def page(rows: list[Row]) -> str:
         what = row.best.what if row.as_exact else f"none; nearest: {row.best.what}"
         lines.append((row.case, f"{100 * row.asked:g}", f"{100 * row.mine.error:.2g}",
                       f"{row.mine.seconds:.2g}", what, f"{100 * row.best.error:.2g}",
-                      f"{row.best.seconds:.2g}", f"{ratio:.2g}" if row.as_exact else ""))  # fmt: skip
+                      f"{row.best.seconds:.2g}",
+                      f"{ratio:.2g}" if row.as_exact else ""))  # fmt: skip
     return TEXT.format(
         increments=f"{INCREMENTS[0]} to {INCREMENTS[-1]}", longest=2 * LONGEST,
         table=markdown(head, lines), median=float(np.median(ratios)),
