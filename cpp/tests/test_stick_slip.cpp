@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
-#include "samcontact/contact/multilevel.hpp"
 #include "samcontact/contact/projected_gradient.hpp"
 #include "samcontact/contact/shear_solver.hpp"
 #include "samcontact/contact/stick_slip.hpp"
@@ -81,11 +79,11 @@ TEST_CASE("shear and pressure displace as the tables of their cells say") {
     return total;
   };
   for (const int at : {0, 12, 34}) {
-    CHECK(u[at] == doctest::Approx(sum(Traction::shear_x, Axis::x, &shear[0], at) +
+    CHECK(u[at] == doctest::Approx(sum(Traction::shear_x, Axis::x, shear.data(), at) +
                                    sum(Traction::shear_y, Axis::x, &shear[n], at)));
-    CHECK(u[n + at] == doctest::Approx(sum(Traction::shear_x, Axis::y, &shear[0], at) +
+    CHECK(u[n + at] == doctest::Approx(sum(Traction::shear_x, Axis::y, shear.data(), at) +
                                        sum(Traction::shear_y, Axis::y, &shear[n], at)));
-    CHECK(raised[at] == doctest::Approx(sum(Traction::shear_x, Axis::z, &shear[0], at) +
+    CHECK(raised[at] == doctest::Approx(sum(Traction::shear_x, Axis::z, shear.data(), at) +
                                         sum(Traction::shear_y, Axis::z, &shear[n], at)));
     CHECK(slid[at] == doctest::Approx(sum(Traction::pressure, Axis::x, pressure.data(), at)));
   }

@@ -245,13 +245,14 @@ class CoulombContact::Sweeps {
 
   void iterate(Field pressure, Field shear) {
     Anderson anderson(anderson_depth);
-    const double full = settings_.tol;
+    // The residuals of two sweeps make a change even where nothing changes any more.
+    const double full = settings_.tol,
+                 tightest = std::clamp(1e-2 * full, std::min(full, 1e-12), full);
     double change = 1.0, tol = loosest;
     bool warm = longest(shear) > 0;
     raise(shear);
     for (s_.sweeps = 1;; ++s_.sweeps) {
-      if (s_.sweeps > 1)
-        tol = std::clamp(inner_share * change, full, std::max(full, tighter * tol));
+      if (s_.sweeps > 1) tol = std::max(std::min(inner_share * change, tighter * tol), tightest);
       press(std::move(pressure), std::max(0.3 * tol, 1e-13));
       if (!s_.normal.converged) return;
       slide(warm ? shear : Field{}, tol);

@@ -79,7 +79,7 @@ Field filled_outwards(const Grid& box, const Field& pressure, const Field& value
 class ShearSolver::Level {
  public:
   Level(const Grid& box, const operators::TangentialInfluence& influence)
-      : box_(box), influence_(influence), operators_(box, influence) {
+      : box_(box), operators_(box, influence) {
     if (std::min(box.nx, box.ny) >= 2 * coarsest_side && box.can_be_coarsened()) {
       coarser_ = std::make_unique<Level>(coarsened(box), influence);
     }
@@ -104,7 +104,6 @@ class ShearSolver::Level {
                         double tol, double& operations) const;
 
   Grid box_;
-  operators::TangentialInfluence influence_;
   ShearOperators operators_;
   std::unique_ptr<Level> coarser_;
 };
@@ -141,8 +140,9 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction
     problem.free_slip[c] = task.free_slip[at];
     problem.free_slip[m + c] = task.free_slip[problem.box_size + at];
     directions[0][c] = directions[1][m + c] = 1.0;
-    directions[2][c] = -(task.y0 + static_cast<double>(at % box_.ny) * box_.dy);
-    directions[2][m + c] = task.x0 + static_cast<double>(at / box_.ny) * box_.dx;
+    const std::size_t i = at / box_.ny, j = at % box_.ny;
+    directions[2][c] = -(task.y0 + static_cast<double>(j) * box_.dy);
+    directions[2][m + c] = task.x0 + static_cast<double>(i) * box_.dx;
   }
   for (int k = 0; k < 3; ++k) {
     if (drive[k].is_force()) {
@@ -222,8 +222,8 @@ struct ShearSolver::Kept {
   std::shared_ptr<const Level> level;
 };
 
-ShearSolver::ShearSolver(const Grid& grid, const operators::TangentialInfluence& influence)
-    : grid_(grid), influence_(influence), kept_(std::make_unique<Kept>()) {}
+ShearSolver::ShearSolver(const Grid& grid, operators::TangentialInfluence influence)
+    : grid_(grid), influence_(std::move(influence)), kept_(std::make_unique<Kept>()) {}
 ShearSolver::~ShearSolver() = default;
 ShearSolver::ShearSolver(ShearSolver&&) noexcept = default;
 ShearSolver& ShearSolver::operator=(ShearSolver&&) noexcept = default;
@@ -255,6 +255,21 @@ Box box_of(const Grid& grid, const Field& pressure, const Field& before) {
   widen(grid.nx, box.i0, box.nx);
   widen(grid.ny, box.j0, box.ny);
   return box;
+}
+
+/// Shear, slip and what sticks, from the cells of contact of a box to the grid.
+void unpack(const ShearResult& result, const std::vector<std::size_t>& cells, const Box& box,
+            const Grid& grid, ShearSolution& solution) {
+  const std::size_t n = grid.surface_size(), m = cells.size();
+  for (std::size_t c = 0; c < m; ++c) {
+    const std::size_t i = box.i0 + cells[c] / box.ny, j = box.j0 + cells[c] % box.ny;
+    const std::size_t there = i * grid.ny + j;
+    for (std::size_t k = 0; k < 2; ++k) {
+      solution.shear[k * n + there] = result.shear[k * m + c];
+      solution.slip[k * n + there] = result.slipping[c] ? result.slip[k * m + c] : 0.0;
+    }
+    solution.sticking[there] = !result.slipping[c];
+  }
 }
 
 Field over(const Grid& grid, const Box& box, const Field& field) {
@@ -304,16 +319,7 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   Level::Answer answer =
       level_of_box->solve(part, task.friction, task.drive, std::move(start), tol, most_steps);
   const ShearResult& result = answer.result;
-  const std::size_t m = answer.cells.size();
-  for (std::size_t c = 0; c < m; ++c) {
-    const std::size_t at = answer.cells[c], i = box.i0 + at / box.ny, j = box.j0 + at % box.ny;
-    const std::size_t there = i * grid_.ny + j;
-    for (int k = 0; k < 2; ++k) {
-      solution.shear[k * n + there] = result.shear[k * m + c];
-      solution.slip[k * n + there] = result.slipping[c] ? result.slip[k * m + c] : 0.0;
-    }
-    solution.sticking[there] = !result.slipping[c];
-  }
+  unpack(result, answer.cells, box, grid_, solution);
   for (int k = 0, mode = 0; k < 3; ++k) {
     if (task.drive[k].is_force()) solution.motion[k] = result.motion[mode++];
   }

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "samcontact/base/threads.hpp"
-
 namespace samcontact::operators {
 namespace {
 

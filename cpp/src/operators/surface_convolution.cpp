@@ -70,7 +70,8 @@ void SurfaceConvolution::apply(std::span<const ParityKernel> kernels, const doub
 
 void SurfaceConvolution::apply(std::span<const MatrixKernel> kernels, int inputs, const double* in,
                                int outputs, double* out, ComplexField& work) const {
-  const int mx = transform_.mx(), mh = transform_.mh(), most = std::max(inputs, outputs);
+  const int mh = transform_.mh(), most = std::max(inputs, outputs);
+  const std::ptrdiff_t mx = transform_.mx();
   const std::size_t plane = static_cast<std::size_t>(transform_.nx()) * transform_.ny(),
                     spectrum = transform_.spectrum_size();
   work.resize(most * spectrum);

@@ -50,8 +50,9 @@ std::vector<MatrixKernel> tangential_kernels(const Grid& grid, const TangentialI
 
 TangentialDisplacement::TangentialDisplacement(const Grid& grid,
                                                const TangentialInfluence& influence)
-    : convolution_(grid), kernels_(tangential_kernels(grid, influence, convolution_.offsets())) {
-  self_influence_ = kernels_[0].kernel.quarter[0];
+    : convolution_(grid),
+      kernels_(tangential_kernels(grid, influence, convolution_.offsets())),
+      self_influence_(kernels_[0].kernel.quarter[0]) {
   for (MatrixKernel& entry : kernels_) convolution_.transform(entry.kernel);
 }
 

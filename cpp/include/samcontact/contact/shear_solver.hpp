@@ -26,14 +26,14 @@ struct SlidBefore {
 /// Vector fields are [2][i][j] on the grid.
 struct ShearTask {
   const Field& pressure;  // [i][j] [Pa]
-  double friction;        // mu, may be infinite
+  double friction = 0.0;  // mu, may be infinite
   /// Before this increment, on body 2 [Pa]; empty: none.
   const Field& previous_shear;
   /// Slip of body 1 over body 2 in this increment but for the rigid motion and what the change of
   /// the shear does [m]; empty: none.
   const Field& free_slip;
   /// Motions of this increment [m, m, rad], or total forces at its end [N, N, N m].
-  TangentialDrive drive;
+  TangentialDrive drive{Given::motion(0), Given::motion(0), Given::motion(0)};
   SlidBefore* slid = nullptr;  // kept by the caller of several solves
 };
 
@@ -55,7 +55,7 @@ struct ShearSolution {
 /// Keeps the operators of the box used last and of coarser ones. Thread-safe.
 class ShearSolver {
  public:
-  ShearSolver(const Grid& grid, const operators::TangentialInfluence& influence);
+  ShearSolver(const Grid& grid, operators::TangentialInfluence influence);
   ~ShearSolver();
   ShearSolver(ShearSolver&&) noexcept;
   ShearSolver& operator=(ShearSolver&&) noexcept;

@@ -26,7 +26,7 @@ struct ParityKernel {
 
 /// What one component of a field contributes to one of another.
 struct MatrixKernel {
-  int out, in;
+  int out = 0, in = 0;
   ParityKernel kernel;
 };
 
