@@ -270,3 +270,12 @@ def test_increments_of_a_path_converge_at_first_order():
         ends.append((found.tangential_load[0], found.torque, found.friction_work))
     steps = np.abs(np.diff(ends, axis=0))
     assert (steps[:-1] > 1.4 * steps[1:]).all()
+
+
+@pytest.mark.parametrize(("tol", "work"), [(1e-4, 20), (1e-8, 50)])
+def test_shear_costs_few_exact_displacements(tol, work):
+    for share in (0.1, 0.9):
+        solver, gap, load, _ = two_balls(128, 0.4, 0.3, tol=tol)
+        found = solver.solve(gap, load=load, tangential_load=(share * MU * load, 0.0))
+        assert found.tangential_applications <= 6
+        assert found.tangential_work <= work

@@ -174,3 +174,16 @@ def test_symmetries():
     scaled = history(solver(*small, grid), 1e-3 * gap, unit=1e-3, stress=1e9)
     assert close(scaled.shear / 1e9, found.shear, found)
     assert scaled.friction_work == pytest.approx(found.friction_work, rel=1e-7)
+
+
+@pytest.mark.parametrize("tol", [1e-4, 1e-6, 1e-8])
+def test_sweeps_end_whatever_the_tolerance(tol):
+    """A rigid ball pressed and pulled at once: residuals within sweeps must not keep them going."""
+    grid = sc.Grid(64, 64, 1 / 64, 1 / 64)
+    body = sc.Material.elastic(2 * 0.91, 0.3)
+    solver = sc.ContactSolver(grid, sc.Material.rigid(), body, sc.Coulomb(0.3), tol=tol)
+    gap, load = sc.surfaces.paraboloid(grid, 1.0), 4 / 3 * 0.42**3
+    found = solver.solve(gap, load=load, tangential_load=(0.15 * load, 0.0))
+    assert found.sweeps <= 12
+    assert found.operator_applications <= 60
+    assert found.tangential_applications <= 80
