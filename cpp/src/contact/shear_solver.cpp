@@ -316,7 +316,7 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   for (int k = 0; k < 3 && !shear.empty(); ++k) {
     if (task.drive[k].is_force()) start.motion.push_back(motion[k]);
   }
-  Level::Answer answer =
+  const Level::Answer answer =
       level_of_box->solve(part, task.friction, task.drive, std::move(start), tol, most_steps);
   const ShearResult& result = answer.result;
   unpack(result, answer.cells, box, grid_, solution);
