@@ -58,6 +58,8 @@ void PaddedTransform::forward(const double* plane, ComplexField& lent, Complex* 
   while (first < last && is_empty(first)) ++first;
   while (first < last && is_empty(last - 1)) --last;
   lent.resize(spectrum_size());
+  // A team of its own, which shares the loop over rows with no other.
+#pragma omp parallel if (false)
   rows_.forward(plane + static_cast<std::ptrdiff_t>(first) * ny_, last - first, lent.data() + first,
                 mx_);
   for (int ky = 0; ky < mh(); ++ky) {
@@ -77,6 +79,7 @@ void PaddedTransform::inverse(const Complex* spectrum, std::size_t stride, Compl
     fftw_execute_dft(column_inverse_.get(), raw(from),
                      raw(lent.data() + static_cast<std::ptrdiff_t>(ky) * mx_));
   }
+#pragma omp parallel if (false)
   rows_.inverse(lent.data() + first, mx_, count, plane + static_cast<std::ptrdiff_t>(first) * ny_);
 }
 
