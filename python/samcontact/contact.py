@@ -136,10 +136,10 @@ class ContactSolver(Configured):
             Total load [N], >= 0; or
         approach : float
             Rigid-body approach [m]; exactly one of the two.
-        shift : (x, y), optional
+        shift : pair of float, optional
             With `Coulomb`: rigid motion of body 1 over body 2 in this increment [m]. None in place
             of a number, or of both, leaves that direction to `tangential_load`.
-        tangential_load : (Qx, Qy), optional
+        tangential_load : pair of float, optional
             With `Coulomb`: total force on body 2 at the end of the increment [N]; its length is
             less than mu times the load. A direction of which nothing is told is held: shift 0.
         twist : float, optional
