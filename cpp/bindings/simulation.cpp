@@ -73,26 +73,7 @@ auto box_method(Field (State::*method)(int, const Box&) const) {
   };
 }
 
-void bind_boxes(py::class_<State>& state) {
-  const auto bind = [&](const char* name, auto method) {
-    state.def(name, method, py::arg("body"), py::arg("box"));
-  };
-  state.def(
-      "residual_displacement_in",
-      [](const State& s, int body, const BoxTuple& cells, int axis) {
-        const Box box = to_box(cells);
-        Field field;
-        {
-          const py::gil_scoped_release release;
-          field = s.residual_displacement(body, static_cast<operators::Axis>(axis), box);
-        }
-        return surface_array(std::move(field), box.grid(s.scene().grid));
-      },
-      py::arg("body"), py::arg("box"), py::arg("axis"));
-  bind("residual_stress_in", box_method<Rank::tensor>(&State::residual_stress));
-  bind("plastic_strain_in", box_method<Rank::tensor>(&State::plastic_strain));
-  bind("equivalent_plastic_strain_in", box_method<Rank::scalar>(&State::equivalent_plastic_strain));
-  bind("backstress_in", box_method<Rank::tensors>(&State::backstress));
+void bind_zones(py::class_<State>& state) {
   state
       .def(
           "zones",
@@ -134,6 +115,29 @@ void bind_boxes(py::class_<State>& state) {
             return own(std::move(field), {size}, {item});
           },
           py::arg("body"), py::arg("loaded"));
+}
+
+void bind_boxes(py::class_<State>& state) {
+  const auto bind = [&](const char* name, auto method) {
+    state.def(name, method, py::arg("body"), py::arg("box"));
+  };
+  bind("residual_stress_in", box_method<Rank::tensor>(&State::residual_stress));
+  bind("plastic_strain_in", box_method<Rank::tensor>(&State::plastic_strain));
+  bind("equivalent_plastic_strain_in", box_method<Rank::scalar>(&State::equivalent_plastic_strain));
+  bind("backstress_in", box_method<Rank::tensors>(&State::backstress));
+  state.def(
+      "residual_displacement_in",
+      [](const State& s, int body, const BoxTuple& cells, int axis) {
+        const Box box = to_box(cells);
+        Field field;
+        {
+          const py::gil_scoped_release release;
+          field = s.residual_displacement(body, static_cast<operators::Axis>(axis), box);
+        }
+        return surface_array(std::move(field), box.grid(s.scene().grid));
+      },
+      py::arg("body"), py::arg("box"), py::arg("axis"));
+  bind_zones(state);
 }
 
 void bind_track(py::class_<State>& state) {

@@ -337,7 +337,7 @@ class State(Fixed, Shown):
         needed = _memory.ZONE_FIELD * math.prod(box[2:])
         _memory.require(f"the field {name} in the plastic zone", needed)
         if name == "residual_displacement":
-            field: FloatArray = self._core.residual_displacement_in(index, box)
+            field: FloatArray = self._core.residual_displacement_in(index, box, axis_number("z"))
         else:
             field = self._core.deviator_in_own_box(index, name == "stress")
         return field

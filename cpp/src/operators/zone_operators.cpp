@@ -15,8 +15,7 @@ namespace {
 
 /// Cells of the ring around a zone: the near band's range.
 constexpr int ring = near_range;
-/// Nodes between the ends of the middle plane: its band is at its end there but for 1e-4 of the
-/// residual stress.
+/// Nodes between the ends of the middle plane, where its band is 1e-4 of the residual stress.
 constexpr int middle_ring = 10;
 /// Tables have so many layers, times a whole number: they outlast zones that grow.
 constexpr int layers_at_once = 8;
@@ -212,8 +211,7 @@ void ZoneOperators::spread_layer(int k, const Field& strain) {
 
 void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
   check_interrupt();
-  far_strain_.assign(static_cast<std::size_t>(count(tensor_)) * far_->layers() * far_->plane_size(),
-                     0.0);
+  far_strain_.assign(far_->plane_size() * count(tensor_) * far_->layers(), 0.0);
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < layers_; ++k) spread_layer(k, strain);
   forward(far_->operators->transform(), far_strain_.data(), far_->spectrum);
