@@ -20,6 +20,22 @@ namespace {
 using contact::ContactSolver;
 using contact::Drive;
 
+/// Fields of a ContactSolution.
+py::dict to_python(contact::Solution solution, const Grid& grid) {
+  py::dict result;
+  result["pressure"] = surface_array(std::move(solution.tractions.pressure), grid);
+  result["gap"] = surface_array(std::move(solution.gap), grid);
+  result["approach"] = solution.motion.approach;
+  result["load"] = solution.load;
+  result["error"] = solution.error;
+  result["iterations"] = solution.iterations;
+  result["operator_applications"] = solution.operator_applications;
+  result["work"] = solution.work;
+  result["converged"] = solution.converged;
+  result["border_complaint"] = solution.border_complaint;
+  return result;
+}
+
 py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, double value,
                const py::object& initial_pressure, double tol, int max_iterations,
                bool error_on_border) {
@@ -32,18 +48,7 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
     solution =
         solver.solve(h, load_driven ? Drive::load(value) : Drive::approach(value), start, settings);
   }
-  py::dict result;
-  result["pressure"] = surface_array(std::move(solution.tractions.pressure), solver.grid());
-  result["gap"] = surface_array(std::move(solution.gap), solver.grid());
-  result["approach"] = solution.motion.approach;
-  result["load"] = solution.load;
-  result["error"] = solution.error;
-  result["iterations"] = solution.iterations;
-  result["operator_applications"] = solution.operator_applications;
-  result["work"] = solution.work;
-  result["converged"] = solution.converged;
-  result["border_complaint"] = solution.border_complaint;
-  return result;
+  return to_python(std::move(solution), solver.grid());
 }
 
 contact::TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
@@ -64,17 +69,7 @@ py::array_t<bool> flags_array(const std::vector<unsigned char>& flags, const Gri
 /// Fields of a StickSlipSolution, without the totals of increments before.
 py::dict to_python(contact::CoulombSolution solution, const Grid& grid) {
   auto& [normal, tangential, sweeps] = solution;
-  py::dict result;
-  result["pressure"] = surface_array(std::move(normal.tractions.pressure), grid);
-  result["gap"] = surface_array(std::move(normal.gap), grid);
-  result["approach"] = normal.motion.approach;
-  result["load"] = normal.load;
-  result["error"] = normal.error;
-  result["iterations"] = normal.iterations;
-  result["operator_applications"] = normal.operator_applications;
-  result["work"] = normal.work;
-  result["converged"] = normal.converged;
-  result["border_complaint"] = normal.border_complaint;
+  py::dict result = to_python(std::move(normal), grid);
   result["shear"] = vector_array(std::move(tangential.shear), grid);
   result["slip"] = vector_array(std::move(tangential.slip), grid);
   result["sticking"] = flags_array(tangential.sticking, grid);
