@@ -51,15 +51,6 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
   return to_python(std::move(solution), solver.grid());
 }
 
-contact::TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
-                                          const std::array<double, 3>& values) {
-  using contact::Given;
-  const auto given = [&](int k) {
-    return is_force[k] ? Given::force(values[k]) : Given::motion(values[k]);
-  };
-  return {given(0), given(1), given(2)};
-}
-
 py::array_t<bool> flags_array(const std::vector<unsigned char>& flags, const Grid& grid) {
   py::array_t<bool> array({grid.nx, grid.ny});
   std::copy(flags.begin(), flags.end(), array.mutable_data());
@@ -92,7 +83,8 @@ py::dict stick_and_slip(const contact::CoulombContact& contact, const Array& gap
                         const py::object& shear, const py::object& gap_before,
                         double approach_before, const py::object& initial_pressure, double tol,
                         int max_iterations, bool error_on_border) {
-  const Field h = to_field(gap), start = to_field_or_empty(initial_pressure);
+  const Field h = to_field(gap);
+  const contact::CoulombStart start{.pressure = to_field_or_empty(initial_pressure)};
   const contact::ContactHistory before{to_field_or_empty(pressure), to_field_or_empty(shear),
                                        to_field_or_empty(gap_before), approach_before};
   const contact::ContactSettings settings{
@@ -101,8 +93,8 @@ py::dict stick_and_slip(const contact::CoulombContact& contact, const Array& gap
   contact::CoulombSolution solution;
   {
     const py::gil_scoped_release release;
-    solution =
-        contact.solve(h, normal, tangential_drive(is_force, tangential), before, start, settings);
+    solution = contact.solve(h, normal, contact::tangential_drive(is_force, tangential), before,
+                             start, settings);
   }
   return to_python(std::move(solution), contact.grid());
 }

@@ -227,6 +227,7 @@ void bind_state(py::module_& m) {
       .def("plastic_cells", &State::plastic_cells, py::arg("body"))
       .def_readonly("converged", &State::converged)
       .def_readonly("warnings", &State::warnings)
+      .def("tangential_force", &State::tangential_force)
       .def("layers", &State::layers)
       .def(
           "strain_beyond",
@@ -278,21 +279,19 @@ simulation::Reliefs to_reliefs(const std::array<py::object, 2>& given) {
   return reliefs;
 }
 
-Target make_target(const std::string& kind, double value, const py::object& pressure,
-                   const py::object& shear_x, const py::object& shear_y) {
-  using contact::Drive;
-  return {kind == "approach" ? Drive::approach(value) : Drive::load(value),
-          {to_field_or_empty(pressure), to_field_or_empty(shear_x), to_field_or_empty(shear_y)}};
-}
-
 State step(Simulation& simulation, const std::string& kind, double value,
            const py::object& pressure, const py::object& shear_x, const py::object& shear_y,
            const operators::HeatingPair& heating, double duration,
-           const simulation::Travel& advance) {
-  Target target = make_target(kind, value, pressure, shear_x, shear_y);
-  target.heating = heating;
-  target.duration = duration;
-  target.advance = advance;
+           const simulation::Travel& advance, const std::array<bool, 3>& is_force,
+           const std::array<double, 3>& tangential) {
+  using contact::Drive;
+  const Target target{.drive = kind == "approach" ? Drive::approach(value) : Drive::load(value),
+                      .tangential = contact::tangential_drive(is_force, tangential),
+                      .tractions = {to_field_or_empty(pressure), to_field_or_empty(shear_x),
+                                    to_field_or_empty(shear_y)},
+                      .advance = advance,
+                      .heating = heating,
+                      .duration = duration};
   const py::gil_scoped_release release;
   return simulation.step(target);
 }
@@ -352,7 +351,7 @@ void bind_simulation(py::module_& m) {
   py::class_<Simulation>(m, "Simulation")
       .def(py::init([](const Grid& grid, const plasticity::Material& body1,
                        const plasticity::Material& body2, const Array& gap, double friction,
-                       Settings settings, const std::array<double, 2>& march,
+                       bool sticks, Settings settings, const std::array<double, 2>& march,
                        const std::array<py::object, 2>& softening,
                        const std::array<py::object, 2>& reliefs) {
              for (int b = 0; b < 2; ++b) {
@@ -360,15 +359,15 @@ void bind_simulation(py::module_& m) {
                  settings.softening[b] = softening_law(softening[b], grid);
              }
              return std::make_unique<Simulation>(
-                 grid, body1, body2, to_field(gap), friction, settings,
+                 grid, body1, body2, to_field(gap), contact::Friction{friction, sticks}, settings,
                  simulation::HeatMarch{march[0], march[1]}, to_reliefs(reliefs));
            }),
            py::kw_only(), py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"),
-           py::arg("friction"), py::arg("settings"), py::arg("march"), py::arg("softening"),
-           py::arg("reliefs"))
+           py::arg("friction"), py::arg("sticks"), py::arg("settings"), py::arg("march"),
+           py::arg("softening"), py::arg("reliefs"))
       .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
            py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"), py::arg("duration"),
-           py::arg("advance"))
+           py::arg("advance"), py::arg("is_force"), py::arg("tangential"))
       .def(
           "set_plastic_state",
           [](Simulation& s, int body, int first_row, const Array& strain,

@@ -119,7 +119,7 @@ void steps_of(Draw& draw) {
   const Grid grid(draw.count(1, 6), draw.count(1, 6), dx, dx * draw.number(1.0, 0.5),
                   draw.count(0, 4), dx * draw.number(1.0, 0.5));
   const auto body1 = material(draw), body2 = material(draw);
-  const double friction = draw.coin() ? 0.0 : draw.between(0.0, 0.5);
+  const contact::Friction friction{draw.coin() ? 0.0 : draw.between(0.0, 0.5), draw.coin()};
   const simulation::Settings settings{
       .tol = draw.number(1e-4, 2),
       .increment_tol = 0.0,

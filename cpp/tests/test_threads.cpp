@@ -67,7 +67,7 @@ Target load(double newton) { return {.drive = contact::Drive::load(newton)}; }
 /// Loaded under heat that is marched in time, in steps too short to reach the next cell.
 Simulation heated_scene(double heat_factor) {
   const Grid grid(13, 11, size, size, 6, size);
-  Simulation simulation(grid, elastic, steel.with_thermal(warm), ball(grid, 7.5e-3), 0.1, usual,
+  Simulation simulation(grid, elastic, steel.with_thermal(warm), ball(grid, 7.5e-3), {0.1}, usual,
                         {.shortest = 2e-5, .longest = 1e-2});
   for (const double newton : {120.0, 150.0}) {
     Target target = load(newton);
@@ -124,7 +124,7 @@ TEST_CASE("simulations run in threads of their own") {
       const Grid grid(30, 28, fine, fine, 26, fine);
       Settings settings = usual;
       settings.tol = 1e-3;
-      Simulation simulation(grid, elastic, steel, ball(grid, 7.5e-3), 0.0, settings);
+      Simulation simulation(grid, elastic, steel, ball(grid, 7.5e-3), {}, settings);
       const State& state = simulation.step(load(newton));
       return std::vector<Field>{state.tractions.pressure, state.plastic_strain(1),
                                 state.residual_displacement(1, operators::Axis::z)};

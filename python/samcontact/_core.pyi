@@ -140,6 +140,7 @@ class State:
     def __getattr__(self, name: str) -> Any: ...  # one of its content; None: there is none
     def content(self) -> dict[str, Any]: ...
     def widened(self, like: State) -> State: ...
+    def tangential_force(self) -> tuple[float, float, float]: ...
     converged: bool
     warnings: list[str]
     origin: float
@@ -198,6 +199,7 @@ class Simulation:
         body2: Material,
         gap: FloatArray,
         friction: float,
+        sticks: bool,
         settings: Settings,
         march: tuple[float, float],
         softening: list[Callable[[FloatArray], FloatArray] | None],
@@ -213,6 +215,8 @@ class Simulation:
         heating: list[Heating],
         duration: float,
         advance: tuple[float, float],
+        is_force: tuple[bool, bool, bool],
+        tangential: tuple[float, float, float],
     ) -> State: ...
     def set_plastic_state(
         self,

@@ -158,6 +158,10 @@ def material_rows(material: Any) -> Rows:
     return rows
 
 
+def _friction(law: Any) -> str:
+    return quantity(law) if isinstance(law, float) else repr(law)
+
+
 def simulation_rows(simulation: Any) -> Rows:
     """Scene and present state of a simulation."""
     grid, state = simulation.grid, simulation.state
@@ -167,7 +171,7 @@ def simulation_rows(simulation: Any) -> Rows:
         ("grid", f"{cells} cells of {sizes}"),
         ("body 1", material_in_short(simulation.body1)),
         ("body 2", material_in_short(simulation.body2)),
-        ("friction", quantity(simulation.friction)),
+        ("friction", _friction(simulation.friction)),
         ("tolerance", quantity(simulation.tol)),
         ("load", quantity(state.load, "N")),
         ("approach", quantity(state.approach, "m")),

@@ -5,12 +5,15 @@ from __future__ import annotations
 
 import logging
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
+from ._checks import step_list
 from ._progress import progress_bar
+from ._steps import STEP, largest_cold_load, largest_target
+from ._window import Windowed
 from .runs.journal import Resumed, journal_of
-from .state import State
+from .state import State, in_one_window
 
 _logger = logging.getLogger("samcontact")
 
@@ -66,3 +69,75 @@ def run_into(
             if progress:
                 strain = max(map(states[-1].max_equivalent_plastic_strain, (1, 2)))
                 bar.set_postfix(iterations=states[-1].iterations, plastic_strain=f"{strain:.3g}")
+
+
+class Running(Windowed):
+    """Runs along paths."""
+
+    step: Any
+    counters: Any
+    residual_stress: str
+
+    def run(
+        self,
+        path: Iterable[Mapping[str, Any]],
+        *,
+        progress: bool = True,
+        checkpoint: str | os.PathLike[str] | None = None,
+    ) -> list[State]:
+        """Run a list of step() arguments, e.g. ``[{"load": 300.0}, {"load": 0.0}]``.
+
+        Parameters
+        ----------
+        path : iterable of dict
+            See `samcontact.paths` for helpers.
+        progress : bool, optional
+            Show a progress bar; where there is no terminal, ten lines at most.
+        checkpoint : path, optional
+            Folder in which to keep each increment. The same call of a new simulation goes on from
+            it, with the same bits. Remove it when it is no longer needed.
+
+        Returns
+        -------
+        list of State
+            One per increment. When an increment fails or is interrupted (Ctrl-C), the error is
+            raised with those before it in the attribute `states`, and the simulation stands at the
+            last good one. The logger "samcontact" tells each (INFO) and its iterations (DEBUG).
+
+        Raises
+        ------
+        ValueError
+            `checkpoint` holds those of another run; and as `step`. A contact that does not fit into
+            the grid by far is refused before the first increment.
+
+        Warns
+        -----
+        UnitWarning, ResolutionWarning
+            Before the first increment; at the end, of the largest load: a contact fewer than 8
+            cells across, an area of spots uncertain by 10 %, a plastic zone fewer than 8 layers
+            high or layers too thick to see.
+        """
+        states: list[State] = []
+        try:
+            self._run_into(states, step_list("path", path, STEP), progress, checkpoint)
+        except BaseException as error:  # Ctrl-C too
+            error.states = states  # type: ignore[attr-defined]
+            raise
+        return in_one_window(states)
+
+    def _run_into(
+        self,
+        states: list[State],
+        steps: Sequence[Mapping[str, Any]],
+        progress: bool,
+        checkpoint: str | os.PathLike[str] | None,
+        *,
+        leave: bool = True,
+    ) -> None:
+        """Append the state of each increment as soon as it is done."""
+        self._told.doubt(self._scene, self._heat, largest_target(steps), stacklevel=3)
+        if not any(self._heat.factor) and (load := largest_cold_load(steps)) is not None:
+            self._make_room(load)
+        with self._told.as_a_whole():
+            run_into(states, self, steps, progress, checkpoint, leave=leave)
+        self._told.warn_of_run(states, self._scene, stacklevel=3)

@@ -82,19 +82,6 @@ class Friction(Range):
         return value if isinstance(value, Coulomb) else super().check(name, value)
 
 
-@dataclass(frozen=True)
-class Sliding(Range):
-    """A coefficient only."""
-
-    def check(self, name: str, value: Any) -> Any:
-        if isinstance(value, Coulomb):
-            raise TypeError(
-                f"{name} must be a number, which is gross sliding, got {value!r}: elastic bodies "
-                "that stick and slip are solved by samcontact.ContactSolver"
-            )
-        return super().check(name, value)
-
-
 Allowed = Range | Counted | Words
 
 
@@ -143,7 +130,6 @@ class ContactSettings:
 class Settings(ContactSettings):
     """Of `Simulation`, which tells what they mean."""
 
-    friction: float = _setting(0.0, Sliding(ge=0.0))
     tol: float = _setting(1e-6, Range(ge=1e-11, lt=1.0))
     max_iterations: int = _setting(60, Counted())
     increment_tol: float | None = _setting(None, Range(gt=0.0, lt=1.0))

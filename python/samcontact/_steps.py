@@ -22,12 +22,14 @@ from ._checks import (
     tractions,
 )
 from ._heating import Bodies, heating, require_reference
+from .friction import Coulomb, Tangential, require_cold, tangential_drive
 from .grid import Grid
 from .heat import Heat
 from .operators import shear_components
 
 STEP = (
-    "load", "approach", "pressure", "shear", "advance", "heat_factor", "duration",
+    "load", "approach", "pressure", "shear", "advance", "shift", "tangential_load", "twist",
+    "torque", "heat_factor", "duration",
 )  # fmt: skip
 """Arguments of `Simulation.step`."""
 
@@ -42,6 +44,7 @@ class Step:
     heating: list[Any]
     duration: float
     advance: tuple[float, float]
+    tangential: Tangential
     pressure: FloatArray | None = None
     shear_x: FloatArray | None = None
     shear_y: FloatArray | None = None
@@ -53,19 +56,26 @@ class Step:
 
     def to_core(self) -> dict[str, Any]:
         names = ("kind", "value", "pressure", "shear_x", "shear_y", "heating", "duration")
-        return {name: getattr(self, name) for name in (*names, "advance")}
+        given = {name: getattr(self, name) for name in (*names, "advance")}
+        drive = self.tangential
+        return given | {"is_force": drive.is_force, "tangential": drive.values}
 
 
 def checked_step(
     grid: Grid,
     bodies: Bodies,
     heat: Heat,
+    friction: float | Coulomb,
     *,
     load: float | None = None,
     approach: float | None = None,
     pressure: ArrayLike | None = None,
     shear: ArrayLike | None = None,
     advance: Sequence[float] = (0.0, 0.0),
+    shift: Sequence[float | None] | None = None,
+    tangential_load: Sequence[float | None] | None = None,
+    twist: float | None = None,
+    torque: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
     duration: float | None = None,
 ) -> Step:
@@ -87,15 +97,47 @@ def checked_step(
             f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got {advance!r}: a "
             "body that repeats itself along x does not leave the grid"
         )
+    tangential = tangential_drive(friction, shift, tangential_load, twist, torque, None)
+    _require_possible(friction, tangential, pressure, shear, torque, (first, second))
     lasts = _duration(heat, duration)
     if heat_factor is not None:
         heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
+    if isinstance(friction, Coulomb):
+        require_cold(friction, heat)
     if lasts is not None and (first, second) != (0.0, 0.0):
         _require_motion_of_heat(heat, lasts, (first, second), grid.dx)
     entries = heating(heat, bodies, grid, lasts)
     if kind == "approach":
         require_reference(heat)
-    return Step(kind, value, heat, entries, lasts or 0.0, (first, second), **given)
+    return Step(kind, value, heat, entries, lasts or 0.0, (first, second), tangential, **given)
+
+
+def _require_possible(
+    friction: float | Coulomb,
+    tangential: Tangential,
+    pressure: ArrayLike | None,
+    shear: ArrayLike | None,
+    torque: float | None,
+    advance: tuple[float, float],
+) -> None:
+    """What goes with each other of bodies that stick and slip."""
+    if not isinstance(friction, Coulomb):
+        return
+    if pressure is not None and (any(tangential.is_force) or any(tangential.values)):
+        raise ValueError(
+            "shift, tangential_load, twist and torque go with load or approach, not with "
+            "pressure: no contact is solved then; give the shear"
+        )
+    if pressure is not None and shear is None:
+        raise ValueError(
+            f"shear must be given with pressure where friction is {friction!r}, got None: it does "
+            "not follow from the pressure; 0 everywhere is none"
+        )
+    if torque is not None and advance != (0.0, 0.0):
+        raise ValueError(
+            f"torque must be left out where the bodies move on, got {torque!r} with advance: give "
+            "the twist, spin times the way"
+        )
 
 
 def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:

@@ -196,10 +196,14 @@ class Windowed(Configured):
             return GROWS
         return ""
 
+    def _checked(self, given: Mapping[str, Any]) -> Step:
+        bodies = self.body1, self.body2
+        return checked_step(self.grid, bodies, self._heat, self.friction, **given)
+
     def _solved(self, given: Mapping[str, Any]) -> tuple[Step, Any, Any]:
         """An increment, the state before and the core's after it, in a window that holds it."""
         while True:
-            step = checked_step(self.grid, (self.body1, self.body2), self._heat, **given)
+            step = self._checked(given)
             if self._told.looks_at_steps:
                 self._told.doubt(self._scene, step.heat, step.target, stacklevel=4)
             if not any(step.heat.factor):

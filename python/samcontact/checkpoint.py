@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 from ._heating import heating
 from ._settings import Settings
 from ._window import Surfaces, Window, require_continued
+from .friction import Coulomb
 from .grid import Grid
 from .heat import Heat
 from .material import Material
@@ -33,6 +34,7 @@ class Standing(Protocol):
     grid: Grid
     body1: Material
     body2: Material
+    friction: float | Coulomb
     residual_stress: str
     _core: Any
     _heat: Heat
@@ -181,7 +183,7 @@ def _scene(given: Mapping[str, Any]) -> Tree:
     """The arguments of a simulation as a tree."""
     scene: Tree = {
         "grid": given["grid"].__getstate__(),
-        "settings": {item.name: given[item.name] for item in fields(Settings)},
+        "settings": {item.name: given[item.name] for item in fields(Settings)} | _law(given),
         "heat": asdict(given["heat"]),
         "gap": given["gap"],
     }
@@ -204,12 +206,22 @@ def _scene(given: Mapping[str, Any]) -> Tree:
     return scene
 
 
+def _law(given: Mapping[str, Any]) -> Tree:
+    """Of friction."""
+    friction = given["friction"]
+    sticks = isinstance(friction, Coulomb)
+    return {"friction": friction.coefficient if sticks else friction, "stick_and_slip": sticks}
+
+
 def _arguments(scene: Tree, *laws: Any) -> dict[str, Any]:
     """The reverse."""
     given: dict[str, Any] = dict(scene["settings"])
-    required = {item.name for item in fields(Settings) if item.default is not None}
-    if not required <= set(given) <= {item.name for item in fields(Settings)}:
+    known = {item.name: item.default for item in fields(Settings)} | {"stick_and_slip": False}
+    required = {name for name, default in known.items() if default is not None}
+    if not required <= set(given) <= set(known):
         raise ValueError(f"its settings are {', '.join(given) or 'missing'}")
+    if given.pop("stick_and_slip"):
+        given["friction"] = Coulomb(given["friction"])
     given["heat"] = Heat(**scene["heat"])
     given["grid"] = Grid(**scene["grid"])
     for name, law in zip(("body1", "body2"), laws, strict=True):

@@ -20,7 +20,7 @@ _DIRECTIONS = ("x", "y")
 
 @dataclass(frozen=True)
 class Coulomb(Shown):
-    """Coulomb's law of friction, for `ContactSolver`: bodies stick and slip.
+    """Coulomb's law of friction, for `ContactSolver` and `Simulation`: bodies stick and slip.
 
     The shear is at most mu p. Cells stick where it is less, and slip along it where it is mu p.
 
@@ -42,6 +42,11 @@ class Coulomb(Shown):
         if not mu >= 0:
             raise ValueError(f"coefficient must be a number >= 0, or inf: no slip, got {mu!r}")
         object.__setattr__(self, "coefficient", mu)
+
+
+def coefficient(friction: float | Coulomb) -> float:
+    """Mu of either law [-]."""
+    return friction.coefficient if isinstance(friction, Coulomb) else float(friction)
 
 
 def require_cold(friction: Coulomb, heat: Heat) -> None:

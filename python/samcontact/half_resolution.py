@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -56,7 +56,7 @@ def remade(simulation: Simulation, **changes: Any) -> Simulation:
     surfaces = simulation._surfaces
     given = {name: getattr(simulation, name) for name in ("grid", "body1", "body2", "heat")}
     given |= {name: getattr(surfaces, name) for name in ("gap", "relief1", "relief2")}
-    return Simulation(**given | asdict(simulation._settings) | changes)
+    return Simulation(**given | simulation._settings.arguments() | changes)
 
 
 def coarser_grid(grid: Grid) -> Grid:

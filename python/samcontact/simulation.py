@@ -4,32 +4,33 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import FloatArray, choice, require_fast, require_type, step_list
+from ._checks import FloatArray, choice, require_fast, require_type
 from ._core import ConvergenceError
 from ._heating import COLD, core_law, heating
 from ._overlap import require_apart
 from ._repr import Shown, simulation_rows
-from ._running import run_into
+from ._running import Running
 from ._settings import Settings
-from ._steps import STEP, largest_cold_load, largest_target, plastic_fields
+from ._steps import plastic_fields
 from ._told import Told
 from ._turn import Turn
 from ._window import Surfaces, Window, Windowed
 from .checkpoint import loaded, reduced, snapshot, stand_at, write_checkpoint
+from .friction import Coulomb, require_cold
 from .grid import Grid
 from .heat import Heat
 from .material import Material
 from .relief import Relief, relief_rows
-from .state import State, in_one_window
+from .state import State
 
 
-class Simulation(Windowed, Shown):
+class Simulation(Running, Windowed, Shown):
     """Elastic-plastic contact of two bodies, increment after increment.
 
     Each increment solves, implicitly, contact and plastic flow together: the plastic strain
@@ -46,8 +47,9 @@ class Simulation(Windowed, Shown):
         Initial separation of the undeformed bodies [m]; or a function of a grid that returns it,
         e.g. ``lambda grid: surfaces.paraboloid(grid, R)``. Then the grid becomes larger by itself
         where it does not hold the contact, see Notes.
-    friction : float, optional
-        Coefficient of friction mu >= 0 (gross sliding along +x on body 2).
+    friction : float or Coulomb, optional
+        Coefficient of friction mu >= 0: gross sliding along +x on body 2. `Coulomb(mu)`: the bodies
+        stick and slip, driven by `step` along the surface.
     tol : float, optional
         An increment is accepted when the relative change of the plastic strain increment and the
         relative yield excess are below; in [1e-11, 1).
@@ -113,7 +115,7 @@ class Simulation(Windowed, Shown):
         body1: Material,
         body2: Material,
         gap: ArrayLike | Callable[[Grid], ArrayLike],
-        friction: float = Settings.friction,
+        friction: float | Coulomb = Settings.friction,
         *,
         tol: float = Settings.tol,
         increment_tol: float | None = Settings.increment_tol,
@@ -148,6 +150,8 @@ class Simulation(Windowed, Shown):
         self._heat = COLD if heat is None else heat
         require_type("heat", self._heat, Heat)
         heating(self._heat, (body1, body2), grid)  # checks it against the bodies
+        if isinstance(self.friction, Coulomb):
+            require_cold(self.friction, self._heat)
         self._told, self._turn = Told(), Turn()
         self._surfaces = Surfaces(gap, relief1, relief2)
         self._open(self._over(grid))
@@ -156,12 +160,14 @@ class Simulation(Windowed, Shown):
     def _made(self, window: Window) -> Any:
         grid, bodies = window.grid, (self.body1, self.body2)
         reliefs = [relief_rows(f"relief{n}", r, grid) for n, r in enumerate(window.reliefs, 1)]
+        sticks = isinstance(self.friction, Coulomb)
         return _core.Simulation(
             grid=grid._core,
             body1=self.body1._core,
             body2=self.body2._core,
             gap=window.initial_gap,
-            friction=self.friction,
+            friction=self.friction.coefficient if sticks else self.friction,
+            sticks=sticks,
             settings=self._settings.to_core(grid.dx),
             march=self._heat.history or (0.0, 0.0),
             softening=[core_law(body) for body in bodies],
@@ -181,6 +187,10 @@ class Simulation(Windowed, Shown):
         pressure: ArrayLike | None = None,
         shear: ArrayLike | None = None,
         advance: Sequence[float] = (0.0, 0.0),
+        shift: Sequence[float | None] | None = None,
+        tangential_load: Sequence[float | None] | None = None,
+        twist: float | None = None,
+        torque: float | None = None,
         heat_factor: float | Sequence[float] | None = None,
         duration: float | None = None,
     ) -> State:
@@ -199,7 +209,19 @@ class Simulation(Windowed, Shown):
             target [m]. Equal: rolling, the contact itself travels towards -x over both; different:
             sliding by the difference; one of them 0: simple sliding over the other. Their plastic
             strain moves with them, the grid stays with the contact. Whole cells are exact; see
-            `State.origin` for parts of them.
+            `State.origin` for parts of them. With `Coulomb` the difference is creepage: it adds to
+            the shift along x.
+        shift : pair of float, optional
+            With `Coulomb`: rigid motion of body 1 over body 2 in this increment [m]. None in place
+            of a number, or of both, leaves that direction to `tangential_load`.
+        tangential_load : pair of float, optional
+            With `Coulomb`: total force on body 2 at the end of the increment [N]. A direction of
+            which nothing is told is held: shift 0.
+        twist : float, optional
+            With `Coulomb`: turn of body 1 over body 2 about z at the origin in this increment
+            [rad]; of bodies that move on the spin times their mean way. Or
+        torque : float, optional
+            the moment on body 2 at its end [N m]; without both the turn is held.
         heat_factor : float or pair of floats, optional
             Of the heat from now on [m/s]; 0: the source is off.
         duration : float, optional
@@ -240,13 +262,16 @@ class Simulation(Windowed, Shown):
         """
         given: dict[str, Any] = {"load": load, "approach": approach, "pressure": pressure}
         given |= {"shear": shear, "advance": advance, "heat_factor": heat_factor}
+        given |= {"shift": shift, "tangential_load": tangential_load}
+        given |= {"twist": twist, "torque": torque}
         with self._turn:
             step, before, core = self._solved(given | {"duration": duration})
         state = State(core, self, step.heat)
         if step.target:
             bodies = (self.body1, self.body2)
             try:
-                require_apart(state, self.grid.cell_area, bodies, self.friction, self.tol)
+                if not isinstance(self.friction, Coulomb):
+                    require_apart(state, self.grid.cell_area, bodies, self.friction, self.tol)
             except ConvergenceError:
                 stand_at(self, before)
                 raise
@@ -255,70 +280,6 @@ class Simulation(Windowed, Shown):
             state = self.state
         self._told.warn(state, self._scene, core.warnings, stacklevel=2)
         return state
-
-    def run(
-        self,
-        path: Iterable[Mapping[str, Any]],
-        *,
-        progress: bool = True,
-        checkpoint: str | os.PathLike[str] | None = None,
-    ) -> list[State]:
-        """Run a list of step() arguments, e.g. ``[{"load": 300.0}, {"load": 0.0}]``.
-
-        Parameters
-        ----------
-        path : iterable of dict
-            See `samcontact.paths` for helpers.
-        progress : bool, optional
-            Show a progress bar; where there is no terminal, ten lines at most.
-        checkpoint : path, optional
-            Folder in which to keep each increment. The same call of a new simulation goes on from
-            it, with the same bits. Remove it when it is no longer needed.
-
-        Returns
-        -------
-        list of State
-            One per increment. When an increment fails or is interrupted (Ctrl-C), the error is
-            raised with those before it in the attribute `states`, and the simulation stands at the
-            last good one. The logger "samcontact" tells each (INFO) and its iterations (DEBUG).
-
-        Raises
-        ------
-        ValueError
-            `checkpoint` holds those of another run; and as `step`. A contact that does not fit into
-            the grid by far is refused before the first increment.
-
-        Warns
-        -----
-        UnitWarning, ResolutionWarning
-            Before the first increment; at the end, of the largest load: a contact fewer than 8
-            cells across, an area of spots uncertain by 10 %, a plastic zone fewer than 8 layers
-            high or layers too thick to see.
-        """
-        states: list[State] = []
-        try:
-            self._run_into(states, step_list("path", path, STEP), progress, checkpoint)
-        except BaseException as error:  # Ctrl-C too
-            error.states = states  # type: ignore[attr-defined]
-            raise
-        return in_one_window(states)
-
-    def _run_into(
-        self,
-        states: list[State],
-        steps: Sequence[Mapping[str, Any]],
-        progress: bool,
-        checkpoint: str | os.PathLike[str] | None,
-        *,
-        leave: bool = True,
-    ) -> None:
-        """Append the state of each increment as soon as it is done."""
-        self._told.doubt(self._scene, self._heat, largest_target(steps), stacklevel=3)
-        if not any(self._heat.factor) and (load := largest_cold_load(steps)) is not None:
-            self._make_room(load)
-        with self._told.as_a_whole():
-            run_into(states, self, steps, progress, checkpoint, leave=leave)
-        self._told.warn_of_run(states, self._scene, stacklevel=3)
 
     @property
     def state(self) -> State:

@@ -15,6 +15,7 @@ from ._checks import MOST_CELLS, FloatArray, axis_number, choice, integer
 from ._frozen import Fixed
 from ._kept import kept
 from ._repr import Rows, Shown, quantity
+from ._surface_state import SurfaceState
 from ._tensors import von_mises
 from ._window import Window
 from .checkpoint import Standing, restored_state, snapshot
@@ -36,7 +37,7 @@ def in_one_window(states: Sequence[State]) -> list[State]:
     return [s if s.grid == largest.grid else s._seen_over(largest) for s in states]
 
 
-class State(Fixed, Shown):
+class State(SurfaceState, Fixed, Shown):
     """Fields of one moment, in SI units; volume fields are computed when they are asked for.
 
     Tensor components are xx, yy, zz, yz, xz, xy in the frame of the body (z into it); tension is
@@ -88,50 +89,6 @@ class State(Fixed, Shown):
         """The same moment over the grid of another state, which is larger."""
         core = self._core.widened(window._core)
         return State(core, self._simulation, self._heat, self._given_layers, window._window)
-
-    @property
-    def pressure(self) -> FloatArray:
-        """Contact pressure [Pa], shape (nx, ny)."""
-        return self._surface("pressure")
-
-    @property
-    def shear(self) -> FloatArray:
-        """Shear s_x, s_y on body 2 [Pa], shape (2, nx, ny)."""
-        return np.stack([self._surface("shear_x"), self._surface("shear_y")])
-
-    def _surface(self, name: str) -> FloatArray:
-        """A field of the surface; 0 where the core has none."""
-        shape = self.grid.surface_shape
-        field = getattr(self._core, name)
-        return np.zeros(shape) if field is None else field.reshape(shape)
-
-    @cached_property
-    def gap(self) -> FloatArray:
-        """Separation [m], shape (nx, ny); under prescribed tractions that for zero approach."""
-        field: FloatArray = self._core.gap()
-        field.flags.writeable = False
-        return field
-
-    @property
-    def load(self) -> float:
-        """Total load [N]."""
-        return float(self._core.load)
-
-    @property
-    def contact_area(self) -> float:
-        """Area of the cells under pressure [m^2]."""
-        return int(np.count_nonzero(self.pressure > 0)) * self.grid.cell_area
-
-    @property
-    def mean_pressure(self) -> float:
-        """Load over contact area [Pa]; 0 without contact."""
-        area = self.contact_area
-        return self.load / area if area > 0 else 0.0
-
-    @property
-    def approach(self) -> float:
-        """Rigid-body approach [m]; NaN under prescribed tractions."""
-        return float(self._core.approach)
 
     @property
     def time(self) -> float:

@@ -277,7 +277,8 @@ def test_the_package_loads_no_file_or_figure_library():
 
 def public(owner, prefix):
     """Public functions, classes, methods and properties below a module or class, with names."""
-    names = getattr(owner, "__all__", None) or [n for n in vars(owner) if not n.startswith("_")]
+    own = inspect.isclass(owner) and [name for base in owner.__mro__[:-1] for name in vars(base)]
+    names = getattr(owner, "__all__", None) or [n for n in own or vars(owner) if n[0] != "_"]
     for name in names:
         thing = inspect.getattr_static(owner, name)
         thing = getattr(thing, "__func__", thing)

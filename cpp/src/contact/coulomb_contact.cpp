@@ -120,8 +120,9 @@ class CoulombContact::Sweeps {
     }
   }
 
-  CoulombSolution run(Field pressure) {
-    Field shear = before_.shear;
+  CoulombSolution run(Field pressure, const CoulombStart& start) {
+    Field shear = start.shear.empty() ? before_.shear : start.shear;
+    s_.tangential.motion = start.motion;
     if (!contact_.is_coupled()) {
       press(std::move(pressure), settings_.tol);
       slide(shear, settings_.tol);
@@ -149,12 +150,13 @@ class CoulombContact::Sweeps {
 
   /// Shear under the present pressure, starting from one.
   void slide(const Field& start, double tol) {
-    Field free_slip;
+    Field free_slip = before_.free_slip;
     if (contact_.is_coupled()) {
-      free_slip.resize(2 * n_);
-      contact_.coupling_.tangential(s_.normal.tractions.pressure.data(), free_slip.data(), work_);
+      Field slid(2 * n_);
+      contact_.coupling_.tangential(s_.normal.tractions.pressure.data(), slid.data(), work_);
+      free_slip.resize(2 * n_, 0.0);
       for (std::size_t i = 0; i < 2 * n_; ++i) {
-        free_slip[i] = (slid_before_.empty() ? 0.0 : slid_before_[i]) - free_slip[i];
+        free_slip[i] += (slid_before_.empty() ? 0.0 : slid_before_[i]) - slid[i];
       }
     }
     const Field shares = shares_before_touch();
@@ -324,10 +326,10 @@ void require_solved(const CoulombSolution& solution, Given normal,
 
 CoulombSolution CoulombContact::solve(const Field& gap, Given normal,
                                       const TangentialDrive& tangential,
-                                      const ContactHistory& before, const Field& initial_pressure,
+                                      const ContactHistory& before, const CoulombStart& start,
                                       const ContactSettings& settings) const {
   require_surface(gap, grid_, "gap");
-  if (!initial_pressure.empty()) require_surface(initial_pressure, grid_, "initial_pressure");
+  if (!start.pressure.empty()) require_surface(start.pressure, grid_, "initial_pressure");
   if (!before.pressure.empty()) {
     require_surface(before.pressure, grid_, "previous.pressure");
     require_vectors(before.shear, grid_, "previous.shear");
@@ -337,11 +339,11 @@ CoulombSolution CoulombContact::solve(const Field& gap, Given normal,
   if (normal.is_force() && !std::isinf(friction_))
     require_held(tangential, friction_ * normal.value);
   require_below_mean(grid_, gap, normal);
-  Field pressure = initial_pressure.empty() ? before.pressure : initial_pressure;
+  Field pressure = start.pressure.empty() ? before.pressure : start.pressure;
   pressure.resize(gap.size(), 0.0);
   for (double& p : pressure) p = std::max(p, 0.0);
   CoulombSolution solution =
-      Sweeps(*this, gap, normal, tangential, before, settings).run(std::move(pressure));
+      Sweeps(*this, gap, normal, tangential, before, settings).run(std::move(pressure), start);
   require_solved(solution, normal, settings);
   Solution& pressed = solution.normal;
   pressed.border_complaint =

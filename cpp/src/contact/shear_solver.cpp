@@ -336,6 +336,14 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   return solution;
 }
 
+TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
+                                 const std::array<double, 3>& values) {
+  const auto given = [&](int k) {
+    return is_force[k] ? Given::force(values[k]) : Given::motion(values[k]);
+  };
+  return {given(0), given(1), given(2)};
+}
+
 std::array<double, 3> forces(const Grid& grid, const Field& shear) {
   const std::size_t n = grid.surface_size();
   const std::vector<double> x = grid.x(), y = grid.y();

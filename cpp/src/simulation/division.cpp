@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "samcontact/base/errors.hpp"
+#include "samcontact/contact/shear_problem.hpp"
 #include "samcontact/simulation/fixed_point.hpp"
 
 namespace samcontact::simulation {
@@ -93,6 +94,13 @@ Target between(const State& from, const Target& target, double fraction) {
   Target part = target;
   if (fraction == 1.0) return part;
   const auto mix = [fraction](double a, double b) { return a + fraction * (b - a); };
+  if (from.scene().coulomb && !target.is_prescribed()) {
+    const auto present = from.tangential_force();
+    for (int k = 0; k < 3; ++k) {
+      double& value = part.tangential[k].value;
+      value = part.tangential[k].is_force() ? mix(present[k], value) : fraction * value;
+    }
+  }
   double& normal = part.drive.normal.value;
   if (target.is_load()) {
     normal = mix(from.load, normal);
@@ -111,9 +119,12 @@ Target between(const State& from, const Target& target, double fraction) {
   return part;
 }
 
-/// Flow of an earlier part of the increment.
-void add_flow(const State& earlier, State& state) {
+/// Flow and slip of an earlier part of the increment.
+void add_part(const State& earlier, State& state) {
   for (int b = 0; b < 2; ++b) state.flowed[b] |= earlier.flowed[b];
+  if (earlier.slip.empty()) return;
+  state.slip.resize(earlier.slip.size(), 0.0);
+  contact::add_scaled(1.0, earlier.slip, state.slip);
 }
 
 }  // namespace
@@ -127,11 +138,16 @@ Division::Division(const State& from, const Target& target, const Settings& sett
       scans_(std::move(scans)),
       moment_(from) {
   moment_.flowed = {};
+  moment_.slip.clear();
 }
 
 Target Division::part_of(const State& from, double start, double end) const {
   // The remaining way from the moment reached: (end - start) of (1 - start).
   Target part = between(from, target_, end == 1.0 ? 1.0 : (end - start) / (1.0 - start));
+  // Of motions all is the way of the increment, not what remains.
+  for (auto& given : part.tangential) {
+    if (!given.is_force()) given.value *= 1.0 - start;
+  }
   if (!from.scene().march.is_on()) return part;
   part.duration *= end - start;
   for (auto& heat : part.heating) heat.age = part.duration;
@@ -163,7 +179,7 @@ std::optional<State> Division::extrapolate(const State& once, double end, double
   const double middle = done_ + 0.5 * (end - done_);
   const State half = solve(moment_, done_, middle);
   State twice = solve(half, middle, end);
-  add_flow(half, twice);
+  add_part(half, twice);
   const double allowed = allowed_difference(settings_.increment_tol);
   const double error = increment_error(once, twice);
   // The difference is of second order in the part.
@@ -171,8 +187,12 @@ std::optional<State> Division::extrapolate(const State& once, double end, double
   if (error > allowed) return std::nullopt;
   // What the extrapolation leaves above the yield stress flows.
   const State sum = extrapolated(moved_to(moment_, end), once, twice);
-  State state = increment(sum, part_of(moment_, done_, end));
-  add_flow(twice, state);
+  Target rest = part_of(moment_, done_, end);
+  for (auto& given : rest.tangential) {
+    if (!given.is_force()) given.value = 0.0;
+  }
+  State state = increment(sum, rest);
+  add_part(twice, state);
   return state;
 }
 
@@ -198,7 +218,7 @@ State Division::walk() {
                                     " of the increment to " + describe(target_) +
                                     ": take smaller increments or a larger tolerance");
       }
-      add_flow(moment_, *next);
+      add_part(moment_, *next);
       moment_ = std::move(*next);
       ++substeps_;
       length = std::min(factor * (goal - done_), 1.0 - goal);

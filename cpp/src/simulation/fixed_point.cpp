@@ -87,6 +87,7 @@ class FixedPoint {
         // The wanted tolerance moves a little with every iterate: twice it is near enough.
         if (contact_tol_ > 2 * finest) {
           contact_tol_ = finest;
+          coarse_ = true;
         } else if (!problem_.grow_beyond()) {
           return finish(before + n);
         } else {
@@ -131,7 +132,9 @@ class FixedPoint {
 
   void advance() {
     const double size = norm(f_);
-    if (size < best_) {
+    if (std::exchange(coarse_, false)) {
+      best_ = INFINITY;
+    } else if (size < best_) {
       best_ = size;
       best_x_ = x_;
       best_f_ = f_;
@@ -176,6 +179,7 @@ class FixedPoint {
   PlasticIncrement::Result result_;
   const double elastic_tol_;  // of the contact where nothing flows
   double contact_tol_, residual_ = 1.0, best_ = INFINITY;
+  bool coarse_ = false;  // whether the last residual tells little, as its contact was too coarse
 };
 
 }  // namespace

@@ -43,6 +43,11 @@ fft::Symmetry symmetry_of(const operators::Tractions& tractions, const Grid& gri
   return symmetry;
 }
 
+fft::Symmetry symmetry_of(const contact::TangentialDrive& drive) {
+  if (drive[1].value != 0 || drive[2].value != 0) return fft::Symmetry::none;
+  return drive[0].value != 0 ? fft::Symmetry::y : fft::Symmetry::xy;
+}
+
 fft::Symmetry common(fft::Symmetry a, fft::Symmetry b) { return std::min(a, b); }
 
 Box stored_part(const Grid& grid, fft::Symmetry symmetry) {

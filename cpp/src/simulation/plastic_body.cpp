@@ -120,6 +120,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
   PlasticFields fields = history_ ? history_->fields(zones)
                                   : PlasticFields{zones, Field(parts * cells, 0.0),
                                                   Field(cells, 0.0), Field(cells * 5 * terms, 0.0)};
+  const Field before = history_ && axes().size() > 1 ? fields.strain : Field{};
   // What is in the zones by now includes the last guess.
   for (int c = 0; c < parts; ++c) {
     copy_common(strain_.data() + c * zones_.cells(), zones_, fields.strain.data() + c * cells,
@@ -144,6 +145,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
     volume_ =
         std::make_unique<BoxVolume>(scene_, index_, zones_, tensor_, method_, symmetry_, heating_);
   }
+  find_slid_before(before);
   given_stress_.assign(zones_.count(), {});
   for (Source* source : sources) {
     for (std::size_t zone = 0; zone < zones_.count(); ++zone) {
@@ -166,73 +168,7 @@ void PlasticBody::set_strain(std::uint32_t cell, const plasticity::Tensor& strai
 
 void PlasticBody::transform(bool active) {
   strained_ = (strained_ || active) && volume_;
-  if (strained_) volume_->transform(strain_);
-}
-
-void PlasticBody::open(Field& gap) {
-  rim_displacement_ = 0.0;
-  const Field& lift = outside_.displacement[static_cast<int>(operators::Axis::z)];
-  if (!lift.empty()) {
-    open(outside_.surface, lift, gap);
-    rim_displacement_ += largest_at_rim(outside_.surface, lift, false);
-  }
-  if (!strained_) return;
-  const Box& surface = volume_->surface();
-  Field displacement(surface.surface_size());
-  volume_->displacement(operators::Axis::z, displacement.data());
-  open(surface, displacement, gap);
-  rim_displacement_ += largest_at_rim(surface, displacement, true);
-}
-
-/// A surface field of the body, on a box from the mirror planes on.
-void PlasticBody::open(const Box& box, const Field& displacement, Field& gap) const {
-  const Grid& grid = scene_.grid;
-  const Box whole = choice_.whole(box);
-  const auto add = [&](int to, const double* u, double part) {
-    if (to < 0 || to >= grid.nx) return;
-    double* row = gap.data() + static_cast<std::size_t>(to) * grid.ny;
-    for (int j = std::max(0, whole.j0); j < std::min(grid.ny, whole.j0 + whole.ny); ++j) {
-      const int sj = j < box.j0 ? grid.ny - 1 - j : j;
-      row[j] += part * u[sj - box.j0];
-    }
-  };
-  const double copies = copies_, part = std::fabs(offset_);
-  const int side = offset_ > 0 ? -1 : 1;
-  for (int i = whole.i0; i < whole.i0 + whole.nx; ++i) {
-    const int si = i < box.i0 ? grid.nx - 1 - i : i;
-    const double* u = displacement.data() + static_cast<std::size_t>(si - box.i0) * box.ny;
-    add(i, u, copies * (1 - part));
-    if (part > 0) add(i + side, u, copies * part);
-  }
-}
-
-/// Outside of the box it falls off.
-double PlasticBody::largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const {
-  double largest = 0.0;
-  for (int i = 0; i < box.nx; ++i) {
-    for (int j = 0; j < box.ny; ++j) {
-      const bool at_x = ends_x && (i == box.nx - 1 || (i == 0 && !choice_.mirrors_x()));
-      const bool at_y = j == box.ny - 1 || (j == 0 && !choice_.mirrors_y());
-      if (!at_x && !at_y) continue;
-      largest =
-          std::max(largest, std::fabs(displacement[static_cast<std::size_t>(i) * box.ny + j]));
-    }
-  }
-  return largest;
-}
-
-bool PlasticBody::may_touch_outside(const Field& gap, double reach) const {
-  if (rim_displacement_ == 0) return false;
-  const Grid& grid = scene_.grid;
-  const Box whole = surface();
-  for (int i = 0; i < grid.nx; ++i) {
-    for (int j = 0; j < grid.ny; ++j) {
-      const bool inside =
-          i >= whole.i0 && i < whole.i0 + whole.nx && j >= whole.j0 && j < whole.j0 + whole.ny;
-      if (!inside && gap[static_cast<std::size_t>(i) * grid.ny + j] < reach) return true;
-    }
-  }
-  return false;
+  if (strained_) volume_->transform(strain_, axes());
 }
 
 void PlasticBody::meet(const operators::Tractions& tractions) {

@@ -29,6 +29,10 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
   if (target_.is_prescribed()) {
     symmetry = symmetry_of(tractions_, scene_.grid);
   }
+  if (scene_.coulomb) {
+    symmetry = common(symmetry, symmetry_of(tangential_drive()));
+    symmetry = common(symmetry, from_.shear_symmetry);
+  }
   symmetry = common(symmetry, symmetry_of(target_.heating));
   symmetry = common(symmetry, target_.past_symmetry);
   for (const auto& history : from_.plastic) {
@@ -39,7 +43,7 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
 
 bool PlasticIncrement::twins() const {
   const auto& [upper, lower] = scene_.materials;
-  if (!upper.is_plastic() || upper != lower || scene_.sliding.is_on()) return false;
+  if (!upper.is_plastic() || upper != lower || scene_.sliding.is_on() || !rests()) return false;
   if (target_.heating[0] != target_.heating[1] || target_.past[0] != target_.past[1]) return false;
   // Two laws cannot be compared.
   if (settings_.softening[0] || settings_.softening[1]) return false;
@@ -77,6 +81,9 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
   for (PlasticBody& body : bodies_) {
     if (body.has_history()) take_up_zones(body);
   }
+  if (!scene_.coulomb || target_.is_prescribed()) return;
+  before_ = contact_before();
+  carried_apart_ = before_.free_slip;
 }
 
 void PlasticIncrement::scatter(const Field& guess) {
@@ -101,8 +108,12 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
     settings.tol = tol;
     // An iterate may be larger than the solution: the border is checked once, at the end.
     settings.on_border = contact::OnBorder::warn;
-    const auto solver = scene_.solver(target_.heating);
-    solution = solver->solve(gap, target_.drive, tractions_.pressure, settings);
+    if (scene_.coulomb) {
+      solution = stick_and_slip(gap, settings);
+    } else {
+      const auto solver = scene_.solver(target_.heating);
+      solution = solver->solve(gap, target_.drive, tractions_.pressure, settings);
+    }
     ++counters_.contact_solves;
     counters_.contact_iterations += solution.iterations;
     tractions_ = solution.tractions;
@@ -158,9 +169,13 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
   scatter(guess);
   gap_.assign(scene_.grid.surface_size(), 0.0);
   for (const Source* source : sources_) source->open(gap_);
+  before_.free_slip = carried_apart_;
+  if (scene_.coulomb) before_.free_slip.resize(2 * gap_.size(), 0.0);
   for (PlasticBody& body : bodies_) {
     body.transform(active_.size() > 0);
-    if (!target_.is_prescribed()) body.open(gap_);
+    if (target_.is_prescribed()) continue;
+    body.open(gap_);
+    if (scene_.coulomb) body.slide(before_.free_slip);
   }
   Result result;
   result.contact = solve_contact(gap_, contact_tol);
@@ -304,6 +319,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   remember_flow(state, mapped);
   scatter(mapped);
   for (std::size_t b = 0; b < bodies_.size(); ++b) finish(b, mapped, state);
+  remember_slip(state);
   if (!target_.is_prescribed()) {
     const Box surface = Box::surface(scene_.grid);
     const bool known = std::all_of(bodies_.begin(), bodies_.end(), [&](const PlasticBody& body) {

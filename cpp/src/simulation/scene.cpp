@@ -56,30 +56,38 @@ std::array<operators::SharedMedium, 2> media_of(const plasticity::Material& body
 }  // namespace
 
 Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
-             const plasticity::Material& body2, Field initial_gap_, double friction_,
-             double image_tol, const HeatMarch& march_, int reach_, Reliefs reliefs_)
+             const plasticity::Material& body2, Field initial_gap_,
+             const contact::Friction& friction, double image_tol, const HeatMarch& march_,
+             int reach_, Reliefs reliefs_)
     : grid(grid_),
       materials{body1, body2},
       media(media_of(body1, body2)),
       initial_gap(std::move(initial_gap_)),
-      sliding(friction_),
+      sliding(friction.sticks ? 0.0 : friction.coefficient),
+      coulomb(friction.sticks ? std::make_unique<const contact::CoulombContact>(
+                                    grid_, media[0], media[1], friction.coefficient)
+                              : nullptr),
       march(march_),
       reach(reach_),
       reliefs(std::move(reliefs_)),
       image_tol_(image_tol),
       symmetry_(symmetry_of(initial_gap, grid_)) {
   // Throws for bodies that have no contact.
-  solver({});
+  if (!coulomb) solver({});
   symmetry_ = common(symmetry_, sliding.symmetry());
 }
 
-Placement Scene::placement(const Travel& travel) const {
-  // Without plastic strain or relief nothing tells one place of a body from another.
+int Scene::followed() const {
+  // Without plastic strain, relief or stick nothing tells one place of a body from another.
   const auto remembers = [this](int body) {
     return materials[body].is_plastic() || !reliefs[body].heights.empty();
   };
-  return {travel, remembers(1) ? 1 : remembers(0) ? 0 : -1};
+  if (remembers(1)) return 1;
+  if (remembers(0)) return 0;
+  return coulomb ? 1 : -1;
 }
+
+Placement Scene::placement(const Travel& travel) const { return {travel, followed()}; }
 
 Field Scene::relief(int body, const Travel& travel) const {
   const Relief& relief = reliefs[body];

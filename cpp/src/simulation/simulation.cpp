@@ -60,8 +60,9 @@ void check_backstress(const std::vector<plasticity::Backstress>& laws, const Fie
 }  // namespace
 
 Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
-                       const plasticity::Material& body2, Field initial_gap, double friction,
-                       const Settings& settings, const HeatMarch& march, Reliefs reliefs)
+                       const plasticity::Material& body2, Field initial_gap,
+                       const contact::Friction& friction, const Settings& settings,
+                       const HeatMarch& march, Reliefs reliefs)
     : scene_(
           (contact::require_surface(initial_gap, grid, "gap"),
            std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,

@@ -72,6 +72,21 @@ fft::Symmetry State::heat_symmetry_so_far() const {
   return common(past_symmetry, common(flux, symmetry_of(heating)));
 }
 
+Field shear_vectors(const operators::Tractions& tractions) {
+  const auto& [pressure, along_x, along_y] = tractions;
+  if (along_x.empty() && along_y.empty()) return {};
+  const std::size_t n = pressure.size();
+  Field both(2 * n, 0.0);
+  std::copy(along_x.begin(), along_x.end(), both.begin());
+  std::copy(along_y.begin(), along_y.end(), both.begin() + static_cast<std::ptrdiff_t>(n));
+  return both;
+}
+
+std::array<double, 3> State::tangential_force() const {
+  const Field both = shear_vectors(tractions);
+  return both.empty() ? std::array<double, 3>{} : contact::forces(scene_->grid, both);
+}
+
 State State::moved(const Travel& to) const {
   State state = *this;
   state.travel = to;

@@ -25,11 +25,14 @@ State State::widened(std::shared_ptr<const Scene> to) const {
   }
   State state = *this;
   const Box before = Box::surface(from).moved(i, j);
-  for (Field* field :
-       {&state.tractions.pressure, &state.tractions.shear_x, &state.tractions.shear_y}) {
-    if (field->empty()) continue;
-    const Field known = std::exchange(*field, Field(grid.surface_size(), 0.0));
-    insert(known.data(), before, field->data(), Box::surface(grid));
+  for (Field* field : {&state.tractions.pressure, &state.tractions.shear_x,
+                       &state.tractions.shear_y, &state.slip}) {
+    const std::size_t parts = field->size() / from.surface_size(), n = grid.surface_size();
+    const Field known = std::exchange(*field, Field(parts * n, 0.0));
+    for (std::size_t part = 0; part < parts; ++part) {
+      insert(known.data() + part * from.surface_size(), before, field->data() + part * n,
+             Box::surface(grid));
+    }
   }
   state.contact_gap.clear();
   for (int b = 0; b < 2; ++b) {

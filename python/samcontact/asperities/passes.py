@@ -99,7 +99,7 @@ class Passes:
         before = self.state
         if self.journal is None or (kept := self.journal.next()) is None:
             advance = self.collision.advance(turn)
-            target = {"load": 0.0} if unloaded else {"approach": self._approach()}
+            target: dict[str, Any] = {"load": 0.0} if unloaded else {"approach": self._approach()}
             kept = self.simulation.step(**target, advance=advance)
             if self.journal is not None:
                 self.journal.add()

@@ -205,7 +205,7 @@ def settings_section(name: str, without: tuple[str, ...] = (), **defaults: Any) 
 if TYPE_CHECKING:
 
     class ContactSection(Section):
-        friction: float = Settings.friction
+        friction: float = 0.0
 else:
     ContactSection = settings_section("ContactSection")
 

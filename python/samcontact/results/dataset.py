@@ -14,6 +14,7 @@ from .._checks import choice, integer
 from .._peak import peak_of_dataset
 from .._quantities import CONTACT
 from .._tensors import COMPONENTS
+from ..friction import coefficient
 from ..state import in_one_window
 from .convergence import add_convergence
 from .motion import add, add_motion
@@ -266,7 +267,7 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
         "body": body,
         "dx": float(simulation.grid.dx),
         "dy": float(simulation.grid.dy),
-        "friction": float(simulation.friction),
+        "friction": coefficient(simulation.friction),
         "tol": float(simulation.tol),
         "reach": float(simulation.reach),
     }

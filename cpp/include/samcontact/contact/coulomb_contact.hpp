@@ -10,6 +10,12 @@
 
 namespace samcontact::contact {
 
+/// Of a contact along its surface.
+struct Friction {
+  double coefficient = 0.0;  // mu
+  bool sticks = false;       // by Coulomb's law; else gross sliding
+};
+
 /// What a contact remembers: its tractions, which tell how the surfaces lie against each other, and
 /// how far they were apart where they did not touch.
 struct ContactHistory {
@@ -17,6 +23,16 @@ struct ContactHistory {
   Field shear;     // [2][i][j] [Pa], on body 2
   Field gap;       // [i][j] [m]; empty: that of the present surfaces under these tractions
   double approach = 0.0;
+  /// How body 1 has slipped over body 2 since by other causes than rigid motion and tractions
+  /// [2][i][j] [m]; empty: not at all.
+  Field free_slip = {};
+};
+
+/// What the iteration begins with; empty: what the increment before has left.
+struct CoulombStart {
+  Field pressure = {};                // [i][j] [Pa]
+  Field shear = {};                   // [2][i][j] [Pa]
+  std::array<double, 3> motion = {};  // where forces are given [m, m, rad]
 };
 
 struct CoulombSolution {
@@ -34,11 +50,10 @@ class CoulombContact {
 
   /// One increment. Bodies alike: pressure, then shear. Else both in turn (Panagiotopoulos), each
   /// for the displacement of the other, accelerated; with stick everywhere a sweep contracts by the
-  /// square of Dundurs' second constant. initial_pressure may be empty. Throws
-  /// std::invalid_argument (bad input, a force beyond friction), GridTooSmallError and
-  /// ConvergenceError.
+  /// square of Dundurs' second constant. Throws std::invalid_argument (bad input, a force beyond
+  /// friction), GridTooSmallError and ConvergenceError.
   CoulombSolution solve(const Field& gap, Given normal, const TangentialDrive& tangential,
-                        const ContactHistory& before, const Field& initial_pressure,
+                        const ContactHistory& before, const CoulombStart& start,
                         const ContactSettings& settings) const;
 
   const Grid& grid() const { return grid_; }

@@ -15,8 +15,8 @@ struct Given {
   enum class Kind { motion, force } kind;
   double value;  // [m] or [N]
 
-  static Given motion(double metre) { return {Kind::motion, metre}; }
-  static Given force(double newton) { return {Kind::force, newton}; }
+  static constexpr Given motion(double metre) { return {Kind::motion, metre}; }
+  static constexpr Given force(double newton) { return {Kind::force, newton}; }
   bool is_force() const { return kind == Kind::force; }
 };
 

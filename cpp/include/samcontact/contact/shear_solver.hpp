@@ -16,6 +16,11 @@ namespace samcontact::contact {
 
 /// The three rigid motions along the surface: x, y, and the turn about z at the origin of the grid.
 using TangentialDrive = std::array<Given, 3>;
+inline constexpr TangentialDrive held{Given::motion(0), Given::motion(0), Given::motion(0)};
+
+/// Along x and y, and the turn: of each whether its value is a force, else a motion.
+TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
+                                 const std::array<double, 3>& values);
 
 /// How the shear before an increment lets the surfaces slide in a box, for several solves of it.
 struct SlidBefore {
@@ -33,7 +38,7 @@ struct ShearTask {
   /// the shear does [m]; empty: none.
   const Field& free_slip;
   /// Motions of this increment [m, m, rad], or total forces at its end [N, N, N m].
-  TangentialDrive drive{Given::motion(0), Given::motion(0), Given::motion(0)};
+  TangentialDrive drive = held;
   SlidBefore* slid = nullptr;  // kept by the caller of several solves
 };
 

@@ -93,6 +93,10 @@ void describe(S& s, Visitor& visit) {
   visit("contact_gap", s.contact_gap);
   visit("load", s.load);
   visit.maybe_nan("approach", s.approach);
+  visit("slip", s.slip);
+  visit("motion", s.motion);
+  visit("friction_work", s.friction_work);
+  visit("shear_symmetry", s.shear_symmetry);
   visit("travel", s.travel);
   visit("time", s.time);
   visit("duration", s.duration);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "samcontact/base/box.hpp"
+#include "samcontact/contact/shear_solver.hpp"
 #include "samcontact/operators/heating.hpp"
 #include "samcontact/operators/volume_operators.hpp"
 
@@ -16,6 +17,8 @@ fft::Symmetry symmetry_of(const operators::HeatingPair& heating);
 fft::Symmetry symmetry_of(const Field& field, const Grid& grid, kernels::Parity parity = {});
 /// Those of tractions, which are along x and y.
 fft::Symmetry symmetry_of(const operators::Tractions& tractions, const Grid& grid);
+/// Those that the rigid motion of bodies which stick and slip leaves.
+fft::Symmetry symmetry_of(const contact::TangentialDrive& drive);
 /// Those that both have.
 fft::Symmetry common(fft::Symmetry a, fft::Symmetry b);
 /// The cells of the grid from the mirror planes on, all layers.

@@ -68,6 +68,8 @@ class PlasticBody {
   void transform(bool active);
   /// Adds what its plastic strain opens to the gap.
   void open(Field& gap);
+  /// Adds what its plastic strain of this increment lets body 1 slip over body 2 [2][i][j].
+  void slide(Field& free_slip) const;
   /// Whether its residual displacement could close the gap where it is not known, and where all
   /// bodies displace by no more than `reach` [m].
   bool may_touch_outside(const Field& gap, double reach) const;
@@ -116,7 +118,13 @@ class PlasticBody {
 
   const plasticity::Material& material() const { return scene_.materials[index_]; }
   Columns columns_beyond(double limit, const YieldScan& scan) const;
-  void open(const Box& box, const Field& displacement, Field& gap) const;
+  /// Axes along which its residual displacement matters.
+  std::span<const operators::Axis> axes() const;
+  /// What the strain before the increment does along the surface.
+  void find_slid_before(const Field& strain);
+  /// Adds a multiple of a displacement along an axis, known on a stored box, to a surface field.
+  void add_displacement(const Box& box, const Field& displacement, operators::Axis axis,
+                        double factor, double* to) const;
   double largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const;
   /// first: the number of its first cell; plane: how many it has.
   Seen look_at_layer(std::size_t first, std::size_t plane, const double* layer,
@@ -149,9 +157,10 @@ class PlasticBody {
   std::vector<int> active_;  // per cell: its place among the active ones, or -1
   bool strained_ = false;
   double rim_displacement_ = 0.0;
-  OutsideStrain outside_;            // what the history outside of the zones does
-  std::vector<Field> given_stress_;  // by zone, of all but tractions and the strain in the zones
-  double offset_ = 0.0;              // of its cells from the grid's, see Placement
+  std::array<Field, 2> slid_before_;  // along x and y, where it is known; empty: not at all
+  OutsideStrain outside_;             // what the history outside of the zones does
+  std::vector<Field> given_stress_;   // by zone, of all but tractions and the strain in the zones
+  double offset_ = 0.0;               // of its cells from the grid's, see Placement
   const operators::Tractions* tractions_ = nullptr;
   operators::Tractions seen_;  // from cells at an offset
   std::shared_ptr<const BoxField> softening_;

@@ -103,6 +103,16 @@ class PlasticIncrement {
   Box whole_or_none(const PlasticBody& body) const;
   void scatter(const Field& guess);
   contact::Solution solve_contact(const Field& gap, double tol);
+  /// Of bodies that stick and slip.
+  contact::Solution stick_and_slip(const Field& gap, const contact::ContactSettings& settings);
+  /// What the shear of the increment starts from, before plastic strain slides the bodies.
+  contact::ContactHistory contact_before() const;
+  /// Of the rigid motion, where bodies that move on also turn and slide by the difference of their
+  /// ways.
+  contact::TangentialDrive tangential_drive() const;
+  /// Whether bodies alike that may stick are not sheared.
+  bool rests() const;
+  void remember_slip(State& state) const;
   /// Once, when the first contact tells how hot the bodies are.
   void soften();
   /// A body, in a box and where it already is; by the same contact.
@@ -136,6 +146,9 @@ class PlasticIncrement {
   BoxChoice choice_;
   std::vector<PlasticBody> bodies_;  // inelastic ones
   Field gap_;                        // without the elastic displacement, of the last evaluation
+  contact::ContactHistory before_;   // of bodies that stick and slip, as the rest
+  Field carried_apart_;              // slip that goes with different ways of the bodies
+  contact::ShearSolution shear_;     // of the last evaluation
   bool scanned_ = false, looked_ = false;
   std::array<Field, 2> heating_pressure_;  // on each body, of the first contact; empty before
   ActiveCells active_;

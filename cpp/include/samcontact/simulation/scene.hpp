@@ -9,6 +9,7 @@
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/contact/coulomb_contact.hpp"
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
 #include "samcontact/operators/zone_operators.hpp"
@@ -26,19 +27,22 @@ class Scene {
  public:
   /// reach: how far beyond the grid plastic strain acts along x [cells].
   Scene(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
-        Field initial_gap, double friction, double image_tol, const HeatMarch& march, int reach,
-        Reliefs reliefs);
+        Field initial_gap, const contact::Friction& friction, double image_tol,
+        const HeatMarch& march, int reach, Reliefs reliefs);
 
   const Grid grid;
   const std::array<plasticity::Material, 2> materials;
   const std::array<operators::SharedMedium, 2> media;  // one object where they are equal
   const Field initial_gap;
-  const contact::GrossSliding sliding;
+  const contact::GrossSliding sliding;  // none where the bodies stick and slip
+  const std::unique_ptr<const contact::CoulombContact> coulomb;  // null: they do not stick
   const HeatMarch march;
   const int reach;
   const Reliefs reliefs;
 
   Placement placement(const Travel& travel) const;
+  /// Index of the body whose cells are those of the grid, or -1 where none remembers.
+  int followed() const;
   /// Heights of a body's relief in the grid [i][j]; 0 without one.
   Field relief(int body, const Travel& travel) const;
   /// Separation of the undeformed bodies [i][j].
@@ -78,7 +82,7 @@ class Scene {
   /// Where a body yields under such tractions; the last one of each body is kept. Thread-safe.
   std::shared_ptr<const ZoneScan> zone_scan(int body, const operators::Heating& heating) const;
 
-  /// Mirror planes that gap, friction and grid leave to all fields.
+  /// Mirror planes that gap, gross sliding and grid leave to all fields.
   fft::Symmetry symmetry(const Travel& travel) const;
 
   /// Memory of the operators that are kept.

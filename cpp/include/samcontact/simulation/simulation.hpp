@@ -14,6 +14,8 @@ namespace samcontact::simulation {
 /// Where an increment goes.
 struct Target {
   contact::Drive drive = contact::Drive::load(0.0);
+  /// Of bodies that stick and slip, besides the difference of their ways; in the increment.
+  contact::TangentialDrive tangential = contact::held;
   /// On body 2; with a pressure no contact is driven and solved. Without shear it has that of the
   /// law of the contact.
   operators::Tractions tractions = {};
@@ -70,7 +72,7 @@ class Simulation {
  public:
   /// Throws std::invalid_argument: wrong gap, an inelastic body on a grid without volume.
   Simulation(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
-             Field initial_gap, double friction, const Settings& settings,
+             Field initial_gap, const contact::Friction& friction, const Settings& settings,
              const HeatMarch& march = {}, Reliefs reliefs = {});
 
   /// One increment; halves it where the fixed point does not converge. The present state changes

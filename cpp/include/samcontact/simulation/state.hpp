@@ -56,6 +56,12 @@ class State {
   std::array<std::shared_ptr<const BoxField>, 2> softening;
   double load = 0.0;      // [N]
   double approach = 0.0;  // [m]; NaN under prescribed tractions
+  /// Of bodies that stick and slip: how body 1 slipped over body 2 in the last increment [2][i][j]
+  /// [m], 0 where it stuck; empty: nothing did.
+  Field slip;
+  std::array<double, 3> motion{};  // along the surface since the start [m, m, rad]
+  double friction_work = 0.0;      // since the start [J]
+  fft::Symmetry shear_symmetry = fft::Symmetry::xy;  // mirror planes of all such motion so far
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
   operators::ResidualMethod method;
   Travel travel{};
@@ -81,6 +87,10 @@ class State {
   /// cells on either side. Throws std::invalid_argument for another grid, and where there is past
   /// heat or softening.
   State widened(std::shared_ptr<const Scene> to) const;
+
+  /// Force of the shear on body 2 along x and y, and its moment about z at the origin of the grid
+  /// [N, N, N m].
+  std::array<double, 3> tangential_force() const;
 
   /// Past heat as the next step finds it: with that of this one.
   PastHeat heat_so_far() const;
@@ -157,6 +167,8 @@ class State {
   std::shared_ptr<const Scene> scene_;
 };
 
+/// Shear [2][i][j]; empty where there is none.
+Field shear_vectors(const operators::Tractions& tractions);
 /// The part of the surface fields over a box; 0 beside the grid.
 operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,
                             const Box& box);

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bodies that stick and slip and yield: against elastic solutions, gross sliding and energy."""
+
+import copy
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from samcontact import energy
+
+GRID = sc.Grid(28, 28, 36e-6, 36e-6, dz=36e-6)
+BALL = sc.Material.elastic(210e9, 0.3)
+STEEL = sc.Material.linear_hardening(210e9, 0.3, 1.2e9, 10e9)
+BRASS = sc.Material.linear_hardening(100e9, 0.2, 0.9e9, 5e9)
+GAP = sc.surfaces.paraboloid(GRID, 7.5e-3)
+LAW = sc.Coulomb(0.3)
+
+
+def simulation(body1=BALL, body2=STEEL, friction=LAW, **settings):
+    return sc.Simulation(GRID, body1, body2, GAP, friction, **settings)
+
+
+def by_parts(path, parts):
+    """Each step of loads and forces in equal parts."""
+    load, force = 0.0, np.zeros(2)
+    for end, to in path:
+        for part in np.arange(1, parts + 1) / parts:
+            now = force + part * (np.array(to) - force)
+            yield {"load": load + part * (end - load), "tangential_load": tuple(now)}
+        load, force = end, np.array(to)
+
+
+def test_without_yielding_it_is_the_elastic_solution():
+    hard = sc.Material.linear_hardening(100e9, 0.2, 1e12, 5e9)  # unlike the ball
+    path = [
+        {"load": 100.0, "tangential_load": (10.0, 0.0)},
+        {"load": 150.0, "tangential_load": (10.0, 20.0)},
+        {"load": 150.0, "shift": (2e-7, -2e-7), "torque": 1e-4},
+        {"load": 100.0, "shift": (-1e-6, None), "tangential_load": (None, 8.0), "twist": 1e-4},
+        {"approach": 3e-6},
+    ]
+    solver = sc.ContactSolver(GRID, BALL, hard, LAW, tol=1e-10)
+    run, solution = simulation(body2=hard, tol=1e-9), solver.solve(GAP, load=0.0)
+    for step in path:
+        solution, state = solver.solve(GAP, previous=solution, **step), run.step(**step)
+        scale = 0.3 * solution.pressure.max()
+        np.testing.assert_allclose(state.pressure, solution.pressure, atol=1e-8 * scale)
+        np.testing.assert_allclose(state.shear, solution.shear, atol=1e-8 * scale)
+        np.testing.assert_allclose(state.slip, solution.slip, atol=1e-8 * abs(solution.slip).max())
+        np.testing.assert_allclose(state.shift, solution.shift, atol=1e-13)
+        assert state.twist == pytest.approx(solution.twist, rel=1e-7, abs=1e-9)
+        assert state.torque == pytest.approx(solution.torque, rel=1e-7, abs=1e-12)
+        assert state.friction_work == pytest.approx(solution.friction_work, rel=1e-6)
+
+
+@pytest.mark.parametrize(("body1", "body2"), [(BALL, STEEL), (BRASS, STEEL)])
+def test_work_becomes_elastic_plastic_and_friction(body1, body2):
+    path = [(400.0, (0, 0)), (400.0, (80, 30)), (300.0, (-60, 0)), (400.0, (0, 20))]
+    lost = []
+    for parts in (3, 6):
+        run, work = simulation(body1, body2), 0.0
+        before = run.state
+        for step in by_parts(path, parts):
+            state = run.step(**step)
+            work += 0.5 * (state.load + before.load) * (state.approach - before.approach)
+            force = 0.5 * (state.tangential_load + before.tangential_load)
+            work += force @ (state.shift - before.shift)
+            assert state.friction_work >= before.friction_work
+            before = state
+        solver = sc.ContactSolver(GRID, body1, body2, LAW)
+        u1, u2 = (solver.displacement(state.pressure, state.shear, body) for body in (1, 2))
+        stored = np.sum(state.pressure * (u1[2] + u2[2])) + np.sum(state.shear * (u2 - u1)[:2])
+        kept = 0.5 * GRID.cell_area * stored + state.friction_work
+        for number, body in enumerate((body1, body2), 1):
+            if body.is_plastic:
+                track = state.track(number)
+                kept += energy.plastic_work(body, track) + energy.residual_energy(track)
+        lost.append(abs(work - kept) / work)
+    assert lost[1] < 0.55 * lost[0] < 0.03
+
+
+def test_swapped_bodies_mirror_the_answer():
+    path = list(by_parts([(400.0, (0, 0)), (400.0, (70, 30)), (350.0, (-50, 10))], 2))
+    one, two = simulation(BRASS, STEEL), simulation(STEEL, BRASS)
+    for step in path:
+        first, second = one.step(**step), two.step(**step)
+    # The force pulls the other body now: all is turned by half a turn about z.
+    scale = first.pressure.max()
+    np.testing.assert_allclose(second.pressure[::-1, ::-1], first.pressure, atol=1e-10 * scale)
+    np.testing.assert_allclose(second.shear[:, ::-1, ::-1], first.shear, atol=1e-10 * scale)
+    np.testing.assert_allclose(second.shift, first.shift, rtol=1e-9, atol=1e-16)
+    for body in (1, 2):
+        strain = first.plastic_strain(body)
+        turned = second.plastic_strain(3 - body)[:, ::-1, ::-1].copy()
+        turned[3:5] *= -1
+        np.testing.assert_allclose(turned, strain, atol=1e-10 * abs(strain).max())
+
+
+def test_where_all_slips_it_is_gross_sliding():
+    slides, sticks = simulation(friction=0.2), simulation(friction=sc.Coulomb(0.2))
+    for load in (250.0, 400.0):
+        expected, state = slides.step(load=load), sticks.step(load=load, shift=(1e-3, 0.0))
+    assert not state.sticking.any()
+    scale = expected.pressure.max()
+    # Slip turns a little where surfaces strain: by strain over slip.
+    np.testing.assert_allclose(state.pressure, expected.pressure, atol=1e-3 * scale)
+    np.testing.assert_allclose(state.shear, expected.shear, atol=1e-3 * scale)
+    strain = expected.equivalent_plastic_strain()
+    np.testing.assert_allclose(state.equivalent_plastic_strain(), strain, atol=2e-3 * strain.max())
+    further = sticks.step(load=400.0, shift=(1e-3, 0.0)).friction_work - state.friction_work
+    assert further == pytest.approx(0.2 * 400 * 1e-3, rel=2e-3)
+
+
+def test_hardly_any_friction_is_none():
+    smooth, sticks = simulation(friction=0.0), simulation(friction=sc.Coulomb(1e-9))
+    expected, state = smooth.step(load=400.0), sticks.step(load=400.0, shift=(1e-6, 0.0))
+    np.testing.assert_allclose(
+        state.pressure, expected.pressure, atol=1e-6 * expected.pressure.max()
+    )
+    strain = expected.equivalent_plastic_strain()
+    np.testing.assert_allclose(state.equivalent_plastic_strain(), strain, atol=1e-5 * strain.max())
+
+
+def test_bodies_alike_that_are_only_pressed_are_not_sheared():
+    state = simulation(STEEL, STEEL).step(load=400.0)
+    expected = simulation(STEEL, STEEL, 0.0).step(load=400.0)
+    assert not state.shear.any()
+    assert state.sticking.sum() == np.count_nonzero(state.pressure)
+    np.testing.assert_allclose(state.pressure, expected.pressure, rtol=1e-6)
+
+
+def test_a_copy_goes_on_with_the_same_bits(tmp_path):
+    run = simulation(BRASS, STEEL)
+    run.step(load=400.0, tangential_load=(60.0, 0.0))
+    run.save(tmp_path / "run.h5")
+    path = [{"load": 400.0, "tangential_load": (60.0, 0.0)}]
+    for _ in range(2):
+        (kept,) = simulation(BRASS, STEEL).run(path, progress=False, checkpoint=tmp_path / "kept")
+        assert np.array_equal(kept.slip, run.state.slip)
+    others = [copy.deepcopy(run), sc.Simulation.load(tmp_path / "run.h5")]
+    expected = run.step(load=400.0, shift=(-1e-6, 1e-7), twist=1e-5)
+    for other in others:
+        assert other.friction == LAW
+        state = other.step(load=400.0, shift=(-1e-6, 1e-7), twist=1e-5)
+        for name in ("pressure", "shear", "slip", "shift", "twist", "friction_work"):
+            assert np.array_equal(getattr(state, name), getattr(expected, name)), name
+
+
+def test_a_window_that_grows_keeps_shear_and_slip():
+    small = sc.Grid(16, 16, 36e-6, 36e-6, dz=36e-6)
+    grows = sc.Simulation(small, BALL, STEEL, lambda g: sc.surfaces.paraboloid(g, 7.5e-3), LAW)
+    wide = simulation()
+    for step in ({"load": 100.0, "tangential_load": (15.0, 0.0)}, {"load": 400.0}):
+        state, expected = grows.step(**step), wide.step(**step)
+    assert state.grid.nx > 16
+    margin = (state.grid.nx - GRID.nx) // 2
+    inner = slice(max(margin, 0), state.grid.nx - max(margin, 0))
+    outer = slice(max(-margin, 0), GRID.nx - max(-margin, 0))
+    np.testing.assert_allclose(
+        state.shear[:, inner, inner], expected.shear[:, outer, outer],
+        atol=2e-3 * abs(expected.shear).max(),
+    )  # fmt: skip
+
+
+def test_parts_of_an_increment_lead_to_its_end():
+    whole, parts = simulation(), simulation(increment_tol=1e-3)
+    divided = 1
+    for step in by_parts([(400.0, (0, 0)), (400.0, (70, 0)), (400.0, (-70, 0))], 1):
+        one, two = whole.step(**step), parts.step(**step)
+        divided = max(divided, two.substeps)
+    assert divided > 1
+    np.testing.assert_allclose(two.tangential_load, one.tangential_load, rtol=1e-6, atol=1e-6)
+    assert two.shift[0] == pytest.approx(one.shift[0], rel=0.1)
+    assert two.friction_work == pytest.approx(one.friction_work, rel=0.05)
+
+
+def test_rolling_over_a_rail_that_yields_comes_to_a_steady_force():
+    forces, creepage = [], 5e-4
+    for cells in (1, 2):
+        run, way = simulation(), -cells * GRID.dx
+        run.step(load=400.0)
+        for _ in range(24 // cells):
+            advance = (way * (1 + creepage / 2), way * (1 - creepage / 2))
+            before, state = run.state, run.step(load=400.0, advance=advance)
+        force = state.tangential_load
+        forces.append(force[0])
+        assert abs(force[1]) < 1e-6
+        assert abs(force[0] - before.tangential_load[0]) < 0.03 * cells * abs(force[0])
+        assert 0 < state.sticking.sum() < np.count_nonzero(state.pressure)
+        assert state.shift[0] == pytest.approx(24 * -GRID.dx * creepage)
+    assert -120 < min(forces)
+    assert max(forces) < -5
+    assert forces[1] == pytest.approx(forces[0], rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("friction", "step", "text"),
+    [
+        (0.3, {"load": 1.0, "shift": (0.0, 0.0)}, "shift must be left out"),
+        (LAW, {"load": 10.0, "tangential_load": (4.0, 0.0)}, "shorter than friction times"),
+        (LAW, {"load": 10.0, "shift": (1e-7, 0), "tangential_load": (1, None)}, "cannot both"),
+        (LAW, {"pressure": np.zeros(GRID.surface_shape)}, "shear must be given"),
+        (LAW, {"load": 10.0, "torque": 0.0, "advance": (36e-6, 36e-6)}, "torque must be left out"),
+        (LAW, {"load": 10.0, "heat_factor": 1.0}, "heat"),
+    ],
+)
+def test_what_cannot_be_is_refused(friction, step, text):
+    with pytest.raises(ValueError, match=text):
+        simulation(friction=friction).step(**step)
+
+
+def test_gross_sliding_resolves_no_slip():
+    state = simulation(friction=0.3).step(load=10.0)
+    assert state.tangential_load[0] == pytest.approx(3.0)
+    for name in ("slip", "sticking", "shift", "twist", "friction_work"):
+        with pytest.raises(ValueError, match=f"{name}|slip"):
+            getattr(state, name)
