@@ -95,7 +95,8 @@ class StickSlipSolution(ContactSolution):
     tangential_error : float
         Natural residual of stick and slip: by how much the shear changes when it is moved along its
         slip and cut at mu p, relative to the largest mu p, or to ten times the largest shear where
-        that is less [-]. With unlike bodies, the last change of the shear is added.
+        that is less [-]. With unlike bodies it is that for the final pressure, and `error` that of
+        the pressure for the final shear.
     energy_gap : float
         What friction could still turn over with these slips [J]: twice the elastic energy of the
         error of the shear is less. NaN where friction is infinite.

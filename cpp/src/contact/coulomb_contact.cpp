@@ -15,11 +15,12 @@ namespace {
 constexpr int most_sweeps = 100, most_steps = 100;
 /// Sweeps remembered: cells change sides between them, which makes the older ones useless.
 constexpr int anderson_depth = 4;
-/// What is solved within a sweep, of the last change; looser makes the changes oscillate. It gets
-/// tighter from sweep to sweep: one that does nothing because it may be loose tells nothing.
-constexpr double inner_share = 0.1, loosest = 1e-2, tighter = 0.1;
-/// Rigid motions below this share of the approach are none.
-constexpr double smallest_motion = 1e-9;
+/// What is solved within a sweep: of the error that the last one left, and in the first.
+constexpr double inner_share = 0.1, loosest = 1e-2;
+/// Of the tolerance: the last sweep stays within it.
+constexpr double safety = 0.5;
+/// A shear of this share of its bound is on it.
+constexpr double on_circle = 1 - 1e-9;
 /// A force this close to the largest has no definite motion.
 constexpr double least_margin = 1e-8;
 
@@ -70,17 +71,6 @@ void require_held(const Grid& grid, const TangentialDrive& drive, const Field& p
           "smaller than " + to_text(most.torque) + " N m" + beyond + "twist) instead", torque);
 }
 
-/// Relative to what the natural residual is: the largest bound, or ten times the shear where that
-/// is much less, as long as it is more than rounding.
-double change_of(const Field& from, const Field& to, double largest_pressure, double friction) {
-  Field difference = to;
-  add_scaled(-1.0, from, difference);
-  const double shear = 10 * std::max(longest(to), longest(from));
-  const double scale = std::max(std::min(friction * largest_pressure, shear),
-                                smallest_share * std::min(friction, 1.0) * largest_pressure);
-  return scale > 0 ? longest(difference) / scale : 0.0;
-}
-
 }  // namespace
 
 CoulombContact::CoulombContact(const Grid& grid, const operators::SharedMedium& body1,
@@ -106,39 +96,46 @@ class CoulombContact::Sweeps {
         before_(before),
         settings_(settings),
         n_(gap.size()),
-        size_(0.5 *
-              std::hypot(contact.grid_.nx * contact.grid_.dx, contact.grid_.ny * contact.grid_.dy)),
-        raised_(n_, 0.0),
-        gap_before_(before.gap),
-        motion_(3, 0.0) {
-    for (int k = 0; k < 3; ++k) {
-      if (!tangential[k].is_force()) motion_[k] = tangential[k].value * (k == 2 ? size_ : 1.0);
-    }
-    if (contact_.is_coupled() && !before.pressure.empty()) {
-      slid_before_.resize(2 * n_);
-      contact_.coupling_.tangential(before.pressure.data(), slid_before_.data(), work_);
-    }
+        gap_before_(before.gap) {
+    if (!contact_.is_coupled()) return;
+    raised_.resize(n_, 0.0);
+    if (before.pressure.empty()) return;
+    slid_before_.resize(2 * n_);
+    contact_.coupling_.tangential(before.pressure.data(), slid_before_.data(), work_);
+    raise(before.shear, raised_);
   }
 
+  /// Bodies that act on each other do so through raised_, which is iterated until it is what the
+  /// shear raises.
   CoulombSolution run(Field pressure, const CoulombStart& start) {
-    Field shear = start.shear.empty() ? before_.shear : start.shear;
+    s_.tangential.shear = start.shear;
+    s_.tangential.sticking = start.sticking;
     s_.tangential.motion = start.motion;
-    if (!contact_.is_coupled()) {
-      press(std::move(pressure), settings_.tol);
-      slide(shear, settings_.tol);
-      s_.normal.converged = s_.normal.converged && s_.tangential.converged;
-      return std::move(s_);
+    if (contact_.is_coupled() && !start.shear.empty()) raise(start.shear, raised_);
+    const bool coupled = contact_.is_coupled();
+    const double full = settings_.tol;
+    Anderson anderson(anderson_depth);
+    double tol = coupled ? std::max(loosest, safety * full) : full;
+    for (;; ++s_.sweeps) {
+      press(std::move(pressure), tol);
+      if (!s_.normal.converged) return std::move(s_);
+      slide(tol);
+      const Field change = coupled ? lift_gap() : Field{};
+      s_.normal.converged = std::max(s_.normal.error, s_.tangential.error) <= full;
+      if (s_.normal.converged || !coupled) break;
+      if (!s_.tangential.converged || s_.sweeps >= most_sweeps) break;
+      tol = std::max(inner_share * s_.normal.error, safety * full);
+      anderson.next(raised_, change);
+      pressure = s_.normal.tractions.pressure;
     }
-    shear.resize(2 * n_, 0.0);
-    iterate(std::move(pressure), std::move(shear));
     return std::move(s_);
   }
 
  private:
-  /// Pressure under the shear that raised_ belongs to.
+  /// Pressure under what shear raises.
   void press(Field pressure, double tol) {
     Field gap = gap_;
-    for (std::size_t i = 0; i < n_; ++i) gap[i] += raised_[i];
+    if (!raised_.empty()) add_scaled(1.0, raised_, gap);
     const Solution before = std::move(s_.normal);
     s_.normal =
         contact_.normal_.solve(gap, normal_, std::move(pressure), tol, settings_.max_iterations);
@@ -148,41 +145,31 @@ class CoulombContact::Sweeps {
     require_held(contact_.grid_, tangential_, s_.normal.tractions.pressure, contact_.friction_);
   }
 
-  /// Shear under the present pressure, starting from one.
-  void slide(const Field& start, double tol) {
+  /// Shear under the present pressure.
+  void slide(double tol) {
+    const Field& p = s_.normal.tractions.pressure;
     Field free_slip = before_.free_slip;
     if (contact_.is_coupled()) {
       Field slid(2 * n_);
-      contact_.coupling_.tangential(s_.normal.tractions.pressure.data(), slid.data(), work_);
+      contact_.coupling_.tangential(p.data(), slid.data(), work_);
       free_slip.resize(2 * n_, 0.0);
       for (std::size_t i = 0; i < 2 * n_; ++i) {
         free_slip[i] += (slid_before_.empty() ? 0.0 : slid_before_[i]) - slid[i];
       }
     }
-    const Field shares = shares_before_touch();
-    if (shares.empty()) return solve_shear(free_slip, start, tol);
-    free_slip.resize(2 * n_, 0.0);
-    Anderson anderson(anderson_depth);
-    for (int n = 0;; ++n) {
-      solve_shear(without_motion(free_slip, shares), n == 0 ? start : Field(s_.tangential.shear),
-                  tol);
-      Field residual(3);
-      const double change = motion_residual(residual);
-      if (change <= tol) return;
-      if (n == most_sweeps) {
-        s_.tangential.error = std::max(s_.tangential.error, change);
-        s_.tangential.converged = false;
-        return;
-      }
-      anderson.next(motion_, residual);
-    }
-  }
-
-  void solve_shear(const Field& free_slip, const Field& start, double tol) {
-    const Field& p = s_.normal.tractions.pressure;
+    const Field touching = in_touch();
+    const bool first = s_.tangential.shear.empty();
+    const Field start = first ? shear_before() : std::move(s_.tangential.shear);
+    const std::vector<unsigned char> sticking = std::move(s_.tangential.sticking);
     const ShearSolution before = std::move(s_.tangential);
-    const ShearTask task{p,         contact_.friction_, before_.shear,
-                         free_slip, tangential_,        &slid_by_shear_};
+    const ShearTask task{p,
+                         contact_.friction_,
+                         before_.shear,
+                         free_slip,
+                         tangential_,
+                         &slid_by_shear_,
+                         touching.empty() ? nullptr : &touching,
+                         first ? nullptr : &sticking};
     s_.tangential = contact_.shear_.solve(task, start, before.motion, tol, most_steps);
     s_.tangential.steps += before.steps;
     s_.tangential.iterations += before.iterations;
@@ -191,11 +178,26 @@ class CoulombContact::Sweeps {
     s_.tangential.work += before.work;
   }
 
-  /// Of each cell that touches for the first time, the share of the increment before it does: rigid
-  /// bodies that approach steadily close its gap then, and the elastic displacement changes what
-  /// they slip and what they close in the same proportion. Empty where there is none, and before
-  /// the first contact: it is pressed, then sheared.
-  Field shares_before_touch() {
+  /// That of the history, where it slipped with the bound of now; empty: none.
+  Field shear_before() const {
+    if (before_.pressure.empty() || !(longest(before_.shear) > 0)) return {};
+    Field shear = before_.shear;
+    const double mu = contact_.friction_;
+    for (std::size_t i = 0; i < n_ && !std::isinf(mu); ++i) {
+      const double bound = mu * before_.pressure[i];
+      if (!(bound > 0) || std::hypot(shear[i], shear[n_ + i]) < bound * on_circle) continue;
+      const double grown = s_.normal.tractions.pressure[i] / before_.pressure[i];
+      shear[i] *= grown;
+      shear[n_ + i] *= grown;
+    }
+    return shear;
+  }
+
+  /// Of each cell that touches for the first time, the share of the increment from when it does:
+  /// rigid bodies that approach steadily close its gap until then, and the elastic displacement
+  /// changes what they slip and what they close in the same proportion. Empty where there is none,
+  /// and before the first contact: it is pressed, then sheared.
+  Field in_touch() {
     Field shares;
     const double closer = s_.normal.motion.approach - before_.approach;
     if (before_.pressure.empty() || !(closer > 0)) return shares;
@@ -203,8 +205,8 @@ class CoulombContact::Sweeps {
     for (std::size_t i = 0; i < n_; ++i) {
       if (!(s_.normal.tractions.pressure[i] > 0) || before_.pressure[i] > 0) continue;
       if (!(gap_before_[i] > 0)) continue;
-      if (shares.empty()) shares.assign(n_, 0.0);
-      shares[i] = std::min(gap_before_[i] / closer, 1.0);
+      if (shares.empty()) shares.assign(n_, 1.0);
+      shares[i] = std::max(1 - gap_before_[i] / closer, 0.0);
     }
     return shares;
   }
@@ -220,69 +222,29 @@ class CoulombContact::Sweeps {
     return gap;
   }
 
-  /// Free slip less that of the rigid motion before cells touch.
-  Field without_motion(Field free_slip, const Field& shares) const {
-    const Grid& grid = contact_.grid_;
-    const std::vector<double> x = grid.x(), y = grid.y();
-    for (std::size_t at = 0; at < n_; ++at) {
-      free_slip[at] -= shares[at] * (motion_[0] - motion_[2] / size_ * y[at % grid.ny]);
-      free_slip[n_ + at] -= shares[at] * (motion_[1] + motion_[2] / size_ * x[at / grid.ny]);
-    }
-    return free_slip;
+  void raise(const Field& shear, Field& raised) {
+    contact_.coupling_.normal(shear.data(), raised.data(), work_);
   }
 
-  /// What the motion is now less what it was taken for, and its share.
-  double motion_residual(Field& residual) const {
-    double largest = smallest_motion * std::fabs(s_.normal.motion.approach), change = 0.0;
-    for (int k = 0; k < 3; ++k) {
-      const double now = s_.tangential.motion[k] * (k == 2 ? size_ : 1.0);
-      residual[k] = now - motion_[k];
-      largest = std::max(largest, std::fabs(now));
-      change = std::max(change, std::fabs(residual[k]));
+  /// Gap and error of the pressure under the shear found; returns by how much that raises the
+  /// surfaces beyond raised_.
+  Field lift_gap() {
+    Solution& s = s_.normal;
+    const Field& p = s.tractions.pressure;
+    Field change(n_), displacement(n_);
+    raise(s_.tangential.shear, change);
+    add_scaled(-1.0, raised_, change);
+    for (std::size_t i = 0; i < n_; ++i) {
+      displacement[i] = s.gap[i] - gap_[i] - raised_[i] + s.motion.approach;
     }
-    return largest > 0 ? change / largest : 0.0;
-  }
-
-  void raise(const Field& shear) { contact_.coupling_.normal(shear.data(), raised_.data(), work_); }
-
-  void iterate(Field pressure, Field shear) {
-    Anderson anderson(anderson_depth);
-    // The residuals of two sweeps make a change even where nothing changes any more.
-    const double full = settings_.tol,
-                 tightest = std::clamp(1e-2 * full, std::min(full, 1e-12), full);
-    double change = 1.0, tol = loosest;
-    bool warm = longest(shear) > 0;
-    raise(shear);
-    for (s_.sweeps = 1;; ++s_.sweeps) {
-      if (s_.sweeps > 1) tol = std::max(std::min(inner_share * change, tighter * tol), tightest);
-      press(std::move(pressure), std::max(0.3 * tol, 1e-13));
-      if (!s_.normal.converged) return;
-      slide(warm ? shear : Field{}, tol);
-      warm = true;
-      const Field& p = s_.normal.tractions.pressure;
-      change = change_of(shear, s_.tangential.shear, *std::max_element(p.begin(), p.end()),
-                         contact_.friction_);
-      s_.normal.converged = change <= full && tol <= full && s_.tangential.converged;
-      if (s_.normal.converged || s_.sweeps >= most_sweeps) break;
-      Field residual = s_.tangential.shear;
-      add_scaled(-1.0, shear, residual);
-      anderson.next(shear, residual);
-      raise(shear);
-      pressure = p;
+    add_scaled(1.0, change, s.gap);
+    if (normal_.is_force()) {
+      const double closer = contact_mean(p, s.gap);
+      for (double& g : s.gap) g -= closer;
+      s.motion.approach += closer;
     }
-    s_.tangential.error += change;
-    settle();
-  }
-
-  /// The gap under the shear found, not that of the sweep before.
-  void settle() {
-    const Field before = raised_;
-    raise(s_.tangential.shear);
-    for (std::size_t i = 0; i < n_; ++i) s_.normal.gap[i] += raised_[i] - before[i];
-    if (!normal_.is_force()) return;
-    const double closer = contact_mean(s_.normal.tractions.pressure, s_.normal.gap);
-    for (double& g : s_.normal.gap) g -= closer;
-    s_.normal.motion.approach += closer;
+    s.error = complementarity_error(p, displacement, s.gap);
+    return change;
   }
 
   const CoulombContact& contact_;
@@ -292,11 +254,9 @@ class CoulombContact::Sweeps {
   const ContactHistory& before_;
   const ContactSettings& settings_;
   const std::size_t n_;
-  const double size_;  // a turn times it is a length
-  Field raised_;       // B s of the present shear
+  Field raised_;       // B s, as it is taken to be; empty where it is zero
   Field gap_before_;   // empty: not known
   Field slid_before_;  // B' p of the history
-  Field motion_;       // x, y and turn that cells which touch are taken to make [m]
   SlidBefore slid_by_shear_;
   ComplexField work_;
   CoulombSolution s_;

@@ -30,7 +30,7 @@ struct Trial {
 
 Trial trial_of(const ShearProblem& problem, const Field& v, const Vector& c) {
   Trial trial{v, Vector(c.size())};
-  for (int k = 0; k < c.size(); ++k) add_scaled(c[k], problem.modes[k].direction, trial.shear);
+  for (int k = 0; k < c.size(); ++k) add_motion(problem, k, c[k], trial.shear);
   cut_to_bound(problem.bound, trial.shear);
   for (int k = 0; k < c.size(); ++k) {
     trial.missing[k] = problem.modes[k].target - dot(problem.modes[k].direction, trial.shear);
@@ -43,12 +43,14 @@ Eigen::MatrixXd stiffness_of(const ShearProblem& problem, const Field& v, const 
   const int count = static_cast<int>(c.size());
   const std::size_t m = problem.size();
   Field raw = v;
-  for (int k = 0; k < count; ++k) add_scaled(c[k], problem.modes[k].direction, raw);
+  for (int k = 0; k < count; ++k) add_motion(problem, k, c[k], raw);
+  std::vector<Field> moved(count, Field(2 * m, 0.0));
+  for (int k = 0; k < count; ++k) add_motion(problem, k, 1.0, moved[k]);
   Eigen::MatrixXd matrix(count, count);
   for (int k = 0; k < count; ++k) {
-    for (int l = 0; l <= k; ++l) {
-      const Field &a = problem.modes[k].direction, &b = problem.modes[l].direction;
-      matrix(k, l) = matrix(l, k) = ordered_sum(m, [&](std::size_t i) {
+    for (int l = 0; l < count; ++l) {
+      const Field &a = problem.modes[k].direction, &b = moved[l];
+      matrix(k, l) = ordered_sum(m, [&](std::size_t i) {
         const double x = raw[i], y = raw[m + i], length = std::hypot(x, y);
         const double product = a[i] * b[i] + a[m + i] * b[m + i];
         if (!(length > problem.bound[i])) return product;
@@ -99,7 +101,7 @@ bool project(const ShearProblem& problem, Field& v, std::vector<double>& multipl
     return sum;
   };
   for (int n = 0; n < most_projection_steps && scaled(trial.missing) > projection_tol; ++n) {
-    const Vector step = stiffness_of(problem, v, c).ldlt().solve(trial.missing);
+    const Vector step = stiffness_of(problem, v, c).fullPivLu().solve(trial.missing);
     double length = 1.0;
     Trial next = trial_of(problem, v, c + step);
     while (scaled(next.missing) > (1 - 0.1 * length) * scaled(trial.missing) && length > 1e-3) {
@@ -145,7 +147,7 @@ void projected_gradient(const ShearProblem& problem, ShearApplier& operators, do
     for (std::size_t i = 0; i < 2 * m; ++i) result.slip[i] = problem.free_slip[i] - u[i];
     for (std::size_t k = 0; k < multipliers.size(); ++k) {
       result.motion[k] = multipliers[k] / step;
-      add_scaled(result.motion[k], problem.modes[k].direction, result.slip);
+      add_motion(problem, k, result.motion[k], result.slip);
     }
     if (natural_residual(problem, result.shear, result.slip) < tol) return;
   }

@@ -64,6 +64,21 @@ void add_scaled(double factor, const Field& x, Field& y) {
   for (std::ptrdiff_t i = 0; i < n; ++i) y[i] += factor * x[i];
 }
 
+void keep_in_touch(const ShearProblem& problem, Field& slip) {
+  const std::size_t m = problem.in_touch.size();
+  for (std::size_t i = 0; i < m; ++i) {
+    slip[i] *= problem.in_touch[i];
+    slip[m + i] *= problem.in_touch[i];
+  }
+}
+
+void add_motion(const ShearProblem& problem, std::size_t mode, double motion, Field& slip) {
+  if (problem.in_touch.empty()) return add_scaled(motion, problem.modes[mode].direction, slip);
+  Field moved = problem.modes[mode].direction;
+  keep_in_touch(problem, moved);
+  add_scaled(motion, moved, slip);
+}
+
 void cut_to_bound(const Field& bound, Field& v) {
   const std::size_t m = bound.size();
   for (std::size_t i = 0; i < m; ++i) {

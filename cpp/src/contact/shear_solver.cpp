@@ -23,7 +23,8 @@ constexpr int coarse_steps = 30;
 /// Field over all cells of a box, and vectors [2][i][j] there.
 struct BoxTask {
   Field pressure, free_slip;
-  double x0, y0;  // of the first cell
+  Field in_touch;  // empty: 1
+  double x0, y0;   // of the first cell
 };
 
 struct BoxStart {
@@ -140,6 +141,7 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction
     problem.free_slip[c] = task.free_slip[at];
     problem.free_slip[m + c] = task.free_slip[problem.box_size + at];
     directions[0][c] = directions[1][m + c] = 1.0;
+    if (!task.in_touch.empty()) problem.in_touch.push_back(task.in_touch[at]);
     const std::size_t i = at / box_.ny, j = at % box_.ny;
     directions[2][c] = -(task.y0 + static_cast<double>(j) * box_.dy);
     directions[2][m + c] = task.x0 + static_cast<double>(i) * box_.dx;
@@ -148,6 +150,7 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction
     if (drive[k].is_force()) {
       problem.modes.push_back({std::move(directions[k]), drive[k].value / box_.cell_area()});
     } else {
+      keep_in_touch(problem, directions[k]);
       add_scaled(drive[k].value, directions[k], problem.free_slip);
     }
   }
@@ -161,6 +164,7 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, double friction,
                                           double& operations) const {
   const auto coarsen = [&](const Field& field) { return coarsened(box_, field); };
   const BoxTask coarse{coarsen(task.pressure), by_component(task.free_slip, coarsen),
+                       task.in_touch.empty() ? Field{} : coarsen(task.in_touch),
                        task.x0 + 0.5 * box_.dx, task.y0 + 0.5 * box_.dy};
   Answer answer =
       coarser_->solve(coarse, friction, drive, {}, std::max(coarse_tol, tol), coarse_steps);
@@ -297,7 +301,8 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   const Box box = box_of(grid_, task.pressure, task.previous_shear);
   const auto level_of_box = level(box);
   const auto boxed = [&](const Field& field) { return over(grid_, box, field); };
-  BoxTask part{boxed(task.pressure), Field(2 * box.surface_size(), 0.0), grid_.x()[box.i0],
+  BoxTask part{boxed(task.pressure), Field(2 * box.surface_size(), 0.0),
+               task.in_touch != nullptr ? boxed(*task.in_touch) : Field{}, grid_.x()[box.i0],
                grid_.y()[box.j0]};
   if (!task.free_slip.empty()) part.free_slip = by_component(task.free_slip, boxed);
   SlidBefore own;
@@ -313,6 +318,11 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   if (!slid.displacement.empty()) add_scaled(1.0, slid.displacement, part.free_slip);
   BoxStart start;
   if (!shear.empty()) start.shear = by_component(shear, boxed);
+  if (!shear.empty() && task.sticking != nullptr) {
+    for (const double sticks : boxed({task.sticking->begin(), task.sticking->end()})) {
+      start.slipping.push_back(sticks == 0);
+    }
+  }
   for (int k = 0; k < 3 && !shear.empty(); ++k) {
     if (task.drive[k].is_force()) start.motion.push_back(motion[k]);
   }

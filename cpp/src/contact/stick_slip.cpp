@@ -113,7 +113,7 @@ class StickSlip {
     add_scaled(-1.0, u_, w);
     for (int k = 0; k < modes_; ++k) {
       const double motion = missing(k) / dot(direction(k), direction(k)) / problem_.stiffness;
-      add_scaled(motion, direction(k), w);
+      add_motion(problem_, k, motion, w);
     }
     std::ptrdiff_t back = 0;
     for (std::size_t i = 0; i < m_; ++i) {
@@ -204,14 +204,17 @@ class StickSlip {
     add_scaled(-1.0, u_, r_.slip);
     take_normals();
     if (modes_ > 0) {
-      Projected set = projected([&](Field& v) { project_free(v); });
+      const Projected set = projected([&](Field& v) {
+        keep_in_touch(problem_, v);
+        project_free(v);
+      });
       if (decides(set, decisive)) {
         Eigen::VectorXd residual(modes_);
         for (int k = 0; k < modes_; ++k) residual[k] = -dot(set.directions[k], r_.slip);
         const Eigen::VectorXd motion = set.products.ldlt().solve(residual);
         for (int k = 0; k < modes_; ++k) r_.motion[k] = motion[k];
       }
-      for (int k = 0; k < modes_; ++k) add_scaled(r_.motion[k], direction(k), r_.slip);
+      for (int k = 0; k < modes_; ++k) add_motion(problem_, k, r_.motion[k], r_.slip);
     }
     r_.error = natural_residual(problem_, r_.shear, r_.slip);
   }
@@ -364,14 +367,15 @@ void StickSlip::fall_back(double tol) {
   meet_forces();
 }
 
-/// Which cells slip is judged by the slip: one on its bound may be a rounding inside.
+/// Which cells slip is judged by the slip: one on its bound may be a rounding inside, and none
+/// slips against its shear.
 void StickSlip::finish() {
   const double inside = 1 - std::max(1e-6, 10 * r_.error), rho = problem_.stiffness;
   for (std::size_t i = 0; i < m_; ++i) {
     const double bound = problem_.bound[i];
     r_.slipping[i] = std::hypot(r_.shear[i] + rho * r_.slip[i],
                                 r_.shear[m_ + i] + rho * r_.slip[m_ + i]) > bound * on_circle &&
-                     length(i) > bound * inside;
+                     length(i) > bound * inside && outward(i) >= 0;
   }
   r_.energy_gap = energy_gap(problem_, r_.shear, r_.slip);
 }

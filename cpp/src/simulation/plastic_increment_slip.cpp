@@ -97,7 +97,8 @@ bool PlasticIncrement::rests() const {
 
 contact::Solution PlasticIncrement::stick_and_slip(const Field& gap,
                                                    const contact::ContactSettings& settings) {
-  const contact::CoulombStart start{tractions_.pressure, shear_vectors(tractions_), shear_.motion};
+  const contact::CoulombStart start{tractions_.pressure, shear_.shear, shear_.sticking,
+                                    shear_.motion};
   contact::CoulombSolution found = scene_.coulomb->solve(
       gap, target_.drive.normal, tangential_drive(), before_, start, settings);
   shear_ = std::move(found.tangential);

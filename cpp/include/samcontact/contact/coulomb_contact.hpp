@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/contact/shear_solver.hpp"
@@ -30,8 +31,10 @@ struct ContactHistory {
 
 /// What the iteration begins with; empty: what the increment before has left.
 struct CoulombStart {
-  Field pressure = {};                // [i][j] [Pa]
-  Field shear = {};                   // [2][i][j] [Pa]
+  Field pressure = {};  // [i][j] [Pa]
+  Field shear = {};     // [2][i][j] [Pa]
+  /// [i][j], which cells stick with it.
+  std::vector<unsigned char> sticking = {};
   std::array<double, 3> motion = {};  // where forces are given [m, m, rad]
 };
 

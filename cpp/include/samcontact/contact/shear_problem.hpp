@@ -19,7 +19,7 @@ constexpr double smallest_share = 1e-12;
 ///   min 1/2 s'C s - s'b   over |s_i| <= bound_i,  direction_k's = target_k
 ///
 /// The slip w = b + sum of motion_k direction_k - C s is minus the gradient, and the motions are
-/// the multipliers of the forces.
+/// the multipliers of the forces; but for cells that touch late.
 struct ShearProblem {
   /// A rigid motion whose force is given.
   struct Mode {
@@ -33,6 +33,8 @@ struct ShearProblem {
   Field bound;                     // mu p > 0 [Pa], may be infinite
   Field free_slip;                 // b [m]
   std::vector<Mode> modes;
+  /// Share of the increment that each cell touches: it slips that share of the motions; empty: 1.
+  Field in_touch;
   /// A slip of one scale of the contact times this is its scale of shear [Pa/m].
   double stiffness = 0.0;
   /// Shear below this is none [Pa].
@@ -75,6 +77,10 @@ double dot(const Field& a, const Field& b);
 double longest(const Field& v);
 /// y += factor x.
 void add_scaled(double factor, const Field& x, Field& y);
+/// Leaves of the slip by a rigid motion what cells do in touch.
+void keep_in_touch(const ShearProblem& problem, Field& slip);
+/// Adds a motion of a mode to the slip of the cells.
+void add_motion(const ShearProblem& problem, std::size_t mode, double motion, Field& slip);
 /// Shortens each vector that is longer than its bound.
 void cut_to_bound(const Field& bound, Field& v);
 
