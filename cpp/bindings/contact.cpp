@@ -81,12 +81,12 @@ py::dict stick_and_slip(const contact::CoulombContact& contact, const Array& gap
                         double value, const std::array<bool, 3>& is_force,
                         const std::array<double, 3>& tangential, const py::object& pressure,
                         const py::object& shear, const py::object& gap_before,
-                        double approach_before, const py::object& initial_pressure, double tol,
-                        int max_iterations, bool error_on_border) {
+                        double approach_before, bool has_moved, const py::object& initial_pressure,
+                        double tol, int max_iterations, bool error_on_border) {
   const Field h = to_field(gap);
   const contact::CoulombStart start{.pressure = to_field_or_empty(initial_pressure)};
   const contact::ContactHistory before{to_field_or_empty(pressure), to_field_or_empty(shear),
-                                       to_field_or_empty(gap_before), approach_before};
+                                       to_field_or_empty(gap_before), approach_before, has_moved};
   const contact::ContactSettings settings{
       tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
   const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
@@ -95,6 +95,22 @@ py::dict stick_and_slip(const contact::CoulombContact& contact, const Array& gap
     const py::gil_scoped_release release;
     solution = contact.solve(h, normal, contact::tangential_drive(is_force, tangential), before,
                              start, settings);
+  }
+  return to_python(std::move(solution), contact.grid());
+}
+
+py::dict roll(const contact::CoulombContact& contact, const Array& gap, bool load_driven,
+              double value, const std::array<double, 3>& creepage, const py::object& pressure,
+              const py::object& shear, double tol, int max_iterations, bool error_on_border) {
+  const Field h = to_field(gap);
+  const contact::ContactHistory start{to_field_or_empty(pressure), to_field_or_empty(shear), {}};
+  const contact::ContactSettings settings{
+      tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
+  const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
+  contact::CoulombSolution solution;
+  {
+    const py::gil_scoped_release release;
+    solution = contact.roll(h, normal, creepage, start, settings);
   }
   return to_python(std::move(solution), contact.grid());
 }
@@ -123,6 +139,7 @@ void bind_contact(py::module_& m) {
            py::arg("error_on_border"))
       .def("shear", &shear, py::arg("pressure"));
 
+  m.attr("spin_lead") = contact::spin_lead;
   py::class_<contact::CoulombContact>(m, "CoulombContact")
       .def(py::init(
                [](const Grid& grid, const Elastic& body1, const Elastic& body2, double friction) {
@@ -134,8 +151,11 @@ void bind_contact(py::module_& m) {
       .def("solve", &stick_and_slip, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
            py::arg("is_force"), py::arg("tangential"), py::arg("previous_pressure"),
            py::arg("previous_shear"), py::arg("previous_gap"), py::arg("previous_approach"),
-           py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
-           py::arg("error_on_border"));
+           py::arg("has_moved"), py::arg("initial_pressure"), py::arg("tol"),
+           py::arg("max_iterations"), py::arg("error_on_border"))
+      .def("roll", &roll, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
+           py::arg("creepage"), py::arg("initial_pressure"), py::arg("initial_shear"),
+           py::arg("tol"), py::arg("max_iterations"), py::arg("error_on_border"));
 }
 
 }  // namespace samcontact::bindings

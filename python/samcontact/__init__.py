@@ -21,6 +21,7 @@ from . import (
     measured,
     operators,
     paths,
+    rolling,
     softening,
     surfaces,
     units,
@@ -42,7 +43,7 @@ from .relief import Relief
 from .resolution import ElasticStrainWarning, ResolutionWarning
 from .runs.file import CheckpointError
 from .simulation import Simulation
-from .solution import ContactSolution, StickSlipSolution
+from .solution import ContactSolution, RollingSolution, StickSlipSolution
 from .state import State
 from .sweeps import SweepInterrupted, sweep
 from .track import Track
@@ -67,6 +68,7 @@ __all__ = [
     "PlasticStrainWarning",
     "Relief",
     "ResolutionWarning",
+    "RollingSolution",
     "Simulation",
     "State",
     "StickSlipSolution",
@@ -90,6 +92,7 @@ __all__ = [
     "measured",
     "operators",
     "paths",
+    "rolling",
     "softening",
     "surfaces",
     "sweep",

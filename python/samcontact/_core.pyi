@@ -115,6 +115,8 @@ class ContactSolver:
     ) -> dict[str, Any]: ...  # fields of ContactSolution (operator_applications, work, ...)
     def shear(self, pressure: FloatArray) -> FloatArray | None: ...
 
+spin_lead: float
+
 class CoulombContact:
     def __init__(self, grid: Grid, body1: Elastic, body2: Elastic, friction: float) -> None: ...
     @property
@@ -130,11 +132,24 @@ class CoulombContact:
         previous_shear: FloatArray | None,
         previous_gap: FloatArray | None,
         previous_approach: float,
+        has_moved: bool,
         initial_pressure: FloatArray | None,
         tol: float,
         max_iterations: int,
         error_on_border: bool,
     ) -> dict[str, Any]: ...  # fields of StickSlipSolution, without totals
+    def roll(
+        self,
+        gap: FloatArray,
+        load_driven: bool,
+        value: float,
+        creepage: tuple[float, float, float],
+        initial_pressure: FloatArray | None,
+        initial_shear: FloatArray | None,
+        tol: float,
+        max_iterations: int,
+        error_on_border: bool,
+    ) -> dict[str, Any]: ...  # the same, per way rolled
 
 class State:
     def __getattr__(self, name: str) -> Any: ...  # one of its content; None: there is none

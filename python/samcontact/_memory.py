@@ -20,8 +20,8 @@ GIVING: list[Callable[[], bool]] = []
 _SMALL = 64e6  # below this nobody needs to ask
 CONTACT, COUPLED_CONTACT, HEATED_CONTACT = 95.0, 180.0, 205.0
 """Of a surface cell of an elastic contact: smooth; with shear that displaces; heated."""
-STICK_SLIP = 650.0
-"""Of a surface cell of an elastic contact that sticks and slips all over."""
+STICK_SLIP, ROLLING = 650.0, 1700.0
+"""Of a surface cell of an elastic contact that sticks and slips all over; that rolls steadily."""
 SIMULATION, YIELD_SCAN = 145.0, 450.0
 """Of a surface cell: of increments; and of finding where a body yields first."""
 SURFACE = 48.0

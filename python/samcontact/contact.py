@@ -16,12 +16,12 @@ from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
 from ._settings import Configured, ContactSettings
 from ._window import GROWS, Surfaces, Window, counts_for, require_continued, told_in
-from .friction import Coulomb, Tangential, require_cold, tangential_drive
+from .friction import Coulomb, Drive, Pressing, require_cold, tangential_drive
 from .grid import Grid
 from .heat import Heat
 from .material import Material
 from .operators import depths_of, shear_components
-from .solution import ContactSolution, StickSlipSolution, fits
+from .solution import ContactSolution, ShearedSolution, fits
 
 
 class GridTooSmallWarning(UserWarning):
@@ -121,7 +121,8 @@ class ContactSolver(Configured):
         tangential_load: Sequence[float | None] | None = None,
         twist: float | None = None,
         torque: float | None = None,
-        previous: StickSlipSolution | None = None,
+        previous: ShearedSolution | None = None,
+        advance: Sequence[float] = (0.0, 0.0),
         initial_pressure: ArrayLike | None = None,
     ) -> ContactSolution:
         """Solve for a load or an approach; with `Coulomb`, one increment of a history.
@@ -147,10 +148,14 @@ class ContactSolver(Configured):
             [rad]; or
         torque : float, optional
             the moment on body 2 at its end [N m]; without both the turn is held.
-        previous : StickSlipSolution, optional
+        previous : StickSlipSolution or RollingSolution, optional
             With `Coulomb`: the end of the increment before, from which load and shear go on
             together. Without it the bodies are pressed first, then sheared; the solution for
             load=0 is the start of a path on which both begin together.
+        advance : pair of float, optional
+            With `Coulomb` and `previous`: ways s_1, s_2 of both surfaces towards +x through the
+            contact [m]: it rolls towards +x by -(s_1 + s_2)/2, a whole number of cells. s_1 - s_2,
+            at most a cell, adds to the shift along x (none where a force is given there).
         initial_pressure : array_like, shape (nx, ny), optional
             Start of the iteration [Pa]; a good one, such as the solution for a similar gap or load,
             saves the coarser grids and most steps; where one leads nowhere, there is another try
@@ -182,23 +187,34 @@ class ContactSolver(Configured):
         GridTooSmallWarning
             With on_border="warn", where there would be a GridTooSmallError.
         """
+        drive = tangential_drive(
+            self.friction, shift, tangential_load, twist, torque, previous, advance, self.grid
+        )
+        return self._driven(gap, load, approach, drive, initial_pressure)
+
+    def _driven(  # warnings name the caller's caller
+        self,
+        gap: ArrayLike | Callable[[Grid], ArrayLike],
+        load: float | None,
+        approach: float | None,
+        drive: Drive,
+        initial_pressure: ArrayLike | None = None,
+    ) -> ContactSolution:
         driver = exactly_one(load=load, approach=approach)
         value = number(driver, load if approach is None else approach)
         if driver == "approach":
             require_reference(self.heat)
-        drive = tangential_drive(self.friction, shift, tangential_load, twist, torque, previous)
         start = None
         if initial_pressure is not None:
             start = finite_array("initial_pressure", initial_pressure, self.grid.surface_shape)
             # numbers that mean nothing beside any load would divide by zero
             start = np.where(start > 1e-75, start, 0.0)
         surfaces, solver = Surfaces(gap), self
-        if callable(gap) and previous is not None and not fits(previous, self.grid):
-            solver = self._over(previous.grid.surface_shape)
+        if callable(gap) and drive.previous is not None and not fits(drive.previous, self.grid):
+            solver = self._over(drive.previous.grid.surface_shape)
         window, bodies = surfaces.over(solver.grid), (self.body1, self.body2)
         scene = _expected.Scene(window.grid, window.initial_gap, bodies)
-        target = {"load": load, "approach": approach}
-        doubted = scene.doubted(self.heat, target, stacklevel=2)
+        doubted = scene.doubted(self.heat, {"load": load, "approach": approach}, stacklevel=3)
         while True:
             try:
                 with scene.beside(load=load, approach=approach):
@@ -217,10 +233,10 @@ class ContactSolver(Configured):
                 scene = _expected.Scene(window.grid, window.initial_gap, bodies)
                 start = None
         if complaint:
-            warnings.warn(complaint, GridTooSmallWarning, stacklevel=2)
+            warnings.warn(complaint, GridTooSmallWarning, stacklevel=3)
         if doubted is None or not doubted.of_contact:
-            resolution.warn_of_contact(solution, scene, stacklevel=2)
-        resolution.warn_of_strain(solution.pressure, scene, stacklevel=2)
+            resolution.warn_of_contact(solution, scene, stacklevel=3)
+        resolution.warn_of_strain(solution.pressure, scene, stacklevel=3)
         return solution
 
     def _over(self, counts: Sequence[int]) -> ContactSolver:
@@ -235,36 +251,26 @@ class ContactSolver(Configured):
         window: Window,
         driver: str,
         value: float,
-        drive: Tangential,
+        drive: Drive,
     ) -> tuple[ContactSolution, str]:
-        """As `_solved`, without a start that leads nowhere."""
-        given = window.initial_gap, driver == "load", value, drive
+        """The solution and what is to be said of the border, without a start that leads nowhere."""
+        contact = window.initial_gap, driver == "load", value
         try:
-            return self._solved(*given, start)
+            return self._solved(contact, drive, start)
         except _core.ConvergenceError:
             if start is None:
                 raise
-            return self._solved(*given, None)
+            return self._solved(contact, drive, None)
 
     def _solved(
-        self,
-        gap: FloatArray,
-        is_load: bool,
-        value: float,
-        drive: Tangential,
-        start: FloatArray | None,
+        self, contact: Pressing, drive: Drive, start: FloatArray | None
     ) -> tuple[ContactSolution, str]:
-        """The solution, and what is to be said of the border."""
-        tol, most, refuse = self.tol, self.max_iterations, self.on_border == "error"
+        settings = self.tol, self.max_iterations, self.on_border == "error"
         if isinstance(self._core, _core.CoulombContact):
-            given = is_load, value, drive.is_force, drive.values
-            p, s, g, d = drive.before(self.grid)
-            found = self._core.solve(gap, *given, p, s, g, d, start, tol, most, refuse)
-            return drive.solution(self.grid, found)
-        found = self._core.solve(gap, is_load, value, start, tol, most, refuse)
-        complaint = found.pop("border_complaint")
+            return drive.solved(self._core, self.grid, contact, start, settings)
+        found = self._core.solve(*contact, start, *settings)
+        complaint, bodies = found.pop("border_complaint"), (self.body1, self.body2)
         solution = ContactSolution(grid=self.grid, **found)
-        bodies = (self.body1, self.body2)
         require_apart(solution, self.grid.cell_area, bodies, self.friction, self.tol)
         return solution, complaint
 

@@ -12,8 +12,8 @@ from ._checks import FloatArray
 from ._repr import Brief, Rows, Shown, quantity
 from .grid import Grid
 
-Before = tuple[FloatArray | None, FloatArray | None, FloatArray | None, float]
-"""Pressure, shear, gap and approach at the end of an increment; None: not known, or none."""
+Before = tuple[FloatArray, FloatArray, FloatArray | None, float]
+"""Pressure, shear, gap and approach at the end of an increment; None: not known."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
@@ -71,7 +71,36 @@ class ContactSolution(Brief, Shown):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class StickSlipSolution(ContactSolution):
+class ShearedSolution(ContactSolution):
+    """What solutions with Coulomb friction share; see `StickSlipSolution`."""
+
+    shear: FloatArray
+    slip: FloatArray
+    sticking: NDArray[np.bool_]
+    tangential_load: FloatArray
+    torque: float
+    tangential_error: float
+    sweeps: int
+    tangential_iterations: int
+    tangential_applications: int
+    tangential_work: float
+
+    def _rows(self) -> Rows:
+        return [
+            *super()._rows(),
+            ("tangential load", _pair(self.tangential_load, "N")),
+            ("torque", quantity(self.torque, "N m")),
+            *self._motion(),
+            ("cells that stick", str(np.count_nonzero(self.sticking))),
+            ("error of the shear", quantity(self.tangential_error)),
+        ]
+
+    def _motion(self) -> Rows:
+        return []
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class StickSlipSolution(ShearedSolution):
     """Solution of one contact that sticks and slips by Coulomb's law; also a `ContactSolution`.
 
     Attributes
@@ -103,7 +132,7 @@ class StickSlipSolution(ContactSolution):
     sweeps : int
         Between pressure and shear; 1 where they do not act on each other.
     tangential_iterations : int
-        Conjugate-gradient steps for the shear on the finest grid.
+        Steps of the linear solves for the shear on the finest grid.
     tangential_applications : int
         Displacements of shear computed on the box of the contact, each two pairs of transforms.
     tangential_work : float
@@ -111,34 +140,49 @@ class StickSlipSolution(ContactSolution):
         units of such a displacement [-].
     """
 
-    shear: FloatArray
-    slip: FloatArray
-    sticking: NDArray[np.bool_]
-    tangential_load: FloatArray
-    torque: float
     shift: FloatArray
     twist: float
     friction_work: float
-    tangential_error: float
     energy_gap: float
-    sweeps: int
-    tangential_iterations: int
-    tangential_applications: int
-    tangential_work: float
 
-    def _rows(self) -> Rows:
-        pairs = {
-            "tangential load": (self.tangential_load, "N"),
-            "shift": (self.shift, "m"),
-        }
+    def _motion(self) -> Rows:
         return [
-            *super()._rows(),
-            *((name, _pair(*pair)) for name, pair in pairs.items()),
-            ("torque", quantity(self.torque, "N m")),
+            ("shift", _pair(self.shift, "m")),
             ("twist", quantity(self.twist, "rad")),
             ("friction work", quantity(self.friction_work, "J")),
-            ("cells that stick", str(np.count_nonzero(self.sticking))),
-            ("error of the shear", quantity(self.tangential_error)),
+        ]
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class RollingSolution(ShearedSolution):
+    """Solution of one contact that rolls steadily; also a `ContactSolution`.
+
+    Attributes
+    ----------
+    creepage : ndarray, shape (2,)
+        Rigid slip of body 1 over body 2 along x and y per way rolled [-].
+    spin : float
+        Turn of body 1 over body 2 about z per way rolled [1/m].
+    friction : float
+        Coefficient of friction [-].
+    slip : ndarray, shape (2, nx, ny)
+        Of body 1 over body 2 per way rolled [-]; zero where the bodies stick or do not touch.
+    work_per_way : float
+        Turned into heat per way rolled [J/m].
+    shear, sticking, tangential_load, torque
+        As in `StickSlipSolution`, and so are errors and counts.
+    """
+
+    creepage: FloatArray
+    spin: float
+    friction: float
+    work_per_way: float
+
+    def _motion(self) -> Rows:
+        return [
+            ("creepage", _pair(self.creepage, "")),
+            ("spin", quantity(self.spin, "1/m")),
+            ("friction work per way", quantity(self.work_per_way, "J/m")),
         ]
 
 
@@ -156,7 +200,7 @@ def fits(solution: ContactSolution, grid: Grid) -> bool:
     return same and all(n >= 0 and n % 2 == 0 for n in more)
 
 
-def before_on(solution: StickSlipSolution, grid: Grid) -> Before:
+def before_on(solution: ShearedSolution, grid: Grid) -> Before:
     """Pressure, shear, gap and approach on a grid that fits; ValueError for others."""
     if not fits(solution, grid):
         raise ValueError(

@@ -65,10 +65,12 @@ CORE_USERS = {
     "_load_core",
     "contact",
     "find",
+    "friction",
     "grid",
     "heat_kernels",
     "kernels",
     "operators",
+    "rolling",
     "runs.file",
     "simulation",
 }

@@ -53,4 +53,27 @@ Field refined(const Grid& grid, const Field& coarse) {
   return fine;
 }
 
+Field filled_outwards(const Grid& grid, const Field& pressure, const Field& values) {
+  Field filled = values;
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      const std::size_t at = static_cast<std::size_t>(i) * grid.ny + j;
+      if (pressure[at] > 0) continue;
+      double sum = 0.0;
+      int count = 0;
+      const auto add = [&](bool inside, std::size_t there) {
+        if (!inside || !(pressure[there] > 0)) return;
+        sum += values[there];
+        ++count;
+      };
+      add(i > 0, at - grid.ny);
+      add(i + 1 < grid.nx, at + grid.ny);
+      add(j > 0, at - 1);
+      add(j + 1 < grid.ny, at + 1);
+      filled[at] = count > 0 ? sum / count : 0.0;
+    }
+  }
+  return filled;
+}
+
 }  // namespace samcontact::contact

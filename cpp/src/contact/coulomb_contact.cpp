@@ -88,13 +88,14 @@ class CoulombContact::Sweeps {
  public:
   Sweeps(const CoulombContact& contact, const Field& gap, Given normal,
          const TangentialDrive& tangential, const ContactHistory& before,
-         const ContactSettings& settings)
+         const ContactSettings& settings, bool rolls = false)
       : contact_(contact),
         gap_(gap),
         normal_(normal),
         tangential_(tangential),
         before_(before),
         settings_(settings),
+        rolls_(rolls),
         n_(gap.size()),
         gap_before_(before.gap) {
     if (!contact_.is_coupled()) return;
@@ -145,6 +146,16 @@ class CoulombContact::Sweeps {
     require_held(contact_.grid_, tangential_, s_.normal.tractions.pressure, contact_.friction_);
   }
 
+  /// What a displacement loses from the cell ahead, per way.
+  void lose_on_the_way(Field& displacement) const {
+    const std::size_t row = contact_.grid_.ny;
+    for (std::size_t at = 0; at < 2 * n_; ++at) {
+      const bool is_last = at % n_ + row >= n_;
+      displacement[at] =
+          is_last ? 0.0 : (displacement[at] - displacement[at + row]) / contact_.grid_.dx;
+    }
+  }
+
   /// Shear under the present pressure.
   void slide(double tol) {
     const Field& p = s_.normal.tractions.pressure;
@@ -156,12 +167,14 @@ class CoulombContact::Sweeps {
       for (std::size_t i = 0; i < 2 * n_; ++i) {
         free_slip[i] += (slid_before_.empty() ? 0.0 : slid_before_[i]) - slid[i];
       }
+      if (rolls_) lose_on_the_way(free_slip);
     }
     const Field touching = in_touch();
     const bool first = s_.tangential.shear.empty();
     const Field start = first ? shear_before() : std::move(s_.tangential.shear);
     const std::vector<unsigned char> sticking = std::move(s_.tangential.sticking);
     const ShearSolution before = std::move(s_.tangential);
+    const bool told = !sticking.empty();
     const ShearTask task{p,
                          contact_.friction_,
                          before_.shear,
@@ -169,7 +182,8 @@ class CoulombContact::Sweeps {
                          tangential_,
                          &slid_by_shear_,
                          touching.empty() ? nullptr : &touching,
-                         first ? nullptr : &sticking};
+                         told ? &sticking : nullptr,
+                         rolls_};
     s_.tangential = contact_.shear_.solve(task, start, before.motion, tol, most_steps);
     s_.tangential.steps += before.steps;
     s_.tangential.iterations += before.iterations;
@@ -200,7 +214,7 @@ class CoulombContact::Sweeps {
   Field in_touch() {
     Field shares;
     const double closer = s_.normal.motion.approach - before_.approach;
-    if (before_.pressure.empty() || !(closer > 0)) return shares;
+    if (before_.pressure.empty() || before_.has_moved || !(closer > 0)) return shares;
     if (gap_before_.empty()) gap_before_ = find_gap_before();
     for (std::size_t i = 0; i < n_; ++i) {
       if (!(s_.normal.tractions.pressure[i] > 0) || before_.pressure[i] > 0) continue;
@@ -253,6 +267,7 @@ class CoulombContact::Sweeps {
   const TangentialDrive& tangential_;
   const ContactHistory& before_;
   const ContactSettings& settings_;
+  const bool rolls_;
   const std::size_t n_;
   Field raised_;       // B s, as it is taken to be; empty where it is zero
   Field gap_before_;   // empty: not known
@@ -284,26 +299,20 @@ void require_solved(const CoulombSolution& solution, Given normal,
 
 }  // namespace
 
-CoulombSolution CoulombContact::solve(const Field& gap, Given normal,
-                                      const TangentialDrive& tangential,
-                                      const ContactHistory& before, const CoulombStart& start,
-                                      const ContactSettings& settings) const {
+void CoulombContact::require_contact(const Field& gap, Given normal,
+                                     const ContactHistory& before) const {
   require_surface(gap, grid_, "gap");
-  if (!start.pressure.empty()) require_surface(start.pressure, grid_, "initial_pressure");
   if (!before.pressure.empty()) {
     require_surface(before.pressure, grid_, "previous.pressure");
     require_vectors(before.shear, grid_, "previous.shear");
     if (!before.gap.empty()) require_surface(before.gap, grid_, "previous.gap");
   }
   require_valid(Drive{normal});
-  if (normal.is_force() && !std::isinf(friction_))
-    require_held(tangential, friction_ * normal.value);
   require_below_mean(grid_, gap, normal);
-  Field pressure = start.pressure.empty() ? before.pressure : start.pressure;
-  pressure.resize(gap.size(), 0.0);
-  for (double& p : pressure) p = std::max(p, 0.0);
-  CoulombSolution solution =
-      Sweeps(*this, gap, normal, tangential, before, settings).run(std::move(pressure), start);
+}
+
+CoulombSolution CoulombContact::finished(CoulombSolution solution, Given normal,
+                                         const ContactSettings& settings) const {
   require_solved(solution, normal, settings);
   Solution& pressed = solution.normal;
   pressed.border_complaint =
@@ -312,6 +321,38 @@ CoulombSolution CoulombContact::solve(const Field& gap, Given normal,
     throw too_small(grid_, pressed.tractions.pressure, pressed.border_complaint);
   }
   return solution;
+}
+
+CoulombSolution CoulombContact::solve(const Field& gap, Given normal,
+                                      const TangentialDrive& tangential,
+                                      const ContactHistory& before, const CoulombStart& start,
+                                      const ContactSettings& settings) const {
+  require_contact(gap, normal, before);
+  if (!start.pressure.empty()) require_surface(start.pressure, grid_, "initial_pressure");
+  if (normal.is_force() && !std::isinf(friction_)) {
+    require_held(tangential, friction_ * normal.value);
+  }
+  Field pressure = start.pressure.empty() ? before.pressure : start.pressure;
+  pressure.resize(gap.size(), 0.0);
+  for (double& p : pressure) p = std::max(p, 0.0);
+  Sweeps sweeps(*this, gap, normal, tangential, before, settings);
+  return finished(sweeps.run(std::move(pressure), start), normal, settings);
+}
+
+CoulombSolution CoulombContact::roll(const Field& gap, Given normal,
+                                     const std::array<double, 3>& creepage,
+                                     const ContactHistory& start,
+                                     const ContactSettings& settings) const {
+  require_contact(gap, normal, start);
+  const TangentialDrive drive{Given::motion(creepage[0]), Given::motion(creepage[1]),
+                              Given::motion(creepage[2])};
+  const ContactHistory none;
+  CoulombStart begin{.pressure = start.pressure};
+  begin.pressure.resize(gap.size(), 0.0);
+  // No shear to start from: coarser boxes first.
+  if (!start.shear.empty() && longest(start.shear) > 0) begin.shear = start.shear;
+  Sweeps sweeps(*this, gap, normal, drive, none, settings, true);
+  return finished(sweeps.run(begin.pressure, begin), normal, settings);
 }
 
 }  // namespace samcontact::contact

@@ -18,11 +18,14 @@ void ShearApplier::scatter(const Field& v) {
   }
 }
 
-void ShearApplier::gather(const Field& box, Field& v) const {
+void ShearApplier::gather(const Field& box, Field& v, std::size_t carried) const {
   const std::size_t m = problem_.size(), n = problem_.box_size;
   for (std::size_t c = 0; c < m; ++c) {
     v[c] = box[problem_.cells[c]];
     v[m + c] = box[n + problem_.cells[c]];
+    if (carried == 0) continue;
+    v[c] -= box[problem_.cells[c] + carried];
+    v[m + c] -= box[n + problem_.cells[c] + carried];
   }
 }
 
@@ -30,7 +33,7 @@ void ShearApplier::displacement(const Field& v, Field& u) {
   const auto& exact = problem_.operators->displacement;
   scatter(v);
   exact.apply(box_.data(), box_.data(), work_);
-  gather(box_, u);
+  gather(box_, u, problem_.carried);
   ++applications_;
   operations_ += exact.cost();
 }
@@ -39,7 +42,7 @@ void ShearApplier::near(const Field& v, Field& u) {
   const auto& cheap = problem_.operators->near;
   scatter(v);
   cheap.apply(box_.data(), near_.data(), work_);
-  gather(near_, u);
+  gather(near_, u, problem_.carried);
   operations_ += cheap.cost();
 }
 

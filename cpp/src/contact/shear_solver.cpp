@@ -9,6 +9,7 @@
 
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/coarsening.hpp"
+#include "samcontact/contact/steady_rolling.hpp"
 #include "samcontact/contact/stick_slip.hpp"
 
 namespace samcontact::contact {
@@ -25,6 +26,7 @@ struct BoxTask {
   Field pressure, free_slip;
   Field in_touch;  // empty: 1
   double x0, y0;   // of the first cell
+  bool rolls;
 };
 
 struct BoxStart {
@@ -49,44 +51,20 @@ Field by_component(const Field& vector, const Change& change) {
   return joined(change(part(vector, 0)), change(part(vector, 1)));
 }
 
-/// Values of cells without contact become the mean of their neighbours with it, so that an
-/// interpolation at the edge has some.
-Field filled_outwards(const Grid& box, const Field& pressure, const Field& values) {
-  Field filled = values;
-  for (int i = 0; i < box.nx; ++i) {
-    for (int j = 0; j < box.ny; ++j) {
-      const std::size_t at = static_cast<std::size_t>(i) * box.ny + j;
-      if (pressure[at] > 0) continue;
-      double sum = 0.0;
-      int count = 0;
-      const auto add = [&](bool inside, std::size_t there) {
-        if (!inside || !(pressure[there] > 0)) return;
-        sum += values[there];
-        ++count;
-      };
-      add(i > 0, at - box.ny);
-      add(i + 1 < box.nx, at + box.ny);
-      add(j > 0, at - 1);
-      add(j + 1 < box.ny, at + 1);
-      filled[at] = count > 0 ? sum / count : 0.0;
-    }
-  }
-  return filled;
-}
-
 }  // namespace
 
-/// The operators of one box size.
+/// The operators of one box size, which have some rows of cells more ahead.
 class ShearSolver::Level {
  public:
-  Level(const Grid& box, const operators::TangentialInfluence& influence)
-      : box_(box), operators_(box, influence) {
+  Level(const Grid& box, int margin, const operators::TangentialInfluence& influence)
+      : box_(box), margin_(margin), operators_(with_margin(box, margin), influence) {
     if (std::min(box.nx, box.ny) >= 2 * coarsest_side && box.can_be_coarsened()) {
-      coarser_ = std::make_unique<Level>(coarsened(box), influence);
+      coarser_ = std::make_unique<Level>(coarsened(box), margin, influence);
     }
   }
 
   const Grid& box() const { return box_; }
+  int margin() const { return margin_; }
   const ShearOperators& operators() const { return operators_; }
 
   struct Answer {
@@ -99,12 +77,20 @@ class ShearSolver::Level {
                double tol, int most_steps) const;
 
  private:
+  static Grid with_margin(Grid box, int margin) {
+    box.nx += margin;
+    return box;
+  }
+  std::size_t operator_size() const { return with_margin(box_, margin_).surface_size(); }
   ShearProblem problem_of(const BoxTask& task, double friction, const TangentialDrive& drive) const;
+  /// Makes it that of rolling by one cell.
+  void let_roll(ShearProblem& problem) const;
   double stiffness_of(const Field& pressure) const;
   BoxStart coarse_start(const BoxTask& task, double friction, const TangentialDrive& drive,
                         double tol, double& operations) const;
 
   Grid box_;
+  int margin_;
   ShearOperators operators_;
   std::unique_ptr<Level> coarser_;
 };
@@ -114,9 +100,9 @@ class ShearSolver::Level {
 double ShearSolver::Level::stiffness_of(const Field& pressure) const {
   if (coarser_) return coarser_->stiffness_of(coarsened(box_, pressure));
   const double most = *std::max_element(pressure.begin(), pressure.end());
-  Field shear = pressure, displacement(2 * pressure.size());
+  Field shear = pressure, displacement(2 * operator_size());
   for (double& s : shear) s /= most;
-  shear.resize(2 * pressure.size(), 0.0);
+  shear.resize(displacement.size(), 0.0);
   ComplexField work;
   operators_.displacement.apply(shear.data(), displacement.data(), work);
   return 1 / longest(displacement);
@@ -126,7 +112,7 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction
                                             const TangentialDrive& drive) const {
   ShearProblem problem;
   problem.operators = &operators_;
-  problem.box_size = box_.surface_size();
+  problem.box_size = operator_size();
   for (std::size_t at = 0; at < task.pressure.size(); ++at) {
     if (task.pressure[at] > 0) problem.cells.push_back(at);
   }
@@ -139,12 +125,13 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction
     largest = std::max(largest, task.pressure[at]);
     problem.bound.push_back(friction * task.pressure[at]);
     problem.free_slip[c] = task.free_slip[at];
-    problem.free_slip[m + c] = task.free_slip[problem.box_size + at];
+    problem.free_slip[m + c] = task.free_slip[task.pressure.size() + at];
     directions[0][c] = directions[1][m + c] = 1.0;
     if (!task.in_touch.empty()) problem.in_touch.push_back(task.in_touch[at]);
     const std::size_t i = at / box_.ny, j = at % box_.ny;
     directions[2][c] = -(task.y0 + static_cast<double>(j) * box_.dy);
-    directions[2][m + c] = task.x0 + static_cast<double>(i) * box_.dx;
+    directions[2][m + c] =
+        task.x0 + (static_cast<double>(i) + (task.rolls ? spin_lead : 0.0)) * box_.dx;
   }
   for (int k = 0; k < 3; ++k) {
     if (drive[k].is_force()) {
@@ -156,16 +143,29 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction
   }
   problem.stiffness = stiffness_of(task.pressure);
   problem.smallest_shear = smallest_share * std::min(friction, 1.0) * largest;
+  if (task.rolls) let_roll(problem);
   return problem;
+}
+
+void ShearSolver::Level::let_roll(ShearProblem& problem) const {
+  problem.carried = static_cast<std::size_t>(box_.ny);
+  for (double& slip : problem.free_slip) slip *= box_.dx;
+  if (problem.cells.empty()) return;
+  // What a whole contact slips while it goes through one, it slips by cells.
+  const auto rows = problem.cells.back() / box_.ny - problem.cells.front() / box_.ny + 1;
+  problem.stiffness *= 0.5 * static_cast<double>(rows);
 }
 
 BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, double friction,
                                           const TangentialDrive& drive, double tol,
                                           double& operations) const {
   const auto coarsen = [&](const Field& field) { return coarsened(box_, field); };
-  const BoxTask coarse{coarsen(task.pressure), by_component(task.free_slip, coarsen),
+  const BoxTask coarse{coarsen(task.pressure),
+                       by_component(task.free_slip, coarsen),
                        task.in_touch.empty() ? Field{} : coarsen(task.in_touch),
-                       task.x0 + 0.5 * box_.dx, task.y0 + 0.5 * box_.dy};
+                       task.x0 + 0.5 * box_.dx,
+                       task.y0 + 0.5 * box_.dy,
+                       task.rolls};
   Answer answer =
       coarser_->solve(coarse, friction, drive, {}, std::max(coarse_tol, tol), coarse_steps);
   operations += answer.operations;
@@ -200,7 +200,7 @@ ShearSolver::Level::Answer ShearSolver::Level::solve(const BoxTask& task, double
     start = coarse_start(task, friction, drive, tol, answer.operations);
   }
   ShearProblem problem = problem_of(task, friction, drive);
-  const std::size_t m = problem.size(), n = problem.box_size;
+  const std::size_t m = problem.size(), n = task.pressure.size();
   ShearStart begin{{}, {}, std::move(start.motion)};
   if (!start.shear.empty()) {
     begin.shear.resize(2 * m);
@@ -211,7 +211,11 @@ ShearSolver::Level::Answer ShearSolver::Level::solve(const BoxTask& task, double
     }
   }
   ShearApplier applier(problem);
-  answer.result = solve_stick_slip(problem, applier, std::move(begin), tol, most_steps);
+  const auto iterate = task.rolls ? solve_steady_rolling : solve_stick_slip;
+  answer.result = iterate(problem, applier, std::move(begin), tol, most_steps);
+  if (task.rolls) {
+    for (double& slip : answer.result.slip) slip /= box_.dx;
+  }
   if (std::isinf(friction)) {
     answer.result.energy_gap = std::numeric_limits<double>::quiet_NaN();
   }
@@ -232,11 +236,12 @@ ShearSolver::~ShearSolver() = default;
 ShearSolver::ShearSolver(ShearSolver&&) noexcept = default;
 ShearSolver& ShearSolver::operator=(ShearSolver&&) noexcept = default;
 
-std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box) const {
+std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box, int margin) const {
   const std::lock_guard lock(kept_->mutex);
   auto& kept = kept_->level;
-  if (!kept || kept->box().nx != box.nx || kept->box().ny != box.ny) {
-    kept = std::make_shared<const Level>(Box{0, 0, box.nx, box.ny, 0}.grid(grid_), influence_);
+  if (!kept || kept->box().nx != box.nx || kept->box().ny != box.ny || kept->margin() != margin) {
+    kept =
+        std::make_shared<const Level>(Box{0, 0, box.nx, box.ny, 0}.grid(grid_), margin, influence_);
   }
   return kept;
 }
@@ -299,11 +304,14 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
       std::any_of(task.pressure.begin(), task.pressure.end(), [](double p) { return p > 0; });
   if (!touches || task.friction == 0) return solution;
   const Box box = box_of(grid_, task.pressure, task.previous_shear);
-  const auto level_of_box = level(box);
+  const auto level_of_box = level(box, task.rolls ? rolling_margin : 0);
   const auto boxed = [&](const Field& field) { return over(grid_, box, field); };
-  BoxTask part{boxed(task.pressure), Field(2 * box.surface_size(), 0.0),
-               task.in_touch != nullptr ? boxed(*task.in_touch) : Field{}, grid_.x()[box.i0],
-               grid_.y()[box.j0]};
+  BoxTask part{boxed(task.pressure),
+               Field(2 * box.surface_size(), 0.0),
+               task.in_touch != nullptr ? boxed(*task.in_touch) : Field{},
+               grid_.x()[box.i0],
+               grid_.y()[box.j0],
+               task.rolls};
   if (!task.free_slip.empty()) part.free_slip = by_component(task.free_slip, boxed);
   SlidBefore own;
   SlidBefore& slid = task.slid != nullptr ? *task.slid : own;

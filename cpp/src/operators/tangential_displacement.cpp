@@ -52,7 +52,8 @@ TangentialDisplacement::TangentialDisplacement(const Grid& grid,
                                                const TangentialInfluence& influence)
     : convolution_(grid),
       kernels_(tangential_kernels(grid, influence, convolution_.offsets())),
-      self_influence_(kernels_[0].kernel.quarter[0]) {
+      self_influence_(kernels_[0].kernel.quarter[0]),
+      neighbour_influence_(kernels_[0].kernel.quarter[grid.nx > 1 ? 1 : 0]) {
   for (MatrixKernel& entry : kernels_) convolution_.transform(entry.kernel);
 }
 

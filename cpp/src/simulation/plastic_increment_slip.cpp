@@ -62,6 +62,7 @@ contact::ContactHistory PlasticIncrement::contact_before() const {
     const int cells = then.first[followed] - now.first[followed] -
                       static_cast<int>(std::lround(now.origin - then.origin));
     const auto carried = taken_along(from_.tractions, grid, cells);
+    before.has_moved = true;
     before.pressure = carried.pressure;
     before.shear = shear_vectors(carried);
     const int more = static_cast<int>(std::lround(by[0] - by[1]));

@@ -17,4 +17,8 @@ Field coarsened(const Grid& grid, const Field& field);
 /// centres: positive where the coarse field is.
 Field refined(const Grid& grid, const Field& coarse);
 
+/// Values of cells without contact become the mean of their neighbours with it, so that an
+/// interpolation at the edge has some.
+Field filled_outwards(const Grid& grid, const Field& pressure, const Field& values);
+
 }  // namespace samcontact::contact

@@ -24,6 +24,9 @@ struct ContactHistory {
   Field shear;     // [2][i][j] [Pa], on body 2
   Field gap;       // [i][j] [m]; empty: that of the present surfaces under these tractions
   double approach = 0.0;
+  /// The contact has moved over the surfaces: tractions are where their cells are now, and what
+  /// touches for the first time came into it from its side.
+  bool has_moved = false;
   /// How body 1 has slipped over body 2 since by other causes than rigid motion and tractions
   /// [2][i][j] [m]; empty: not at all.
   Field free_slip = {};
@@ -33,7 +36,7 @@ struct ContactHistory {
 struct CoulombStart {
   Field pressure = {};  // [i][j] [Pa]
   Field shear = {};     // [2][i][j] [Pa]
-  /// [i][j], which cells stick with it.
+  /// [i][j], which cells stick with it; empty: those below their bound.
   std::vector<unsigned char> sticking = {};
   std::array<double, 3> motion = {};  // where forces are given [m, m, rad]
 };
@@ -59,6 +62,12 @@ class CoulombContact {
                         const ContactHistory& before, const CoulombStart& start,
                         const ContactSettings& settings) const;
 
+  /// Steady rolling towards +x with creepages along x and y and a spin, per way rolled [-, -, 1/m];
+  /// so are slip [-] and friction work [N] of the solution. start: its tractions may be near; empty
+  /// ones are none. Throws as solve does.
+  CoulombSolution roll(const Field& gap, Given normal, const std::array<double, 3>& creepage,
+                       const ContactHistory& start, const ContactSettings& settings) const;
+
   const Grid& grid() const { return grid_; }
   double friction() const { return friction_; }
   /// Whether pressure and shear act on each other.
@@ -66,6 +75,9 @@ class CoulombContact {
 
  private:
   class Sweeps;
+  void require_contact(const Field& gap, Given normal, const ContactHistory& before) const;
+  CoulombSolution finished(CoulombSolution solution, Given normal,
+                           const ContactSettings& settings) const;
 
   Grid grid_;
   double friction_;

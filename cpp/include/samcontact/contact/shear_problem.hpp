@@ -30,8 +30,11 @@ struct ShearProblem {
   const ShearOperators* operators = nullptr;
   std::size_t box_size = 0;
   std::vector<std::size_t> cells;  // their indices in the box
-  Field bound;                     // mu p > 0 [Pa], may be infinite
-  Field free_slip;                 // b [m]
+  /// 0, or C stands for C - T C: the displacement less that of the cell whose index in the box is
+  /// larger by so much, from which the material comes.
+  std::size_t carried = 0;
+  Field bound;      // mu p > 0 [Pa], may be infinite
+  Field free_slip;  // b [m]
   std::vector<Mode> modes;
   /// Share of the increment that each cell touches: it slips that share of the motions; empty: 1.
   Field in_touch;
@@ -55,6 +58,12 @@ class ShearApplier {
   void near(const Field& v, Field& u);
   void precondition(const Field& r, Field& z);
 
+  /// Adds what another one has done.
+  void count(const ShearApplier& other) {
+    applications_ += other.applications_;
+    operations_ += other.operations_;
+  }
+
   /// Of the exact operator.
   int applications() const { return applications_; }
   /// In the unit of fft::filter_cost.
@@ -62,7 +71,8 @@ class ShearApplier {
 
  private:
   void scatter(const Field& v);
-  void gather(const Field& box, Field& v) const;
+  /// The box less what lies `carried` cells ahead.
+  void gather(const Field& box, Field& v, std::size_t carried = 0) const;
 
   const ShearProblem& problem_;
   Field box_, near_;

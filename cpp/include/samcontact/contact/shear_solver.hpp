@@ -45,6 +45,9 @@ struct ShearTask {
   const Field* in_touch = nullptr;
   /// Cells [i][j] of the start; without, those below their bound.
   const std::vector<unsigned char>* sticking = nullptr;
+  /// The contact rolls steadily towards +x. Motions, free_slip, slip and friction_work are per way
+  /// that it rolls [-, -, 1/m, N]: motions are creepages and spin, and all are given.
+  bool rolls = false;
 };
 
 struct ShearSolution {
@@ -80,13 +83,17 @@ class ShearSolver {
 
  private:
   class Level;
-  std::shared_ptr<const Level> level(const Box& box) const;
+  std::shared_ptr<const Level> level(const Box& box, int margin) const;
 
   struct Kept;
   Grid grid_;
   operators::TangentialInfluence influence_;
   std::unique_ptr<Kept> kept_;
 };
+
+/// Of a cell along x: a step of the contact takes the slip of a turn where its cells are so far
+/// from where they end, back to where they came from.
+constexpr double spin_lead = 1.0 / 6;
 
 /// Forces of a shear [2][i][j] on a grid about its origin [N, N, N m].
 std::array<double, 3> forces(const Grid& grid, const Field& shear);

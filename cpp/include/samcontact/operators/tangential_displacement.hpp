@@ -40,13 +40,15 @@ class TangentialDisplacement {
   void apply(const double* shear, double* displacement, ComplexField& work) const;
   /// Along x of a cell under its own unit shear [m/Pa].
   double self_influence() const { return self_influence_; }
+  /// The same of the next cell along x.
+  double neighbour_influence() const { return neighbour_influence_; }
   /// Operations of one application, in the unit of fft::filter_cost.
   double cost() const { return 2 * convolution_.cost(); }
 
  private:
   SurfaceConvolution convolution_;
   std::vector<MatrixKernel> kernels_;
-  double self_influence_;
+  double self_influence_, neighbour_influence_;
 };
 
 /// The tables of C, untransformed: xx, xy, yx, yy.
