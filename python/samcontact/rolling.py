@@ -200,9 +200,10 @@ class _Forces:
         self.found = self._at(creepage)
         pressed = self.found["pressure"]
         x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
-        self.size = math.sqrt(max(np.count_nonzero(pressed), 1) * grid.cell_area / math.pi)
+        cells = max(int(np.count_nonzero(pressed)), 1)
+        self.size = math.sqrt(cells * grid.cell_area / math.pi)
         load = float(self.found["load"])
-        arm = float(np.sum(pressed * np.hypot(x, y))) * grid.cell_area
+        arm: float = grid.cell_area * (pressed * np.hypot(x, y)).sum()
         mu: float = drive.friction
         self.largest = np.array([mu * load, mu * load, mu * arm]) if load > 0 else np.zeros(3)
         self._require_held()
@@ -210,6 +211,11 @@ class _Forces:
         self.unit = np.array([1.0, 1.0, 1 / self.size])[self.is_force]
         bounded = min(mu, 1.0) * abs(self.found["approach"]) / self.size
         self.full = bounded if bounded > 0 else 1.0
+        arms = np.array([1.0, 1.0, self.size])
+        wanted = np.concatenate([self.target / arms[self.is_force], self.found["force"] / arms])
+        most = max(10 * float(np.abs(wanted).max()), 1e-12 * min(mu, 1.0) * load, 1e-300)
+        self.scale: FloatArray = np.minimum(self.largest, most * arms)[self.is_force]
+        self.scale = np.where(self.scale > 0, self.scale, 1.0)
 
     def _require_held(self) -> None:
         wanted = np.zeros(3)
@@ -242,12 +248,8 @@ class _Forces:
 
     def _missing(self, found: dict[str, Any]) -> FloatArray:
         """Over the largest forces, or ten times those there are where these are less."""
-        force = np.array(found["force"])
-        present = np.array([np.hypot(*force[:2])] * 2 + [abs(force[2])])[self.is_force]
-        arm = np.array([1.0, 1.0, self.size])[self.is_force]
-        most = max(float((np.maximum(np.abs(self.target), present) / arm).max()), 1e-300)
-        scale = np.minimum(self.largest[self.is_force], 10 * most * arm)
-        missing: FloatArray = (self.target - force[self.is_force]) / scale
+        force = np.array(found["force"])[self.is_force]
+        missing: FloatArray = (self.target - force) / self.scale
         return missing
 
     def _slopes(self, step: float) -> FloatArray:
@@ -289,8 +291,8 @@ class _Forces:
         linear = np.linalg.lstsq(slopes, self.target - force, rcond=None)[0]
         wanted = np.array(self.found["force"])
         wanted[self.is_force] = self.target
-        share = np.hypot(*wanted[:2]) / self.largest[0], abs(wanted[2]) / self.largest[2]
-        f = min(float(np.max(share)), 1.0)
+        f = max(math.hypot(*wanted[:2]) / self.largest[0], abs(wanted[2]) / self.largest[2])
+        f = min(float(f), 1.0)
         stretch = 3 * (1 - (1 - f) ** (1 / 3)) / f if f > 1e-6 else 1.0
         self.found = self._with(self._unknown() + stretch * linear)
 

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rolling with creepage against Kalker's coefficients, Carter and another program's digits."""
+
+import math
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+
+BODY = sc.Material.elastic(2 * 1.28, 0.28)
+MU = 0.4013
+LOAD = 0.4705
+
+
+def wheel(n=33):
+    """Two balls of the examples of CONTACT, on cells of a quarter on the finest of its grids."""
+    grid = sc.Grid(n, n, 8.25 / n, 8.25 / n)
+    return grid, sc.surfaces.paraboloid(grid, 1 / (2 * 0.002963))
+
+
+def roll(grid, gap, bodies=(BODY, BODY), mu=MU, **drive):
+    return sc.rolling.steady(grid, *bodies, gap, load=LOAD, friction=sc.Coulomb(mu), **drive)
+
+
+def require_law(found, mu):
+    """Coulomb's law, and work that is not negative in any cell."""
+    bound = mu * found.pressure
+    assert (np.hypot(*found.shear) <= bound * (1 + 1e-12)).all()
+    power = (found.shear * found.slip).sum(axis=0)
+    assert power.min() >= -1e-9 * max(power.max(), 1e-300)
+    slipping = (found.pressure > 0) & ~found.sticking
+    assert np.allclose(np.hypot(*found.shear)[slipping], bound[slipping], rtol=1e-5)
+
+
+def test_linear_coefficients_of_kalker():
+    """Circle, nu = 0.25, G = 1; the count of cells gives the area, the rest is of first order."""
+    body = sc.Material.elastic(2.5, 0.25)
+    found = []
+    for n in (44, 88):
+        grid = sc.Grid(n, n, 2 / 0.9 / n, 2 / 0.9 / n)
+        gap = sc.surfaces.paraboloid(grid, 1.0)
+        load = 4 / 3 * 2.5 / (2 * (1 - 0.25**2))
+        columns = []
+        for creepage, spin in (((1e-4, 0), 0), ((0, 1e-4), 0), ((0, 0), 1e-4)):
+            state = sc.rolling.steady(
+                grid, body, body, gap, load=load, friction=sc.Coulomb(math.inf),
+                creepage=creepage, spin=spin,
+            )  # fmt: skip
+            assert state.sticking[state.pressure > 0].all()
+            columns.append((*(state.tangential_load / 1e-4), state.torque / 1e-4))
+        ab = np.count_nonzero(state.pressure) * grid.cell_area / math.pi
+        (c11, *_), (_, c22, c32), (_, c23, c33) = columns
+        found.append([c11 / ab, c22 / ab, -c32 / ab**1.5, c23 / ab**1.5, c33 / ab**2])
+    limit = 2 * np.array(found[1]) - found[0]
+    assert limit[:4] == pytest.approx([4.12, 3.67, 1.47, 1.47], rel=5e-3)
+    assert limit[4] == pytest.approx(1.19, rel=1e-2)
+
+
+def test_carter_as_another_program_prints_it():
+    """CONTACT's example of a line contact: 200 wide, 50 cells in contact."""
+    grid = sc.Grid(55, 1, 0.04, 200.0)
+    gap = 0.001 * (-1.05 + 0.04 * np.arange(55.0)[:, None]) ** 2
+    steel = sc.Material.elastic(2 * 82000 * 1.28, 0.28)
+    with pytest.warns(sc.GridTooSmallWarning):
+        found = sc.rolling.steady(
+            grid, steel, steel, gap, load=35780.0, friction=sc.Coulomb(0.3),
+            creepage=(2.4e-4, 0.0), on_border="warn",
+        )  # fmt: skip
+    assert np.count_nonzero(found.pressure) == 50
+    assert np.count_nonzero(found.sticking) == 30
+    assert found.sticking.nonzero()[0].max() == found.pressure.nonzero()[0].max()
+    assert found.tangential_load[0] == pytest.approx(6955, abs=0.5)
+    assert found.pressure.max() == pytest.approx(113.9, abs=0.05)
+    assert found.approach == pytest.approx(6.492e-3, abs=5e-7)
+    require_law(found, 0.3)
+
+
+def test_from_cattaneo_to_carter():
+    """A ball that was pulled rolls on: CONTACT's creepages and counts of sticking cells."""
+    grid, gap = wheel()
+    solver = sc.ContactSolver(grid, BODY, BODY, sc.Coulomb(MU))
+    force = {"load": LOAD, "tangential_load": (-0.657 * MU * LOAD, 0.0)}
+    now = solver.solve(gap, **force)
+    assert np.count_nonzero(now.sticking) == 305
+    assert now.shift[0] == pytest.approx(-1.774e-2, abs=5e-6)
+    creepages, sticking = [], []
+    for _ in range(15):
+        before, now = now, solver.solve(gap, **force, previous=now, advance=(-0.25, -0.25))
+        creepages.append(-(now.shift - before.shift)[0] / 0.25)
+        sticking.append(np.count_nonzero(now.sticking))
+        assert now.tangential_applications <= 25
+        assert now.friction_work > before.friction_work
+        require_law(now, MU)
+    printed = [1.824e-3, 1.882e-3, 1.955e-3, 2.050e-3, 2.140e-3, 2.221e-3, 2.334e-3]
+    assert creepages[:7] == pytest.approx(printed, abs=5.1e-7)
+    assert creepages[12:] == pytest.approx([3.184e-3, 3.403e-3, 3.402e-3], abs=5.1e-7)
+    assert sticking[:7] == [422, 420, 416, 406, 405, 395, 390]
+    assert sticking[12:] == [323, 319, 330]
+
+
+STEEL_ON_SOFT = (sc.Material.elastic(20.0, 0.3), sc.Material.elastic(2.0, 0.1))
+
+
+@pytest.mark.parametrize("bodies", [(BODY, BODY), STEEL_ON_SOFT], ids=["alike", "unlike"])
+def test_steady_rolling_is_what_steps_end_in(bodies):
+    grid, gap = wheel(24)
+    d, (xi, eta), spin = grid.dx, (2e-3, -1e-3), 3e-4
+    steady = roll(grid, gap, bodies, creepage=(xi, eta), spin=spin, tol=1e-9)
+    require_law(steady, MU)
+    solver = sc.ContactSolver(grid, *bodies, sc.Coulomb(MU), tol=1e-9)
+    scale = MU * steady.pressure.max()
+    step = {
+        "advance": (-d * (1 - xi / 2), -d * (1 + xi / 2)),
+        "shift": (0.0, eta * d),
+        "twist": spin * d,
+    }
+    one = solver.solve(gap, load=LOAD, previous=steady, **step)
+    assert np.abs(one.shear - steady.shear).max() < 1e-6 * scale
+    assert one.friction_work == pytest.approx(steady.work_per_way * d, rel=1e-5)
+    assert one.shift == pytest.approx([xi * d, eta * d])
+    if bodies is STEEL_ON_SOFT:
+        return
+    now = solver.solve(gap, load=LOAD)
+    for _ in range(300):
+        before, now = now, solver.solve(gap, load=LOAD, previous=now, **step)
+        if np.abs(now.shear - before.shear).max() < 1e-7 * scale:
+            break
+    assert np.abs(now.shear - steady.shear).max() < 1e-5 * scale
+
+
+@pytest.mark.parametrize(
+    "forces",
+    [
+        {"tangential_load": (0.95 * MU * LOAD, 0.0)},
+        {"tangential_load": (None, 0.0), "spin": 2e-3},
+        {"tangential_load": (0.05, -0.05), "torque": 0.05},
+    ],
+)
+def test_creepages_follow_from_forces(forces):
+    grid, gap = wheel()
+    found = roll(grid, gap, **forces)
+    wanted = forces["tangential_load"]
+    for force, value in zip(found.tangential_load, wanted, strict=True):
+        assert value is None or force == pytest.approx(value, abs=1e-7 * MU * LOAD)
+    assert found.torque == pytest.approx(forces.get("torque", found.torque), abs=1e-7)
+    again = roll(grid, gap, creepage=found.creepage, spin=found.spin)
+    assert again.tangential_load == pytest.approx(found.tangential_load, abs=1e-6 * MU * LOAD)
+    warm = roll(grid, gap, **forces, start=found)
+    assert warm.creepage == pytest.approx(found.creepage, rel=1e-6, abs=1e-10)
+
+
+def test_what_no_contact_can_do_is_told():
+    grid, gap = wheel(24)
+    with pytest.raises(ValueError, match="tangential_load must be less than"):
+        roll(grid, gap, tangential_load=(1.1 * MU * LOAD, 0.0))
+    with pytest.raises(ValueError, match="creepage and tangential_load along x"):
+        roll(grid, gap, creepage=(1e-3, 0.0), tangential_load=(0.1, None))
+    with pytest.raises(TypeError, match="friction"):
+        sc.rolling.steady(grid, BODY, BODY, gap, load=LOAD, friction=0.3)
+    solver = sc.ContactSolver(grid, BODY, BODY, sc.Coulomb(MU))
+    pressed = solver.solve(gap, load=LOAD)
+    d = grid.dx
+    for drive, message in (
+        ({"advance": (0.4 * d, 0.4 * d)}, "whole number of cells"),
+        ({"advance": (3 * d, d)}, "differ by at most a cell"),
+        ({"advance": (1.01 * d, 0.99 * d), "tangential_load": (0.1, None)}, "same of both bodies"),
+        ({"advance": (d, d), "torque": 0.01}, "torque goes with"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            solver.solve(gap, load=LOAD, previous=pressed, **drive)
+    with pytest.raises(ValueError, match="press first"):
+        solver.solve(gap, load=LOAD, advance=(d, d))
+    with pytest.raises(ValueError, match="advance must be left out"):
+        sc.ContactSolver(grid, BODY, BODY).solve(gap, load=LOAD, advance=(d, d))
