@@ -22,7 +22,7 @@ from ._checks import (
     tractions,
 )
 from ._heating import Bodies, heating, require_reference
-from .friction import Coulomb, Tangential, require_cold, tangential_drive
+from .friction import Coulomb, GivenAlong, given_along, require_cold
 from .grid import Grid
 from .heat import Heat
 from .operators import shear_components
@@ -44,7 +44,7 @@ class Step:
     heating: list[Any]
     duration: float
     advance: tuple[float, float]
-    tangential: Tangential
+    tangential: GivenAlong
     pressure: FloatArray | None = None
     shear_x: FloatArray | None = None
     shear_y: FloatArray | None = None
@@ -97,7 +97,7 @@ def checked_step(
             f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got {advance!r}: a "
             "body that repeats itself along x does not leave the grid"
         )
-    tangential = tangential_drive(friction, shift, tangential_load, twist, torque, None)
+    tangential = given_along(friction, shift, tangential_load, twist, torque)
     _require_possible(friction, tangential, pressure, shear, torque, (first, second))
     lasts = _duration(heat, duration)
     if heat_factor is not None:
@@ -114,7 +114,7 @@ def checked_step(
 
 def _require_possible(
     friction: float | Coulomb,
-    tangential: Tangential,
+    tangential: GivenAlong,
     pressure: ArrayLike | None,
     shear: ArrayLike | None,
     torque: float | None,

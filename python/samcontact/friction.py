@@ -191,6 +191,31 @@ def carried(field: FloatArray, cells: int) -> FloatArray:
     return moved
 
 
+def given_along(
+    friction: float | Coulomb,
+    shift: Sequence[float | None] | None,
+    tangential_load: Sequence[float | None] | None,
+    twist: float | None,
+    torque: float | None,
+    **more: Any,
+) -> GivenAlong:
+    """What is given along the surface, checked; nothing, of more either, where friction is a
+    number."""
+    motions, forces = (
+        {"shift": shift, "twist": twist},
+        {"tangential_load": tangential_load, "torque": torque},
+    )
+    if isinstance(friction, Coulomb):
+        return GivenAlong.of(motions, forces)
+    for name, value in (motions | forces | more).items():
+        if value is not None:
+            raise ValueError(
+                f"{name} must be left out where friction is a number, which is gross sliding, "
+                f"got {value!r:.80}: make the solver with friction=samcontact.Coulomb(mu)"
+            )
+    return GivenAlong((False,) * 3, (0.0,) * 3)
+
+
 def tangential_drive(
     friction: float | Coulomb,
     shift: Sequence[float | None] | None,
@@ -203,27 +228,14 @@ def tangential_drive(
 ) -> Tangential:
     """What drives along the surface, checked; nothing where friction is a number."""
     first, second = (float(way) for way in finite_array("advance", advance, (2,)))
+    moves = None if first == second == 0 else advance
+    along = given_along(
+        friction, shift, tangential_load, twist, torque, previous=previous, advance=moves
+    )
     if not isinstance(friction, Coulomb):
-        given = {
-            "shift": shift,
-            "tangential_load": tangential_load,
-            "twist": twist,
-            "torque": torque,
-            "previous": previous,
-            "advance": None if first == second == 0 else advance,
-        }
-        for name, value in given.items():
-            if value is not None:
-                raise ValueError(
-                    f"{name} must be left out where friction is a number, which is gross sliding, "
-                    f"got {value!r:.80}: make the solver with friction=samcontact.Coulomb(mu)"
-                )
-        return Tangential(GivenAlong((False,) * 3, (0.0,) * 3), None)
+        return Tangential(along, None)
     if previous is not None and not isinstance(previous, ShearedSolution):
         require_type("previous", previous, StickSlipSolution)
-    along = GivenAlong.of(
-        {"shift": shift, "twist": twist}, {"tangential_load": tangential_load, "torque": torque}
-    )
     drive = Tangential(along, previous, (first, second))
     if (first, second) != (0.0, 0.0):
         _require_rolling(drive, grid)

@@ -216,3 +216,19 @@ def test_gross_sliding_resolves_no_slip():
     for name in ("slip", "sticking", "shift", "twist", "friction_work"):
         with pytest.raises(ValueError, match=f"{name}|slip"):
             getattr(state, name)
+
+
+def test_elastic_bodies_roll_as_a_solver_of_contacts_has_it():
+    path, dx = [{"load": 100.0}], GRID.dx
+    for cells in (1, 1, 2):
+        ways = (-cells * dx * 1.0005, -cells * dx * 0.9995)
+        moved = {"shift": (0.0, 2e-4 * cells * dx), "twist": 0.2 * cells * dx}
+        path.append({"load": 100.0, "advance": ways} | moved)
+    run = simulation(body2=BALL, tol=1e-9)
+    solver = sc.ContactSolver(GRID, BALL, BALL, LAW, tol=1e-10)
+    solution = solver.solve(GAP, load=0.0)
+    for step in path:
+        state, solution = run.step(**step), solver.solve(GAP, previous=solution, **step)
+        atol = 1e-8 * solution.pressure.max()
+        np.testing.assert_allclose(state.shear, solution.shear, atol=atol)
+        np.testing.assert_allclose(state.shift, solution.shift, atol=1e-15)

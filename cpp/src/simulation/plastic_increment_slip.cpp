@@ -58,7 +58,7 @@ contact::ContactHistory PlasticIncrement::contact_before() const {
     // Tractions of a moved state lie where its contact does, not where its cells came to.
     const Placement then = scene_.placement(advanced(from_.travel, {-by[0], -by[1]}));
     const Placement now = from_.placement();
-    const int followed = scene_.followed();
+    const int followed = std::max(scene_.followed(), 0);
     const int cells = then.first[followed] - now.first[followed] -
                       static_cast<int>(std::lround(now.origin - then.origin));
     const auto carried = taken_along(from_.tractions, grid, cells);
@@ -80,8 +80,8 @@ contact::TangentialDrive PlasticIncrement::tangential_drive() const {
   if (!drive[0].is_force()) {
     drive[0].value += (from_.advance[0] - from_.advance[1]) * scene_.grid.dx;
   }
-  // The turn acts on a particle on its way, which is the mean of where it was and is.
-  if (!drive[1].is_force()) drive[1].value -= 0.5 * way_of(from_) * drive[2].value;
+  // The turn slips where particles are on their way.
+  if (!drive[1].is_force()) drive[1].value -= contact::spin_lead * way_of(from_) * drive[2].value;
   return drive;
 }
 
@@ -121,7 +121,7 @@ void PlasticIncrement::remember_slip(State& state) const {
   state.slip = shear_.slip;
   const auto& motion = shear_.motion;
   state.motion[0] += motion[0];
-  state.motion[1] += motion[1] + 0.5 * way_of(from_) * motion[2];
+  state.motion[1] += motion[1] + contact::spin_lead * way_of(from_) * motion[2];
   state.motion[2] += motion[2];
   state.friction_work += shear_.friction_work;
   state.shear_symmetry = common(state.shear_symmetry, symmetry_of(tangential_drive()));

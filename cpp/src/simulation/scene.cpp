@@ -78,16 +78,20 @@ Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
 }
 
 int Scene::followed() const {
-  // Without plastic strain, relief or stick nothing tells one place of a body from another.
+  // Without plastic strain or relief nothing tells one place of a body from another.
   const auto remembers = [this](int body) {
     return materials[body].is_plastic() || !reliefs[body].heights.empty();
   };
-  if (remembers(1)) return 1;
-  if (remembers(0)) return 0;
-  return coulomb ? 1 : -1;
+  return remembers(1) ? 1 : remembers(0) ? 0 : -1;
 }
 
-Placement Scene::placement(const Travel& travel) const { return {travel, followed()}; }
+Placement Scene::placement(const Travel& travel) const {
+  const int body = followed();
+  if (body >= 0 || !coulomb) return {travel, body};
+  // What sticks remembers the shear, which is carried by the mean of both ways.
+  const double mean = 0.5 * (travel[0] + travel[1]);
+  return {Travel{mean, mean}, 1};
+}
 
 Field Scene::relief(int body, const Travel& travel) const {
   const Relief& relief = reliefs[body];
