@@ -135,6 +135,23 @@ CALLS = [
         for drive in (
             {"shift": (1e-8, 0.0), "twist": 1e-6},
             {"tangential_load": (1.0, 2.0), "torque": 1e-6},
+            {"advance": (GRID.dx, GRID.dx), "shift": (0.0, 1e-8)},
+        )
+    ),
+    *(
+        (
+            "rolling.steady",
+            sc.rolling.steady,
+            {
+                "grid": GRID, "body1": STEEL, "body2": STEEL, "gap": GAP, "load": LOAD,
+                "friction": sc.Coulomb(0.3), "tol": 1e-6, "on_border": "error",
+                "max_iterations": 50, **drive,
+            },
+        )
+        for drive in (
+            {"creepage": (1e-3, 1e-3), "spin": 1.0},
+            {"tangential_load": (1.0, 2.0), "torque": 1e-6},
+            {"approach": 1e-7, "load": None, "start": None},
         )
     ),
     (
