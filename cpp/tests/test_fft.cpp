@@ -51,6 +51,13 @@ TEST_CASE("fast sizes are even, not smaller and little longer") {
       CHECK(m <= std::max(n + n / 5, fft::good_even_size(n)));
     }
   }
+  for (int n = 1; n < 1000; ++n) {
+    const int m = fft::fast_plane_size(n), good = fft::good_even_size(n);
+    CHECK(m >= good);
+    CHECK(m % 2 == 0);
+    CHECK(m <= good + good / 8);
+  }
+  CHECK(fft::fast_plane_size(143) == 160);
   CHECK(fft::fast_row_size(288) == 288);
   CHECK(fft::fast_row_size(462) == 512);
 }

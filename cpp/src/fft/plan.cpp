@@ -69,6 +69,16 @@ int fast_line_size(int n) {
   return good_even_size(n);
 }
 
+int fast_plane_size(int n) {
+  const int good = good_even_size(n);
+  for (int m = good; m <= good + good / 8; m += 2) {
+    const int odd = odd_part(m);
+    const bool long_too = odd == 1 || odd == 5 || odd == 7 || odd == 25 || odd == 35;
+    if (long_too || (odd == 3 && m <= 96) || (odd == 15 && m <= 240)) return m;
+  }
+  return good;
+}
+
 int fast_row_size(int n) {
   for (int m = n + n % 2; m <= n + n / 8; m += 2) {
     const int odd = odd_part(m);

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <numbers>
 #include <tuple>
+#include <unordered_map>
 
 #include "samcontact/base/smooth_step.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
@@ -305,9 +306,14 @@ class BandMedium : public VolumeMedium {
                                                   const ResidualSettings& settings) const override {
     const double step = spacing(band_), dx = grid.dx / step, dy = grid.dy / step;
     // A node has the strain of its cells.
-    const auto own = [band = band_, dx, dy, step](double kx, double ky) {
-      const double gain = window_gain(band, kx * dx) * window_gain(band, ky * dy);
-      return share(band, kx * dx, ky * dy) / (gain * step * step);
+    const auto gain = [band = band_,
+                       known = std::make_shared<std::unordered_map<double, double>>()](double k) {
+      const auto [at, is_new] = known->try_emplace(k, 0.0);
+      if (is_new) at->second = window_gain(band, k);
+      return at->second;
+    };
+    const auto own = [band = band_, gain, dx, dy, step](double kx, double ky) {
+      return share(band, kx * dx, ky * dy) / (gain(kx * dx) * gain(ky * dy) * step * step);
     };
     ResidualSettings of_band = settings;
     of_band.share = own;

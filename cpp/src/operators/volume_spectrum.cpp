@@ -2,6 +2,7 @@
 #include "samcontact/operators/volume_spectrum.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/threads.hpp"
@@ -27,7 +28,8 @@ std::vector<VolumeTransform::Plane> planes_of(const double* tensor, std::size_t 
 
 }  // namespace
 
-VolumeSpectrum::VolumeSpectrum(const VolumeTransform& transform, int nz_, Tensor tensor_)
+VolumeSpectrum::VolumeSpectrum(const VolumeTransform& transform, int nz_, Tensor tensor_,
+                               Field memory)
     : symmetry(transform.symmetry()),
       tensor(tensor_),
       components(count(tensor_)),
@@ -38,8 +40,10 @@ VolumeSpectrum::VolumeSpectrum(const VolumeTransform& transform, int nz_, Tensor
       modes(transform.modes()),
       parts(transform.parts()),
       pitch(transform.pitch()),
-      data(mh * stride()),
-      used(nz_, 1) {}
+      data(std::move(memory)),
+      used(nz_, 1) {
+  data.resize(mh * stride());
+}
 
 void forward(const VolumeTransform& transform, const double* tensor, VolumeSpectrum& out) {
   check_interrupt();

@@ -15,10 +15,6 @@ namespace {
 
 /// Cells of the ring around a zone: the near band's range.
 constexpr int ring = near_range;
-/// Nodes between the ends of the middle plane, where its band is 1e-4 of the residual stress.
-constexpr int middle_ring = 10;
-/// Tables have so many layers, times a whole number: they outlast zones that grow.
-constexpr int layers_at_once = 8;
 /// The ring's strain fades out in its last part.
 constexpr double fades_from = 0.75;
 
@@ -42,8 +38,15 @@ Field fades(int count) {
   return weights;
 }
 
+/// For a spectrum around a zone, of one thread, between uses.
+Field& spectrum_memory() {
+  static thread_local Field memory;
+  return memory;
+}
+
 VolumeSpectrum without_strain(const VolumeOperators& operators, int layers) {
-  VolumeSpectrum spectrum(operators.transform(), layers, operators.tensor());
+  VolumeSpectrum spectrum(operators.transform(), layers, operators.tensor(),
+                          std::move(spectrum_memory()));
   std::fill(spectrum.data.begin(), spectrum.data.end(), 0.0);
   return spectrum;
 }
@@ -59,6 +62,7 @@ struct ZoneOperators::Around {
   std::array<Field, 3> displacement;  // by axis, [i][j] of the plane, of the zone's own strain
   // Of the strain, where the zone is alone: then one transform serves displacement and stress.
   std::optional<VolumeSpectrum> spectrum;
+  Field memory;  // for it
   bool is_alone() const { return zones.size() == 1; }
 };
 
@@ -68,10 +72,12 @@ struct ZoneOperators::Lattice {
   ZoneTables::Operators operators;
   VolumeSpectrum spectrum;
 
-  Lattice(NodeSpread spread, ZoneTables::Operators of, int layers)
+  Lattice(NodeSpread spread, ZoneTables::Operators of, int layers, const ZoneTables& tables)
       : nodes(std::move(spread)),
         operators(std::move(of)),
-        spectrum(operators->transform(), layers, operators->tensor()) {}
+        spectrum(operators->transform(), layers, operators->tensor(),
+                 tables.borrow(operators->transform().mh() * operators->transform().row_size() *
+                               count(operators->tensor()) * layers)) {}
 
   std::size_t plane_size() const { return operators->grid().surface_size(); }
   int pitch() const { return operators->grid().ny; }
@@ -82,59 +88,6 @@ struct ZoneOperators::Lattice {
     return {nodes.box().i0, nodes.box().j0, grid.nx, grid.ny, 1};
   }
 };
-
-Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodeSpread& nodes,
-                 const Grid& lattice) {
-  const auto spread_one = [&](const Field& from) {
-    Field to;
-    if (from.empty()) return to;
-    to.assign(lattice.surface_size(), 0.0);
-    nodes.spread(from.data(), pitch, box, to.data(), lattice.ny);
-    return to;
-  };
-  return {spread_one(cells.pressure), spread_one(cells.shear_x), spread_one(cells.shear_y)};
-}
-
-ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor,
-                       double image_tol)
-    : grid_(grid), tensor_(tensor), image_tol_(image_tol), media_(bands_of(medium, grid)) {}
-
-Grid ZoneTables::lattice(Band band, const NodeSpread& nodes, int layers) const {
-  const int step = spacing(band), nx = nodes.x().count(), ny = nodes.y().count();
-  if (band == Band::far) {
-    return {nx + fading_nodes, ny + fading_nodes, step * grid_.dx, step * grid_.dy, layers,
-            grid_.dz};
-  }
-  Grid lattice(fft::good_even_size(nx + middle_ring), fft::good_even_size(ny + middle_ring),
-               step * grid_.dx, step * grid_.dy, layers, grid_.dz);
-  lattice.period = {lattice.nx, lattice.ny, 0.0};
-  return lattice;
-}
-
-ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {
-  lattice.nz = (lattice.nz + layers_at_once - 1) / layers_at_once * layers_at_once;
-  const std::lock_guard lock(mutex_);
-  auto& place = kept_[{static_cast<int>(band), lattice.nx, lattice.ny, lattice.nz}];
-  if (!place) {
-    VolumeOptions options{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_, {}};
-    if (band == Band::near) options.unread_rows = ring;
-    place =
-        std::make_shared<const VolumeOperators>(lattice, media_[static_cast<int>(band)], options);
-  }
-  return place;
-}
-
-void ZoneTables::forget_unused() const {
-  const std::lock_guard lock(mutex_);
-  std::erase_if(kept_, [](const auto& entry) { return entry.second.use_count() == 1; });
-}
-
-std::size_t ZoneTables::bytes() const {
-  const std::lock_guard lock(mutex_);
-  std::size_t bytes = 0;
-  for (const auto& [key, operators] : kept_) bytes += operators->bytes();
-  return bytes;
-}
 
 ZoneOperators::ZoneOperators(std::shared_ptr<const ZoneTables> tables, std::vector<Box> zones)
     : tables_(std::move(tables)),
@@ -151,7 +104,12 @@ ZoneOperators::ZoneOperators(std::shared_ptr<const ZoneTables> tables, std::vect
   tables_->forget_unused();
 }
 
-ZoneOperators::~ZoneOperators() = default;
+ZoneOperators::~ZoneOperators() {
+  for (Field* field :
+       {&middle_->spectrum.data, &far_->spectrum.data, &far_strain_, &far_stress_, &low_}) {
+    tables_->give_back(std::move(*field));
+  }
+}
 
 void ZoneOperators::add_ring(const Box& zone) {
   Box box{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
@@ -163,12 +121,12 @@ void ZoneOperators::add_ring(const Box& zone) {
   }
   // Deeper strain of others is as far away as the ring's end.
   box.nz = std::min(box.nz, zone.nz + static_cast<int>(std::ceil(ring * grid_.dx / grid_.dz)));
-  const int mx = fft::good_even_size(box.nx), my = fft::good_even_size(box.ny);
+  const int mx = fft::fast_plane_size(box.nx), my = fft::fast_plane_size(box.ny);
   Grid plane(mx, my, grid_.dx, grid_.dy, box.nz, grid_.dz);
   plane.period = {mx, my, 0.0};
   const auto operators = tables_->of(Band::near, plane);
   around_.push_back(
-      {box, mx, my, std::move(inside), operators, fades(zone.nx), fades(zone.ny), {}, {}});
+      {box, mx, my, std::move(inside), operators, fades(zone.nx), fades(zone.ny), {}, {}, {}});
 }
 
 void ZoneOperators::make_lattices() {
@@ -178,11 +136,14 @@ void ZoneOperators::make_lattices() {
   const auto operators = [&](Band band, const NodeSpread& nodes) {
     return tables_->of(band, tables_->lattice(band, nodes, layers_));
   };
-  middle_ = std::make_unique<Lattice>(middle, operators(Band::middle, middle), layers_);
+  middle_ = std::make_unique<Lattice>(middle, operators(Band::middle, middle), layers_, *tables_);
   const NodeSpread far(spacing(Band::far) / spacing(Band::middle), middle_->nodes.box());
   const auto of_far = operators(Band::far, far);
   // Its images need the strain of all layers.
-  far_ = std::make_unique<Lattice>(far, of_far, of_far->grid().nz);
+  far_ = std::make_unique<Lattice>(far, of_far, of_far->grid().nz, *tables_);
+  far_strain_ = tables_->borrow(far_->plane_size() * count(tensor_) * far_->layers());
+  far_stress_ = tables_->borrow(far_->plane_size() * count(tensor_) * layers_);
+  low_ = tables_->borrow(count(tensor_) * cells_);
 }
 
 void ZoneOperators::spread_layer(int k, const Field& strain) {
@@ -211,7 +172,7 @@ void ZoneOperators::spread_layer(int k, const Field& strain) {
 
 void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
   check_interrupt();
-  far_strain_.assign(far_->plane_size() * count(tensor_) * far_->layers(), 0.0);
+  std::fill(far_strain_.begin(), far_strain_.end(), 0.0);
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < layers_; ++k) spread_layer(k, strain);
   forward(far_->operators->transform(), far_strain_.data(), far_->spectrum);
@@ -228,13 +189,19 @@ void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
     const VolumeOperators& near = *around.operators;
     const int strained = near.residual_displacement(axes.front()).layers();  // of each axis
     const int layers = around.is_alone() ? around.box.nz : std::min(around.box.nz, strained);
-    VolumeSpectrum own = spectrum_around(around, {static_cast<int>(z)}, layers, strain);
+    Field& memory = around.is_alone() ? around.memory : spectrum_memory();
+    VolumeSpectrum own =
+        spectrum_around(around, {static_cast<int>(z)}, layers, strain, std::move(memory));
     for (const Axis axis : axes) {
       Field& displacement = around.displacement[static_cast<int>(axis)];
       displacement.resize(near.grid().surface_size());
       near.residual_displacement(axis).apply(own, displacement.data());
     }
-    if (around.is_alone()) around.spectrum = std::move(own);
+    if (around.is_alone()) {
+      around.spectrum = std::move(own);
+    } else {
+      memory = std::move(own.data);
+    }
   }
 }
 
@@ -266,7 +233,7 @@ void ZoneOperators::gather_low(const double* far, const double* middle, const Bo
   middle_->nodes.gather(sum.data(), nodes, box, cells);
 }
 
-Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, double shear_sign) {
+void ZoneOperators::find_low_stress(bool strained, const Tractions& tractions, double shear_sign) {
   const int parts = count(tensor_);
   const std::size_t middle = middle_->plane_size(), far = far_->plane_size();
   const Box rows = middle_->nodes.box();
@@ -279,35 +246,33 @@ Field ZoneOperators::low_stress(bool strained, const Tractions& tractions, doubl
       std::fill(lattice->spectrum.data.begin(), lattice->spectrum.data.end(), 0.0);
     }
   }
-  Field far_stress(static_cast<std::size_t>(parts) * layers_ * far);
   const double* some = strained ? far_strain_.data() : nullptr;
   far_->operators->for_each_layer(
       far_->spectrum, some, &on_far, shear_sign,
       [&](int k, const double* stress) {
         std::copy_n(stress, parts * far,
-                    far_stress.data() + static_cast<std::size_t>(k) * parts * far);
+                    far_stress_.data() + static_cast<std::size_t>(k) * parts * far);
       },
       layers_);
-  Field low(parts * cells_, 0.0);
   middle_->operators->for_each_layer(
       middle_->spectrum, some, &on_middle, shear_sign, [&](int k, const double* stress) {
         for (std::size_t z = 0; z < zones_.size(); ++z) {
           if (k >= zones_[z].nz) continue;
-          double* of_zone = low.data() + first_[z] + k * zones_[z].surface_size();
+          double* of_zone = low_.data() + first_[z] + k * zones_[z].surface_size();
           for (int c = 0; c < parts; ++c) {
             const std::size_t from = (static_cast<std::size_t>(k) * parts + c) * far;
-            gather_low(far_stress.data() + from, stress + c * middle, zones_[z],
-                       of_zone + c * cells_);
+            double* to = of_zone + c * cells_;
+            std::fill_n(to, zones_[z].surface_size(), 0.0);
+            gather_low(far_stress_.data() + from, stress + c * middle, zones_[z], to);
           }
         }
       });
-  return low;
 }
 
 VolumeSpectrum ZoneOperators::spectrum_around(const Around& around, const std::vector<int>& zones,
-                                              int layers, const Field& strain) const {
+                                              int layers, const Field& strain, Field memory) const {
   const VolumeTransform& transform = around.operators->transform();
-  VolumeSpectrum spectrum(transform, layers, tensor_);
+  VolumeSpectrum spectrum(transform, layers, tensor_, std::move(memory));
   for (int k = 0; k < layers; ++k) {
     const auto is_in = [&](int z) { return k < zones_[z].nz; };
     spectrum.used[k] = std::any_of(zones.begin(), zones.end(), is_in);
@@ -344,8 +309,7 @@ const double* ZoneOperators::strain_around(const Around& around, const std::vect
 }
 
 void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
-                                   const Tractions& tractions, double shear_sign, const Field& low,
-                                   const Use& use) {
+                                   const Tractions& tractions, double shear_sign, const Use& use) {
   Around& around = around_[zone];
   const VolumeOperators& near = *around.operators;
   const Box& box = zones_[zone];
@@ -368,14 +332,16 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   VolumeSpectrum spectrum = strain == nullptr ? without_strain(near, around.box.nz)
                             : around.spectrum
                                 ? std::move(*around.spectrum)
-                                : spectrum_around(around, around.zones, around.box.nz, *strain);
+                                : spectrum_around(around, around.zones, around.box.nz, *strain,
+                                                  std::move(spectrum_memory()));
+  Field& memory = around.spectrum ? around.memory : spectrum_memory();
   around.spectrum.reset();
   // A plane with a period has no images to be found from the strain.
   const double unused = 0.0;
   Field sum(parts * size);
   const auto with_low = [&](int k, const double* stress) {
     for (int c = 0; c < parts; ++c) {
-      const double* given = low.data() + c * cells_ + first_[zone] + k * size;
+      const double* given = low_.data() + c * cells_ + first_[zone] + k * size;
       double* to = sum.data() + c * size;
       extract(stress + c * plane_size, plane, to, layer);
       for (std::size_t n = 0; n < size; ++n) to[n] += given[n];
@@ -384,16 +350,17 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   };
   near.for_each_layer(spectrum, strain != nullptr ? &unused : nullptr, any ? &here : nullptr,
                       shear_sign, with_low, box.nz);
+  memory = std::move(spectrum.data);
 }
 
 void ZoneOperators::for_each_layer(const Field* strain, const Tractions& tractions,
                                    double shear_sign, const Use& use) {
-  const Field low = low_stress(strain != nullptr, tractions, shear_sign);
+  find_low_stress(strain != nullptr, tractions, shear_sign);
   check_interrupt();
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
-    stress_of_zone(z, strain, tractions, shear_sign, low, use);
+    stress_of_zone(z, strain, tractions, shear_sign, use);
   }
 }
 

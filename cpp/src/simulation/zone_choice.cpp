@@ -20,7 +20,7 @@ using operators::spacing;
 /// Cells around what must be in a zone, and below it.
 constexpr int margin = 1;
 
-double padded(int cells) { return fft::good_even_size(cells + 2 * operators::near_range); }
+double padded(int cells) { return fft::fast_plane_size(cells + 2 * operators::near_range); }
 
 double cost(const Box& zone) { return padded(zone.nx) * padded(zone.ny) * zone.nz; }
 

@@ -47,6 +47,10 @@ int convolution_size(int n, int period, int least = 0);
 /// they take twice the time per point when 9 divides the length.
 int fast_line_size(int n);
 
+/// The same for planes of at most a few hundred cells across, whose other work grows with them: at
+/// most an eighth longer than good_even_size(n).
+int fast_plane_size(int n);
+
 /// The same for rows (class Rows), at most an eighth longer: side by side, 9 does no harm, but 3
 /// and 15 do.
 int fast_row_size(int n);

@@ -31,7 +31,8 @@ struct VolumeSpectrum {
   /// Layers that may be non-zero; the others are skipped by transforms and products.
   std::vector<char> used;
 
-  VolumeSpectrum(const VolumeTransform& transform, int nz, Tensor tensor);
+  /// Of zeros; in memory that is lent, of what is in there.
+  VolumeSpectrum(const VolumeTransform& transform, int nz, Tensor tensor, Field memory = {});
 
   std::size_t row_size() const { return static_cast<std::size_t>(pitch) * parts; }
   std::size_t stride() const { return static_cast<std::size_t>(components) * nz * row_size(); }

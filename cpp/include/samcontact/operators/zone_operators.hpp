@@ -4,50 +4,13 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
-#include "samcontact/base/box.hpp"
-#include "samcontact/operators/kernel_bands.hpp"
-#include "samcontact/operators/node_spread.hpp"
-#include "samcontact/operators/volume_operators.hpp"
+#include "samcontact/operators/zone_tables.hpp"
 
 namespace samcontact::operators {
-
-/// The tables that zones of one medium need, kept from one set of zones to the next. Thread-safe.
-class ZoneTables {
- public:
-  using Operators = std::shared_ptr<const VolumeOperators>;
-
-  ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor, double image_tol);
-
-  const Grid& grid() const { return grid_; }
-  Tensor tensor() const { return tensor_; }
-  const SharedMedium& medium(Band band) const { return media_[static_cast<int>(band)]; }
-  /// The planes of some nodes of a band, and so many layers.
-  Grid lattice(Band band, const NodeSpread& nodes, int layers) const;
-  /// On a lattice; of some layers more than it has.
-  Operators of(Band band, Grid lattice) const;
-  /// Those that nobody uses go.
-  void forget_unused() const;
-  std::size_t bytes() const;
-
- private:
-  Grid grid_;
-  Tensor tensor_;
-  double image_tol_;
-  std::array<SharedMedium, 3> media_;
-  mutable std::mutex mutex_;
-  mutable std::map<std::array<int, 4>, Operators> kept_;
-};
-
-/// Tractions on the cells of a box, or on nodes, in rows of `pitch` numbers, on the nodes of a
-/// lattice.
-Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodeSpread& nodes,
-                 const Grid& lattice);
 
 /// Not thread-safe; several threads work inside. Digits do not depend on their number.
 class ZoneOperators {
@@ -81,17 +44,16 @@ class ZoneOperators {
   void add_ring(const Box& zone);
   /// Of the first layers of the strain in some zones, on the plane around one.
   VolumeSpectrum spectrum_around(const Around& around, const std::vector<int>& zones, int layers,
-                                 const Field& strain) const;
+                                 const Field& strain, Field memory) const;
   /// A layer of that strain; of this thread, until it asks again.
   const double* strain_around(const Around& around, const std::vector<int>& zones, int k,
                               const Field& strain) const;
   void stress_of_zone(std::size_t zone, const Field* strain, const Tractions& tractions,
-                      double shear_sign, const Field& low, const Use& use);
+                      double shear_sign, const Use& use);
   void spread_layer(int k, const Field& strain);
   /// Adds what planes of far and middle nodes give to the cells of a box, one layer.
   void gather_low(const double* far, const double* middle, const Box& box, double* cells) const;
-  /// What middle and far bands give in the zones, [component][cell].
-  Field low_stress(bool strained, const Tractions& tractions, double shear_sign);
+  void find_low_stress(bool strained, const Tractions& tractions, double shear_sign);
 
   std::shared_ptr<const ZoneTables> tables_;
   const Grid& grid_;
@@ -103,6 +65,8 @@ class ZoneOperators {
   std::vector<Around> around_;
   std::unique_ptr<Lattice> middle_, far_;
   Field far_strain_;  // [component][k][node] of the far lattice
+  Field far_stress_;  // [k][component][node]
+  Field low_;         // what middle and far bands give in the zones, [component][cell]
 };
 
 }  // namespace samcontact::operators

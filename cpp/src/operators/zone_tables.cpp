@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/zone_tables.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "samcontact/fft/plan.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+/// Nodes between the ends of the middle plane, where its band is 1e-4 of the residual stress.
+constexpr int middle_ring = 10;
+/// Tables have so many layers, times a whole number: they outlast zones that grow.
+constexpr int layers_at_once = 8;
+
+}  // namespace
+
+Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodeSpread& nodes,
+                 const Grid& lattice) {
+  const auto spread_one = [&](const Field& from) {
+    Field to;
+    if (from.empty()) return to;
+    to.assign(lattice.surface_size(), 0.0);
+    nodes.spread(from.data(), pitch, box, to.data(), lattice.ny);
+    return to;
+  };
+  return {spread_one(cells.pressure), spread_one(cells.shear_x), spread_one(cells.shear_y)};
+}
+
+ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor,
+                       double image_tol)
+    : grid_(grid), tensor_(tensor), image_tol_(image_tol), media_(bands_of(medium, grid)) {}
+
+Grid ZoneTables::lattice(Band band, const NodeSpread& nodes, int layers) const {
+  const int step = spacing(band), nx = nodes.x().count(), ny = nodes.y().count();
+  if (band == Band::far) {
+    const auto cells = [](int n) { return fft::fast_plane_size(2 * (n + fading_nodes)) / 2; };
+    return {cells(nx), cells(ny), step * grid_.dx, step * grid_.dy, layers, grid_.dz};
+  }
+  Grid lattice(fft::fast_plane_size(nx + middle_ring), fft::fast_plane_size(ny + middle_ring),
+               step * grid_.dx, step * grid_.dy, layers, grid_.dz);
+  lattice.period = {lattice.nx, lattice.ny, 0.0};
+  return lattice;
+}
+
+ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {
+  lattice.nz = (lattice.nz + layers_at_once - 1) / layers_at_once * layers_at_once;
+  const std::lock_guard lock(mutex_);
+  auto& place = kept_[{static_cast<int>(band), lattice.nx, lattice.ny, lattice.nz}];
+  if (!place) {
+    VolumeOptions options{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_, {}};
+    if (band == Band::near) options.unread_rows = near_range;
+    place =
+        std::make_shared<const VolumeOperators>(lattice, media_[static_cast<int>(band)], options);
+  }
+  return place;
+}
+
+void ZoneTables::forget_unused() const {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(kept_, [](const auto& entry) { return entry.second.use_count() == 1; });
+}
+
+std::size_t ZoneTables::bytes() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t bytes = 0;
+  for (const auto& [key, operators] : kept_) bytes += operators->bytes();
+  return bytes;
+}
+
+Field ZoneTables::borrow(std::size_t count) const {
+  Field field;
+  const std::lock_guard lock(mutex_);
+  const auto fits = [count](const Field& one) { return one.capacity() >= count; };
+  const auto found = std::find_if(spare_.begin(), spare_.end(), fits);
+  if (found != spare_.end()) {
+    field = std::move(*found);
+    spare_.erase(found);
+  } else {
+    // They are too small for what zones have become, which go on growing a little.
+    spare_.clear();
+    field.reserve(count + count / 4);
+  }
+  field.resize(count);
+  return field;
+}
+
+void ZoneTables::give_back(Field field) const {
+  const std::lock_guard lock(mutex_);
+  const auto larger = [&](const Field& one) { return one.capacity() > field.capacity(); };
+  spare_.insert(std::find_if(spare_.begin(), spare_.end(), larger), std::move(field));
+}
+
+}  // namespace samcontact::operators
