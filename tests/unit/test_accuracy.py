@@ -9,7 +9,8 @@ import pytest
 
 import samcontact as sc
 from samcontact import _certified, results
-from samcontact.accuracy import Refinable, estimate
+from samcontact.accuracy import Refinable, estimate, increments
+from samcontact.accuracy.scene import Run
 from samcontact.cases import Case as SectionsOfCase
 from samcontact.cases import CaseError
 
@@ -92,6 +93,25 @@ def test_corrections_of_first_order_hold_on_other_grids():
     twice = np.array([1.0, 1.0, 1.0, 0.0])
     more = np.array([2.0, 9.0, -2.0, 0.5])
     assert np.array_equal(estimate.irregular(more, twice), [0.0, 7.0, 4.0, 0.5])
+
+
+def test_corrections_are_those_of_the_grid_that_resolves_the_value():
+    # in n increments: 0.5 + 1/n on the coarsest grid, which has half of the value; else 1 - 1/n
+    def run(grid, n):
+        value = 0.5 + 1.0 / n if grid == 1 else 1.0 - 1.0 / n
+        return Run(grid, n, (9, 9), np.array([[value]]), (1.0, 1.0), [], 0.0, 0.0)
+
+    runs = {(1, n): run(1, n) for n in (2, 4, 8)} | {(3, 2): run(3, 2)}
+    finest = runs[3, 2].values
+    wrong = increments.correction(runs, 2, finest)
+    missing = 1.0 - finest - wrong.values
+    assert abs(missing) > 2 * wrong.errors  # the series itself knows nothing of it
+    assert abs(missing) <= np.sum(wrong.by_grid)
+    runs |= {(3, n): run(3, n) for n in (4, 8)}
+    found = increments.correction(runs, 2, finest)
+    assert found.doublings == [(2, 3), (4, 3)]
+    assert found.values == pytest.approx(1.0 - finest, rel=1e-12)
+    assert np.sum(found.by_grid) == pytest.approx(0.03 * abs(found.values), rel=1e-12)
 
 
 THERMAL = {"conductivity": 50.2, "expansion": 11.7e-6, "diffusivity": 1.367e-5}
@@ -183,5 +203,5 @@ def test_orders_are_seen_and_noise_is_not_extrapolated(order):
     assert found.values == noisy[-1]
     assert abs(found.values - 3.0) < found.errors
     halves = 2.0 ** np.arange(4)
-    more = estimate.of_increments(5.0 + 2.0 / halves, used=1)
+    more = estimate.of_doublings(np.diff(5.0 + 2.0 / halves), used=1)
     assert more.values == pytest.approx(-1.0, rel=1e-12)

@@ -27,7 +27,9 @@ LEAST = 0.002
 CLEAN = 0.5
 """Least error of an extrapolated value, over what extrapolation changed."""
 MIXED = 0.03
-"""How much of a correction found on a coarse grid a finer one may change."""
+"""How much of a correction found on a coarse grid a finer one may change at least."""
+PER_GRID = 3.0
+"""The same, over the relative difference that the grid itself makes."""
 
 REGULAR = 1.4, 3.0
 """Corrections of n increments over those of 2 n, where they are of first order; elsewhere what is
@@ -84,28 +86,40 @@ def of_grids(series: ArrayLike) -> Estimate:
     return Estimate(np.where(clean, f[-1] + beyond, f[-1]), np.where(clean, errors, careful), clean)
 
 
-def of_increments(series: ArrayLike, used: int = 0) -> Estimate:
+def of_doublings(steps: ArrayLike, used: int = 0) -> Estimate:
     """What more increments would add to a value: their error is of first order.
 
     Parameters
     ----------
-    series : array_like, shape (runs, ...)
-        Each with twice the increments of the one before, two at least.
+    steps : array_like, shape (runs, ...)
+        What twice as many change, again and again; one at least.
     used : int, optional
-        Which of the runs has as many increments as the value.
+        Which of these begins with as many increments as the value.
 
     Returns
     -------
     Estimate
         Of the limit minus the used value.
     """
-    f = np.asarray(series, dtype=np.float64)
-    limits = 2.0 * f[1:] - f[:-1]
-    correction = limits[-1] - f[used]
-    left = np.abs(limits[-1] - f[-1])
-    if len(limits) > 1:
-        left = np.maximum(np.abs(limits[-1] - limits[-2]), 0.1 * left)
-    return Estimate(correction, left, np.ones(left.shape, dtype=bool))
+    d = np.asarray(steps, dtype=np.float64)
+    last = d[-1]  # as much as all that follow
+    left = np.abs(last)
+    if len(d) > 1:
+        left = np.maximum(np.abs(2.0 * last - d[-2]), 0.1 * left)
+    return Estimate(d[used:].sum(axis=0) + last, left, np.ones(left.shape, dtype=bool))
+
+
+def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
+    """How much of corrections found on a coarse grid the finest may change.
+
+    Parameters
+    ----------
+    coarse, finest : ndarray
+        Values in the same number of increments.
+    """
+    size = np.abs(finest)
+    change = np.divide(np.abs(finest - coarse), size, out=np.zeros_like(size), where=size > 0)
+    return np.maximum(PER_GRID * change, MIXED)
 
 
 def irregular(more: FloatArray, twice: FloatArray) -> FloatArray:

@@ -13,16 +13,8 @@ from .._checks import FloatArray
 from .._progress import tell
 from .._repr import counts
 from ..runs.solves import Solves
-from .estimate import (
-    MIXED,
-    MIXED_AREA,
-    RATIO,
-    Estimate,
-    irregular,
-    joined,
-    of_grids,
-    of_increments,
-)
+from .estimate import MIXED_AREA, RATIO, Estimate, joined, of_grids
+from .increments import COARSEST, Correction, correction, tried
 from .outcome import AccuracyWarning, Accurate, largest
 from .scene import Refinable, Run, Solved, marks_of
 
@@ -31,14 +23,16 @@ _logger = logging.getLogger("samcontact")
 FEWEST_GRIDS = 3
 FEWEST, MOST = 2, 512
 """Increments of a segment."""
-INCREMENTS_ON = 1
-"""The grid on which increments are judged: their error hardly depends on it."""
 OF_INCREMENTS = ("max_pressure", "contact_area")
 """Always there: how the first changes with the increments tells of the second."""
 PART_OF_TIME = 0.3
 """Of all that is allowed, for judging increments."""
 UNEVEN = 0.25
 """What of that correction is not of first order, over the accuracy."""
+DEPENDS = 0.5
+"""What a finer grid may change in the correction, over the accuracy, before it is found on one."""
+PART_OF_NEXT = 0.5
+"""Of the next grid's time, for that."""
 RAW = 10.0
 """Error of the increments used, over the accuracy, that is corrected instead of solved."""
 MOST_GRIDS = 24
@@ -102,7 +96,7 @@ class Search:
             tell(self._still_to_do(found), shown=self.progress and enough)
             if enough and worst <= 1.0:
                 break
-            if enough and self._increments_matter(grids) and self._more_increments():
+            if enough and self._increments_told(grids):
                 continue
             if not self._affordable(grids, worst):
                 break
@@ -124,9 +118,10 @@ class Search:
     def _judge_increments(self) -> None:
         """Runs on a coarse grid with ever more increments, and how many the others need."""
         while True:
-            series = self._of_increments()
+            series = tried(self.runs)
             if len(series) >= 3:
-                limit = self._limit(series)
+                more = correction(self.runs, FEWEST, series[0].values)
+                limit = self._join(series[0].values + more.values, more.errors)
                 if np.all(self._relative(limit) <= 0.25 * self.wanted):
                     break
             if not self._more_increments():
@@ -134,63 +129,58 @@ class Search:
         for run in series[:-1]:
             self.used = run.increments
             off = np.abs(limit.values - self._join(run.values, 0.0 * run.values).values)
-            uneven = self._join(run.values, irregular(*self._corrections()))
+            left = correction(self.runs, self.used, run.values).irregular
+            uneven = self._join(run.values, left)
             if np.all(
                 (self._relative(limit._replace(errors=off)) <= RAW * self.wanted)
                 & (self._relative(uneven) <= UNEVEN * self.wanted)
             ):
                 break
 
-    def _limit(self, series: list[Run]) -> Estimate:
-        """Of more and more increments on one grid."""
-        more = of_increments([run.values for run in series])
-        return self._join(series[0].values + more.values, more.errors)
-
     def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
         """Of the quantities, of whose parts these are."""
         return joined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
-    def _of_increments(self) -> list[Run]:
-        found = [run for (level, _), run in self.runs.items() if level == INCREMENTS_ON]
-        return sorted(found, key=lambda run: run.increments)
-
     def _more_increments(self) -> bool:
-        series = self._of_increments()
+        series = tried(self.runs)
         count = 2 * series[-1].increments if series else FEWEST
         costs = self.seconds + 2 * series[-1].seconds if len(series) >= 3 else 0.0
         if count > MOST or costs > PART_OF_TIME * self.limit:
             return False
-        self.run(INCREMENTS_ON, count)
+        self.run(COARSEST, count)
         return True
 
-    def _correction(self) -> Estimate:
-        series = self._of_increments()
-        at = [run.increments for run in series].index(self.used)
-        return of_increments([run.values for run in series], at)
-
-    def _corrections(self) -> tuple[FloatArray, FloatArray]:
-        """Of the increments used, and of twice as many."""
-        series = self._of_increments()
-        at = [run.increments for run in series].index(self.used)
-        values = [run.values for run in series]
-        return of_increments(values, at).values, of_increments(values, at + 1).values
+    def _on_finer_grid(self, grids: list[Run], found: Correction) -> bool:
+        """Double the increments on a finer grid where that tells most."""
+        spoiled = [self._spoiled(grids, errors) for errors in found.by_grid]
+        count, before = found.doublings[int(np.argmax(spoiled))]
+        allowed = min(
+            PART_OF_NEXT * self._growth(grids) * grids[-1].seconds, self.limit - self.seconds
+        )
+        for level in range(len(grids) - 1, before, -1):
+            missing = [n for n in (count, 2 * count) if (level, n) not in self.runs]
+            if sum(n / self.used * grids[level].seconds for n in missing) <= allowed:
+                for n in missing:
+                    self.run(level, n)
+                return True
+        return False
 
     def _estimate(self, grids: list[Run]) -> Estimate:
         """Of space and increments together, shape (marks, names)."""
         found = of_grids([run.values for run in grids])
         if self.scene.has_history:
-            more = self._correction()
-            errors = found.errors + more.errors + self._mixed(found.values, more.values)
+            more = correction(self.runs, self.used, grids[-1].values)
+            errors = found.errors + more.errors + self._mixed(found.values, more)
             found = Estimate(found.values + more.values, errors, found.extrapolated)
         return joined(found, self.parts)
 
-    def _mixed(self, values: FloatArray, more: FloatArray) -> FloatArray:
+    def _mixed(self, values: FloatArray, more: Correction) -> FloatArray:
         """What a finer grid may change in corrections that were found on a coarse one."""
-        mixed: FloatArray = MIXED * np.abs(more) + irregular(*self._corrections())
+        mixed: FloatArray = sum(more.by_grid) + more.irregular
         before = self.scene.names.index
         area, pressure = (sum(self.parts[: before(n)]) for n in ("contact_area", "max_pressure"))
         p = values[:, pressure]
-        share = np.divide(np.abs(more[:, pressure]), p, out=np.zeros_like(p), where=p > 0)
+        share = np.divide(np.abs(more.values[:, pressure]), p, out=np.zeros_like(p), where=p > 0)
         mixed[:, area] += MIXED_AREA * share * values[:, area]
         return mixed
 
@@ -200,12 +190,25 @@ class Search:
         share = np.divide(found.errors, scale, out=np.zeros_like(found.errors), where=scale > 0)
         return np.asarray(np.max(share, axis=0)[self.chosen])
 
-    def _increments_matter(self, grids: list[Run]) -> bool:
-        """Whether they alone spoil the accuracy."""
+    def _spoiled(self, grids: list[Run], errors: FloatArray) -> float:
+        """What some errors alone are over those wanted."""
+        return float(np.max(self._relative(self._join(grids[-1].values, errors)) / self.wanted))
+
+    def _increments_told(self, grids: list[Run]) -> bool:
+        """Run more of them, or on a finer grid, where their errors alone spoil the accuracy."""
         if not self.scene.has_history:
             return False
-        spoiled = self._join(grids[-1].values, self._correction().errors)
-        return bool(np.any(self._relative(spoiled) > 0.5 * self.wanted))
+        found = correction(self.runs, self.used, grids[-1].values)
+        if self._spoiled(grids, found.errors) > 0.5 and self._more_increments():
+            return True
+        depends = self._spoiled(grids, np.sum(found.by_grid, axis=0)) > DEPENDS
+        return depends and self._on_finer_grid(grids, found)
+
+    def _growth(self, grids: list[Run]) -> float:
+        """Of the time from grid to grid."""
+        known = len(grids) > 2
+        growth = grids[-1].seconds / max(grids[-2].seconds, 1e-3) if known else 2.5 * RATIO
+        return min(max(growth, 2.0), 8.0)
 
     def _affordable(self, grids: list[Run], worst: float) -> bool:
         """Whether the next grid is within memory and time; else `needs` says what it all takes.
@@ -213,9 +216,8 @@ class Search:
         worst: the largest error over what is wanted, which about halves from grid to grid.
         """
         last = grids[-1]
-        growth = 2.5 * RATIO if len(grids) < 3 else last.seconds / max(grids[-2].seconds, 1e-3)
-        growth = min(max(growth, 2.0), 8.0)
-        seconds, size = last.seconds * growth, last.memory * RATIO**3
+        growth, size = self._growth(grids), last.memory * RATIO**3
+        seconds = last.seconds * growth
         # without some grids there is no error to tell
         spent = self.seconds + seconds if len(grids) >= FEWEST_GRIDS else 0.0
         if len(grids) < MOST_GRIDS and size <= self.memory and spent <= self.limit:
