@@ -37,6 +37,8 @@ TRUTH = Path(__file__).with_name("accuracy.csv")
 MEASURED = Path(__file__).with_name("accuracy_measured.csv")
 FINEST, LONGEST = 35.0, 25.0  # s of a processor for the truth, and for a run that is judged
 INCREMENTS = (4, 8, 16, 32)  # of a segment, for the truth
+FINER_INCREMENTS = {"F2, 5000 N": (8, 16, 32, 64), "given approach": (16, 32, 64)}
+"""Where what more increments than four change is large, or depends on the grid."""
 INCREMENTS_ON = 3  # the grid of these: what they change may depend on it
 LATER = ("V1, 0.3 N", "V1, diamond tip", "2d, rigid on perfectly plastic", "F2, friction 0.25",
          "F2, 5000 N", "R2, two passes", "rolling along the short axis, 1:2",
@@ -113,20 +115,22 @@ def processor_time() -> Iterator[None]:
         yield
 
 
-def finest(case: Case, seconds: float = FINEST) -> dict[str, float]:
+def finest(
+    case: Case, seconds: float = FINEST, increments: tuple[int, ...] = INCREMENTS
+) -> dict[str, float]:
     """The best values that can be had in some time, with one order for all; closed forms of some.
 
-    Four increments a segment on all grids, corrected by more of them on one of these.
+    The fewest increments a segment on all grids, corrected by more of them on one of these.
     """
     scene = Refinable(SectionsOfCase.model_validate({"title": "truth", "accuracy": 0.1, **case}))
-    used, most = (INCREMENTS[0], INCREMENTS[-1]) if scene.has_history else (1, 1)
+    counts = increments if scene.has_history else (1,)
     start = time.perf_counter()
-    runs = [scene.run(0, used)]
+    runs = [scene.run(0, counts[0])]
     scene.settle(runs[0])
     while time.perf_counter() - start + 4 * runs[-1].seconds < seconds or len(runs) < 4:
         runs[-1].solved = None
-        runs.append(scene.run(len(runs), used))
-    coarse = [scene.run(INCREMENTS_ON, n).values for n in INCREMENTS if n <= most]
+        runs.append(scene.run(len(runs), counts[0]))
+    coarse = [scene.run(INCREMENTS_ON, n).values for n in counts]
     return extrapolated(scene.names, scene.parts, [run.values for run in runs], coarse) | {
         name: value for name, value in closed_form(case).items() if name in scene.names
     }
@@ -179,7 +183,7 @@ def store(names: tuple[str, ...]) -> None:
     for name in names:
         print(name, flush=True)
         with processor_time():
-            truth[name] = finest(CASES[name])
+            truth[name] = finest(CASES[name], FINEST, FINER_INCREMENTS.get(name, INCREMENTS))
         with TRUTH.open("w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file, lineterminator="\n")
             for case in CASES:
