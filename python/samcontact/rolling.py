@@ -20,7 +20,7 @@ from .grid import Grid
 from .material import Material
 from .solution import ContactSolution, RollingSolution, before_on
 
-__all__ = ["RollingSolution", "steady"]
+__all__ = ["steady"]
 
 _MOST_SOLVES = 60
 _SMALL = 1e-3

@@ -21,7 +21,7 @@ MADE_BY_THE_PACKAGE = {
     "bearings.LoadZone",
     "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalSlidingSphere",
     "critical.CriticalSphere", "flattening.Flattening", "hertz.EllipticContact",
-    "hertz.LineContact", "hertz.PointContact", "StickSlipSolution", "wear.Cycle",
+    "hertz.LineContact", "hertz.PointContact", "RollingSolution", "StickSlipSolution", "wear.Cycle",
     "wear.WearResult", "Zone",
 }  # fmt: skip
 """Results: only their methods take arguments of the user."""
