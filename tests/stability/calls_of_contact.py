@@ -29,6 +29,7 @@ HEATED = {
 }
 BODIES = {"grid": GRID, "body1": STEEL, "body2": SOFT}
 SOLVER = sc.ContactSolver(GRID, HOT, HOT, heat=sc.Heat((0.0, 0.01), time=1.0, reference=1.0))
+FRETTING = sc.Simulation(GRID, STEEL, STEEL, GAP, sc.Coulomb(0.3))
 STICKING = sc.ContactSolver(GRID, STEEL, STEEL, sc.Coulomb(0.3))
 STUCK = STICKING.solve(GAP, load=LOAD)
 SIMULATION = sc.Simulation(**BODIES, gap=GAP, tol=1e-4)
@@ -186,6 +187,13 @@ CALLS = [
         {"pressure": PATCH, "shear": PATCH, "advance": (0.0, 0.0)},
     ),
     ("Simulation.step", MARCHING.step, {"load": 10.0, "duration": 1e-3}),
+    *(
+        ("Simulation.step", FRETTING.step, {"load": LOAD, **drive})
+        for drive in (
+            {"shift": (1e-8, 0.0), "twist": 1e-6},
+            {"tangential_load": (1.0, 2.0), "torque": 1e-6},
+        )
+    ),
     (
         "Simulation.run",
         SIMULATION.run,
