@@ -69,8 +69,7 @@ with these contacts but for eight: {later}.
 
 {summary}
 
-A value is covered when its true error is below the stated one. One is more than 3 times as large:
-the residual stress of "bilinear" to 5 %, the largest of which lies in a thin layer at the rim.
+A value is covered when its true error is below the stated one.
 Times are those of all grids of a run, of one processor, of a machine that had other work. Cells are
 those of the finest surface.
 
