@@ -146,6 +146,12 @@ void bind_track(py::class_<State>& state) {
           "widened",
           [](const State& s, const State& like) { return s.widened(like.shared_scene()); },
           py::arg("like"))
+      .def(
+          "relief",
+          [](const State& s, int body) {
+            return surface_array(s.scene().relief(body, s.travel), s.scene().grid);
+          },
+          py::arg("body"))
       .def_property_readonly("origin", [](const State& s) { return s.placement().origin; })
       .def_property_readonly("offset", [](const State& s) { return s.placement().offset; })
       .def_property_readonly("first_cell", [](const State& s) { return s.placement().first; })
@@ -216,12 +222,6 @@ void bind_state(py::module_& m) {
              }
              return surface_array(std::move(gap), state.scene().grid);
            })
-      .def(
-          "relief",
-          [](const State& s, int body) {
-            return surface_array(s.scene().relief(body, s.travel), s.scene().grid);
-          },
-          py::arg("body"))
       .def("max_equivalent_plastic_strain", &State::max_equivalent_plastic_strain, py::arg("body"))
       .def("max_plastic_strain", &State::max_plastic_strain, py::arg("body"))
       .def("plastic_cells", &State::plastic_cells, py::arg("body"))

@@ -287,19 +287,39 @@ Field over(const Grid& grid, const Box& box, const Field& field) {
   return values;
 }
 
+/// What there is without contact, or friction.
+ShearSolution without_shear(const Grid& grid, const TangentialDrive& drive) {
+  const std::size_t n = grid.surface_size();
+  ShearSolution solution;
+  solution.shear.assign(2 * n, 0.0);
+  solution.slip.assign(2 * n, 0.0);
+  solution.sticking.assign(n, 0);
+  for (int k = 0; k < 3; ++k) solution.motion[k] = drive[k].is_force() ? 0.0 : drive[k].value;
+  return solution;
+}
+
+BoxStart start_in(const Box& box, const Grid& grid, const ShearTask& task, const Field& shear,
+                  const std::array<double, 3>& motion) {
+  BoxStart start;
+  if (shear.empty()) return start;
+  start.shear = by_component(shear, [&](const Field& field) { return over(grid, box, field); });
+  if (task.sticking != nullptr) {
+    for (const double sticks : over(grid, box, {task.sticking->begin(), task.sticking->end()})) {
+      start.slipping.push_back(sticks == 0);
+    }
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (task.drive[k].is_force()) start.motion.push_back(motion[k]);
+  }
+  return start;
+}
+
 }  // namespace
 
 ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
                                  const std::array<double, 3>& motion, double tol,
                                  int most_steps) const {
-  const std::size_t n = grid_.surface_size();
-  ShearSolution solution;
-  solution.shear.assign(2 * n, 0.0);
-  solution.slip.assign(2 * n, 0.0);
-  solution.sticking.assign(n, 0);
-  for (int k = 0; k < 3; ++k) {
-    solution.motion[k] = task.drive[k].is_force() ? 0.0 : task.drive[k].value;
-  }
+  ShearSolution solution = without_shear(grid_, task.drive);
   const bool touches =
       std::any_of(task.pressure.begin(), task.pressure.end(), [](double p) { return p > 0; });
   if (!touches || task.friction == 0) return solution;
@@ -324,18 +344,8 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   }
   // What the surfaces slid against each other so far, they did not slip.
   if (!slid.displacement.empty()) add_scaled(1.0, slid.displacement, part.free_slip);
-  BoxStart start;
-  if (!shear.empty()) start.shear = by_component(shear, boxed);
-  if (!shear.empty() && task.sticking != nullptr) {
-    for (const double sticks : boxed({task.sticking->begin(), task.sticking->end()})) {
-      start.slipping.push_back(sticks == 0);
-    }
-  }
-  for (int k = 0; k < 3 && !shear.empty(); ++k) {
-    if (task.drive[k].is_force()) start.motion.push_back(motion[k]);
-  }
-  const Level::Answer answer =
-      level_of_box->solve(part, task.friction, task.drive, std::move(start), tol, most_steps);
+  const Level::Answer answer = level_of_box->solve(
+      part, task.friction, task.drive, start_in(box, grid_, task, shear, motion), tol, most_steps);
   const ShearResult& result = answer.result;
   unpack(result, answer.cells, box, grid_, solution);
   for (int k = 0, mode = 0; k < 3; ++k) {

@@ -20,6 +20,10 @@ class ZoneOperators {
   /// zone after the other, [k][i][j] each.
   ZoneOperators(std::shared_ptr<const ZoneTables> tables, std::vector<Box> zones);
   ~ZoneOperators();
+  ZoneOperators(const ZoneOperators&) = delete;
+  ZoneOperators& operator=(const ZoneOperators&) = delete;
+  ZoneOperators(ZoneOperators&&) = delete;
+  ZoneOperators& operator=(ZoneOperators&&) = delete;
 
   const std::vector<Box>& zones() const { return zones_; }
   std::size_t cells() const { return cells_; }
