@@ -34,7 +34,7 @@ KINDS = (
 
 
 def objects():
-    moved = simulation()
+    moved = simulation(friction=sc.Coulomb(0.1))  # of which a state tells all
     state = moved.step(load=0.5)
     return {
         "grid": GRID,
