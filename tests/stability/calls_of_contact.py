@@ -297,6 +297,15 @@ CALLS = [
         for name, rest in (("rolling", {"slide_to_roll": -0.1}), ("sliding", {"slider": 1}))
         for driver in DRIVERS
     ),
+    *(
+        (f"paths.{name}", getattr(sc.paths, name), {**DRIVERS[0], **way, **rest, "increments": 2})
+        for name, rest in (("tangential", {}), ("fretting_loop", {"cycles": 1}))
+        for way in ({"force": (1.0, 0.0)}, {"shift": (1e-7, 0.0)})
+    ),
+    ("paths.tangential", sc.paths.tangential,
+     {"load": 10.0, "force": (1.0, 0.0), "start": (0.5, 0.0)}),
+    ("paths.tangential", sc.paths.tangential, {"approach": 1e-7, "force": (1.0, 0.0)}),
+    ("paths.fretting_loop", sc.paths.fretting_loop, {"approach": 1e-7, "force": (1.0, 0.0)}),
     *(("paths.hold", sc.paths.hold, {**driver, "increments": 2, **PARTS}) for driver in DRIVERS),
     *(
         ("paths.ramp", sc.paths.ramp, {**driver, "start": 1e-7, **RAMP, **PARTS})

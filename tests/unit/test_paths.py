@@ -270,3 +270,37 @@ def test_examples_of_the_docstrings():
     for module, count in ((ramps, 1), (passes, 2)):
         results = doctest.testmod(module)
         assert (results.failed, results.attempted) == (0, count)
+
+
+def test_a_fretting_loop_closes():
+    """Under a constant load the shear comes back (Mindlin and Deresiewicz), exactly for nu = 0."""
+    grid = sc.Grid(24, 24, 40e-6, 40e-6)
+    body = sc.Material.elastic(210e9, 0.0)
+    run = sc.Simulation(grid, body, body, sc.surfaces.paraboloid(grid, 7.5e-3), sc.Coulomb(0.3))
+    run.step(load=300.0)
+    loop = paths.fretting_loop(load=300.0, force=(60.0, 0.0), cycles=2, increments=3)
+    states = run.run(loop, progress=False)
+    assert len(states) == 27
+    assert [s.tangential_load[0] for s in states[2::6]] == pytest.approx([60, -60, 60, -60, 60])
+    bound = 0.3 * states[0].pressure.max()
+    np.testing.assert_allclose(states[14].shear, states[2].shear, atol=1e-9 * bound)
+    np.testing.assert_allclose(states[8].shear, -states[2].shear, atol=1e-6 * bound)
+    first, second = (states[n + 12].friction_work - states[n].friction_work for n in (2, 14))
+    assert second == pytest.approx(first, rel=1e-6)
+    way = states[2].shift
+    by_motion = paths.fretting_loop(load=300.0, shift=tuple(way), increments=1)
+    assert [step["shift"][0] / way[0] for step in by_motion] == pytest.approx([1, -1, -1, 1, 1])
+
+
+def test_a_tangential_path_comes_to_its_force():
+    path = paths.tangential(load=100.0, force=(20.0, 4.0), start=(10.0, 0.0), increments=2)
+    assert path == [
+        {"load": 100.0, "tangential_load": (15.0, 2.0)},
+        {"load": 100.0, "tangential_load": (20.0, 4.0)},
+    ]
+    moved = paths.tangential(approach=1e-6, shift=(4e-6, 0.0), increments=4)
+    assert moved == [{"approach": 1e-6, "shift": (1e-6, 0.0)}] * 4
+    with pytest.raises(ValueError, match="give one of force and shift"):
+        paths.tangential(load=1.0)
+    with pytest.raises(ValueError, match="start goes with force"):
+        paths.tangential(load=1.0, shift=(1e-6, 0.0), start=(1.0, 0.0))

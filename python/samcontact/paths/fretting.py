@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Forces and motions along the surface, of bodies that stick and slip."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._checks import FloatArray, finite_array, load_or_approach, non_negative, step_count
+from .ramps import Path
+
+
+def tangential(
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    force: Sequence[float] | None = None,
+    shift: Sequence[float] | None = None,
+    start: Sequence[float] = (0.0, 0.0),
+    increments: int = 10,
+) -> Path:
+    """A force along the surface that grows, or a shift in equal parts, under a load that stays.
+
+    Parameters
+    ----------
+    load, approach : float
+        That stays [N], >= 0, or [m]; give one.
+    force : pair of float
+        On body 2 at the end, along x and y [N]; or
+    shift : pair of float
+        Rigid motion of body 1 over body 2 in all [m]; give one.
+    start : pair of float
+        Force before the first step [N].
+    increments : int
+        Number of steps, from 1 to 100000.
+
+    Returns
+    -------
+    list of dict
+        For `Simulation.run` with friction=samcontact.Coulomb(mu).
+
+    Raises
+    ------
+    ValueError
+        Both or neither of load and approach or of force and shift; a value outside its range.
+
+    Examples
+    --------
+    >>> tangential(load=100.0, force=(20.0, 0.0), increments=2)[0]
+    {'load': 100.0, 'tangential_load': (10.0, 0.0)}
+    """
+    name, end = _force_or_shift(force, shift)
+    count = step_count("increments", increments)
+    if name == "shift":
+        if np.any(finite_array("start", start, (2,))):
+            raise ValueError(f"start goes with force, not with shift, got {start!r}")
+        return _to(_pressed(load, approach), name, [end / count] * count)
+    first = finite_array("start", start, (2,))
+    fractions = np.arange(1, count + 1)[:, None] / count
+    return _to(_pressed(load, approach), name, first + fractions * (end - first))
+
+
+def fretting_loop(
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    force: Sequence[float] | None = None,
+    shift: Sequence[float] | None = None,
+    cycles: int = 1,
+    increments: int = 10,
+) -> Path:
+    """To and fro under a load that stays: from 0 to the amplitude, then cycles to its opposite and
+    back.
+
+    Parameters
+    ----------
+    load, approach : float
+        That stays [N], >= 0, or [m]; give one.
+    force : pair of float
+        Amplitude of the force on body 2 along x and y [N]; or
+    shift : pair of float
+        that of the rigid motion of body 1 over body 2 [m]; give one.
+    cycles : int
+        From 1 to 100000.
+    increments : int
+        Steps from 0 to the amplitude; a cycle has four times as many.
+
+    Returns
+    -------
+    list of dict
+        For `Simulation.run` with friction=samcontact.Coulomb(mu).
+
+    Raises
+    ------
+    ValueError
+        Both or neither of load and approach or of force and shift; a value outside its range.
+    """
+    name, amplitude = _force_or_shift(force, shift)
+    quarter, count = step_count("increments", increments), step_count("cycles", cycles)
+    up = np.arange(1, quarter + 1) / quarter
+    cycle = np.concatenate([1 - up, -up, up - 1, up])
+    share = np.concatenate([up, np.tile(cycle, count)])
+    if name == "shift":
+        share = np.diff(share, prepend=0.0)
+    return _to(_pressed(load, approach), name, share[:, None] * amplitude)
+
+
+def _pressed(load: float | None, approach: float | None) -> dict[str, Any]:
+    name, value = load_or_approach(load, approach)
+    return {name: non_negative("load", value) if name == "load" else value}
+
+
+def _force_or_shift(
+    force: Sequence[float] | None, shift: Sequence[float] | None
+) -> tuple[str, FloatArray]:
+    """The argument of a step, and the pair."""
+    if force is not None and shift is None:
+        return "tangential_load", finite_array("force", force, (2,))
+    if shift is not None and force is None:
+        return "shift", finite_array("shift", shift, (2,))
+    raise ValueError(f"give one of force and shift, got force={force!r} and shift={shift!r}")
+
+
+def _to(pressed: dict[str, Any], name: str, pairs: ArrayLike) -> Path:
+    return [{**pressed, name: (float(x), float(y))} for x, y in np.asarray(pairs)]
