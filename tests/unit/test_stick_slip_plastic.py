@@ -232,3 +232,32 @@ def test_elastic_bodies_roll_as_a_solver_of_contacts_has_it():
         atol = 1e-8 * solution.pressure.max()
         np.testing.assert_allclose(state.shear, solution.shear, atol=atol)
         np.testing.assert_allclose(state.shift, solution.shift, atol=1e-15)
+
+
+def per_cycle(cells, share, cycles=4):
+    """Of fretting under a force that is a share of the largest: strain and friction work."""
+    size = 1e-3 / cells
+    grid = sc.Grid(cells, cells, size, size, dz=size)
+    body2 = sc.Material.perfect_plastic(210e9, 0.3, 1.2e9).with_kinematic_hardening(7e9)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    run = sc.Simulation(grid, BALL, body2, gap, sc.Coulomb(0.6))
+    loop = sc.paths.fretting_loop(
+        load=300.0, force=(share * 0.6 * 300.0, 0.0), cycles=cycles, increments=2
+    )
+    states = run.run([{"load": 150.0}, {"load": 300.0}, *loop], progress=False)[3::8]
+    strain = [state.max_equivalent_plastic_strain() for state in states]
+    return np.diff(strain), np.diff([state.friction_work for state in states])
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+@pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
+def test_fretting_shakes_down_or_goes_on_by_its_force():
+    work = []
+    for cells in (20, 28):
+        small, _ = per_cycle(cells, 0.5)
+        large, turned = per_cycle(cells, 0.85)
+        assert small[-1] < 0.01 * small[0]
+        assert large[-1] > 0.2 * large[0]
+        assert large[-1] > 1000 * small[-1]
+        work.append(turned[-1])
+    assert work[0] == pytest.approx(work[1], rel=0.08)
