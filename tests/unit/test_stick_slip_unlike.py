@@ -89,24 +89,32 @@ def test_dense_solver_agrees(bodies):
     assert found.sweeps > 1
 
 
-def spence(cells, largest, mu=0.2986):
-    """Solver, gap and the last two of so many increments."""
+def spence(cells, largest):
+    """Solver, gap and so many increments of Spence's problem as an example of CONTACT."""
     grid = sc.Grid(cells, cells, 0.2, 0.2)
     soft, hard = sc.Material.elastic(1.0, 0.0), sc.Material.elastic(2e5, 0.0)
-    solver = sc.ContactSolver(grid, soft, hard, sc.Coulomb(mu))
-    gap, before, found = sc.surfaces.paraboloid(grid, 0.5 / 0.004116), None, None
+    solver = sc.ContactSolver(grid, soft, hard, sc.Coulomb(0.2986))
+    gap, found = sc.surfaces.paraboloid(grid, 0.5 / 0.004116), [None]
     for k in range(1, largest + 1):
-        before = found
-        found = solver.solve(gap, load=(k / 45) ** 3, previous=found)
-    return solver, gap, before, found
+        found.append(solver.solve(gap, load=(k / 45) ** 3, previous=found[-1]))
+    return solver, gap, found
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 def test_pressing_unlike_bodies():
-    """Spence's problem as an example of CONTACT, to its printed digits."""
-    solver, gap, before, found = spence(17, 6)
-    assert np.count_nonzero(found.pressure) == 29
-    assert np.count_nonzero(found.sticking) == 5
+    """To the digits that CONTACT prints; its 921 cells at the end are on the verge of contact."""
+    solver, gap, path = spence(37, 35)
+    for k, touching, sticking, approach, peak in (
+        (6, 29, 5, 2.901e-3, 3.941e-3),
+        (18, 241, 61, 2.610e-2, 1.220e-2),
+        (35, 917, 225, 9.874e-2, 2.392e-2),
+    ):
+        found = path[k]
+        assert np.count_nonzero(found.pressure) == touching
+        assert np.count_nonzero(found.sticking) == sticking
+        assert found.approach == pytest.approx(approach, rel=3e-4)
+        assert found.pressure.max() == pytest.approx(peak, rel=3e-4)
+    before, found = path[5:7]
     assert found.approach == pytest.approx(2.9017e-3, rel=3e-5)
     assert found.pressure.max() == pytest.approx(3.9408e-3, rel=3e-5)
     assert found.friction_work - before.friction_work == pytest.approx(2.712e-8, rel=1e-4)

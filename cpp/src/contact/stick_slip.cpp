@@ -304,7 +304,8 @@ void StickSlip::step(double tol) {
   bool missed = false;
   for (int k = 0; k < modes_; ++k) {
     miss[k] = missing(k);
-    missed = missed || std::fabs(miss[k]) > 1e-2 * r_.error * std::fabs(problem_.modes[k].target);
+    const double little = 1e-2 * std::min(r_.error, 1.0) * std::fabs(problem_.modes[k].target);
+    missed = missed || std::fabs(miss[k]) > little;
   }
   if (missed) {
     const Eigen::VectorXd share = solver.solve(miss);
