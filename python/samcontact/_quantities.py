@@ -82,6 +82,13 @@ CONTACT = {
     # of each increment
     "load": Q("N", "normal load", "N", "load", "load", 6),
     "approach": Q("m", "rigid-body approach", "µm", "approach", "approach", 6),
+    "tangential_load_x": Q("N", "force of the shear on body 2 along +x", "N", "force along x"),
+    "tangential_load_y": Q("N", "force of the shear on body 2 along +y", "N", "force along y"),
+    "torque": Q("N m", "moment of the shear on body 2 about z", "N m", "torque"),
+    "shift_x": Q("m", "rigid motion of body 1 over body 2 along +x", "µm", "shift along x"),
+    "shift_y": Q("m", "rigid motion of body 1 over body 2 along +y", "µm", "shift along y"),
+    "twist": Q("rad", "turn of body 1 over body 2 about z", "rad", "twist"),
+    "friction_work": Q("J", "work of friction since the start", "J", "friction work"),
     "max_pressure": Q("Pa", "maximum pressure", "MPa", "maximum pressure", "p_max"),
     "contact_area": Q("m2", "area under pressure", "mm²", "contact area", "contact area"),
     "max_von_mises": Q(
@@ -140,6 +147,9 @@ CONTACT = {
     "gap": Q("m", "gap under load", "µm", "gap", colours="cividis"),
     "shear_x": Q("Pa", "shear along +x on body 2"),
     "shear_y": Q("Pa", "shear along +y on body 2"),
+    "slip_x": Q("m", "slip of body 1 over body 2 in the increment, along +x"),
+    "slip_y": Q("m", "slip of body 1 over body 2 in the increment, along +y"),
+    "sticking": Q("1", "whether a cell in contact sticks in the increment"),
     "residual_displacement": Q(
         "m", "normal surface displacement by plastic strain, body {body}, into the body", "µm",
         "residual displacement", colours="RdBu_r",

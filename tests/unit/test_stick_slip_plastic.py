@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact import energy
+from samcontact import energy, results
 
 GRID = sc.Grid(28, 28, 36e-6, 36e-6, dz=36e-6)
 BALL = sc.Material.elastic(210e9, 0.3)
@@ -261,3 +261,19 @@ def test_fretting_shakes_down_or_goes_on_by_its_force():
         assert large[-1] > 1000 * small[-1]
         work.append(turned[-1])
     assert work[0] == pytest.approx(work[1], rel=0.08)
+
+
+def test_results_have_forces_motions_and_slip(tmp_path):
+    run = simulation()
+    states = run.run(list(by_parts([(400.0, (0, 0)), (400.0, (90.0, 30.0))], 2)), progress=False)
+    path = tmp_path / "results.nc"
+    results.save(results.to_dataset(run, states), path)
+    with results.open_results(path) as kept:
+        assert kept.attrs["friction"] == 0.3
+        assert kept.attrs["stick_and_slip"] == 1
+        np.testing.assert_allclose(kept["tangential_load_y"], [0, 0, 15, 30], atol=1e-3)
+        for n, state in enumerate(states):
+            assert np.array_equal(kept["slip_x"][n], state.slip[0])
+            assert np.array_equal(kept["sticking"][n], state.sticking)
+            assert kept["shift_x"][n] == state.shift[0]
+            assert kept["friction_work"][n] == state.friction_work

@@ -14,10 +14,11 @@ from .._checks import choice, integer
 from .._peak import peak_of_dataset
 from .._quantities import CONTACT
 from .._tensors import COMPONENTS
-from ..friction import coefficient
+from ..friction import Coulomb, coefficient
 from ..state import in_one_window
 from .convergence import add_convergence
 from .motion import add, add_motion
+from .slipping import add_slipping
 from .zones import add_gathered, is_gathered, max_von_mises
 
 if TYPE_CHECKING:
@@ -94,8 +95,9 @@ def to_dataset(
     xarray.Dataset
         Dimensions increment, x, y and, with a volume, volume_increment, z, component; where the
         plastic strain of a body lies in several zones, cell_body1 or cell_body2 instead of x, y, z
-        (see `on_grid`); for an inelastic body that moved, track_x_body1 or track_x_body2: its whole
-        track at the end.
+        (see `on_grid`); of bodies that stick and slip, forces and motions along the surface, slip
+        and which cells stick; for an inelastic body that moved, track_x_body1 or track_x_body2: its
+        whole track at the end.
         Every variable has ``units`` (SI) and ``long_name``.
 
     Raises
@@ -118,6 +120,7 @@ def to_dataset(
     dataset = xr.Dataset(coords=_coordinates(window))
     _add_scalars(dataset, states)
     _add_surface(dataset, simulation, states)
+    add_slipping(dataset, simulation, states)
     add(dataset, "initial_gap", ("x", "y"), np.asarray(window.initial_gap))
     heated = _add_temperatures(dataset, simulation, states)
     if simulation.grid.has_volume:
@@ -271,6 +274,8 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
         "tol": float(simulation.tol),
         "reach": float(simulation.reach),
     }
+    if isinstance(simulation.friction, Coulomb):
+        attributes["stick_and_slip"] = 1
     if simulation.grid.periodic:
         attributes["periodic"] = simulation.grid.periodic
     if simulation.grid.dz is not None:

@@ -22,7 +22,9 @@ from .zones import cells_of
 # The order in which VTK keeps symmetric tensors, which is not that of this package.
 VTK_COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 _VOXEL = 11  # VTK's number of this type of cell
-_COMMON = ("pressure", "gap", "shear_x", "shear_y", "initial_gap")
+_COMMON = (
+    "pressure", "gap", "shear_x", "shear_y", "slip_x", "slip_y", "sticking", "initial_gap",
+)  # fmt: skip
 
 
 def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int = 2) -> list[Path]:
