@@ -137,8 +137,13 @@ void steps_of(Draw& draw) {
     simulation::Target target;
     target.drive = draw.coin() ? contact::Drive::load(draw.number(1.0, 3))
                                : contact::Drive::approach(draw.number(1e-6, 2));
+    for (auto& given : target.tangential) {
+      given = draw.coin() ? contact::Given::force(draw.between(-1.0, 1.0))
+                          : contact::Given::motion(draw.between(-1e-5, 1e-5));
+    }
     const auto& state = simulation.step(target);
     check(is_finite(state.tractions.pressure), "pressure is finite");
+    check(is_finite(state.tractions.shear_x) && is_finite(state.slip), "shear and slip are finite");
     for (int body = 0; body < 2; ++body) {
       if (!state.plastic[body]) continue;
       check(is_finite(state.plastic_strain(body)), "plastic strain is finite");

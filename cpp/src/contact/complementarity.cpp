@@ -9,6 +9,15 @@
 
 namespace samcontact::contact {
 
+bool all_finite(const Field& field) {
+  return std::all_of(field.begin(), field.end(), [](double v) { return std::isfinite(v); });
+}
+
+bool is_finite(const Solution& solution) {
+  return all_finite(solution.tractions.pressure) && all_finite(solution.gap) &&
+         std::isfinite(solution.load);
+}
+
 double contact_mean(const Field& pressure, const Field& field) {
   const std::size_t n = field.size();
   std::size_t cells = 0;

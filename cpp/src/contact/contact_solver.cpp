@@ -14,10 +14,6 @@ namespace {
 
 constexpr int max_coupling_iterations = 200;
 
-bool all_finite(const Field& field) {
-  return std::all_of(field.begin(), field.end(), [](double v) { return std::isfinite(v); });
-}
-
 /// Largest pressure on the sides of the grid across x and across y.
 std::array<double, 2> border_pressure(const Grid& grid, const Field& pressure) {
   std::array<double, 2> largest{};
@@ -115,9 +111,7 @@ ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence
 
 void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
                                    const ContactSettings& settings) const {
-  // Comparisons with NaN are false: such a solution would look converged.
-  const bool finite = all_finite(solution.tractions.pressure) && all_finite(solution.gap) &&
-                      std::isfinite(solution.load);
+  const bool finite = is_finite(solution);
   const bool grows = solution.negative_curvatures > 0;
   if (heated_ && !drive.normal.is_force() &&
       (finite ? is_unstable(solution.tractions.pressure) : grows)) {

@@ -281,8 +281,13 @@ namespace {
 
 void require_solved(const CoulombSolution& solution, Given normal,
                     const ContactSettings& settings) {
-  if (solution.normal.converged) return;
   const ShearSolution& shear = solution.tangential;
+  if (!is_finite(solution.normal) || !all_finite(shear.shear) || !all_finite(shear.slip)) {
+    throw ConvergenceError("stick and slip did not converge at " + describe(Drive{normal}) +
+                               ": the solution is beyond the range of numbers",
+                           solution.normal.iterations + shear.iterations, solution.normal.error);
+  }
+  if (solution.normal.converged) return;
   std::string text = "stick and slip did not converge at " + describe(Drive{normal}) + ": ";
   if (shear.converged && solution.normal.error > settings.tol) {
     text += "error of the pressure " + to_text(solution.normal.error);

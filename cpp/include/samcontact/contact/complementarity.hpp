@@ -36,6 +36,10 @@ struct Solution {
   std::string border_complaint;
 };
 
+bool all_finite(const Field& field);
+/// Whether all of a solution is; comparisons with NaN are false, so that it may look converged.
+bool is_finite(const Solution& solution);
+
 /// Mean of a field over the cells with pressure; 0 without any.
 double contact_mean(const Field& pressure, const Field& field);
 
