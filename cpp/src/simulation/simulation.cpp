@@ -16,14 +16,10 @@
 namespace samcontact::simulation {
 namespace {
 
-bool all_finite(const Field& field) {
-  return std::all_of(field.begin(), field.end(), [](double v) { return std::isfinite(v); });
-}
-
 void require_field(const Field& field, std::size_t size, const std::string& name,
                    const std::string& shape) {
   if (field.size() != size) throw std::invalid_argument(name + " must have shape " + shape);
-  if (!all_finite(field)) throw std::invalid_argument(name + " must be finite everywhere");
+  if (!contact::all_finite(field)) throw std::invalid_argument(name + " must be finite everywhere");
 }
 
 std::string shape_text(std::initializer_list<int> extents) {
