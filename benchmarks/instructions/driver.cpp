@@ -90,20 +90,20 @@ std::function<double()> transforms(operators::Symmetry symmetry) {
 std::function<double()> padded_transforms() { return transforms(operators::Symmetry::none); }
 std::function<double()> mirrored_transforms() { return transforms(operators::Symmetry::xy); }
 
-const std::map<std::string, Prepare> kernels{{"layer_sweep", layer_sweep},
-                                             {"radial_return", radial_return},
-                                             {"padded_transforms", padded_transforms},
-                                             {"mirrored_transforms", mirrored_transforms}};
+const std::map<std::string, Prepare> measured{{"layer_sweep", layer_sweep},
+                                              {"radial_return", radial_return},
+                                              {"padded_transforms", padded_transforms},
+                                              {"mirrored_transforms", mirrored_transforms}};
 
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc == 1) {
-    for (const auto& [name, prepare] : kernels) std::puts(name.c_str());
+    for (const auto& [name, prepare] : measured) std::puts(name.c_str());
     return 0;
   }
-  const auto found = kernels.find(argv[1]);
-  if (argc != 3 || found == kernels.end()) {
+  const auto found = measured.find(argv[1]);
+  if (argc != 3 || found == measured.end()) {
     std::fputs("usage: samcontact_instructions [KERNEL RUNS]\n", stderr);
     return 2;
   }
