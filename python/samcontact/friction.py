@@ -134,6 +134,7 @@ class Tangential:
         cells = round(self.way / grid.dx)
         if cells == 0:
             return before
+        _require_kept(before[0], cells, grid)
         return carried(before[0], cells), carried(before[1], cells), None, before[3]
 
     def solved(
@@ -189,6 +190,18 @@ def carried(field: FloatArray, cells: int) -> FloatArray:
     count = max(field.shape[-2] - abs(cells), 0)
     moved[..., to, :][..., :count, :] = field[..., of, :][..., :count, :]
     return moved
+
+
+def _require_kept(pressure: FloatArray, cells: int, grid: Grid) -> None:
+    """Raise ValueError where tractions would leave the grid, with what they displace in it."""
+    rows = np.flatnonzero(pressure.any(axis=1))
+    least, most = (-int(rows[0]), grid.nx - 1 - int(rows[-1])) if rows.size else (cells, cells)
+    if not least <= cells <= most:
+        raise ValueError(
+            f"advance must move the contact of the increment before by {least} to {most} cells of "
+            f"{grid.dx!r} m, which keeps it on the grid, got {cells} cells on the mean of both "
+            "bodies: take shorter steps, or a longer grid"
+        )
 
 
 def given_along(

@@ -164,6 +164,7 @@ def test_what_no_contact_can_do_is_told():
     for drive, message in (
         ({"advance": (0.4 * d, 0.4 * d)}, "whole number of cells"),
         ({"advance": (3 * d, d)}, "differ by at most a cell"),
+        ({"advance": (9 * d, 9 * d)}, "which keeps it on the grid, got 9 cells"),
         ({"advance": (1.01 * d, 0.99 * d), "tangential_load": (0.1, None)}, "same of both bodies"),
         ({"advance": (d, d), "torque": 0.01}, "torque goes with"),
     ):

@@ -234,6 +234,63 @@ def test_elastic_bodies_roll_as_a_solver_of_contacts_has_it():
         np.testing.assert_allclose(state.shift, solution.shift, atol=1e-15)
 
 
+SOFT = sc.Material.elastic(100e9, 0.2)
+
+
+def moved(field, cells):
+    """A field of a surface that has gone on by whole cells."""
+    out, count = np.zeros_like(field), field.shape[-2] - abs(cells)
+    to, of = max(cells, 0), max(-cells, 0)
+    out[..., to : to + count, :] = field[..., of : of + count, :]
+    return out
+
+
+@pytest.mark.parametrize(
+    "bodies",
+    [(BALL, SOFT), (BALL, sc.Material.linear_hardening(100e9, 0.2, 1e12, 5e9)),
+     (sc.Material.linear_hardening(210e9, 0.3, 1e12, 5e9), SOFT)],
+    ids=["elastic", "follows 2", "follows 1"],
+)  # fmt: skip
+@pytest.mark.parametrize("ways", [(3, -1), (-3, 5), (14, 14)])
+def test_each_body_takes_along_what_it_displaces(bodies, ways):
+    run = simulation(*bodies, tol=1e-9)
+    before = run.step(load=100.0, tangential_load=(12.0, 9.0))
+    shift = (0.0, 3e-7)
+    state = run.step(load=100.0, advance=tuple(n * GRID.dx for n in ways), shift=shift)
+    wide = sc.Grid(84, 28, 36e-6, 36e-6)  # for what leaves the grid
+    solver = sc.ContactSolver(wide, *bodies, LAW)
+    slip = np.array([(ways[0] - ways[1]) * GRID.dx, shift[1]])[:, None, None] * np.ones((84, 28))
+    rim = ((0, 0), (28, 28), (0, 0))
+    loads = {s: (np.pad(s.pressure, rim[1:]), np.pad(s.shear, rim)) for s in (before, state)}
+    for body, way, sign in ((1, ways[0], 1), (2, ways[1], -1)):
+        then = solver.displacement(*(moved(t, way) for t in loads[before]), body=body)
+        slip += sign * (solver.displacement(*loads[state], body=body) - then)[:2]
+    slips = (state.pressure > 0) & ~state.sticking
+    scale = max(abs(slip[:, 28:56][:, slips]).max(initial=0), 1e-7)
+    np.testing.assert_allclose(state.slip[:, slips], slip[:, 28:56][:, slips], atol=1e-6 * 1e-7)
+    assert abs(slip[:, 28:56][:, state.sticking]).max(initial=0) < 1e-6 * scale
+
+
+def test_swapped_bodies_mirror_what_goes_far_apart():
+    one, two = simulation(SOFT, STEEL, tol=1e-10), simulation(STEEL, SOFT, tol=1e-10)
+    for run in (one, two):
+        run.step(load=300.0, tangential_load=(40.0, 30.0))
+    for ways in ((2.0, -1.0), (-1.0, 1.0), (0.5, -0.5)):
+        first, second = (
+            run.step(load=300.0, advance=np.multiply(turned, GRID.dx), shift=(0.0, 1e-6))
+            for run, turned in ((one, ways), (two, (-ways[1], -ways[0])))
+        )
+    scale = first.pressure.max()
+    np.testing.assert_allclose(second.pressure[::-1, ::-1], first.pressure, atol=1e-10 * scale)
+    np.testing.assert_allclose(second.shear[:, ::-1, ::-1], first.shear, atol=1e-10 * scale)
+    slip = abs(first.slip).max()
+    np.testing.assert_allclose(second.slip[:, ::-1, ::-1], first.slip, atol=1e-9 * slip)
+    strain = first.plastic_strain(2)
+    turned = second.plastic_strain(1)[:, ::-1, ::-1].copy()
+    turned[3:5] *= -1
+    np.testing.assert_allclose(turned, strain, atol=1e-10 * abs(strain).max())
+
+
 def per_cycle(cells, share, cycles=4):
     """Of fretting under a force that is a share of the largest: strain and friction work."""
     size = 1e-3 / cells

@@ -17,28 +17,89 @@ double way_of(const State& state) {
   return 0.5 * (state.advance[0] + state.advance[1]) * state.scene().grid.dx;
 }
 
+/// Where its way differs by so much from that of the tractions, a body's displacement is carried by
+/// its own [cells]: below, the difference of both is the slip times a strain.
+constexpr double least_apart = 0.5;
+/// Tractions that went on by more lengths of the grid displace nothing in it.
+constexpr double farthest = 2.0;
+
+operators::Tractions for_each(const operators::Tractions& tractions, const auto& change) {
+  return {change(tractions.pressure), change(tractions.shear_x), change(tractions.shear_y)};
+}
+
 /// Tractions where they were on the surface of a body that has moved on by some cells.
 operators::Tractions taken_along(const operators::Tractions& tractions, const Grid& grid,
                                  int cells) {
-  return {moved(tractions.pressure, grid, cells), moved(tractions.shear_x, grid, cells),
-          moved(tractions.shear_y, grid, cells)};
+  return for_each(tractions, [&](const Field& field) { return moved(field, grid, cells); });
 }
 
-/// How what body 1 moves on by more cells than body 2 carries its displacement along.
-Field carried_apart(const Scene& scene, const operators::Tractions& of_body2, int more) {
+/// Whether some of a surface field leaves the grid as it moves on by some cells.
+bool is_cut(const Field& field, const Grid& grid, int cells) {
+  const auto size = static_cast<std::ptrdiff_t>(field.size());
+  const auto lost = std::min(size, static_cast<std::ptrdiff_t>(std::abs(cells)) * grid.ny);
+  const auto begin = cells > 0 ? field.end() - lost : field.begin();
+  return std::any_of(begin, begin + lost, [](double v) { return v != 0; });
+}
+
+/// The grid with some more rows of cells on either side, and fields of it there.
+class Widened {
+ public:
+  Widened(const Grid& grid, int rows) : wide_(grid), from_(rows * grid.surface_size() / grid.nx) {
+    wide_.nx += 2 * rows;
+  }
+  const Grid& grid() const { return wide_; }
+  Field operator()(const Field& field) const {
+    if (field.empty()) return field;
+    Field out(wide_.surface_size(), 0.0);
+    std::copy(field.begin(), field.end(), out.begin() + from_);
+    return out;
+  }
+  /// Of the wide grid: its part in the grid.
+  auto begin_of(const Field& wide) const { return wide.begin() + from_; }
+
+ private:
+  Grid wide_;
+  std::ptrdiff_t from_;
+};
+
+/// What a body displaces along the surface [2][i][j] where tractions went on by its way [cells],
+/// less what it does where they did by `cells` and those that left the grid are lost.
+Field displaced_otherwise(const Scene& scene, int body, const operators::Tractions& tractions,
+                          double way, int cells) {
   const Grid& grid = scene.grid;
-  operators::Tractions difference = taken_along(of_body2, grid, more);
-  const auto subtract = [](const Field& from, Field& to) {
-    for (std::size_t i = 0; i < from.size(); ++i) to[i] -= from[i];
-  };
-  subtract(of_body2.pressure, difference.pressure);
-  subtract(of_body2.shear_x, difference.shear_x);
-  subtract(of_body2.shear_y, difference.shear_y);
-  Field slip;
+  const double most = farthest * grid.nx, own = std::clamp(way, -most, most);
+  const int whole = static_cast<int>(std::lround(own));
+  const Widened widened(grid, std::abs(whole) + 1);
+  const operators::Tractions wide = for_each(tractions, widened);
+  operators::Tractions difference =
+      seen_from_body(taken_along(wide, widened.grid(), whole), widened.grid(), own - whole);
+  const operators::Tractions kept = for_each(taken_along(tractions, grid, cells), widened);
+  contact::add_scaled(-1.0, kept.pressure, difference.pressure);
+  contact::add_scaled(-1.0, kept.shear_x, difference.shear_x);
+  contact::add_scaled(-1.0, kept.shear_y, difference.shear_y);
+  Field slid;
   for (const auto axis : {operators::Axis::x, operators::Axis::y}) {
-    const Field u = operators::surface_displacement(grid, *scene.media[0], {}, difference,
-                                                    operators::shear_sign(0), axis);
-    for (const double v : u) slip.push_back(-v);
+    const Field u = operators::surface_displacement(widened.grid(), *scene.media[body], {},
+                                                    difference, operators::shear_sign(body), axis);
+    slid.insert(slid.end(), widened.begin_of(u),
+                widened.begin_of(u) + static_cast<std::ptrdiff_t>(grid.surface_size()));
+  }
+  return slid;
+}
+
+/// Slip that goes with what the bodies' own ways [cells] make of a displacement that the tractions
+/// carry by whole cells; empty: none.
+Field slip_of_ways(const Scene& scene, const operators::Tractions& tractions, const Travel& ways,
+                   int cells) {
+  const bool cut = is_cut(tractions.pressure, scene.grid, cells);
+  Field slip;
+  for (int b = 0; b < 2; ++b) {
+    const bool apart = std::fabs(ways[b] - cells) >= least_apart;
+    if (scene.media[b]->is_rigid() || !(cut || apart)) continue;
+    slip.resize(2 * scene.grid.surface_size(), 0.0);
+    // What body 2 displaced before, it does not slip back.
+    contact::add_scaled(operators::shear_sign(b),
+                        displaced_otherwise(scene, b, tractions, ways[b], cells), slip);
   }
   return slip;
 }
@@ -65,11 +126,10 @@ contact::ContactHistory PlasticIncrement::contact_before() const {
     before.has_moved = true;
     before.pressure = carried.pressure;
     before.shear = shear_vectors(carried);
-    const int more = static_cast<int>(std::lround(by[0] - by[1]));
-    const auto& media = scene_.media;
-    if (more != 0 && !media[1 - followed]->is_rigid()) {
-      before.free_slip = carried_apart(scene_, carried, more);
-    }
+    // Parts of a cell move the grid, not the surface of the body that it follows.
+    const double own = scene_.followed() < 0 ? 0.5 * (by[0] + by[1]) : by[followed];
+    const Travel ways{by[0] - own + cells, by[1] - own + cells};
+    before.free_slip = slip_of_ways(scene_, from_.tractions, ways, cells);
   }
   before.shear.resize(2 * grid.surface_size(), 0.0);
   return before;
