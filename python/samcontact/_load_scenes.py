@@ -29,15 +29,7 @@ class Scaled:
 
     def __call__(self, load: float) -> Built:
         factor = load / self.largest
-        path = [
-            segment.model_copy(
-                update={
-                    "load": factor * (segment.load or 0.0),
-                    "start": None if segment.start is None else factor * segment.start,
-                }
-            )
-            for segment in self.case.path
-        ]
+        path = [segment.scaled(factor) for segment in self.case.path]
         return self.case.model_copy(update={"path": path}).build()
 
 

@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 if TYPE_CHECKING:
     import xarray as xr
 
-_FACTORS = {"µm": 1e6, "µm²": 1e12, "mm²": 1e6, "µm³": 1e18, "MPa": 1e-6, "GPa": 1e-9, "%": 1e2}
+_FACTORS = {
+    "µm": 1e6,
+    "µm²": 1e12,
+    "mm²": 1e6,
+    "µm³": 1e18,
+    "MPa": 1e-6,
+    "GPa": 1e-9,
+    "%": 1e2,
+    "µJ": 1e6,
+}
 """From SI to the unit shown, where that is another one."""
 _SMALL_AREA = 1e-8  # [m^2]
 
@@ -82,13 +91,31 @@ CONTACT = {
     # of each increment
     "load": Q("N", "normal load", "N", "load", "load", 6),
     "approach": Q("m", "rigid-body approach", "µm", "approach", "approach", 6),
-    "tangential_load_x": Q("N", "force of the shear on body 2 along +x", "N", "force along x"),
-    "tangential_load_y": Q("N", "force of the shear on body 2 along +y", "N", "force along y"),
-    "torque": Q("N m", "moment of the shear on body 2 about z", "N m", "torque"),
-    "shift_x": Q("m", "rigid motion of body 1 over body 2 along +x", "µm", "shift along x"),
-    "shift_y": Q("m", "rigid motion of body 1 over body 2 along +y", "µm", "shift along y"),
-    "twist": Q("rad", "turn of body 1 over body 2 about z", "rad", "twist"),
-    "friction_work": Q("J", "work of friction since the start", "J", "friction work"),
+    "tangential_load_x": Q(
+        "N", "force of the shear on body 2 along +x", "N",
+        "force along x", "force\nalong x",
+    ),
+    "tangential_load_y": Q(
+        "N", "force of the shear on body 2 along +y", "N",
+        "force along y", "force\nalong y",
+    ),
+    "torque": Q("N m", "moment of the shear on body 2 about z", "N m", "torque", "torque"),
+    "shift_x": Q(
+        "m", "rigid motion of body 1 over body 2 along +x", "µm",
+        "shift along x", "shift\nalong x",
+    ),
+    "shift_y": Q(
+        "m", "rigid motion of body 1 over body 2 along +y", "µm",
+        "shift along y", "shift\nalong y",
+    ),
+    "twist": Q("rad", "turn of body 1 over body 2 about z", "rad", "twist", "twist"),
+    "friction_work": Q(
+        "J", "work of friction since the start", "µJ", "friction work", "friction\nwork"
+    ),
+    "sticking_share": Q(
+        "1", "share of the cells in contact that stick in the increment", "%",
+        "share of the contact that sticks", "sticks", 4,
+    ),
     "max_pressure": Q("Pa", "maximum pressure", "MPa", "maximum pressure", "p_max"),
     "contact_area": Q("m2", "area under pressure", "mm²", "contact area", "contact area"),
     "max_von_mises": Q(

@@ -188,7 +188,7 @@ def find_load(
     Parameters
     ----------
     case : Case or callable
-        A case, all of whose loads are multiplied by the same factor; or a function that makes the
+        A case, all of whose forces are multiplied by the same factor; or a function that makes the
         simulation and the path (for `Simulation.run`) of a largest load [N].
     quantity : str
         Of those with errors in results files, e.g. "max_pressure", "print_depth_body2"; without a

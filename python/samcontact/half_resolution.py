@@ -93,7 +93,7 @@ def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int
         moves = np.asarray(given.get("advance", (0.0, 0.0)), dtype=np.float64)
         whole = np.allclose(moves / (2 * fine.dx), np.round(moves / (2 * fine.dx)), atol=1e-6)
         if waiting and given == path[len(which) - 1]:
-            steps[-1]["advance"] = tuple((2 * moves).tolist())
+            steps[-1] |= _of_both(given)
             if given.get("duration") is not None:
                 steps[-1]["duration"] = 2 * given["duration"]
             waiting = False
@@ -102,6 +102,16 @@ def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int
             waiting = not whole
         which.append(len(steps) - 1)
     return steps, which
+
+
+def _of_both(step: Mapping[str, Any]) -> dict[str, Any]:
+    """Motions of two equal increments together; forces along the surface are totals."""
+    moved: dict[str, Any] = {"advance": tuple(2 * s for s in step["advance"])}
+    if step.get("shift") is not None:
+        moved["shift"] = tuple(None if s is None else 2 * s for s in step["shift"])
+    if step.get("twist") is not None:
+        moved["twist"] = 2 * step["twist"]
+    return moved
 
 
 def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:

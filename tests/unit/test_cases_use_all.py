@@ -70,6 +70,10 @@ TUGGING = {
                                         "image_tol", "max_iterations", "reach")},
 }  # fmt: skip
 WEAR = {"threshold": 2e-3, "cycles": 3, "worn": [2], "window": [3, 5], "order": 1}
+STICKS = {
+    "title": "t", "grid": GRID, "body1": COLD, "body2": COLD, "surface": FLAT,
+    "contact": {"friction": {"coulomb": 0.3}},
+}  # fmt: skip
 KINDS = {
     "contact": BASE,
     "sphere": BASE | {"surface": {"shape": "sphere", "R": 1e-3}, "relief1": DENT,
@@ -96,6 +100,17 @@ KINDS = {
     | {"heat": MARCHED | {"velocity": [-2.0, 0.0]}, "surface": FLAT,
        "path": [{"load": 1.0, "slide": {"distance": 1e-5, "step": 5e-6, "speed": 2.0,
                                         "passes": 2}}]},
+    "stick and slip": STICKS
+    | {"path": [{"load": 2.0, "increments": 2, "spacing": "power", "exponent": 3.0,
+                 "shift_x": 1e-8, "tangential_load_y": 0.1, "torque": 1e-9},
+                {"load": 3.0, "increments": 2, "tangential_load_y": 0.05, "twist": 1e-6}]},
+    "fretting": STICKS
+    | {"path": [{"load": 2.0, "increments": 2},
+                {"load": 2.0, "fret": {"tangential_load_x": 0.1, "tangential_load_y": 0.05,
+                                       "cycles": 2}}]},
+    "fretting by motion": STICKS
+    | {"path": [{"load": 2.0, "increments": 2},
+                {"load": 2.0, "fret": {"shift_x": 1e-8, "shift_y": 1e-9}}]},
     "wear": BASE | {"wear": WEAR | {"strain_depth": "smoothed"}},
     "running in": BASE | {"wear": {"threshold": 2e-3, "smoothing_length": 8e-6}},
     "marched wear": BASE
@@ -127,6 +142,8 @@ UNSET = {
     "Ry": 3e-3, "advance": [1e-5, 0.0], "exponent": 3.0, "start": 1e-9, "reach": 1e-4,
     "heat_factor": 1e-3, "velocity": [1.0, 0.0], "wavelength_min": 15e-6, "wavelength_max": 60e-6,
     "roll_off": 40e-6, "roll": ROLL, "slide": {"distance": 1e-5, "step": 5e-6}, "increments": 12,
+    "shift_x": 1e-8, "shift_y": 1e-8, "twist": 1e-6, "tangential_load_x": 0.2,
+    "tangential_load_y": 0.2, "torque": 1e-9, "fret": {"shift_x": 1e-8},
     "width": 1.7, "depth": 1.5, "approach": 1e-7, "load": 1.0, "image_tol": 1e-2, "floor": 0.2,
     "thermal": SWIFT["thermal"], "softening": SWIFT["softening"], "kinematic": SWIFT["kinematic"],
     "wear": WEAR, "relief1": DENT, "relief2": DENT, "roughness": ROUGH, "grid": GRID,

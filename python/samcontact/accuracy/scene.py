@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import time
 import warnings
@@ -285,10 +286,8 @@ class Refinable:
 def marks_of(case: Case) -> list[int]:
     """Positions of the increments that end a segment, and of passes the last one under load."""
     marks: list[int] = []
-    reached = ("", 0.0)
     count = 0
-    for segment in case.path:
-        made, reached = segment.steps(reached)
+    for segment, made in zip(case.path, case.steps_of_segments(), strict=True):
         if segment.passes is not None:
             target = getattr(segment, segment.quantity)
             under = [i for i, step in enumerate(made) if step.get(segment.quantity) == target]
@@ -300,17 +299,16 @@ def marks_of(case: Case) -> list[int]:
 
 def ends_of(case: Case) -> list[int]:
     """How many increments there are up to the end of each segment."""
-    reached = ("", 0.0)
-    ends = [0]
-    for segment in case.path:
-        made, reached = segment.steps(reached)
-        ends.append(ends[-1] + len(made))
-    return ends[1:]
+    return list(itertools.accumulate(len(steps) for steps in case.steps_of_segments()))
 
 
 def require_refinable(case: Case) -> None:
     """Raise ValueError naming what has no smaller cells than its own, and what to do instead."""
     remedy = "give [grid] with the cells of the data instead of accuracy"
+    if not isinstance(case.contact.friction, float):
+        raise ValueError(
+            "contact.friction: accuracy is not for bodies that stick and slip: give [grid]"
+        )
     if case.wear is not None:
         raise ValueError("wear: accuracy is of one contact, not of cycles of wear: give [grid]")
     if case.grid is not None and case.grid.periodic:

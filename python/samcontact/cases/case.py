@@ -20,7 +20,16 @@ from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
 from .errors import explain
 from .motion import ReliefSection, Segment
-from .sections import ContactSection, GridSection, HeatSection, OutputSection, SurfaceSection
+from .sections import (
+    ContactSection,
+    CoulombFriction,
+    GridSection,
+    HeatSection,
+    OutputSection,
+    SurfaceSection,
+    settings_of,
+)
+from .slipping import Reached, require_held
 from .tugging import TuggingCase
 from .used import require_all_used
 from .wear import WearSection
@@ -107,15 +116,19 @@ class Case(CaseFile):
 
     def steps(self) -> paths.Path:
         """The loading path as keyword dictionaries for `Simulation.run`."""
-        steps: paths.Path = []
-        reached = ("", 0.0)
+        return [step for steps in self.steps_of_segments() for step in steps]
+
+    def steps_of_segments(self) -> list[paths.Path]:
+        """The same, those of each segment of the path."""
+        steps: list[paths.Path] = []
+        reached = Reached()
         for index, segment in enumerate(self.path):
             try:
                 made, reached = segment.steps(reached)
                 self._check_motion(made)
             except ValueError as error:
                 raise ValueError(f"path[{index}]: {error}") from error
-            steps += made
+            steps.append(made)
         return steps
 
     @property
@@ -131,11 +144,14 @@ class Case(CaseFile):
     def _check_motion(self, steps: paths.Path) -> None:
         """Friction and heat know their directions: bodies under load must move along them."""
         heat = COLD if self.heat is None else self.heat.build()
+        friction = self.contact.friction
         for step in steps:
+            if isinstance(friction, CoulombFriction):
+                require_held(step, friction.coulomb)
             if step.get("load") == 0.0 or "advance" not in step:
                 continue
             first, second = step["advance"]
-            if self.contact.friction > 0 and first < second:
+            if isinstance(friction, float) and friction > 0 and first < second:
                 raise ValueError(
                     "friction pulls body 2 towards +x, so body 1 must slide towards +x over it, "
                     f"advance[0] >= advance[1], got {[first, second]}: turn the direction, or set "
@@ -214,7 +230,7 @@ class Case(CaseFile):
             if heat is not None:
                 heating(heat, (body1, body2), grid)
             section = "contact"
-            settings = self.contact.model_dump()
+            settings = settings_of(self.contact)
             simulation = Simulation(grid, body1, body2, heat=heat, **settings, **lies_between)
         except (ValueError, ImportError) as error:
             raise CaseError(f"{self._source}: [{section}] {error}") from error

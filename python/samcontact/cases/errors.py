@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
-from pydantic import BaseModel
+from pydantic import BaseModel, Discriminator
 
 from .._repr import in_short
 
@@ -29,9 +29,16 @@ _WORDS = {
     "poissonsratio": ("nu",),
     "sigmay": ("yield_stress",),
     "yieldstrength": ("yield_stress",),
-    "mu": ("friction",),
-    "cof": ("friction",),
-    "force": ("load",),
+    "mu": ("friction", "coulomb"),
+    "cof": ("friction", "coulomb"),
+    "coefficient": ("coulomb", "friction"),
+    "force": ("load", "tangential_load_x"),
+    "forcex": ("tangential_load_x",),
+    "forcey": ("tangential_load_y",),
+    "moment": ("torque",),
+    "rotation": ("twist",),
+    "creepage": ("slide_to_roll", "advance"),
+    "fretting": ("fret",),
     "indentation": ("approach",),
     "displacement": ("approach",),
     "steps": ("increments",),
@@ -107,7 +114,11 @@ def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> tuple[list[str], li
     models: list[type[BaseModel]] = [root]
     allowed: list[str] = []
     names: list[str | int] = []
+    tagged = False
     for element in loc:
+        if tagged:  # by a function: pydantic puts what it returns into the location
+            tagged = False
+            continue
         if len(models) > 1:  # a tagged union: pydantic puts the tag into the location
             models = [model for model in models if element in _tags(model)] or models
             continue
@@ -115,6 +126,8 @@ def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> tuple[list[str], li
             allowed = list(models[0].model_fields)
             field = models[0].model_fields.get(element)
             models = _models(field.annotation) if field is not None else []
+            metadata = field.metadata if field is not None else ()
+            tagged = any(isinstance(part, Discriminator) for part in metadata)
         names.append(element)
     return allowed, names
 

@@ -16,7 +16,7 @@ from .tugging import TuggingCase
 # Those of laws are not all units for the conversion: microstrain is a number there.
 _OF_LAWS = {name: one.unit for law in LAWS.values() for name, one in law.constants.items()}
 # The marks are for the conversion, these for the reader.
-_WRITTEN = {"m**2/s": "m²/s", "W/(m*K)": "W/(m K)"}
+_WRITTEN = {"m**2/s": "m²/s", "W/(m*K)": "W/(m K)", "N*m": "N m"}
 
 
 def unit_of(annotation: Any, metadata: Any = ()) -> str:

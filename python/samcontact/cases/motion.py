@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from .. import dents, paths
+from ..paths.ramps import fractions
 from ..relief import Relief
 from .base import (
     Count,
@@ -26,6 +27,7 @@ from .base import (
     in_unit,
 )
 from .sections import SelfAffineRoughness
+from .slipping import ALONG, Along, Fretting, Reached
 
 if TYPE_CHECKING:
     from ..grid import Grid
@@ -58,7 +60,7 @@ class Sliding(_Passes):
     slider: Literal[1, 2] = 1
 
 
-class Segment(Section):
+class Segment(Along):
     """[[path]]: a ramp from the value reached so far to this one, or passes at this one."""
 
     load: Annotated[NonNegative, in_unit("N")] | None = None
@@ -70,6 +72,7 @@ class Segment(Section):
     advance: Annotated[Pair, in_unit("m")] | None = None
     roll: Rolling | None = None
     slide: Sliding | None = None
+    fret: Fretting | None = None
     duration: Annotated[Positive, in_unit("s")] | None = None
     heat_factor: HeatFactor | None = None
 
@@ -92,17 +95,22 @@ class Segment(Section):
 
     @model_validator(mode="after")
     def _one_movement(self) -> Segment:
-        if self.roll is not None and self.slide is not None:
-            raise ValueError("give roll or slide, not both")
+        kinds = [kind for kind in ("roll", "slide", "fret") if getattr(self, kind) is not None]
+        if len(kinds) > 1:
+            raise ValueError(f"give {' or '.join(kinds)}, not both")
         if self.spacing == "linear" and changed(self, ["exponent"]):
             raise ValueError('exponent is of spacing = "power": give that too')
-        if self.roll is not None or self.slide is not None:
-            kind = "roll" if self.roll is not None else "slide"
-            others = {"start", "spacing", "exponent", "advance", "duration"}
+        if kinds:
+            others = {"start", "spacing", "exponent", "advance", "duration", *ALONG}
+            if self.fret is not None:
+                others.add("heat_factor")
             given = sorted(changed(self, others))
             if given:
-                hint = "; give it speed instead" if "duration" in given else ""
-                raise ValueError(f"{kind} goes without {', '.join(given)}{hint}")
+                timed = "duration" in given and self.fret is None
+                hint = "; give it speed instead" if timed else ""
+                raise ValueError(f"{kinds[0]} goes without {', '.join(given)}{hint}")
+        if self.torque is not None and self.advance is not None:
+            raise ValueError("torque goes without advance: give the twist, spin times the way")
         return self
 
     @property
@@ -119,12 +127,28 @@ class Segment(Section):
         """Whether its steps have a duration."""
         return (self.duration if self.passes is None else self.passes.speed) is not None
 
-    def steps(self, reached: tuple[str, float]) -> tuple[paths.Path, tuple[str, float]]:
-        """Its steps from what was reached before, and what they reach: quantity and value.
+    @property
+    def slips(self) -> list[str]:
+        """Names of what it has for bodies that stick and slip."""
+        return self.along + ["fret"] * (self.fret is not None)
+
+    def scaled(self, factor: float) -> Segment:
+        """The same with all forces multiplied."""
+        forces = ("load", "start", "tangential_load_x", "tangential_load_y", "torque")
+        return self.model_copy(
+            update={name: factor * v for name in forces if (v := getattr(self, name)) is not None}
+            | ({} if self.fret is None else {"fret": self.fret.scaled(factor)})
+        )
+
+    def steps(self, reached: Reached) -> tuple[paths.Path, Reached]:
+        """Its steps from what was reached before, and what they reach.
 
         Raises ValueError where the segment does not fit what was reached.
         """
         name, target = self.quantity, getattr(self, self.quantity)
+        if self.fret is not None:
+            fretting = self.fret.steps(name, target, self.increments, reached)
+            return fretting, self.fret.reached(reached)
         if self.passes is not None:
             if reached[1] != 0.0:
                 kind = "roll" if self.roll is not None else "slide"
@@ -135,7 +159,7 @@ class Segment(Section):
             options = {"increments": self.increments, "heat_factor": self.heat_factor}
             options |= self.passes.model_dump() | {name: target}
             make: Any = paths.rolling if self.roll is not None else paths.sliding
-            return make(**options), ("load", 0.0)
+            return make(**options), Reached("load")
         start = self.start
         if start is None:
             if reached[0] not in ("", name):
@@ -151,12 +175,15 @@ class Segment(Section):
             "heat_factor": self.heat_factor,
         }
         optional = (self.advance, self.duration, self.heat_factor)
-        if target == start and optional != (None, None, None):
+        if target == start and (self.along or optional != (None, None, None)):
             if changed(self, ["spacing"]):
                 raise ValueError(f"spacing is of a change of {name}, which stays at {target!r}")
-            return paths.hold(**common), (name, target)
-        ramp = paths.ramp(start=start, spacing=self.spacing, exponent=self.exponent, **common)
-        return ramp, (name, target)
+            steps = paths.hold(**common)
+        else:
+            steps = paths.ramp(start=start, spacing=self.spacing, exponent=self.exponent, **common)
+        parts = fractions(self.increments, self.spacing, self.exponent)
+        ends = Reached(name, target, reached.forces)
+        return steps, self.add_along(steps, parts.tolist(), ends)
 
 
 class FileRelief(HeightsFile):

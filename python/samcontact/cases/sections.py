@@ -6,12 +6,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, create_model, model_validator
+from pydantic import Discriminator, Field, Tag, create_model, model_validator
 
 from .. import surfaces
 from .._checks import FloatArray
-from .._settings import Allowed, Counted, Settings, Words
+from .._settings import Allowed, Counted, Friction, Settings, Words
 from .._settings import allowed as allowed_of
+from ..friction import Coulomb
 from ..heat import Heat
 from .base import (
     Count,
@@ -180,8 +181,29 @@ SurfaceSection = Annotated[
 ]
 
 
+class CoulombFriction(Section):
+    """Bodies that stick and slip, see `Coulomb`; inf: no slip at all."""
+
+    coulomb: Annotated[float, Field(ge=0.0)]
+
+    def build(self) -> Coulomb:
+        return Coulomb(self.coulomb)
+
+
+def _kind_of_friction(given: Any) -> str:
+    return "law" if isinstance(given, (dict, CoulombFriction)) else "number"
+
+
+FrictionField = Annotated[
+    Annotated[NonNegative, Tag("number")] | Annotated[CoulombFriction, Tag("law")],
+    Discriminator(_kind_of_friction),
+]
+
+
 def _annotation(allowed: Allowed) -> Any:
     """What a setting may be, as a case file has it."""
+    if isinstance(allowed, Friction):
+        return FrictionField
     if isinstance(allowed, Words):
         return Literal[allowed.allowed]
     if isinstance(allowed, Counted):
@@ -205,9 +227,16 @@ def settings_section(name: str, without: tuple[str, ...] = (), **defaults: Any) 
 if TYPE_CHECKING:
 
     class ContactSection(Section):
-        friction: float = 0.0
+        friction: float | CoulombFriction = 0.0
 else:
     ContactSection = settings_section("ContactSection")
+
+
+def settings_of(section: ContactSection) -> dict[str, Any]:
+    """Arguments of `Simulation`."""
+    friction = section.friction
+    law = friction.build() if isinstance(friction, CoulombFriction) else friction
+    return section.model_dump() | {"friction": law}
 
 
 class HeatSection(Section):

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from .base import changed
+from .sections import CoulombFriction
 
 if TYPE_CHECKING:
     from .bodies import BodySection
@@ -21,6 +22,7 @@ def require_all_used(case: Case) -> None:
     if case.heat is None and all(segment.heat_factor is None for segment in case.path):
         _require_cold((("body1", case.body1), ("body2", case.body2)), "give [heat] too")
     _require_image_tol(case.contact)
+    _require_law_of_friction(case)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
         if changed(case, ["estimate_error"]):
@@ -32,6 +34,20 @@ def require_all_used(case: Case) -> None:
             f"output.volume = {case.output.volume!r} needs a [grid] with dz: give it, or leave "
             "it out"
         )
+
+
+def _require_law_of_friction(case: Case) -> None:
+    """What drives along the surface goes with bodies that stick and slip, wear does not."""
+    if isinstance(case.contact.friction, CoulombFriction):
+        if case.wear is not None:
+            raise ValueError("wear is of gross sliding: give contact.friction as a number")
+        return
+    for index, segment in enumerate(case.path):
+        if segment.slips:
+            raise ValueError(
+                f"path[{index}]: {', '.join(segment.slips)} is for bodies that stick and slip: "
+                "give [contact] friction = {coulomb = 0.3}, or leave it out"
+            )
 
 
 def _require_accuracy(case: Case) -> None:

@@ -20,6 +20,7 @@ from ..accuracy.asked import searched
 from ..grid_errors import GridErrors, error_rows, estimate_errors, said_of_slope
 from ..results.against_hertz import hertz_rows
 from ..results.dataset import completeness
+from ..results.slipping import moved_along
 from ..runs.journal import Journal, describe
 from ..state import in_one_window
 from .errors import StoppedEarlyError, tell_partial, to_try_on
@@ -199,7 +200,8 @@ class _Run:
 
 def _summary(dataset: xr.Dataset, body: int) -> Sheet:
     """Table of all increments, in units that read well."""
-    names = (*CONTACT_COLUMNS, "print_depth", "travel", "iterations")
+    along = moved_along(dataset)
+    names = (*CONTACT_COLUMNS, "print_depth", "travel", *along, "iterations")
     shown = of_contact(dataset, names, body)
     columns = [(quantity, dataset[name].values, None) for name, quantity in shown.items()]
     finest = ", as solved on the finest grid" if "accuracy_reached" in dataset.attrs else ""

@@ -23,18 +23,18 @@ from .._checks import (
 Path = list[dict[str, Any]]
 
 
-def _fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
-    """Increasing fractions of the ramp, the last exactly 1."""
+def fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
+    """Increasing fractions of a ramp, the last exactly 1, as `ramp` has them."""
     choice("spacing", spacing, ("linear", "power"))
     count = step_count("increments", increments)
-    fractions = np.arange(1, count + 1, dtype=np.float64) / count
+    parts = np.arange(1, count + 1, dtype=np.float64) / count
     if spacing == "power":
-        fractions = fractions ** positive("exponent", exponent)
-    return fractions
+        parts = parts ** positive("exponent", exponent)
+    return parts
 
 
-def _steps(name: str, start: float, end: float, fractions: FloatArray) -> Path:
-    values = start * (1.0 - fractions) + end * fractions
+def _steps(name: str, start: float, end: float, parts: FloatArray) -> Path:
+    values = start * (1.0 - parts) + end * parts
     return [{name: float(value)} for value in values]
 
 
@@ -144,7 +144,7 @@ def ramp(
     begin = non_negative("start", start) if name == "load" else finite("start", start)
     if begin == end:
         raise ValueError(f"start must differ from {name}, got {begin!r} for both")
-    steps = _steps(name, begin, end, _fractions(increments, spacing, exponent))
+    steps = _steps(name, begin, end, fractions(increments, spacing, exponent))
     return _with_parts(steps, advance, duration, heat_factor)
 
 
@@ -185,8 +185,8 @@ def load_unload(
     last = non_negative("end", end) if name == "load" else finite("end", end)
     if not peak > max(last, 0.0):
         raise ValueError(f"{name} must be > {max(last, 0.0)!r}, got {peak!r}")
-    up = _fractions(increments, spacing, exponent)
+    up = fractions(increments, spacing, exponent)
     count = increments if unload_increments is None else unload_increments
     step_count("unload_increments", count)
-    mirrored = np.append(_fractions(count, spacing, exponent)[::-1][1:], 0.0)
+    mirrored = np.append(fractions(count, spacing, exponent)[::-1][1:], 0.0)
     return _steps(name, 0.0, peak, up) + _steps(name, last, peak, mirrored)

@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from ..simulation import Simulation
     from ..state import State
 
+_ROUNDING = 1e-8
 _SURFACE = ("increment", "x", "y")
+ALONG = ("tangential_load_x", "tangential_load_y", "torque", "shift_x", "shift_y", "twist")
 
 
 def add_slipping(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
@@ -33,4 +35,28 @@ def add_slipping(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
         add(dataset, f"slip_{direction}", _SURFACE, np.stack([s.slip[number] for s in states]))
     for name in ("torque", "twist", "friction_work"):
         add(dataset, name, "increment", [getattr(state, name) for state in states])
+    add(dataset, "sticking_share", "increment", [_share(state) for state in states])
     add(dataset, "sticking", _SURFACE, np.stack([s.sticking for s in states]).astype(np.int8))
+
+
+def _share(state: State) -> float:
+    cells = np.count_nonzero(state.pressure)
+    return float(state.sticking.sum() / cells) if cells else float("nan")
+
+
+def moved_along(dataset: xr.Dataset) -> list[str]:
+    """Names of what tells of each increment along the surface, without what is but rounding."""
+    if "friction_work" not in dataset:
+        return []
+    load, approach, area = (
+        float(np.nanmax(np.abs(dataset[name].values), initial=0.0))
+        for name in ("load", "approach", "contact_area")
+    )
+    size = area**0.5
+    scales = (load, load, load * size, approach, approach, approach / size if size > 0 else 0.0)
+    names = [
+        name
+        for name, scale in zip(ALONG, scales, strict=True)
+        if float(np.max(np.abs(dataset[name].values))) > _ROUNDING * scale
+    ]
+    return [*names, "friction_work", "sticking_share"]
