@@ -323,13 +323,13 @@ class BandMedium : public VolumeMedium {
   }
   std::unique_ptr<ResidualDisplacement> residual_displacement(
       Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,
-      const ResidualDisplacement* /*shallower*/) const override {
+      const ResidualDisplacement* shallower) const override {
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
     const auto layer = [&](int k) {
       return tables_->residual_displacement(band_, axis, offsets, k);
     };
-    return std::make_unique<ResidualDisplacement>(grid, transform, axis, layer,
-                                                  tables_->strained_layers(band_, grid), tensor);
+    return std::make_unique<ResidualDisplacement>(
+        grid, transform, axis, layer, tables_->strained_layers(band_, grid), tensor, shallower);
   }
 
  private:

@@ -47,12 +47,20 @@ Grid ZoneTables::lattice(Band band, const NodeSpread& nodes, int layers) const {
 ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {
   lattice.nz = (lattice.nz + layers_at_once - 1) / layers_at_once * layers_at_once;
   const std::lock_guard lock(mutex_);
-  auto& place = kept_[{static_cast<int>(band), lattice.nx, lattice.ny, lattice.nz}];
+  const auto at =
+      kept_.try_emplace({static_cast<int>(band), lattice.nx, lattice.ny, lattice.nz}).first;
+  Operators& place = at->second;
   if (!place) {
     VolumeOptions options{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_, {}};
     if (band == Band::near) options.unread_rows = near_range;
-    place =
-        std::make_shared<const VolumeOperators>(lattice, media_[static_cast<int>(band)], options);
+    // Those of fewer layers come just before.
+    Operators shallower;
+    if (at != kept_.begin()) {
+      const auto& [key, of_key] = *std::prev(at);
+      if (std::equal(key.begin(), key.end() - 1, at->first.begin())) shallower = of_key;
+    }
+    place = std::make_shared<const VolumeOperators>(lattice, media_[static_cast<int>(band)],
+                                                    options, std::move(shallower));
   }
   return place;
 }
