@@ -175,6 +175,26 @@ def test_parts_of_an_increment_lead_to_its_end():
     assert two.friction_work == pytest.approx(one.friction_work, rel=0.05)
 
 
+def slid_surfaces(state):
+    """Of body 2 against body 1, elastic and by plastic strain."""
+    solver = sc.ContactSolver(state.grid, BALL, STEEL, LAW)
+    u1, u2 = (solver.displacement(state.pressure, state.shear, body)[:2] for body in (1, 2))
+    return u2 - u1 + np.stack([state.residual_displacement(2, axis=axis) for axis in "xy"])
+
+
+def test_what_sticks_in_parts_of_an_increment_moves_as_one():
+    run = simulation(increment_tol=1e-3)
+    before = run.step(load=250.0)
+    for force in (0.0, 90.0):
+        state = run.step(load=400.0, tangential_load=(force, 20.0))
+        assert state.substeps > 1
+        moved = (state.shift - before.shift)[:, None, None]
+        slip = moved - slid_surfaces(state) + slid_surfaces(before)
+        touches = before.pressure > 0
+        np.testing.assert_allclose(state.slip[:, touches], slip[:, touches], atol=1e-12)
+        before = state
+
+
 def test_rolling_over_a_rail_that_yields_comes_to_a_steady_force():
     forces, creepage = [], 5e-4
     for cells in (1, 2):

@@ -58,7 +58,7 @@ State extrapolated(const State& start, const State& once, const State& twice) {
   for (int b = 0; b < 2; ++b) {
     const bool shared =
         b == 1 && once.plastic[0] == once.plastic[1] && twice.plastic[0] == twice.plastic[1];
-    if (shared) state.plastic[1] = state.plastic[0];
+    if (shared) state.plastic[1] = state.plastic[0], state.met[1] = state.met[0];
     if (shared || !once.flowed[b] || !twice.flowed[b]) continue;
     const Grid& grid = start.scene().grid;
     const PlasticState& last = *twice.plastic[b];
@@ -83,6 +83,7 @@ State extrapolated(const State& start, const State& once, const State& twice) {
         two.backstress[n] += two.backstress[n] - one.backstress[n];
       }
     }
+    state.met[b] = twice.plastic[b];
     state.plastic[b] =
         std::make_shared<const PlasticState>(&last, last.symmetry(), last.tensor(), two, box);
   }

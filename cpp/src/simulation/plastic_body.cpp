@@ -70,6 +70,7 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
       heating_(heating),
       choice_(scene_.grid, symmetry),
       history_(unfolded(from.plastic[index], scene_.grid, symmetry)),
+      met_(from.met[index] ? unfolded(from.met[index], scene_.grid, symmetry) : history_),
       offset_(from.placement().offset[index]) {
   if (!history_) return;
   tensor_ = history_->tensor();
@@ -120,7 +121,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
   PlasticFields fields = history_ ? history_->fields(zones)
                                   : PlasticFields{zones, Field(parts * cells, 0.0),
                                                   Field(cells, 0.0), Field(cells * 5 * terms, 0.0)};
-  const Field before = history_ && axes().size() > 1 ? fields.strain : Field{};
+  const Field before = met_ && axes().size() > 1 ? met_->strain(zones) : Field{};
   // What is in the zones by now includes the last guess.
   for (int c = 0; c < parts; ++c) {
     copy_common(strain_.data() + c * zones_.cells(), zones_, fields.strain.data() + c * cells,

@@ -316,6 +316,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.approach = result.contact.motion.approach;
   state.flowed = {};
   state.advance = {};
+  state.met = {};
   remember_flow(state, mapped);
   scatter(mapped);
   for (std::size_t b = 0; b < bodies_.size(); ++b) finish(b, mapped, state);

@@ -147,6 +147,8 @@ class PlasticBody {
   operators::Heating heating_;
   BoxChoice choice_;
   std::shared_ptr<const PlasticState> history_;  // before the increment; null: none
+  /// The same as the surfaces met with it, before it was extrapolated.
+  std::shared_ptr<const PlasticState> met_;
   operators::Tensor tensor_ = operators::Tensor::deviator;
   Zones zones_;
   std::unique_ptr<ZoneVolume> volume_;  // null: no zones

@@ -66,6 +66,9 @@ class State {
   operators::ResidualMethod method;
   Travel travel{};
   Travel advance{};  // by which moved() has just taken it there
+  /// The strain with which the tractions were found, where it has been changed since; null: it has
+  /// not.
+  std::array<std::shared_ptr<const PlasticState>, 2> met{};
   /// Whole boxes in which the plastic strain was last solved for; disjoint.
   std::array<std::vector<Box>, 2> flow_boxes;
   std::shared_ptr<const Flow> last_flow;  // null: none that is of use
