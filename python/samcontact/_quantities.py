@@ -172,8 +172,8 @@ CONTACT = {
     # of the surface
     "pressure": Q("Pa", "contact pressure", "GPa", "pressure", colours="viridis"),
     "gap": Q("m", "gap under load", "µm", "gap", colours="cividis"),
-    "shear_x": Q("Pa", "shear along +x on body 2"),
-    "shear_y": Q("Pa", "shear along +y on body 2"),
+    "shear_x": Q("Pa", "shear along +x on body 2", "MPa", "shear along x"),
+    "shear_y": Q("Pa", "shear along +y on body 2", "MPa", "shear along y"),
     "slip_x": Q("m", "slip of body 1 over body 2 in the increment, along +x"),
     "slip_y": Q("m", "slip of body 1 over body 2 in the increment, along +y"),
     "sticking": Q("1", "whether a cell in contact sticks in the increment"),

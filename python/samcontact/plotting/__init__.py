@@ -17,11 +17,14 @@ from .contact import (
     temperature_profile,
 )
 from .maps import surface_map, track_map
+from .slipping import creep_curve, fretting_loop, shear_profile, stick_slip_map
 from .summary import summary_figures
 from .track import loaded_section, track_print, track_section
 
 __all__ = [
     "axis_profile",
+    "creep_curve",
+    "fretting_loop",
     "load_approach",
     "loaded_section",
     "pressure_profile",
@@ -29,6 +32,8 @@ __all__ = [
     "rolling_animation",
     "save_animation",
     "section",
+    "shear_profile",
+    "stick_slip_map",
     "summary_figures",
     "surface_map",
     "temperature_profile",

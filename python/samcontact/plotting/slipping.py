@@ -1,0 +1,340 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of bodies that stick and slip.
+
+Like `samcontact.plotting`, which offers these functions too: each takes an `ax` and returns it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+from numpy.typing import ArrayLike
+
+from .._checks import FloatArray, choice, finite_array, non_negative
+from .._quantities import CONTACT
+from .parts import axes_or_new, edges, finish, new_figure, prefixed, surface_line
+from .scene import Scene
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ..grid import Grid
+
+COLOURS = "#9ecae1", "#fdae6b"
+"""Of what sticks and of what slips."""
+_ARROWS = 19  # along the longer side of the contact
+_LONGEST = 0.95  # times their distance
+_DIRECTIONS = {"x": ("tangential_load_x", "shift_x"), "y": ("tangential_load_y", "shift_y"),
+               "z": ("torque", "twist")}  # fmt: skip
+_ROUNDING = 1e-8
+
+
+def stick_slip_map(
+    pressure: ArrayLike, slip: ArrayLike, grid: Grid, ax: Axes | None = None, *, unit: str = "m"
+) -> Axes:
+    """Where the bodies stick and where they slip, from above, with arrows along the slip.
+
+    Parameters
+    ----------
+    pressure : array_like, shape (nx, ny)
+        [Pa]; white where it is zero.
+    slip : array_like, shape (2, nx, ny)
+        Of body 1 over body 2, e.g. of a `State` or a solution; it sticks where it is zero. Arrows
+        are as long as the slip, the longest of them named in the title.
+    grid : Grid
+        Of both fields.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    unit : {"m", "1"}
+        Of the slip; "1" per way rolled, as of a `RollingSolution`.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        Wrong shape of a field, or an unknown unit.
+    """
+    choice("unit", unit, ("m", "1"))
+    shape = (grid.nx, grid.ny)
+    touching = finite_array("pressure", pressure, shape) > 0
+    moved = finite_array("slip", slip, (2, *shape))
+    slips = touching & moved.any(axis=0)
+    kinds = np.where(slips, 1.0, 0.0)
+    kinds[~touching] = np.nan
+    ax = axes_or_new(ax)
+    ax.grid(False)
+    x, y = (edges(getattr(grid, axis), getattr(grid, f"d{axis}")) * 1e6 for axis in "xy")
+    colours = ListedColormap(COLOURS)
+    ax.pcolormesh(x, y, kinds.T, cmap=colours, vmin=0, vmax=1, rasterized=True)
+    largest = _arrows(ax, np.where(slips, moved, 0.0), touching, grid)
+    handles = [Patch(color=colour, label=label) for colour, label in zip(
+        COLOURS, ("sticks", "slips"), strict=True)]  # fmt: skip
+    ax.legend(handles=handles, loc="upper right", frameon=False)
+    factor, name = prefixed(largest, "m") if unit == "m" else (1.0, "of the way")
+    title = f"slip up to {largest * factor:.3g} {name}" if largest > 0 else "no slip"
+    ax.set_title(title, fontsize="medium")
+    ax.set_aspect("equal")
+    ax.set_xlabel("x [µm]")
+    ax.set_ylabel("y [µm]")
+    return ax
+
+
+def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], grid: Grid) -> float:
+    """Draw some, the same part of the cells along x and y; the largest slip."""
+    size: FloatArray = np.hypot(*slip)
+    largest = float(size.max(initial=0.0))
+    if not largest > 0:
+        return 0.0
+    cells = np.argwhere(touching)
+    sides = (np.ptp(cells, axis=0) + 1) * np.array([grid.dx, grid.dy])
+    apart = max(float(sides.max()) / _ARROWS, grid.dx, grid.dy)
+    every = [max(round(apart / d), 1) for d in (grid.dx, grid.dy)]
+    middle = cells.mean(axis=0).round().astype(int)
+    shown = np.zeros(touching.shape, dtype=bool)
+    shown[middle[0] % every[0] :: every[0], middle[1] % every[1] :: every[1]] = True
+    shown &= size > 0.02 * largest
+    i, j = np.nonzero(shown)
+    ax.quiver(
+        np.asarray(grid.x)[i] * 1e6,
+        np.asarray(grid.y)[j] * 1e6,
+        slip[0][shown] / largest,
+        slip[1][shown] / largest,
+        angles="xy",
+        scale_units="xy",
+        scale=1e-6 / (_LONGEST * apart),
+        width=0.004,
+        color="k",
+        pivot="mid",
+    )
+    return largest
+
+
+def shear_profile(
+    pressure: ArrayLike,
+    shear: ArrayLike,
+    grid: Grid,
+    friction: float,
+    ax: Axes | None = None,
+    *,
+    component: str = "x",
+    axis: str = "x",
+    position: float = 0.0,
+    label: str = "shear",
+) -> Axes:
+    """Shear along an axis between the bounds that friction gives it.
+
+    Parameters
+    ----------
+    pressure, shear : array_like, shapes (nx, ny) and (2, nx, ny)
+        [Pa], the shear on body 2.
+    grid : Grid
+        Of both fields.
+    friction : float
+        Its coefficient, >= 0 [-]; `math.inf`: without bounds.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    component : {"x", "y"}
+        Of the shear.
+    axis : {"x", "y"}
+        Direction of the profile.
+    position : float
+        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
+    label : str
+        Of the curve.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        Wrong shape of a field, or an unknown component or axis.
+    """
+    choice("component", component, ("x", "y"))
+    fields = finite_array("shear", shear, (2, grid.nx, grid.ny))
+    s, p = surface_line(pressure, "pressure", grid, axis, position)
+    _, values = surface_line(fields["xy".index(component)], "shear", grid, axis, position)
+    ax = axes_or_new(ax)
+    shown = CONTACT["shear_x"]
+    ax.plot(s * 1e6, values * shown.factor, "o-", markersize=3, linewidth=1.2, label=label)
+    if np.isfinite(friction):
+        bound = non_negative("friction", friction) * p * shown.factor
+        for sign, name in ((1, "friction times pressure"), (-1, "_other side")):
+            ax.plot(s * 1e6, sign * bound, "k--", linewidth=0.8, label=name)
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
+    ax.set_xlabel(f"{axis} [µm]")
+    ax.set_ylabel(f"shear along {component} [{shown.shown}]")
+    return finish(ax)
+
+
+def fretting_loop(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str = "x") -> Axes:
+    """Force along the surface over the motion, with the work of friction in the title.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Results of bodies that stick and slip, see `samcontact.results.to_dataset`.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    direction : {"x", "y", "z"}
+        Along x, along y, or about z: torque over twist.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        An unknown direction, or results of gross sliding.
+    """
+    force, motion = _DIRECTIONS[choice("direction", direction, tuple(_DIRECTIONS))]
+    require_slip(dataset)
+    (across, way), (up, pull) = (_with_unit(dataset, name) for name in (motion, force))
+    ax = axes_or_new(ax)
+    ax.plot(way, pull, "o-", markersize=3, linewidth=1.0, color="C0")
+    work = float(dataset["friction_work"].values[-1])
+    factor, unit = prefixed(work, "J")
+    ax.set_title(f"work of friction {work * factor:.4g} {unit}", fontsize="medium")
+    ax.set_xlabel(across)
+    ax.set_ylabel(up)
+    return finish(ax)
+
+
+def _with_unit(dataset: xr.Dataset, name: str) -> tuple[str, FloatArray]:
+    """Label and values of one increment each, at first zero, in a unit that reads well."""
+    shown, values = CONTACT[name], np.append(0.0, dataset[name].values)
+    unit = shown.unit.replace(" ", "\N{THIN SPACE}")
+    factor, unit = prefixed(float(np.abs(values).max()), unit)
+    return f"{shown.heading} [{unit}]", values * factor
+
+
+def creep_curve(
+    creepage: ArrayLike,
+    force: ArrayLike,
+    ax: Axes | None = None,
+    *,
+    largest: float | None = None,
+    label: str | None = None,
+) -> Axes:
+    """Force along the surface of a contact that rolls, over its creepage.
+
+    Parameters
+    ----------
+    creepage : array_like, shape (n,)
+        Rigid slip per way rolled [-].
+    force : array_like, shape (n,)
+        [N].
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    largest : float, optional
+        Friction times load [N], the force where all slips: a dashed line, on each side where there
+        are forces.
+    label : str, optional
+        Of the curve.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        Arrays of different lengths.
+    """
+    count = np.size(creepage)
+    xi, pulls = (
+        finite_array(name, values, (count,))
+        for name, values in (("creepage", creepage), ("force", force))
+    )
+    ax = axes_or_new(ax)
+    ax.plot(xi * 100, pulls, "o-", markersize=3, linewidth=1.2, label=label)
+    if largest is not None:
+        sides = [side for side in (-1, 1) if np.any(side * pulls > 0)]
+        for side in sides:
+            text = "friction times load" if side == sides[0] else "_other side"
+            ax.axhline(side * non_negative("largest", largest), color="k", linestyle="--",
+                       linewidth=0.8, label=text)  # fmt: skip
+    if largest is not None or label is not None:
+        ax.legend(frameon=False)
+    ax.margins(y=0.08)
+    ax.set_xlabel("creepage [%]")
+    ax.set_ylabel("force [N]")
+    return finish(ax)
+
+
+def require_slip(dataset: xr.Dataset) -> None:
+    """Raise ValueError for results that tell nothing of stick and slip."""
+    if "friction_work" not in dataset:
+        raise ValueError("dataset must be of bodies that stick and slip, with friction=Coulomb(mu)")
+
+
+def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArray]:
+    """Of increments that roll under load: slip per way rolled, and the force at their end [N]."""
+    force, motion = _DIRECTIONS[direction]
+    ways = [np.diff(dataset[f"travel_body{body}"].values, prepend=0.0) for body in (1, 2)]
+    way = -0.5 * (ways[0] + ways[1])
+    rolls = (np.abs(way) > 1e-3 * float(dataset.attrs["dx"])) & (dataset["load"].values > 0)
+    slip = np.diff(dataset[motion].values, prepend=0.0)
+    return slip[rolls] / way[rolls], dataset[force].values[rolls]
+
+
+def slip_figures(scene: Scene) -> dict[str, Figure]:
+    """Of a run whose bodies stick and slip, by name of the figure; none of gross sliding."""
+    data = scene.dataset
+    if "friction_work" not in data or not np.any(data["pressure"].values[chosen(data)] > 0):
+        return {}
+    figures = {"stick_slip": new_figure()}
+    slip = np.stack([data[f"slip_{axis}"].values[chosen(data)] for axis in "xy"])
+    pressure = data["pressure"].values[chosen(data)]
+    stick_slip_map(pressure, slip, scene.grid, figures["stick_slip"].subplots())
+    along = driven(data)
+    if along and "travel_body1" in data:
+        turns = [direction for direction in along if direction != "z"]
+        for direction in turns[:1]:
+            figures["creep_curve"] = new_figure()
+            ax = figures["creep_curve"].subplots()
+            largest = _largest(data)
+            creep_curve(*creepages(data, direction), ax, largest=largest)
+            ax.set_ylabel(CONTACT[_DIRECTIONS[direction][0]].label)
+    elif along:
+        figures["fretting_loop"] = new_figure()
+        fretting_loop(data, figures["fretting_loop"].subplots(), direction=along[0])
+    return figures
+
+
+def _largest(dataset: xr.Dataset) -> float | None:
+    mu = float(dataset.attrs.get("friction", np.inf))
+    return mu * float(dataset["load"].max()) if np.isfinite(mu) else None
+
+
+def chosen(dataset: xr.Dataset) -> int:
+    """Position of the increment whose slip is shown: of the largest force, of these the last."""
+    pulls = np.hypot(*(dataset[f"tangential_load_{axis}"].values for axis in "xy"))
+    if not pulls.max() > _ROUNDING * float(dataset["load"].max()):
+        pulls = np.abs(dataset["torque"].values)
+    if not pulls.any():
+        pulls = dataset["load"].values
+    return int(np.flatnonzero(pulls >= (1 - 1e-3) * pulls.max())[-1])
+
+
+def driven(dataset: xr.Dataset) -> list[str]:
+    """Directions in which there is force and motion, the largest force first."""
+    from ..results.slipping import moved_along
+
+    moved = moved_along(dataset)
+    found = [
+        name for name, (force, motion) in _DIRECTIONS.items() if force in moved and motion in moved
+    ]
+    plain = [name for name in found if name != "z"]
+    plain.sort(key=lambda name: -float(np.abs(dataset[_DIRECTIONS[name][0]]).max()))
+    return [*plain, *(name for name in found if name == "z")]

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of stick and slip: what they show, and which a run writes."""
+
+import math
+
+import numpy as np
+import pytest
+from matplotlib.quiver import Quiver
+
+import samcontact as sc
+from samcontact import plotting
+from samcontact.plotting.slipping import COLOURS, chosen, creepages
+from samcontact.results import to_dataset
+
+GRID = sc.Grid(21, 19, 40e-6, 44e-6)
+BALL = sc.Material.elastic(210e9, 0.3)
+GAP = sc.surfaces.paraboloid(GRID, 7.5e-3)
+LOAD, MU = 300.0, 0.3
+LAW = sc.Coulomb(MU)
+
+
+def run(path, friction=LAW):
+    simulation = sc.Simulation(GRID, BALL, BALL, GAP, friction)
+    states = simulation.run([{"load": LOAD}, *path], progress=False)
+    return states, to_dataset(simulation, states)
+
+
+@pytest.fixture(scope="module")
+def fretting():
+    return run(sc.paths.fretting_loop(load=LOAD, force=(42.0, 42.0), increments=8))
+
+
+@pytest.fixture(scope="module")
+def rolling():
+    way = -GRID.dx
+    path = []
+    for xi in (1e-3, 4e-3):
+        ways = {"advance": (way * (1 - xi / 2), way * (1 + xi / 2))}
+        path += [{"load": LOAD, "shift": (0.0, 1e-4 * way)} | ways] * 4
+    return run(path)
+
+
+def test_the_map_shows_each_cell_and_the_directions_of_slip(fretting):
+    state = fretting[0][8]
+    ax = plotting.stick_slip_map(state.pressure, state.slip, GRID)
+    mesh = ax.collections[0]
+    kinds = np.ma.getdata(mesh.get_array()).reshape(GRID.ny, GRID.nx).T
+    np.testing.assert_array_equal(kinds == 0, state.sticking)
+    np.testing.assert_array_equal(np.isnan(kinds), state.pressure == 0)
+    assert 0 < state.sticking.sum() < np.count_nonzero(state.pressure)
+    (arrows,) = (item for item in ax.collections if isinstance(item, Quiver))
+    assert 10 < arrows.N < np.count_nonzero(state.pressure)
+    for x, y, u, v in zip(arrows.X, arrows.Y, arrows.U, arrows.V, strict=True):
+        cell = np.argmin(abs(GRID.x - x * 1e-6)), np.argmin(abs(GRID.y - y * 1e-6))
+        slip = state.slip[:, cell[0], cell[1]]
+        assert math.atan2(v, u) == pytest.approx(math.atan2(slip[1], slip[0]))
+    largest = np.hypot(*state.slip).max()
+    assert f"{largest * 1e9:.3g} nm" in ax.get_title()
+    told = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert told == ["sticks", "slips"]
+    assert len(set(COLOURS)) == 2
+
+
+def test_a_map_without_slip_says_so(fretting):
+    state = fretting[0][0]
+    ax = plotting.stick_slip_map(state.pressure, np.zeros((2, 21, 19)), GRID)
+    assert ax.get_title() == "no slip"
+    assert not any(isinstance(item, Quiver) for item in ax.collections)
+
+
+def test_shear_lies_between_its_bounds(fretting):
+    state = fretting[0][8]
+    ax = plotting.shear_profile(state.pressure, state.shear, GRID, MU, component="y")
+    shear, upper, lower = (line.get_ydata() for line in ax.lines)
+    np.testing.assert_allclose(shear, state.shear[1, :, 9] * 1e-6)
+    np.testing.assert_allclose(upper, MU * state.pressure[:, 9] * 1e-6)
+    np.testing.assert_array_equal(lower, -upper)
+    assert len(plotting.shear_profile(state.pressure, state.shear, GRID, math.inf).lines) == 1
+
+
+def test_the_loop_encloses_the_work_of_friction(fretting):
+    """Between two states of the same force what the forces did was friction."""
+    states, data = fretting
+    area = 0.0
+    for direction in "xy":
+        ax = plotting.fretting_loop(data, direction=direction)
+        (line,) = ax.lines
+        unit = {"µm": 1e-6, "nm": 1e-9}[ax.get_xlabel().split("[")[1].strip("]")]
+        x, y = line.get_xdata()[-33:] * unit, line.get_ydata()[-33:]
+        area += np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(x))
+    work = states[-1].friction_work - states[-33].friction_work
+    assert area == pytest.approx(work, rel=0.02)
+    assert f"{states[-1].friction_work * 1e6:.4g} µJ" in ax.get_title()
+
+
+def test_creepages_are_those_that_were_given(rolling):
+    states, data = rolling
+    xi, force = creepages(data, "x")
+    np.testing.assert_allclose(xi, [1e-3] * 4 + [4e-3] * 4, rtol=1e-9)
+    np.testing.assert_allclose(force, [state.tangential_load[0] for state in states[1:]])
+    np.testing.assert_allclose(creepages(data, "y")[0], -1e-4, rtol=1e-9)
+    ax = plotting.creep_curve(xi, force, largest=MU * LOAD)
+    curve, bound = ax.lines
+    np.testing.assert_allclose(curve.get_xdata(), xi * 100)
+    assert set(bound.get_ydata()) == {MU * LOAD}
+
+
+def test_the_map_is_that_of_the_largest_force(fretting, rolling):
+    assert chosen(fretting[1]) == 40
+    force = abs(rolling[1]["tangential_load_x"].values)
+    assert force[chosen(rolling[1])] == pytest.approx(force.max(), rel=2e-3)
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+def test_runs_write_them(fretting, rolling, tmp_path):
+    names = [path.name for path in plotting.summary_figures(fretting[1], tmp_path)]
+    assert names[-2:] == ["stick_slip.png", "fretting_loop.png"]
+    names = [path.name for path in plotting.summary_figures(rolling[1], tmp_path)]
+    assert names[-2:] == ["stick_slip.png", "creep_curve.png"]
+    _, slides = run([], friction=0.3)
+    written = plotting.summary_figures(slides, tmp_path)
+    assert not {"stick_slip.png", "fretting_loop.png"} & {path.name for path in written}
+    with pytest.raises(ValueError, match="dataset must be of bodies that stick and slip"):
+        plotting.fretting_loop(slides)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda s: plotting.stick_slip_map(s.pressure, s.slip[0], GRID), "slip must have shape"),
+        (lambda s: plotting.stick_slip_map(s.pressure, s.slip, GRID, unit="km"), "unit must be"),
+        (lambda s: plotting.shear_profile(s.pressure, s.shear, GRID, -1.0), "friction must be"),
+        (lambda s: plotting.creep_curve([1.0, 2.0], [1.0]), "force must have shape"),
+    ],
+)
+def test_bad_input_is_named(fretting, call, message):
+    with pytest.raises(ValueError, match=message):
+        call(fretting[0][8])
