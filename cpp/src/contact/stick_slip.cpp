@@ -9,12 +9,11 @@
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/projected_gradient.hpp"
+#include "samcontact/contact/slip_iteration.hpp"
 
 namespace samcontact::contact {
 namespace {
 
-/// A shear of this share of its bound is on it.
-constexpr double on_circle = 1 - 1e-9;
 /// More slipping cells turning back than this share are a reversal: all cells stick first, since
 /// partial releases from a contact that slips everywhere do not settle.
 constexpr double reversal_share = 0.05;
@@ -23,85 +22,37 @@ constexpr double least_gain = 0.1, most_gain = 1e-3;
 constexpr int most_inner_steps = 14;
 /// Inner steps end when sticking cells exceed their bound by this many times the residual.
 constexpr double patience = 3.0;
-/// Outer steps that do not take this share off the error, before projected gradients help.
-constexpr double progress = 0.7;
-constexpr int steps_in_vain = 7, fallback_steps = 60;
+/// The first time, and each time twice as many: in the end they converge by themselves.
+constexpr int fallback_steps = 60, most_doublings = 5;
 /// Forces missed by more than this share of the bound are left to the linear solve.
 constexpr double largest_correction = 0.2;
 /// Directions in which the cells that are free make up this share of a motion decide it.
 constexpr double decisive = 1e-10;
 
-class StickSlip {
+class StickSlip : public SlipIteration {
  public:
   StickSlip(const ShearProblem& problem, ShearApplier& operators, ShearStart start)
-      : problem_(problem),
-        operators_(operators),
-        m_(problem.size()),
+      : SlipIteration(problem, operators, std::move(start),
+                      problem.operators->displacement.self_influence()),
         modes_(static_cast<int>(problem.modes.size())),
         u_(2 * m_),
-        normal_(2 * m_, 0.0),
-        lambda_(m_, 0.0),
         share_(m_, 1.0),
-        bound_scale_(*std::max_element(problem.bound.begin(), problem.bound.end())),
-        self_influence_(problem.operators->displacement.self_influence()) {
-    r_.shear = std::move(start.shear);
-    r_.shear.resize(2 * m_, 0.0);
-    r_.slip.assign(2 * m_, 0.0);
-    r_.motion = std::move(start.motion);
-    r_.motion.resize(modes_, 0.0);
-    cut_to_bound(problem.bound, r_.shear);
-    begin(std::move(start.slipping));
-  }
-
-  ShearResult run(double tol, int most_steps) {
-    double best = INFINITY;
-    for (int in_vain = 0;; ++r_.steps) {
-      check_interrupt();
-      evaluate();
-      r_.converged = r_.error <= tol;
-      if (r_.converged || r_.steps >= most_steps) break;
-      in_vain = r_.error < progress * best ? 0 : in_vain + 1;
-      best = in_vain == 0 ? r_.error : best;
-      if (in_vain > steps_in_vain) {
-        fall_back(tol);
-        in_vain = 0;
-        best = INFINITY;
-        continue;
-      }
-      choose_sets();
-      step(tol);
-    }
-    finish();
-    return std::move(r_);
+        bound_scale_(*std::max_element(problem.bound.begin(), problem.bound.end())) {
+    begin();
   }
 
  private:
-  double length(std::size_t i) const { return std::hypot(r_.shear[i], r_.shear[m_ + i]); }
   const Field& direction(int k) const { return problem_.modes[k].direction; }
   double missing(int k) const { return problem_.modes[k].target - dot(direction(k), r_.shear); }
-  bool is_slipping(std::size_t i) const { return r_.slipping[i] != 0; }
-
   /// Slipping cells, and forces, of the start.
-  void begin(std::vector<unsigned char> slipping) {
-    const bool told = !slipping.empty();
-    r_.slipping = std::move(slipping);
-    r_.slipping.resize(m_, 0);
-    for (std::size_t i = 0; i < m_; ++i) {
-      if (!told) r_.slipping[i] = length(i) >= problem_.bound[i] * on_circle;
-      if (told && is_slipping(i)) put_on_circle(i);
+  void begin() {
+    const bool told = !r_.slipping.empty();
+    if (!told) take_slipping();
+    for (std::size_t i = 0; i < m_ && told; ++i) {
+      if (is_slipping(i)) put_on_circle(i);
     }
     if (!told) watch_reversal();
     meet_forces();
-  }
-
-  void put_on_circle(std::size_t i) {
-    const double size = length(i);
-    if (size <= 0 || std::isinf(problem_.bound[i])) {
-      r_.slipping[i] = 0;
-      return;
-    }
-    r_.shear[i] *= problem_.bound[i] / size;
-    r_.shear[m_ + i] *= problem_.bound[i] / size;
   }
 
   void watch_reversal() {
@@ -170,34 +121,8 @@ class StickSlip {
     }
   }
 
-  void slip_beyond_bound() {
-    for (std::size_t i = 0; i < m_; ++i) {
-      if (!is_slipping(i) && !(length(i) > problem_.bound[i])) continue;
-      r_.slipping[i] = 1;
-      put_on_circle(i);
-    }
-  }
-
-  /// Leaves slipping cells their tangent.
-  void project_free(Field& v) const {
-    for (std::size_t i = 0; i < m_; ++i) {
-      if (!is_slipping(i)) continue;
-      const double along = normal_[i] * v[m_ + i] - normal_[m_ + i] * v[i];
-      v[i] = -along * normal_[m_ + i];
-      v[m_ + i] = along * normal_[i];
-    }
-  }
-
-  void take_normals() {
-    for (std::size_t i = 0; i < m_; ++i) {
-      const double over = length(i) > 0 ? 1 / length(i) : 0.0;
-      normal_[i] = r_.shear[i] * over;
-      normal_[m_ + i] = r_.shear[m_ + i] * over;
-    }
-  }
-
   /// Displacement, motions, slip and error of the present shear.
-  void evaluate() {
+  void evaluate() override {
     if (!u_is_known_) operators_.displacement(r_.shear, u_);
     u_is_known_ = false;
     r_.slip = problem_.free_slip;
@@ -219,36 +144,10 @@ class StickSlip {
     r_.error = natural_residual(problem_, r_.shear, r_.slip);
   }
 
-  double outward(std::size_t i) const {
-    return normal_[i] * r_.slip[i] + normal_[m_ + i] * r_.slip[m_ + i];
-  }
-
-  /// Slipping cells stick where they would slip against their shear, sticking cells on their bound
-  /// slip where they would leave it.
-  void choose_sets() {
-    for (std::size_t i = 0; i < m_; ++i) {
-      const double bound = problem_.bound[i];
-      if (is_slipping(i)) {
-        r_.slipping[i] = outward(i) >= 0;
-      } else if (length(i) >= bound * on_circle) {
-        const double x = r_.shear[i] + r_.slip[i] / self_influence_,
-                     y = r_.shear[m_ + i] + r_.slip[m_ + i] / self_influence_;
-        r_.slipping[i] = std::hypot(x, y) > bound * (1 + 1e-12);
-      }
-      // The turn of the direction costs stiffness: the second derivative along the circle.
-      lambda_[i] = is_slipping(i) ? std::max(outward(i), 0.0) / bound : 0.0;
+  void choose_sets() override {
+    change_sides(1 / self_influence_);
+    for (std::size_t i = 0; i < m_; ++i)
       share_[i] = 1 / std::sqrt(1 + lambda_[i] / self_influence_);
-    }
-  }
-
-  /// P (C + lambda) v, nearly: a step gains no more than the cheap operator is good for.
-  void apply(const Field& v, Field& out) {
-    operators_.near(v, out);
-    for (std::size_t i = 0; i < m_; ++i) {
-      out[i] += lambda_[i] * v[i];
-      out[m_ + i] += lambda_[i] * v[m_ + i];
-    }
-    project_free(out);
   }
 
   void precondition(const Field& r, Field& z) {
@@ -265,22 +164,16 @@ class StickSlip {
     }
   }
 
-  /// One linear solve, and the shear that it leads to.
-  void step(double tol);
+  void step(double tol) override;
   bool is_enough(const Field& residual, const Field& change, double first, double gain, double tol,
                  int inner) const;
-  void fall_back(double tol);
-  void finish();
+  void fall_back(double tol) override;
 
-  const ShearProblem& problem_;
-  ShearApplier& operators_;
-  const std::size_t m_;
   const int modes_;
-  ShearResult r_;
-  Field u_, normal_;
+  Field u_;
   bool u_is_known_ = false;  // that of the present shear
-  Field lambda_, share_;     // of each cell
-  double bound_scale_, self_influence_;
+  Field share_;              // of each cell
+  double bound_scale_;
 };
 
 void StickSlip::step(double tol) {
@@ -357,35 +250,22 @@ bool StickSlip::is_enough(const Field& residual, const Field& change, double fir
 }
 
 void StickSlip::fall_back(double tol) {
-  ++r_.fallbacks;
-  projected_gradient(problem_, operators_, tol, fallback_steps, r_);
+  projected_gradient(problem_, operators_, tol,
+                     fallback_steps << std::min(r_.fallbacks - 1, most_doublings), r_);
   for (std::size_t i = 0; i < m_; ++i) {
-    const double x = r_.shear[i] + r_.slip[i] / self_influence_,
-                 y = r_.shear[m_ + i] + r_.slip[m_ + i] / self_influence_;
-    r_.slipping[i] = std::hypot(x, y) > problem_.bound[i];
+    r_.slipping[i] = pull(i, 1 / self_influence_) > problem_.bound[i];
     if (is_slipping(i)) put_on_circle(i);
   }
   meet_forces();
-}
-
-/// Which cells slip is judged by the slip: one on its bound may be a rounding inside, and none
-/// slips against its shear.
-void StickSlip::finish() {
-  const double inside = 1 - std::max(1e-6, 10 * r_.error), rho = problem_.stiffness;
-  for (std::size_t i = 0; i < m_; ++i) {
-    const double bound = problem_.bound[i];
-    r_.slipping[i] = std::hypot(r_.shear[i] + rho * r_.slip[i],
-                                r_.shear[m_ + i] + rho * r_.slip[m_ + i]) > bound * on_circle &&
-                     length(i) > bound * inside && outward(i) >= 0;
-  }
-  r_.energy_gap = energy_gap(problem_, r_.shear, r_.slip);
 }
 
 }  // namespace
 
 ShearResult solve_stick_slip(const ShearProblem& problem, ShearApplier& operators, ShearStart start,
                              double tol, int most_steps) {
-  return StickSlip(problem, operators, std::move(start)).run(tol, most_steps);
+  ShearResult result = StickSlip(problem, operators, std::move(start)).run(tol, most_steps);
+  result.energy_gap = energy_gap(problem, result.shear, result.slip);
+  return result;
 }
 
 }  // namespace samcontact::contact
