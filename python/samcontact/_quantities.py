@@ -112,6 +112,16 @@ CONTACT = {
     "friction_work": Q(
         "J", "work of friction since the start", "µJ", "friction work", "friction\nwork"
     ),
+    "work_put_in": Q("J", "work of the increments that did some, since the start"),
+    "net_work": Q("J", "the same less what the others gave back", "", "net work"),
+    "elastic_energy": Q("J", "of tractions after the last increment", "", "elastic, of tractions"),
+    "residual_energy": Q(
+        "J", "of the residual stress of both bodies after the last increment", "",
+        "elastic, of residual stress",
+    ),
+    "plastic_work": Q(
+        "J", "turned into heat by plastic flow of both bodies since the start", "", "plastic flow"
+    ),
     "sticking_share": Q(
         "1", "share of the cells in contact that stick in the increment", "%",
         "share of the contact that sticks", "sticks", 4,

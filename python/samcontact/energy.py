@@ -3,13 +3,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from ._checks import FloatArray
+from ._repr import Rows, Shown, quantity
+from .contact import ContactSolver
+from .friction import Coulomb
 from .material import Material
 from .track import Track
 
-__all__ = ["plastic_work", "residual_energy"]
+if TYPE_CHECKING:
+    from .simulation import Simulation
+    from .state import State
+
+__all__ = ["EnergyBalance", "balance", "plastic_work", "residual_energy"]
 
 
 def _cell_volume(track: Track) -> float:
@@ -98,3 +109,130 @@ def residual_energy(track: Track) -> float:
     but not by contact alone. Mura, *Micromechanics of Defects in Solids* (1987), eq. (13.4).
     """
     return -0.5 * _product(track.residual_stress(), track.plastic_strain()) * _cell_volume(track)
+
+
+@dataclass(frozen=True)
+class EnergyBalance(Shown):
+    """What loads and motions did on two bodies, and where it went; all since the start.
+
+    Attributes
+    ----------
+    put_in : float
+        Work of the increments that did some [J].
+    net : float
+        The same less what the others gave back [J].
+    elastic : float
+        Elastic energy of the tractions that are there [J].
+    residual : float
+        Elastic energy of the residual stress [J].
+    friction, plastic : float
+        Turned into heat by slip, and by plastic flow [J].
+    """
+
+    put_in: float
+    net: float
+    elastic: float
+    residual: float
+    friction: float
+    plastic: float
+
+    @property
+    def missing(self) -> float:
+        """What is not found of the net work, relative to what was put in [-]."""
+        found = self.elastic + self.residual + self.friction + self.plastic
+        return (self.net - found) / self.put_in if self.put_in > 0 else 0.0
+
+    def _rows(self) -> Rows:
+        parts = ("put_in", "net", "elastic", "residual", "friction", "plastic")
+        rows = [(name.replace("_", " "), quantity(getattr(self, name), "J")) for name in parts]
+        return [*rows, ("missing", f"{100 * self.missing:.2g} %")]
+
+
+def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
+    """Energy balance of bodies that stick and slip, whose contact does not roll.
+
+    The work between two increments is that of the mean force on the motion. The mean load is that
+    of one which grows as the power 3/2 of the approach, so that pressing elastic balls has no
+    error. What is missing falls with the increments.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        With friction=`Coulomb`, from the undeformed bodies on.
+    states : sequence of State
+        All of its increments.
+
+    Returns
+    -------
+    EnergyBalance
+
+    Raises
+    ------
+    ValueError
+        Friction as a number, bodies that moved on, prescribed tractions; kinematic hardening or
+        softening, whose work the last state does not tell; no states.
+    """
+    bodies = simulation.body1, simulation.body2
+    why = no_balance(simulation, states)
+    if why:
+        raise ValueError(why)
+    last = states[-1]
+    work = _work(states, float(np.min(states[0]._window.initial_gap)))
+    plastic = [(n, body) for n, body in enumerate(bodies, 1) if body.is_plastic]
+    tracks = [(body, last.track(n, margin=0)) for n, body in plastic]
+    return EnergyBalance(
+        put_in=float(work[work > 0].sum()),
+        net=float(work.sum()),
+        elastic=_elastic_energy(simulation, last),
+        residual=float(sum(residual_energy(track) for _, track in tracks)),
+        friction=last.friction_work,
+        plastic=float(sum(plastic_work(body, track) for body, track in tracks)),
+    )
+
+
+def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
+    """Why there is none; "" where there is one."""
+    if not states:
+        return "states must hold at least one state, got none"
+    if not isinstance(simulation.friction, Coulomb):
+        return (
+            f"friction must be samcontact.Coulomb(mu), got {simulation.friction!r}: gross sliding "
+            "has no motion along the surface"
+        )
+    if any(any(state.travel) for state in states):
+        return "states must be of bodies that stay in their place, but they have moved on"
+    if not all(np.isfinite(state.approach) for state in states):
+        return "states must be of loads or approaches, got one of prescribed tractions"
+    for body in (simulation.body1, simulation.body2):
+        if body.kinematic or body.softening is not None:
+            return f"bodies must be without kinematic hardening and softening, got {body!r}"
+    return ""
+
+
+def _work(states: Sequence[State], touch: float) -> FloatArray:
+    """Of loads and motions in each increment [J]; the bodies touch at this approach."""
+    rows = [(s.load, s.approach, *s.tangential_load, s.torque, *s.shift, s.twist) for s in states]
+    values = np.array([(0.0, touch, *[0.0] * 6), *rows])
+    load, approach = values[:, 0], values[:, 1]
+    forces, motions = values[:, 2:5], values[:, 5:]
+    along: FloatArray = np.sum(0.5 * (forces[1:] + forces[:-1]) * np.diff(motions, axis=0), axis=1)
+    normal: FloatArray = _mean_load(load[:-1], load[1:]) * np.diff(approach)
+    return along + normal
+
+
+def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
+    """Over the approach, of which the power 2/3 of the load is a linear function in between."""
+    a, b = (np.maximum(load, 0.0) ** (2 / 3) for load in (first, second))
+    alike = np.abs(b - a) <= 1e-3 * np.maximum(a, b)
+    change = np.where(alike, 1.0, b - a)
+    return np.where(alike, 0.5 * (first + second), 0.4 * (b**2.5 - a**2.5) / change)
+
+
+def _elastic_energy(simulation: Simulation, state: State) -> float:
+    """Half the work of the tractions on what they displace [J]."""
+    bodies = simulation.body1, simulation.body2
+    solver = ContactSolver(state.grid, *bodies, simulation.friction, on_border="warn")
+    pressure, shear = state.pressure, state.shear
+    first, second = (solver.displacement(pressure, shear, body) for body in (1, 2))
+    done = np.sum(pressure * (first[2] + second[2])) + np.sum(shear * (second - first)[:2])
+    return float(0.5 * state.grid.cell_area * done)

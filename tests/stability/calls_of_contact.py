@@ -30,6 +30,7 @@ HEATED = {
 BODIES = {"grid": GRID, "body1": STEEL, "body2": SOFT}
 SOLVER = sc.ContactSolver(GRID, HOT, HOT, heat=sc.Heat((0.0, 0.01), time=1.0, reference=1.0))
 FRETTING = sc.Simulation(GRID, STEEL, STEEL, GAP, sc.Coulomb(0.3))
+PULLED = sc.Simulation(GRID, STEEL, STEEL, GAP, sc.Coulomb(0.3))
 STICKING = sc.ContactSolver(GRID, STEEL, STEEL, sc.Coulomb(0.3))
 STUCK = STICKING.solve(GAP, load=LOAD)
 SIMULATION = sc.Simulation(**BODIES, gap=GAP, tol=1e-4)
@@ -248,6 +249,11 @@ CALLS = [
         {"material": SOFT, "after": TRACK, "before": TRACK},
     ),
     ("energy.residual_energy", sc.energy.residual_energy, {"track": TRACK}),
+    (
+        "energy.balance",
+        sc.energy.balance,
+        {"simulation": PULLED, "states": [PULLED.step(load=LOAD, shift=(1e-7, 0.0))]},
+    ),
     (
         "measured.read",
         sc.measured.read,

@@ -20,7 +20,8 @@ MADE_BY_THE_PACKAGE = {
     "asperities.Tugging",
     "bearings.LoadZone",
     "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalSlidingSphere",
-    "critical.CriticalSphere", "flattening.Flattening", "hertz.EllipticContact",
+    "critical.CriticalSphere", "energy.EnergyBalance", "flattening.Flattening",
+    "hertz.EllipticContact",
     "hertz.LineContact", "hertz.PointContact", "RollingSolution", "StickSlipSolution", "wear.Cycle",
     "wear.WearResult", "Zone",
 }  # fmt: skip

@@ -248,6 +248,7 @@ def public_objects():
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
         sc.Coulomb(0.3), sc.ContactSolver(grid, BALL, BALL, sc.Coulomb(0.3)).solve(gap, load=10.0),
         sc.rolling.steady(grid, BALL, BALL, gap, load=10.0, friction=sc.Coulomb(0.3)),
+        sc.energy.EnergyBalance(1 / 3, 1 / 7, 1 / 9, 1 / 11, 1 / 13, 1 / 17),
         sc.measured.MeasuredSurface(heights, 1e-6, attrs={"source": "s" * 3000}),
         sc.asperities.Tugging(collision, simulation, series, [state]),
         sc.wear.WearResult(grid, (2,), [cycle] * 50, True, None, relief, worn, {2: 0}, (state,) * 2,

@@ -33,6 +33,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     accurate = "accuracy_reached" in dataset.attrs
     heading = "Increments, as solved on the finest grid" if accurate else "Increments"
     values = [("increments", heading, tables.scalars_table(dataset))]
+    values += tables.slipping_tables(dataset)
     errors = tables.errors_table(dataset)
     if errors.rows:
         values.append(("errors", "Values with their errors", errors))

@@ -27,6 +27,7 @@ from ..plotting.parts import (
     section_height,
 )
 from ..plotting.scene import Scene
+from . import slipping
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -50,7 +51,7 @@ def contact_figures(
     """Of a contact: all that the stored fields allow."""
     scene = Scene(dataset, body, hertz)
     drawn = []
-    for part in (_contact, _volume, _temperature, _remains, _track, _convergence):
+    for part in (_contact, slipping.figures, _volume, _temperature, _remains, _track, _convergence):
         drawn += [embedded(*made) for made in part(scene)]
     return drawn
 

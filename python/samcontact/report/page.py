@@ -82,7 +82,8 @@ def checks(dataset: xr.Dataset) -> list[Verdict]:
         Each with name, value, limit and whether it passed. Of a run that did not reach its end:
         that it did not. Of a contact: balance of the load, complementarity of pressure and gap,
         yield condition, distance from the border of the grid,
-        small strain. Of tugging: energy, and no force at the end of a pass. Of wear: volume.
+        small strain; of bodies that stick and slip Coulomb's law, forces and energy. Of tugging:
+        energy, and no force at the end of a pass. Of wear: volume.
 
     Raises
     ------

@@ -15,6 +15,7 @@ from .._repr import counts, lengths, quantity
 from ..cases.field_units import field_unit
 from ..grid_errors import error_rows
 from ..results.against_hertz import hertz_rows
+from ..results.slipping import balance_of, moved_along
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -24,10 +25,14 @@ else:
 if TYPE_CHECKING:
     import xarray as xr
 
+    from ..energy import EnergyBalance
     from ..plotting.contact import HertzContact
 
 # Units that take a prefix; others are written as they are.
 _PREFIXED = ("m", "Pa", "N", "s", "m/s")
+
+
+_ROUNDING = 1e-13  # of the largest of a column
 
 
 class Row(NamedTuple):
@@ -142,6 +147,37 @@ def scalars_table(dataset: xr.Dataset) -> Table:
     return values_table(dataset, "increment", CONTACT, _SCALARS)
 
 
+def slipping_tables(dataset: xr.Dataset) -> list[tuple[str, str, Table]]:
+    """What has one value for each increment along the surface, and where the energy went; none of
+    gross sliding."""
+    names = moved_along(dataset)
+    if not names:
+        return []
+    along = values_table(dataset, "increment", CONTACT, names)
+    found = [("slipping", "Stick and slip", along)]
+    if (balance := balance_of(dataset)) is not None:
+        found.append(("energy", "Energy", _energy_table(balance)))
+    return found
+
+
+def _energy_table(balance: EnergyBalance) -> Table:
+    parts = {
+        "net work of loads and motions": balance.net,
+        "elastic, of tractions": balance.elastic,
+        "elastic, of residual stress": balance.residual,
+        "friction": balance.friction,
+        "plastic flow": balance.plastic,
+        "not found": balance.missing * balance.put_in,
+    }
+    most = balance.put_in or 1.0
+    rows = [(name, [cell(value, 1.0), _percent(value / most)]) for name, value in parts.items()]
+    note = (
+        f"Where the work since the start is after the last increment. {balance.put_in:.6g} J were "
+        "put in, and what is not net of that was given back."
+    )
+    return Table(["J", "of what was put in [%]"], rows, "energy", note)
+
+
 def errors_table(dataset: xr.Dataset) -> Table:
     """Certified quantities where they are largest, with their errors; no rows without any."""
     found = error_rows(dataset)
@@ -173,16 +209,18 @@ def values_table(
     dataset: xr.Dataset, dim: str, quantities: Mapping[str, Quantity], names: Sequence[str]
 ) -> Table:
     """Variables along a dimension, those of two bodies with a column for each."""
-    columns = []
+    found = []
     for name in names:
         for body, values in _of_bodies(dataset, name):
             shown = quantities[name].fitting(float(values.max()))
-            columns.append((shown.of(body), values, shown.factor))
+            found.append((shown.of(body), values, shown.factor))
+    columns = [(heading, values, factor, _ROUNDING * np.nanmax(np.abs(values), initial=0.0))
+               for heading, values, factor in found]  # fmt: skip
     rows = [
-        (str(number), [cell(values[index], factor) for _, values, factor in columns])
+        (str(number), [cell(values[index], factor, small) for _, values, factor, small in columns])
         for index, number in enumerate(dataset[dim].values)
     ]
-    return Table([heading for heading, _, _ in columns], rows, dim)
+    return Table([heading for heading, *_ in columns], rows, dim)
 
 
 def _of_bodies(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, FloatArray]]:
@@ -197,12 +235,12 @@ def _of_bodies(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, Flo
             yield body, dataset[f"{name}_body{body}"].values
 
 
-def cell(value: Any, factor: float) -> Cell:
-    """A number in the unit shown, and as it is."""
+def cell(value: Any, factor: float, small: float = 0.0) -> Cell:
+    """A number in the unit shown, as zero where it is small, and as it is."""
     number = float(value)
     if not np.isfinite(number):
         return Cell("none", "")
-    return Cell(f"{number * factor:.6g}", repr(number))
+    return Cell("0" if abs(number) < small else f"{number * factor:.6g}", repr(number))
 
 
 def hertz_table(

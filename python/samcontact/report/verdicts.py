@@ -18,6 +18,7 @@ from .._verdict import Verdict
 from ..grid_errors import LARGEST_ERROR, LARGEST_SHARE, error_rows
 from ..resolution import FEW, TOO_FEW, TOO_UNCERTAIN
 from ..results.reading import cell_size, grid_of
+from . import slipping
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -33,6 +34,7 @@ def verdicts(dataset: xr.Dataset, case: Case | None) -> list[Verdict]:
     return [
         _load_balance(dataset, case, tol),
         *_complementarity(dataset, tol),
+        *slipping.checks(dataset, case, tol),
         *_yield_condition(dataset, tol),
         *_borders(dataset),
         *_resolution(dataset, case),

@@ -95,9 +95,9 @@ def to_dataset(
     xarray.Dataset
         Dimensions increment, x, y and, with a volume, volume_increment, z, component; where the
         plastic strain of a body lies in several zones, cell_body1 or cell_body2 instead of x, y, z
-        (see `on_grid`); of bodies that stick and slip, forces and motions along the surface, slip
-        and which cells stick; for an inelastic body that moved, track_x_body1 or track_x_body2: its
-        whole track at the end.
+        (see `on_grid`); of bodies that stick and slip, forces and motions along the surface, slip,
+        which cells stick, and where the energy went; for an inelastic body that moved,
+        track_x_body1 or track_x_body2: its whole track at the end.
         Every variable has ``units`` (SI) and ``long_name``.
 
     Raises
@@ -120,7 +120,7 @@ def to_dataset(
     dataset = xr.Dataset(coords=_coordinates(window))
     _add_scalars(dataset, states)
     _add_surface(dataset, simulation, states)
-    add_slipping(dataset, simulation, states)
+    add_slipping(dataset, simulation, states, volume != "none")
     add(dataset, "initial_gap", ("x", "y"), np.asarray(window.initial_gap))
     heated = _add_temperatures(dataset, simulation, states)
     if simulation.grid.has_volume:

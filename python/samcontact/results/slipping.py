@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from .. import energy
+from .._quantities import CONTACT
 from ..friction import Coulomb
 from .motion import add
 
@@ -16,13 +18,21 @@ if TYPE_CHECKING:
     from ..simulation import Simulation
     from ..state import State
 
+_BALANCE = {
+    "put_in": "work_put_in", "net": "net_work", "elastic": "elastic_energy",
+    "residual": "residual_energy", "plastic": "plastic_work",
+}  # fmt: skip
 _ROUNDING = 1e-8
 _SURFACE = ("increment", "x", "y")
 ALONG = ("tangential_load_x", "tangential_load_y", "torque", "shift_x", "shift_y", "twist")
 
 
-def add_slipping(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
+def add_slipping(
+    dataset: xr.Dataset, simulation: Simulation, states: Sequence[State], volume: bool
+) -> None:
     """Add forces and motions along the surface, friction work, slip, and which cells stick.
+
+    The energy balance too, which takes a volume field of bodies that yield: `volume` allows it.
 
     Nothing is added where friction is a number.
     """
@@ -37,6 +47,22 @@ def add_slipping(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
         add(dataset, name, "increment", [getattr(state, name) for state in states])
     add(dataset, "sticking_share", "increment", [_share(state) for state in states])
     add(dataset, "sticking", _SURFACE, np.stack([s.sticking for s in states]).astype(np.int8))
+    inelastic = simulation.body1.is_plastic or simulation.body2.is_plastic
+    if (volume or not inelastic) and not energy.no_balance(simulation, states):
+        _add_balance(dataset, energy.balance(simulation, states))
+
+
+def _add_balance(dataset: xr.Dataset, found: energy.EnergyBalance) -> None:
+    for own, name in _BALANCE.items():
+        dataset[name] = CONTACT[name].variable((), getattr(found, own))
+
+
+def balance_of(dataset: xr.Dataset) -> energy.EnergyBalance | None:
+    """Of results; None where they have none."""
+    if "work_put_in" not in dataset:
+        return None
+    given = {own: float(dataset[name]) for own, name in _BALANCE.items()}
+    return energy.EnergyBalance(**given, friction=float(dataset["friction_work"][-1]))
 
 
 def _share(state: State) -> float:

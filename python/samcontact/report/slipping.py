@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the report of bodies that stick and slip has: checks and figures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from .._checks import FloatArray
+from .._verdict import Verdict
+from ..plotting.slipping import chosen, slip_figures
+from ..results.reading import cell_size
+from ..results.slipping import balance_of
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ..cases import Case
+    from ..plotting.scene import Scene
+
+ENERGY = 0.05
+"""Part of the work that may be found nowhere, as increments have it."""
+
+
+def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Verdict]:
+    """Of Coulomb's law, forces and energy; none of gross sliding."""
+    if "friction_work" not in dataset:
+        return
+    friction = float(dataset.attrs.get("friction", np.inf))
+    shear = _shear(dataset)
+    most = friction * float(dataset["load"].max())
+    solved = np.isfinite(dataset["approach"].values)  # prescribed tractions keep to no law
+    if np.isfinite(friction) and np.any(solved):
+        pressure = dataset["pressure"].values[solved]
+        beyond = np.hypot(*shear[:, solved]) - friction * pressure
+        largest = friction * float(pressure.max())
+        name = "shear beyond friction times pressure, over the largest of that"
+        yield Verdict(name, float(beyond.max()) / largest if largest > 0 else 0.0, tol)
+    steps = case.steps() if case is not None else []
+    if len(steps) == dataset.sizes["increment"] and 0 < most < np.inf:
+        name = "forces along the surface: sum of s dA against those given, over the largest"
+        yield Verdict(name, _missed(dataset, shear, steps) / most, tol)
+    work = np.diff(dataset["friction_work"].values, prepend=0.0)
+    yield Verdict("least work of friction in an increment", float(work.min()), 0.0, True, "J")
+    if (balance := balance_of(dataset)) is not None:
+        name = "work that is not found as elastic energy, friction or plastic flow, relative"
+        yield Verdict(name, abs(balance.missing), ENERGY)
+
+
+def _shear(dataset: xr.Dataset) -> FloatArray:
+    """Shape (2, increment, x, y); a direction that is not stored is zero."""
+    shape = dataset["pressure"].shape
+    names = ("shear_x", "shear_y")
+    return np.stack([dataset[n].values if n in dataset else np.zeros(shape) for n in names])
+
+
+def _missed(dataset: xr.Dataset, shear: FloatArray, steps: list[dict[str, Any]]) -> float:
+    area = cell_size(dataset, "x") * cell_size(dataset, "y")
+    totals = area * shear.sum(axis=(2, 3))
+    missed = [
+        abs(totals[direction, index] - wanted)
+        for index, step in enumerate(steps)
+        for direction, wanted in enumerate(step.get("tangential_load", ()))
+        if wanted is not None
+    ]
+    return float(max(missed, default=0.0))
+
+
+def figures(scene: Scene) -> Iterator[tuple[str, str, Figure]]:
+    """Caption, description and figure."""
+    data = scene.dataset
+    for name, figure in slip_figures(scene).items():
+        title = figure.axes[0].get_title()
+        if name == "stick_slip":
+            number, share = scene.number(chosen(data)), data["sticking_share"].values[chosen(data)]
+            text = f"Map of the contact, {100 * share:.3g} % of which sticks; {title}."
+            yield f"Where it sticks and slips, increment {number}", text, figure
+        elif name == "fretting_loop":
+            yield "Force over motion", f"Force along the surface over the motion; {title}.", figure
+        else:
+            text = "Force along the surface over the creepage of each increment under load."
+            yield "Force over creepage", text, figure

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The energy of stick and slip, and what a report tells of it."""
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from case_texts import BODIES, GRID
+from samcontact import energy, report, results
+from samcontact.cases import parse_case
+
+CASE = f"""title = "Fretting"
+{GRID}
+{BODIES}
+[contact]
+friction = {{coulomb = 0.3}}
+[[path]]
+load = 600.0
+increments = 3
+[[path]]
+load = 600.0
+increments = 3
+fret = {{tangential_load_x = 120.0}}
+"""
+pytestmark = pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+
+
+@pytest.fixture(scope="module")
+def data():
+    case = parse_case(CASE)
+    simulation, path = case.build()
+    return results.to_dataset(simulation, simulation.run(path, progress=False), case)
+
+
+def balances(body2, friction, counts, force):
+    """Pressed, shaken and released under half of the force, in more and more increments."""
+    grid = sc.Grid(21, 21, 34e-6, 34e-6, dz=34e-6)
+    body1 = sc.Material.elastic(210e9, 0.3)
+    for count in counts:
+        simulation = sc.Simulation(
+            grid, body1, body2, sc.surfaces.paraboloid(grid, 7.5e-3), sc.Coulomb(friction)
+        )
+        path = sc.paths.ramp(load=300.0, increments=count)
+        path += sc.paths.fretting_loop(load=300.0, force=(force, 0.0), increments=count)
+        path += [
+            {"load": part * 300.0, "tangential_load": (part * force, 0.0)}
+            for part in 1 - np.arange(1, count + 1) / count
+        ]
+        yield energy.balance(simulation, simulation.run(path, progress=False))
+
+
+HARDENING = sc.Material.linear_hardening(210e9, 0.3, 1.2e9, 20e9)
+
+
+@pytest.mark.parametrize(
+    ("body2", "friction"),
+    [(sc.Material.elastic(100e9, 0.2), 0.3), (HARDENING, 0.3)],
+    ids=["unlike", "yields"],
+)
+def test_what_is_missing_of_the_energy_falls_with_the_increments(body2, friction):
+    few, many = balances(body2, friction, (2, 6), 60.0)
+    assert abs(many.missing) < 0.5 * abs(few.missing) < 0.01
+    assert many.elastic == pytest.approx(0, abs=1e-9 * many.put_in)  # released
+    assert many.friction > 0.01 * many.put_in
+    assert (many.plastic > 0) == (many.residual > 0) == body2.is_plastic
+    assert 0 < many.net < many.put_in
+
+
+def test_pressing_elastic_balls_has_no_error():
+    """In one increment: the load grows as the power 3/2 of the approach, and 2/5 of it is work."""
+    grid = sc.Grid(61, 61, 10e-6, 10e-6)
+    body = sc.Material.elastic(210e9, 0.3)
+    simulation = sc.Simulation(
+        grid, body, body, sc.surfaces.paraboloid(grid, 7.5e-3), sc.Coulomb(0.3)
+    )
+    found = energy.balance(simulation, simulation.run([{"load": 300.0}], progress=False))
+    hertz = sc.hertz.point(7.5e-3, 210e9 / 1.82, load=300.0)
+    assert found.put_in == pytest.approx(0.4 * 300.0 * hertz.approach, rel=2e-3)
+    assert abs(found.missing) < 2e-3
+    assert (found.friction, found.plastic, found.residual) == (0.0, 0.0, 0.0)
+
+
+def test_balances_that_are_not_known_are_refused():
+    grid = sc.Grid(15, 15, 50e-6, 50e-6)
+    body = sc.Material.elastic(210e9, 0.3)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    slides = sc.Simulation(grid, body, body, gap, 0.3)
+    with pytest.raises(ValueError, match=r"friction must be samcontact\.Coulomb\(mu\), got 0\.3"):
+        energy.balance(slides, slides.run([{"load": 300.0}], progress=False))
+    rolls = sc.Simulation(grid, body, body, gap, sc.Coulomb(0.3))
+    with pytest.raises(ValueError, match="at least one state, got none"):
+        energy.balance(rolls, [])
+    path = [{"load": 300.0}, {"load": 300.0, "advance": (50e-6, 50e-6)}]
+    states = rolls.run(path, progress=False)
+    with pytest.raises(ValueError, match="they have moved on"):
+        energy.balance(rolls, states)
+    assert "work_put_in" not in results.to_dataset(rolls, states)
+
+
+def named(verdicts, start):
+    (found,) = [verdict for verdict in verdicts if verdict.name.startswith(start)]
+    return found
+
+
+@pytest.mark.parametrize(
+    ("start", "name", "change"),
+    [
+        ("shear beyond", "shear_x", lambda s: 1.001 * s),
+        ("shear beyond", "shear_x", lambda s: s + 1e3),  # where the bodies are apart
+        ("forces along", "shear_x", lambda s: 0.999 * s),
+        ("least work", "friction_work", lambda w: w - 1e-12 * w["increment"]),
+        ("work that is not found", "friction_work", lambda w: 5 * w),
+        ("work that is not found", "elastic_energy", lambda e: math.nan * e),
+    ],
+)
+def test_every_check_can_fail(data, start, name, change):
+    assert named(report.checks(data), start).passed
+    spoilt = data.copy(deep=True)
+    spoilt[name] = change(spoilt[name])
+    assert not named(report.checks(spoilt), start).passed
+
+
+def test_the_page_has_stick_and_slip(data, tmp_path):
+    text = report.write(data, tmp_path / "report.html").read_text(encoding="utf-8")
+    for heading in ("Stick and slip", "Energy", "Where it sticks and slips, increment 18"):
+        assert heading in text
+    assert "Force over motion" in text
+    table = text.split('id="slipping-table"')[1].split("</table>")[0]
+    assert re.findall(r'scope="col" class="number">(.*?)</th>', table) == [
+        "force along x [N]", "shift along x [µm]", "friction work [µJ]",
+        "share of the contact that sticks [%]",
+    ]  # fmt: skip
+    last = re.findall(r'<data value="(.*?)">', table)[-4:]
+    names = ("tangential_load_x", "shift_x", "friction_work", "sticking_share")
+    assert [float(value) for value in last] == [float(data[name][-1]) for name in names]
+    parts = text.split('id="energy-table"')[1].split("</table>")[0]
+    values = [float(v) for v in re.findall(r'<data value="(.*?)">', parts)[::2]]
+    net, *found = values
+    assert net == pytest.approx(sum(found), rel=1e-12)
