@@ -294,6 +294,15 @@ WEAR = {
         long_name="layers from top to bottom of the plastic zone before removal"
     ),
     # of each cycle
+    "parts": Q("1", "parts into which the repeats of the cycle were divided"),
+    "friction_work": Q("J", "work of friction in the cycle", "J", "friction work"),
+    "slip_path": Q(
+        "m", "longest way of slip in one repeat", "µm", "longest way of slip", "way of slip"
+    ),
+    "sticking_area": Q(
+        "m2", "area that touches and sticks in a whole repeat", "µm²", "sticking area",
+        "sticking\narea",
+    ),
     "max_pressure": CONTACT["max_pressure"]._replace(long_name="largest pressure"),
     "max_von_mises": CONTACT["max_von_mises"]._replace(
         long_name="largest von Mises stress under load"

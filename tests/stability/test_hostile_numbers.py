@@ -23,7 +23,7 @@ MADE_BY_THE_PACKAGE = {
     "critical.CriticalSphere", "energy.EnergyBalance", "flattening.Flattening",
     "hertz.EllipticContact",
     "hertz.LineContact", "hertz.PointContact", "RollingSolution", "StickSlipSolution", "wear.Cycle",
-    "wear.WearResult", "Zone",
+    "wear.FrettingCycle", "wear.FrettingResult", "wear.WearResult", "Zone",
 }  # fmt: skip
 """Results: only their methods take arguments of the user."""
 

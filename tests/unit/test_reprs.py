@@ -227,6 +227,7 @@ def public_objects():
     solver = sc.ContactSolver(grid, steel, steel, 0.1, heat=heat)
     collision = sc.asperities.Collision(1e-3, 1e-3, 1e-6)
     cycle = sc.wear.Cycle(1, (0.1,), (0.1,), (0.1,), (0.1,), (0.1,), 1.0, 1.0, 1.0, 9.0, (9.0,))
+    scar = sc.wear.FrettingCycle(1, 2, 0.1, (0.1,), (0.1,), (0.1,), 0.1, 1.0, 1.0, 1.0, 9.0)
     worn = {2: np.stack([gap] * 5)}
     bent = sc.Simulation(grid, steel, steel, gap)
     bent.set_plastic_strain(2, np.full((6, 40, 30, 3), 1e-3))
@@ -253,6 +254,8 @@ def public_objects():
         sc.asperities.Tugging(collision, simulation, series, [state]),
         sc.wear.WearResult(grid, (2,), [cycle] * 50, True, None, relief, worn, {2: 0}, (state,) * 2,
                            None),
+        scar, sc.wear.FrettingResult(grid, (2,), [scar] * 50, True, None, relief, worn, {2: 0},
+                                     (state,) * 4, None),
         steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
         parse_case(CASE.format(tugging=CONTACT, **fields)),

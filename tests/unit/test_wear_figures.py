@@ -103,3 +103,18 @@ def test_bad_input_is_named(result):
         wear_figures.surface_map(result.to_dataset(), cycle=3)
     with pytest.raises(ValueError, match="body must be one of 2, got 1"):
         wear_figures.surface_map(result.to_dataset(), body=1)
+
+
+def test_fretting_panels_show_pressure_and_slip():
+    grid, steel = sc.Grid(16, 16, 1e-5, 1e-5), sc.Material.elastic(210e9, 0.3)
+    scar = sc.wear.fretting(
+        grid, steel, steel, sc.surfaces.paraboloid(grid, 5e-3), cycles=2, repeats=20000,
+        cycle=[{"load": 5.0, "tangential_load": (q, 0.0)} for q in (0.0, 1.5, -1.5, 1.5)],
+        friction=sc.Coulomb(0.5), energy=1e-14, progress=False,
+    )  # fmt: skip
+    above, below = wear_figures.fretting_panels(scar.first, scar.last, position=0.0).axes
+    for line, states in zip(above.get_lines(), (scar.first, scar.last), strict=True):
+        np.testing.assert_allclose(line.get_ydata(), states[-1].pressure[:, 7] * 1e-6)
+    way = sum(np.hypot(*state.slip) for state in scar.last)[:, 7]
+    np.testing.assert_allclose(below.get_lines()[1].get_ydata(), way * 1e6)
+    assert way[7] == 0.0 < way.max()

@@ -19,7 +19,7 @@ _FIGURES = (
     "print_map", "residual",
     "flash_temperature", "temperature", "track_print", "track_sections", "force_x", "force_z",
     "load_ratio", "wear_rate", "profile_body[12]", "surface_body[12]", "first_cycle_body[12]",
-    "last_cycle_body[12]",
+    "last_cycle_body[12]", "fretting",
 )  # fmt: skip
 _OWN = re.compile(
     r"(results|series|wear)\.nc|(series|wear)\.csv|report\.html|rolling\.gif"

@@ -31,12 +31,15 @@ if TYPE_CHECKING:
     from ..asperities import Tugging
     from ..cases import Case
     from ..cases.tugging import TuggingCase
-    from ..wear import WearResult
+    from ..wear import FrettingResult, WearResult
 
 _OF_PASSES = (
     "max_force_x", "min_force_x", "max_force_z", "net_energy", "dissipation", "residual_energy",
 )  # fmt: skip
-_OF_CYCLES = ("volume", "depth", "max_pressure", "max_von_mises", "max_plastic_strain")
+_OF_CYCLES = (
+    "volume", "depth", "max_pressure", "max_von_mises", "max_plastic_strain", "slip_path",
+    "sticking_area",
+)  # fmt: skip
 
 
 class _Kind(NamedTuple):
@@ -163,7 +166,7 @@ def _cycles(dataset: xr.Dataset) -> pd.DataFrame:
 def _cycles_sheet(dataset: xr.Dataset) -> Sheet:
     """The largest of all worn bodies, or the sum of their volumes."""
     columns = []
-    for name in _OF_CYCLES:
+    for name in (name for name in _OF_CYCLES if name in dataset):
         values = dataset[name]
         if "body" in values.dims:
             values = values.sum("body") if name == "volume" else values.max("body")
@@ -171,13 +174,17 @@ def _cycles_sheet(dataset: xr.Dataset) -> Sheet:
     return values_sheet("Cycles", dataset["cycle"].values, columns)
 
 
-def _draw_wear(result: WearResult, dataset: xr.Dataset) -> dict[str, Figure]:
+def _draw_wear(result: WearResult | FrettingResult, dataset: xr.Dataset) -> dict[str, Figure]:
     figures = {}
     for body in result.worn:
         figures[f"profile_body{body}"] = _figure(wear.worn_profile(dataset, body=body))
         figures[f"surface_body{body}"] = _figure(wear.surface_map(dataset, body=body))
-        for name, moments in (("first", result.first), ("last", result.last)):
-            figures[f"{name}_cycle_body{body}"] = wear.cycle_panels(moments, body=body)
+    for name in ("first", "last") if "slip_path" not in dataset else ():
+        for body in result.worn:
+            panels = wear.cycle_panels(getattr(result, name), body=body)
+            figures[f"{name}_cycle_body{body}"] = panels
+    if "slip_path" in dataset:
+        figures["fretting"] = wear.fretting_panels(result.first, result.last)
     figures["wear_rate"] = _figure(wear.wear_rate(dataset))
     return figures
 

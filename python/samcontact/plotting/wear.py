@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
     from ..state import State
 
-__all__ = ["cycle_panels", "surface_map", "tresca", "wear_rate", "worn_profile"]
+__all__ = ["cycle_panels", "fretting_panels", "surface_map", "tresca", "wear_rate", "worn_profile"]
 
 
 def tresca(stress: ArrayLike) -> FloatArray:
@@ -78,7 +78,7 @@ def worn_profile(
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `WearResult.to_dataset`.
+        From `to_dataset` of `WearResult` or `FrettingResult`.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     body : {1, 2}, optional
@@ -140,7 +140,7 @@ def surface_map(
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `WearResult.to_dataset`.
+        From `to_dataset` of `WearResult` or `FrettingResult`.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     body : {1, 2}, optional
@@ -195,7 +195,7 @@ def wear_rate(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `WearResult.to_dataset`.
+        From `to_dataset` of `WearResult` or `FrettingResult`.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
 
@@ -210,6 +210,52 @@ def wear_rate(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     ax.set_xlabel("cycle")
     ax.set_ylabel(shown.label)
     return finish(counted(ax))
+
+
+def fretting_panels(
+    first: Sequence[State], last: Sequence[State], *, position: float | None = None
+) -> Figure:
+    """Pressure, and way of slip in one repeat, along x as the first and the last cycle begin.
+
+    Parameters
+    ----------
+    first, last : sequence of State
+        `FrettingResult.first` and `last`.
+    position : float, optional
+        Value of y [m]; the nearest row of cells is shown. Default the middle, or the row of the
+        largest first pressure where that is much larger.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    ValueError
+        States of gross sliding, which have no slip.
+    """
+    grid = last[-1].grid
+    if position is None:
+        j = row_of_interest(first[-1].pressure.max(axis=0), grid.y)
+    else:
+        j = nearest(grid.y, finite("position", position))
+    figure = new_figure(6.4, 5.6)
+    above, below = figure.subplots(2, 1, sharex=True)
+    for states, label, colour in ((first, "first", "0.55"), (last, "last", "C0")):
+        x = np.asarray(states[-1].grid.x) * 1e6
+        way = np.sum([np.hypot(*state.slip) for state in states], axis=0)
+        style: dict[str, Any] = {"color": colour, "linewidth": 1.2, "label": f"{label} cycle"}
+        above.plot(x, states[-1].pressure[:, j] * 1e-6, **style)
+        below.plot(x, way[:, j] * 1e6, **style)
+    above.set_ylabel("pressure [MPa]")
+    above.set_title(place("y", float(grid.y[j])), fontsize="medium")
+    above.legend(frameon=False, fontsize="small")
+    below.set_ylabel("way of slip in a repeat [µm]")
+    below.set_xlabel("x [µm]")
+    for ax in (above, below):
+        ax.set_ylim(bottom=0)
+        finish(ax)
+    return figure
 
 
 def cycle_panels(

@@ -25,7 +25,8 @@ VOLUME = 1e-9
 MOST_PROFILES = 10  # in a figure
 _CYCLES = (
     "volume", "depth", "surface_strain", "max_plastic_strain", "max_pressure", "max_von_mises",
-    "contact_area", "contact_cells", "plastic_layers",
+    "contact_area", "contact_cells", "plastic_layers", "friction_work", "slip_path",
+    "sticking_area",
 )  # fmt: skip
 
 
@@ -45,7 +46,7 @@ def checks(dataset: xr.Dataset) -> Iterator[Verdict]:
     yield Verdict(name, difference / removed if removed > 0 else difference, VOLUME)
     # of the surface that the user gave: a worn one touches on its edges
     yield contact_cells(float(dataset["contact_cells"][0]), " of the first cycle")
-    for body in dataset["body"].values.tolist():
+    for body in dataset["body"].values.tolist() if "plastic_layers" in dataset else ():
         yield from plastic_layers(dataset["plastic_layers"].sel(body=body), body)
 
 

@@ -10,23 +10,46 @@ import warnings
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
 from .._atomic import replacing
 from .._checks import FloatArray, file_path
 from .._seal import check_seal
+from ..grid import Grid
+from ..material import Material
+from ..relief import Relief
 from ..runs.file import DAMAGED, DamagedCheckpointError, damaged, require_same
 from ..runs.file import read as read_file
 from ..runs.file import write as write_file
 from ..runs.identity import Identity, identity
 from ..runs.lock import locked
 from ..runs.tree import Tree, array
-from .checks import Scene, met_rows
-from .results import PER_BODY, Cycle
+from .results import AnyCycle
 
 _KIND = "wear"
+
+
+class Worn(Protocol):
+    """Checked arguments of a computation of wear that stay the same in all its cycles."""
+
+    @property
+    def grid(self) -> Grid: ...
+    @property
+    def bodies(self) -> tuple[Material, Material]: ...
+    @property
+    def gap(self) -> FloatArray: ...
+    @property
+    def reliefs(self) -> tuple[Relief | None, Relief | None]: ...
+    @property
+    def worn(self) -> tuple[int, ...]: ...
+    @property
+    def record(self) -> type[AnyCycle]:
+        """What there is of each cycle."""
+
+    def rows(self, body: int) -> tuple[int, int]:
+        """First row and number of rows of a body that wear."""
 
 
 @dataclass
@@ -46,10 +69,10 @@ class Standing:
     heights: dict[int, list[FloatArray]]
     """Of each worn body, at the start and after each cycle."""
     strains: dict[int, Strain] = field(default_factory=dict)
-    cycles: list[Cycle] = field(default_factory=list)
+    cycles: list[AnyCycle] = field(default_factory=list)
 
 
-def _identity(scene: Scene) -> Identity:
+def _identity(scene: Worn) -> Identity:
     return identity(**vars(scene))
 
 
@@ -64,14 +87,14 @@ def _before(path: str | os.PathLike[str]) -> Path:
     return Path(f"{os.fspath(path)}.before")
 
 
-def write(path: str | os.PathLike[str], scene: Scene, standing: Standing) -> None:
+def write(path: str | os.PathLike[str], scene: Worn, standing: Standing) -> None:
     """A failure leaves the old file; a copy of it stays in any case."""
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)
     records = {
         item.name: np.array([getattr(one, item.name) for one in standing.cycles])
-        for item in dataclasses.fields(Cycle)
+        for item in dataclasses.fields(scene.record)
     }
     tree: Tree = {f"heights{body}": np.stack(rows) for body, rows in standing.heights.items()}
     tree |= {f"strain{body}": vars(kept) for body, kept in standing.strains.items()}
@@ -85,7 +108,7 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
         return False
 
 
-def latest(path: str | os.PathLike[str], scene: Scene) -> Standing | None:
+def latest(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
     """As `read`; of a damaged file that of the cycle before, with a warning, where there is one."""
     try:
         return read(path, scene)
@@ -96,7 +119,7 @@ def latest(path: str | os.PathLike[str], scene: Scene) -> Standing | None:
         return read(_before(path), scene)
 
 
-def read(path: str | os.PathLike[str], scene: Scene) -> Standing | None:
+def read(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
     """Where the file stands; None without a file.
 
     Raises CheckpointError for a file of other arguments, of another kind, or a damaged one.
@@ -111,11 +134,11 @@ def read(path: str | os.PathLike[str], scene: Scene) -> Standing | None:
         raise damaged(path, error) from error
 
 
-def _standing(tree: Tree, scene: Scene) -> Standing:
-    cycles = _cycles(tree["cycles"], len(scene.worn))
+def _standing(tree: Tree, scene: Worn) -> Standing:
+    cycles = _cycles(tree["cycles"], scene)
     standing = Standing({}, {}, cycles)
     for body in scene.worn:
-        _, rows = met_rows(scene, body)
+        _, rows = scene.rows(body)
         shape = (len(cycles) + 1, rows, scene.grid.ny)
         standing.heights[body] = list(array(tree, f"heights{body}", shape))
     for body in (1, 2):
@@ -131,15 +154,16 @@ def _standing(tree: Tree, scene: Scene) -> Standing:
     return standing
 
 
-def _cycles(records: Tree, worn: int) -> list[Cycle]:
-    count = len(records["number"])
-    for item in dataclasses.fields(Cycle):
-        shape: tuple[int, ...] = (count, worn) if item.name in PER_BODY else (count,)
+def _cycles(records: Tree, scene: Worn) -> list[AnyCycle]:
+    count, worn = len(records["number"]), len(scene.worn)
+    for item in dataclasses.fields(scene.record):
+        per_body = item.name in scene.record.PER_BODY
+        shape: tuple[int, ...] = (count, worn) if per_body else (count,)
         if np.shape(records[item.name]) != shape:
             raise ValueError(f"{item.name} of the cycles is not {shape} finite numbers")
     if list(records["number"]) != list(range(1, count + 1)):
         raise ValueError("the cycles are not numbered one after the other")
-    return [Cycle(**{k: _plain(v[n]) for k, v in records.items()}) for n in range(count)]
+    return [scene.record(**{k: _plain(v[n]) for k, v in records.items()}) for n in range(count)]
 
 
 def _plain(value: Any) -> Any:

@@ -16,7 +16,6 @@ from .._checks import (
     choice,
     exactly_one,
     finite_array,
-    integer,
     number,
     positive,
     require_type,
@@ -25,7 +24,8 @@ from .._told import SMALL_STRAIN
 from ..contact import ContactSolver
 from ..grid import Grid
 from ..material import Material
-from ..relief import Relief, relief_rows
+from ..relief import Relief, heights_over, relief_rows
+from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, window_and_order
 
 YIELD_STRAIN = 20e-6
@@ -55,6 +55,18 @@ class Scene:
     friction: float
     reliefs: tuple[Relief | None, Relief | None]
     settings: dict[str, Any]
+
+    @property
+    def record(self) -> type[Cycle]:
+        return Cycle
+
+    def rows(self, body: int) -> tuple[int, int]:
+        """First row and number of rows of a body that its cycle meets, with the window beside."""
+        cells = travels(self.cycle)[:, body - 1] / self.grid.dx
+        beside = max(self.filter.sides) + _BESIDE
+        first = -int(np.ceil(cells.max())) - beside
+        end = self.grid.nx - int(np.floor(cells.min())) + beside
+        return first, end - first
 
 
 def make_scene(
@@ -191,7 +203,7 @@ def _elastic_pressure(scene: Scene) -> FloatArray:
     gap = scene.gap.copy()
     for relief in scene.reliefs:
         if relief is not None:
-            gap -= rows_of(relief, 0, grid.nx, grid.ny)
+            gap -= heights_over(relief, 0, grid.nx)
     solver = ContactSolver(
         grid, *scene.bodies, scene.friction, on_border=scene.settings.get("on_border", "error")
     )
@@ -202,26 +214,3 @@ def _elastic_pressure(scene: Scene) -> FloatArray:
     if not depths:
         return np.zeros(grid.surface_shape)
     return solver.solve(gap, approach=max(depths)).pressure
-
-
-def rows_of(relief: Relief | None, first: int, rows: int, ny: int) -> FloatArray:
-    """Heights of a relief on rows of the body, counted from the grid's first one [m]."""
-    heights = np.zeros((rows, ny))
-    if relief is None:
-        return heights
-    index = np.arange(first, first + rows) - integer("first", relief.first)
-    count = relief.heights.shape[0]
-    if relief.periodic:
-        return np.asarray(relief.heights[index % count], dtype=np.float64)
-    inside = (index >= 0) & (index < count)
-    heights[inside] = relief.heights[index[inside]]
-    return heights
-
-
-def met_rows(scene: Scene, body: int) -> tuple[int, int]:
-    """First row and number of rows of a body that its cycle meets, with the window beside them."""
-    cells = travels(scene.cycle)[:, body - 1] / scene.grid.dx
-    beside = max(scene.filter.sides) + _BESIDE
-    first = -int(np.ceil(cells.max())) - beside
-    end = scene.grid.nx - int(np.floor(cells.min())) + beside
-    return first, end - first

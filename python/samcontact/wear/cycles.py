@@ -6,22 +6,21 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from contextlib import nullcontext
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .. import _expected, resolution
+from .. import resolution
 from .._checks import FloatArray, integer
-from .._progress import progress_bar
 from ..grid import Grid
 from ..material import Material
 from ..relief import Relief
 from ..simulation import Simulation
 from ..state import State
-from .checkpoint import Standing, Strain, alone, latest, write
-from .checks import Scene, make_filter, make_scene, met_rows, rows_of
+from .checkpoint import Standing, Strain
+from .checks import Scene, make_filter, make_scene
+from .repeating import reliefs_of, repeat
 from .results import Cycle, Moments, WearResult
 from .steps import Window, depth, shift, shift_deviator
 
@@ -115,62 +114,12 @@ def run(
         (relief1, relief2),
         settings,
     )
-    with nullcontext() if checkpoint is None else alone(checkpoint):
-        standing = None if checkpoint is None else latest(checkpoint, scene)
-        if standing is None:
-            standing = _start(scene)
-        if len(standing.cycles) >= count:
-            done = len(standing.cycles)
-            raise ValueError(f"cycles must be > {done}, those of the checkpoint, got {count}")
-        return _repeat(scene, standing, count, checkpoint, progress)
+    return repeat(WearResult, scene, _advance, count, checkpoint, progress)
 
 
-def _repeat(
-    scene: Scene,
-    standing: Standing,
-    count: int,
-    checkpoint: str | os.PathLike[str] | None,
-    progress: bool,
-) -> WearResult:
-    first = last = None
-    stopped = coarse = False
-    with progress_bar(count, "cycle", shown=progress, initial=len(standing.cycles)) as bar:
-        while not stopped and len(standing.cycles) < count:
-            try:
-                moments = _solve(scene, standing)
-                after = _wear(scene, standing, moments)
-            except Exception as error:
-                if last is not None:
-                    error.result = _result(scene, standing, False, first, last)  # type: ignore[attr-defined]
-                raise
-            first = moments if not standing.cycles else first
-            surface = _expected.Scene(scene.grid, scene.gap, scene.bodies, relieved=True)
-            coarse = coarse or resolution.warn_of_run(moments, surface, stacklevel=3)
-            standing, last = after, moments
-            stopped = not any(standing.cycles[-1].volume)
-            bar.update()
-            bar.set_postfix(volume=f"{sum(standing.cycles[-1].volume):.3g} m3")
-            # A finished computation keeps what its last cycle started from: it gives `last` again.
-            if checkpoint is not None and not stopped and len(standing.cycles) < count:
-                write(checkpoint, scene, standing)
-    assert last is not None
-    return _result(scene, standing, stopped, first, last)
-
-
-def _start(scene: Scene) -> Standing:
-    heights = {}
-    for body in scene.worn:
-        first, rows = met_rows(scene, body)
-        heights[body] = [rows_of(scene.reliefs[body - 1], first, rows, scene.grid.ny)]
-    return Standing(heights)
-
-
-def _reliefs(scene: Scene, standing: Standing) -> list[Relief | None]:
-    reliefs = list(scene.reliefs)
-    for body in scene.worn:
-        first, _ = met_rows(scene, body)
-        reliefs[body - 1] = Relief(standing.heights[body][-1], first)
-    return reliefs
+def _advance(scene: Scene, standing: Standing) -> tuple[Moments, Standing]:
+    moments = _solve(scene, standing)
+    return moments, _wear(scene, standing, moments)
 
 
 def _solve(scene: Scene, standing: Standing) -> Moments:
@@ -178,7 +127,7 @@ def _solve(scene: Scene, standing: Standing) -> Moments:
     a load that rolls stays the same), and that at its end.
     """
     body1, body2 = scene.bodies
-    relief1, relief2 = _reliefs(scene, standing)
+    relief1, relief2 = reliefs_of(scene, standing)
     simulation = Simulation(
         scene.grid,
         body1,
@@ -272,7 +221,7 @@ def _worn_depth(scene: Scene, body: int, kept: Strain | None) -> FloatArray:
     """Wear depth on the rows of `heights`, not yet smoothed [m]."""
     grid = scene.grid
     assert grid.dz is not None
-    first, rows = met_rows(scene, body)
+    first, rows = scene.rows(body)
     found = np.zeros((rows, grid.ny))
     if kept is None:
         return found
@@ -291,7 +240,7 @@ def _worn_depth(scene: Scene, body: int, kept: Strain | None) -> FloatArray:
 def _moved_up(scene: Scene, body: int, kept: Strain, worn: FloatArray) -> Strain:
     """What is left of the plastic strain, as seen from the worn surface."""
     assert scene.grid.dz is not None
-    first, _ = met_rows(scene, body)
+    first, _ = scene.rows(body)
     removed = worn[kept.first - first : kept.first - first + len(kept.equivalent)]
     dz = scene.grid.dz
     back = None if kept.backstress is None else shift_deviator(kept.backstress, removed, dz)
@@ -300,26 +249,4 @@ def _moved_up(scene: Scene, body: int, kept: Strain, worn: FloatArray) -> Strain
         shift_deviator(kept.strain, removed, dz),
         np.maximum(shift(kept.equivalent, removed, dz), 0.0),
         back,
-    )
-
-
-def _result(
-    scene: Scene, standing: Standing, stopped: bool, first: Moments | None, last: Moments
-) -> WearResult:
-    relief1, relief2 = _reliefs(scene, standing)
-
-    def solve_first() -> Moments:
-        return first if first is not None else _solve(scene, _start(scene))
-
-    return WearResult(
-        grid=scene.grid,
-        worn=scene.worn,
-        cycles=standing.cycles,
-        stopped=stopped,
-        heights={body: np.stack(heights) for body, heights in standing.heights.items()},
-        first_row={body: met_rows(scene, body)[0] for body in scene.worn},
-        last=last,
-        _solve_first=solve_first,
-        relief1=relief1,
-        relief2=relief2,
     )

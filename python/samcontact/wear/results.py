@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 import numpy as np
 
@@ -51,20 +51,54 @@ class Cycle:
     plastic_layers: tuple[float, ...]
     """From top to bottom of the plastic zone, before anything is removed; 0 without one."""
 
+    PER_BODY: ClassVar = (
+        "volume", "lost", "depth", "surface_strain", "max_plastic_strain", "plastic_layers"
+    )  # fmt: skip
 
-PER_BODY = ("volume", "lost", "depth", "surface_strain", "max_plastic_strain", "plastic_layers")
-"""Those of a cycle that have one value for each worn body."""
-PER_CYCLE = ("max_pressure", "max_von_mises", "contact_area", "contact_cells")
-"""The others."""
+
+@dataclass(frozen=True)
+class FrettingCycle:
+    """One cycle of `fretting`; tuples have one value for each worn body.
+
+    Pressure, slip and areas are those of the surface with which it begins.
+    """
+
+    number: int
+    """From 1."""
+    parts: int
+    """Into which its repeats were divided, the worn surface being solved for before each."""
+    friction_work: float
+    """Of all its repeats [J]."""
+    volume: tuple[float, ...]
+    """That the law of wear removes [m^3]."""
+    lost: tuple[float, ...]
+    """By how much the volume under the surface is less after it [m^3]."""
+    depth: tuple[float, ...]
+    """Largest wear depth [m]."""
+    slip_path: float
+    """Longest way of slip of a cell in one repeat [m]."""
+    max_pressure: float
+    """Largest pressure [Pa]."""
+    contact_area: float
+    """Under the largest load [m^2]."""
+    sticking_area: float
+    """What touches and does not slip in a whole repeat [m^2]."""
+    contact_cells: float
+    """Across the contact under the largest load, see `resolution.cells_across`."""
+
+    PER_BODY: ClassVar = ("volume", "lost", "depth")
+
+
+AnyCycle: TypeAlias = Cycle | FrettingCycle
 
 
 @dataclass(eq=False, repr=False)
-class WearResult(Brief):
-    """Cycles, worn surfaces, and the first and last cycle's states."""
+class AnyResult(Brief):
+    """What both laws of wear give."""
 
     grid: Grid
     worn: tuple[int, ...]
-    cycles: list[Cycle]
+    cycles: Sequence[AnyCycle]
     stopped: bool
     """Whether nothing was worn in the last cycle, so that nothing would be in another one."""
     relief1: Relief | None
@@ -73,13 +107,12 @@ class WearResult(Brief):
     heights: dict[int, FloatArray] = field(repr=False)
     """Of each worn body, at the start and after each cycle [m], shape (cycles + 1, rows, ny)."""
     first_row: dict[int, int] = field(repr=False)
-    last: Moments = field(repr=False)
-    """States of the last cycle, under its largest load, and unloaded before anything is removed."""
-    _solve_first: Callable[[], Moments] = field(repr=False)
+    last: tuple[State, ...] = field(repr=False)
+    _solve_first: Callable[[], Any] = field(repr=False)
 
     @cached_property
-    def first(self) -> Moments:
-        """Those of the first cycle, which is solved again after going on from a checkpoint."""
+    def first(self) -> Any:
+        """As `last`, of the first cycle, which is solved again after going on from a checkpoint."""
         return self._solve_first()
 
     def x(self, body: int | None = None) -> FloatArray:
@@ -130,8 +163,9 @@ class WearResult(Brief):
             "y": np.asarray(self.grid.y),
         }
         dataset = xr.Dataset(coords={n: WEAR[n].variable(n, v) for n, v in coordinates.items()})
-        for name in (*PER_BODY, *PER_CYCLE):
-            dims = ("cycle", "body") if name in PER_BODY else "cycle"
+        record: type[AnyCycle] = type(self.cycles[0])
+        for name in (item.name for item in fields(record) if item.name != "number"):
+            dims = ("cycle", "body") if name in record.PER_BODY else "cycle"
             values = np.array([getattr(cycle, name) for cycle in self.cycles])
             dataset[name] = WEAR[name].variable(dims, values)
         dataset["wear_rate"] = WEAR["wear_rate"].variable("cycle", self.rate)
@@ -144,3 +178,21 @@ class WearResult(Brief):
             )
         dataset.attrs = {"samcontact_version": __version__, "stopped": int(self.stopped)}
         return dataset
+
+
+@dataclass(eq=False, repr=False)
+class WearResult(AnyResult):
+    """Cycles of `run`, worn surfaces, and the first and last cycle's states."""
+
+    cycles: list[Cycle]
+    last: Moments = field(repr=False)
+    """States of the last cycle, under its largest load, and unloaded before anything is removed."""
+
+
+@dataclass(eq=False, repr=False)
+class FrettingResult(AnyResult):
+    """Cycles of `fretting`, worn surfaces, and the first and last cycle's states."""
+
+    cycles: list[FrettingCycle]
+    last: tuple[State, ...] = field(repr=False)
+    """States of the first repeat of the last cycle."""

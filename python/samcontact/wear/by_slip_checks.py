@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a computation of fretting wear is given, and which of its steps wear."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from .._checks import (
+    FloatArray,
+    exactly_one,
+    finite_array,
+    number,
+    of_bodies,
+    require_type,
+    step_list,
+)
+from ..friction import Coulomb, GivenAlong
+from ..grid import Grid
+from ..material import Material
+from ..relief import Relief, relief_rows
+from .results import FrettingCycle
+
+_TAKEN = ("load", "approach", "shift", "tangential_load", "twist", "torque")
+_SAME = 1e-9
+"""Relative to the largest of a cycle: by how much equal drives differ."""
+
+
+@dataclass(frozen=True)
+class FrettingScene:
+    """Checked arguments of `samcontact.wear.fretting` that stay the same in all cycles."""
+
+    grid: Grid
+    bodies: tuple[Material, Material]
+    gap: FloatArray
+    cycle: list[dict[str, Any]]
+    friction: Coulomb
+    law: str
+    coefficients: tuple[float, float]
+    repeats: int
+    reliefs: tuple[Relief | None, Relief | None]
+    settings: dict[str, Any]
+
+    @property
+    def worn(self) -> tuple[int, ...]:
+        return tuple(body for body in (1, 2) if self.coefficients[body - 1] > 0)
+
+    @property
+    def record(self) -> type[FrettingCycle]:
+        return FrettingCycle
+
+    def rows(self, body: int) -> tuple[int, int]:
+        """First row and number of rows of a body that wear: the grid, as bodies stay in place."""
+        return 0, self.grid.nx
+
+
+def make_scene(
+    grid: Grid,
+    bodies: tuple[Material, Material],
+    gap: ArrayLike,
+    cycle: Iterable[Mapping[str, Any]],
+    friction: Coulomb,
+    energy: float | Sequence[float] | None,
+    archard: float | Sequence[float] | None,
+    repeats: int,
+    reliefs: tuple[Relief | None, Relief | None],
+    settings: dict[str, Any],
+) -> FrettingScene:
+    """Check everything but what `Simulation` checks itself."""
+    require_type("grid", grid, Grid)
+    for n, body in enumerate(bodies, 1):
+        require_type(f"body{n}", body, Material)
+        if body.is_plastic:
+            raise ValueError(
+                f"body{n} must not yield, got {body.law}: fretting wears elastic bodies; "
+                "samcontact.wear.run wears those whose plastic strain is too large"
+            )
+    require_type("friction", friction, Coulomb)
+    if not 0 < friction.coefficient < math.inf:
+        raise ValueError(
+            f"friction must be above 0 and finite, got {friction!r}: there is no work of friction"
+        )
+    law = exactly_one(energy=energy, archard=archard)
+    coefficients = of_bodies(law, energy if energy is not None else archard)  # type: ignore[arg-type]
+    if not any(coefficients):
+        raise ValueError(f"{law} must be above 0 for a body at least, got {coefficients!r}")
+    for n, relief in enumerate(reliefs, 1):
+        relief_rows(f"relief{n}", relief, grid)
+    path = step_list("cycle", cycle, _TAKEN)
+    closing(path)
+    return FrettingScene(
+        grid,
+        bodies,
+        finite_array("gap", gap, grid.surface_shape),
+        path,
+        friction,
+        law,
+        coefficients,
+        repeats,
+        reliefs,
+        settings,
+    )
+
+
+def closing(path: list[dict[str, Any]]) -> int:
+    """Number of steps that lead up to those that are repeated.
+
+    Raises ValueError for a path that does not end where it has been, or with bodies that move on.
+    """
+    places = _places(path)
+    most = [max(abs(place[k][1]) for place in places) for k in range(len(places[0]))]
+    for n, place in enumerate(places[:-1]):
+        if all(
+            kind == last_kind and abs(value - last) <= _SAME * size
+            for (kind, value), (last_kind, last), size in zip(place, places[-1], most, strict=True)
+        ):
+            return n
+    raise ValueError(
+        "cycle must end where it has been, with the load and the forces or motions along the "
+        f"surface of an earlier step, got {path!r:.300}: paths.fretting_loop makes one"
+    )
+
+
+def _places(path: list[dict[str, Any]]) -> list[list[tuple[str, float]]]:
+    """Load or approach, and what drives both directions and the turn, at first and after each step.
+
+    Without load nothing else counts.
+    """
+    if not path:
+        raise ValueError("cycle must hold at least one step, got none")
+    free = [("load", 0.0), *[("motion", 0.0)] * 3]
+    places, moved = [free], [0.0] * 3
+    for step in path:
+        name = exactly_one(load=step.get("load"), approach=step.get("approach"))
+        along = GivenAlong.of(
+            {"shift": step.get("shift"), "twist": step.get("twist")},
+            {"tangential_load": step.get("tangential_load"), "torque": step.get("torque")},
+        )
+        place = [(name, number(name, step[name]))]
+        for k, (is_force, value) in enumerate(zip(along.is_force, along.values, strict=True)):
+            moved[k] += 0.0 if is_force else value
+            place.append(("force", value) if is_force else ("motion", moved[k]))
+        places.append(free if place[0] == ("load", 0.0) else place)
+    return places

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What both laws of wear do alike: one cycle after the other, kept after each."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from contextlib import nullcontext
+from typing import TypeVar
+
+import numpy as np
+
+from .. import _expected, resolution
+from .._progress import progress_bar
+from ..relief import Relief, heights_over
+from ..state import State
+from .checkpoint import Standing, Worn, alone, latest, write
+from .results import AnyResult
+
+S = TypeVar("S", bound=Worn)
+R = TypeVar("R", bound=AnyResult)
+Moments = tuple[State, ...]
+Advance = Callable[[S, Standing], tuple[Moments, Standing]]
+"""One cycle: its states, and where the next begins."""
+
+
+def repeat(
+    kind: type[R],
+    scene: S,
+    advance: Advance[S],
+    count: int,
+    checkpoint: str | os.PathLike[str] | None,
+    progress: bool,
+) -> R:
+    """Cycles until nothing wears any more, from the start or from a checkpoint."""
+    with nullcontext() if checkpoint is None else alone(checkpoint):
+        standing = None if checkpoint is None else latest(checkpoint, scene)
+        if standing is None:
+            standing = _start(scene)
+        if len(standing.cycles) >= count:
+            done = len(standing.cycles)
+            raise ValueError(f"cycles must be > {done}, those of the checkpoint, got {count}")
+        return _repeat(kind, scene, advance, standing, count, checkpoint, progress)
+
+
+def _repeat(
+    kind: type[R],
+    scene: S,
+    advance: Advance[S],
+    standing: Standing,
+    count: int,
+    checkpoint: str | os.PathLike[str] | None,
+    progress: bool,
+) -> R:
+    first = last = None
+    stopped = coarse = False
+    with progress_bar(count, "cycle", shown=progress, initial=len(standing.cycles)) as bar:
+        while not stopped and len(standing.cycles) < count:
+            try:
+                moments, after = advance(scene, standing)
+            except Exception as error:
+                if last is not None:
+                    error.result = _result(kind, scene, advance, standing, False, first, last)  # type: ignore[attr-defined]
+                raise
+            first = moments if not standing.cycles else first
+            surface = _expected.Scene(scene.grid, scene.gap, scene.bodies, relieved=True)
+            coarse = coarse or resolution.warn_of_run(moments, surface, stacklevel=4)
+            standing, last = after, moments
+            stopped = not any(standing.cycles[-1].volume)
+            bar.update()
+            bar.set_postfix(volume=f"{sum(standing.cycles[-1].volume):.3g} m3")
+            # A finished computation keeps what its last cycle started from: it gives `last` again.
+            if checkpoint is not None and not stopped and len(standing.cycles) < count:
+                write(checkpoint, scene, standing)
+    assert last is not None
+    return _result(kind, scene, advance, standing, stopped, first, last)
+
+
+def _start(scene: Worn) -> Standing:
+    heights = {}
+    for body in scene.worn:
+        first, rows = scene.rows(body)
+        relief, blank = scene.reliefs[body - 1], np.zeros((rows, scene.grid.ny))
+        heights[body] = [blank if relief is None else heights_over(relief, first, rows)]
+    return Standing(heights)
+
+
+def reliefs_of(scene: Worn, standing: Standing) -> list[Relief | None]:
+    """The present surfaces of both bodies."""
+    reliefs = list(scene.reliefs)
+    for body in scene.worn:
+        first, _ = scene.rows(body)
+        reliefs[body - 1] = Relief(standing.heights[body][-1], first)
+    return reliefs
+
+
+def _result(
+    kind: type[R],
+    scene: S,
+    advance: Advance[S],
+    standing: Standing,
+    stopped: bool,
+    first: Moments | None,
+    last: Moments,
+) -> R:
+    relief1, relief2 = reliefs_of(scene, standing)
+
+    def solve_first() -> Moments:
+        return first if first is not None else advance(scene, _start(scene))[0]
+
+    return kind(
+        grid=scene.grid,
+        worn=scene.worn,
+        cycles=standing.cycles,
+        stopped=stopped,
+        heights={body: np.stack(heights) for body, heights in standing.heights.items()},
+        first_row={body: scene.rows(body)[0] for body in scene.worn},
+        last=last,
+        _solve_first=solve_first,
+        relief1=relief1,
+        relief2=relief2,
+    )

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Wear by slip: its volume, its laws, where it ends, checkpoints, refusals."""
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from samcontact import report, results
+
+STEEL = sc.Material.elastic(210e9, 0.3)
+MU = sc.Coulomb(0.5)
+CELL = 4e-6
+RADIUS = 5e-3
+LINE = sc.Grid(33, 1, CELL, CELL, periodic="y")
+CYLINDER = sc.surfaces.paraboloid(LINE, RADIUS, np.inf)
+# nine cells of half width
+LOAD = 0.25 * np.pi * sc.hertz.effective_modulus(STEEL, STEEL) * (9 * CELL) ** 2 / RADIUS * CELL
+BALL_GRID = sc.Grid(24, 24, 8e-6, 8e-6)
+BALL = sc.surfaces.paraboloid(BALL_GRID, RADIUS)
+BALL_LOAD = 8.0
+
+
+def to_and_fro(load, amplitude):
+    """Pressed, pulled, and then to and fro."""
+    return [{"load": load, "tangential_load": (q * amplitude, 0.0)} for q in (0, 1, -1, 1)]
+
+
+def frets(gap=BALL, grid=BALL_GRID, **changes):
+    given = {"cycle": to_and_fro(BALL_LOAD, 0.6 * 0.5 * BALL_LOAD), "friction": MU, "cycles": 2}
+    given |= {"energy": 1e-14, "repeats": 2000, "progress": False}
+    return sc.wear.fretting(grid, STEEL, STEEL, gap, **(given | changes))
+
+
+@pytest.fixture(scope="module")
+def worn():
+    return frets(energy=(1e-14, 3e-14), repeats=10000)
+
+
+def test_volume_is_that_of_the_work_of_friction(worn):
+    for cycle in worn.cycles:
+        assert cycle.parts > 1
+        assert cycle.volume == pytest.approx(np.array([1e-14, 3e-14]) * cycle.friction_work)
+        assert cycle.lost == pytest.approx(cycle.volume, rel=1e-12)
+    np.testing.assert_allclose(worn.profile(body=2), 3 * worn.profile(body=1), rtol=1e-12)
+    simulation = sc.Simulation(BALL_GRID, STEEL, STEEL, BALL, MU)
+    before, *_, after = simulation.run(to_and_fro(BALL_LOAD, 0.3 * BALL_LOAD), progress=False)[1:]
+    once = frets(repeats=1, cycles=1).cycles[0]
+    assert once.friction_work == pytest.approx(after.friction_work - before.friction_work)
+
+
+def test_what_sticks_does_not_wear(worn):
+    sticking = (worn.last[-1].pressure > 0) & ~np.any([s.slip for s in worn.last], axis=(0, 1))
+    assert 20 < np.count_nonzero(sticking) < 0.7 * np.count_nonzero(worn.last[-1].pressure)
+    assert not worn.profile()[sticking].any()
+    assert (worn.profile()[(worn.last[-1].pressure > 0) & ~sticking] < 0).all()
+
+
+@pytest.mark.parametrize("amplitude", [2e-7, 2e-5])
+def test_both_laws_agree_where_the_friction_is_the_same(amplitude):
+    """With little slip and with slip all over."""
+    cycle = [{"load": BALL_LOAD, "shift": (d * amplitude, 0.0)} for d in (0, 1, -2, 2)]
+    one = frets(cycle=cycle, energy=None, archard=1e-16, cycles=1)
+    other = frets(cycle=cycle, energy=1e-16 / MU.coefficient, cycles=1)
+    assert (one.cycles[0].sticking_area == 0.0) == (amplitude == 2e-5)
+    depth = -one.profile().min()
+    np.testing.assert_allclose(one.profile(), other.profile(), atol=1e-5 * depth)
+
+
+@pytest.mark.parametrize("loops", [0, 2])
+def test_what_leads_up_does_not_wear(loops):
+    """Shear of the first pull, here with the load at once, is forgotten after a time through."""
+    cycle = to_and_fro(BALL_LOAD, 0.3 * BALL_LOAD)
+    changed = cycle[1:] + loops * cycle[2:]
+    found, expected = (frets(cycle=one, cycles=1).cycles[0] for one in (changed, cycle))
+    assert found.friction_work == pytest.approx((1 + loops) * expected.friction_work, rel=1e-3)
+
+
+def test_the_scar_ends_where_all_is_carried_by_what_sticks():
+    """Ciavarella & Hills (1999): the border of stick stays, and the slipping annulus comes free.
+
+    Then the contact is that of the first surface on the cells that stick.
+    """
+    cycle = to_and_fro(LOAD, 0.7 * 0.5 * LOAD)
+    result = frets(CYLINDER, LINE, cycle=cycle, repeats=200_000, cycles=40)
+    assert result.stopped
+    pressure = result.last[-1].pressure
+    stuck = pressure > 0
+    areas = [one.sticking_area for one in result.cycles]
+    assert areas == pytest.approx([np.count_nonzero(stuck) * LINE.cell_area] * len(areas))
+    assert np.count_nonzero(stuck) < 0.62 * result.cycles[0].contact_area / LINE.cell_area
+    only = sc.ContactSolver(LINE, STEEL, STEEL).solve(np.where(stuck, CYLINDER, 1e-3), load=LOAD)
+    np.testing.assert_allclose(pressure, only.pressure, atol=1e-6 * pressure.max())
+
+
+def test_parts_do_not_depend_on_how_cycles_are_divided():
+    whole, halves = frets(repeats=400, cycles=2), frets(repeats=800, cycles=1)
+    assert halves.cycles[0].parts == 1
+    np.testing.assert_allclose(
+        whole.profile(), halves.profile(), atol=0.02 * np.abs(whole.profile()).max()
+    )
+
+
+def test_going_on_from_a_checkpoint_gives_the_same(worn, tmp_path):
+    more = {"energy": (1e-14, 3e-14), "repeats": 10000, "checkpoint": tmp_path / "scar.h5"}
+    frets(**more, cycles=2)
+    again = frets(**more, cycles=3)
+    straight = frets(**(more | {"checkpoint": None}), cycles=3)
+    np.testing.assert_array_equal(again.profile(), straight.profile())
+    assert again.cycles == straight.cycles
+    np.testing.assert_array_equal(again.first[-1].pressure, straight.first[-1].pressure)
+    with pytest.raises(ValueError, match="repeats"):
+        frets(**(more | {"repeats": 5}), cycles=4)
+
+
+def test_dataset_and_report(worn, tmp_path):
+    data = worn.to_dataset()
+    assert {v.attrs["units"] for v in data.data_vars.values()} == {"m3", "m", "m2", "J", "Pa", "1"}
+    results.save(data, tmp_path / "wear.nc")
+    with results.open_results(tmp_path / "wear.nc") as kept:
+        np.testing.assert_array_equal(kept["friction_work"], data["friction_work"])
+        verdicts = report.checks(kept)
+        assert all(verdict.passed for verdict in verdicts)
+        report.write(kept, tmp_path / "report.html")
+    assert "sticking area" in (tmp_path / "report.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("changes", "text"),
+    [
+        ({"energy": None}, "exactly one of energy, archard"),
+        ({"archard": 1e-14}, "exactly one of energy, archard"),
+        ({"energy": -1.0}, "energy must be"),
+        ({"energy": (0.0, 0.0)}, "energy must be above 0"),
+        ({"energy": (1.0, 1.0, 1.0)}, "a pair, got 3"),
+        ({"friction": sc.Coulomb(np.inf)}, "friction must be above 0 and finite"),
+        ({"repeats": 0}, "repeats must be"),
+        ({"cycle": to_and_fro(8.0, 2.0)[:2]}, "must end where it has been"),
+        ({"cycle": []}, "at least one step"),
+        ({"cycle": [{"load": 8.0, "shift": (0.0, 0.0), "tangential_load": (1.0, 0.0)}]}, "both"),
+    ],
+)
+def test_what_is_refused(changes, text):
+    with pytest.raises(ValueError, match=text):
+        frets(**changes)
+
+
+def test_bodies_that_yield_or_move_on_are_refused():
+    yielding = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
+    with pytest.raises(ValueError, match=r"body2 must not yield.*wear\.run"):
+        sc.wear.fretting(BALL_GRID, STEEL, yielding, BALL, cycle=[], friction=MU, energy=1.0)
+    with pytest.raises(TypeError, match="unknown field 'advance'"):
+        frets(cycle=[{"load": 8.0, "advance": (1e-6, 1e-6)}])
+    with pytest.raises(TypeError, match="friction"):
+        frets(friction=0.5)
