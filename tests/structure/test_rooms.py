@@ -43,7 +43,7 @@ FOLDERS = {
     "results": {"runs", "hertz"},
     "plotting": {"hertz", "results"},
     "asperities": {"runs"},
-    "wear": {"runs"},
+    "wear": {"runs", "hertz"},
     "cases": {"hertz", "paths", "measured", "asperities", "wear"},
     "accuracy": {"runs", "hertz", "cases", "results"},
     "sweeps": {"runs", "cases", "results", "accuracy"},
