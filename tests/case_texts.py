@@ -100,3 +100,35 @@ order = 1
 [output]
 figures = false
 """
+SCAR = """
+title = "Fretting ball"
+[grid]
+nx = 24
+ny = 24
+dx = 8e-6
+dy = 8e-6
+[body1]
+law = "elastic"
+E = 210e9
+nu = 0.3
+[body2]
+law = "elastic"
+E = 210e9
+nu = 0.3
+[surface]
+shape = "paraboloid"
+Rx = 5e-3
+[contact]
+friction = {coulomb = 0.5}
+[[path]]
+load = 8.0
+increments = 1
+[[path]]
+load = 8.0
+increments = 1
+fret = {tangential_load_x = 2.4}
+[wear]
+energy = [1e-14, 3e-14]
+repeats = 20000
+cycles = 2
+"""

@@ -113,6 +113,13 @@ KINDS = {
                 {"load": 2.0, "fret": {"shift_x": 1e-8, "shift_y": 1e-9}}]},
     "wear": BASE | {"wear": WEAR | {"strain_depth": "smoothed"}},
     "running in": BASE | {"wear": {"threshold": 2e-3, "smoothing_length": 8e-6}},
+    "fretting wear": STICKS
+    | {"wear": {"energy": [1e-14, 2e-14], "cycles": 3, "repeats": 1000},
+       "path": [{"load": 2.0, "increments": 2},
+                {"load": 2.0, "fret": {"tangential_load_x": 0.1, "cycles": 2}}]},
+    "Archard's wear": STICKS
+    | {"wear": {"archard": 1e-14},
+       "path": [{"load": 2.0}, {"load": 2.0, "fret": {"shift_x": 1e-8}}]},
     "marched wear": BASE
     | {"wear": WEAR, "heat": MARCHED, "path": [{"load": 1.0, "duration": 1e-4}]},
     "tugging": TUGGING,
@@ -130,6 +137,7 @@ OTHER = {
         [[2.0, 0.0], [0.5, 0.0]], [-3.0, 0.0], [0.0, 1.0]],
     "heat_factor": [[1e-3, 4e-3], 0.5, [0.0, 4e-3]], "factor": [[1e-3, 4e-3], [0.0, 4e-3]],
     "history": [[1e-6, 2e-3]],
+    "energy": [[2e-14, 1e-14], 3e-14], "archard": [2e-14],
     "advance": [[2e-5, 0.0]], "recovery": [[6.0]], "modulus": [[2e9]], "order": [2],
     "wavelength_min": [20e-6], "wavelength_max": [90e-6], "slide_to_roll": [-0.2],
     "step": [1e-5], "increments": [3, 13], "distance": [2e-5], "nz": [5], "ambient": [290.0],
@@ -171,6 +179,7 @@ def computed(tmp_path, monkeypatch):
         seen["arguments"] = told([list(arguments), named])
 
     monkeypatch.setattr(wear, "run", record)
+    monkeypatch.setattr(wear, "fretting", record)
     monkeypatch.setattr(tugging, "tug", record)
 
     def compute(content):
@@ -309,6 +318,13 @@ def test_every_field_of_every_section_is_tried():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
+        ({"wear": {"energy": 1e-14}}, r"wear\.energy is for bodies that stick and slip"),
+        ({"wear": WEAR, "contact": {"friction": {"coulomb": 0.3}}},
+         r"wear\.threshold is of gross sliding"),
+        ({"wear": WEAR | {"repeats": 5}}, r"repeats goes with energy and archard, not with thres"),
+        ({"wear": WEAR | {"energy": 1e-14}}, "exactly one of threshold, energy, archard; got thr"),
+        ({"wear": {"energy": 1e-14, "window": 3}}, "window goes with threshold, not with energy"),
+        ({"wear": {"cycles": 3}}, "exactly one of threshold, energy, archard; got none"),
         ({"wear": WEAR, "output": {"volume": "all"}}, r"output\.volume is not for a case"),
         ({"wear": WEAR, "output": {"body": 1}}, r"output\.body is not for a case with \[wear\]"),
         (

@@ -185,7 +185,9 @@ def test_what_gross_sliding_has_no_use_for_is_refused():
     with pytest.raises(CaseError, match=r"path\[1\]: fret is for bodies that stick and slip"):
         case("load = 600.0\nfret = {shift_x = 1e-6}", friction="friction = 0.3")
     wear = "[wear]\nthreshold = 0.002\nwindow = 3"
-    with pytest.raises(CaseError, match=r"wear is of gross sliding: give contact\.friction"):
+    with pytest.raises(
+        CaseError, match=r"wear\.threshold is of gross sliding: give contact\.friction"
+    ):
         case("load = 0.0", more=wear)
     with pytest.raises(ValueError, match="accuracy is not for bodies that stick and slip"):
         require_refinable(case())

@@ -6,7 +6,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-from case_texts import WEAR
+from case_texts import SCAR, WEAR
 from command import check_failure, invoke
 from samcontact import wear
 from samcontact.cases import CaseError, load_case
@@ -46,6 +46,32 @@ def test_a_run_that_stops_says_nothing_of_wearing_on(case_file, tmp_path):
     outcome = invoke("run", case_file, "--output", tmp_path / "out")
     assert outcome.exit_code == 0, outcome.output
     assert "still wearing" not in outcome.stdout
+
+
+def test_the_command_makes_a_scar(case_file, tmp_path):
+    case_file.write_text(SCAR)
+    outcome = invoke("run", case_file, "--output", tmp_path / "out")
+    assert outcome.exit_code == 0, outcome.output
+    names = ["wear.nc", "wear.csv", "fretting.png", "wear_rate.png"]
+    names += [f"{kind}_body{body}.png" for kind in ("profile", "surface") for body in (1, 2)]
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == sorted(names)
+    simulation, cycle = load_case(case_file).build()
+    expected = wear.fretting(
+        simulation.grid, simulation.body1, simulation.body2, simulation.initial_gap, cycle=cycle,
+        energy=(1e-14, 3e-14), repeats=20000, cycles=2, friction=simulation.friction,
+        progress=False,
+    )  # fmt: skip
+    with xr.open_dataset(tmp_path / "out" / "wear.nc", engine="h5netcdf") as dataset:
+        np.testing.assert_array_equal(dataset.heights_body2.values, expected.heights[2])
+    assert "sticking" in outcome.stdout
+    case_file.write_text(
+        SCAR.replace("nu = 0.3", "nu = 0.3\nyield_stress = 1e9")
+        .replace('"elastic"', '"perfect_plastic"')
+        .replace("dy = 8e-6", "dy = 8e-6\ndz = 8e-6\nnz = 8")
+    )
+    check_failure(
+        invoke("run", case_file, "--output", tmp_path / "o", "--quiet"), 2, "must not yield"
+    )
 
 
 @pytest.mark.parametrize(

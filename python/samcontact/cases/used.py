@@ -37,11 +37,20 @@ def require_all_used(case: Case) -> None:
 
 
 def _require_law_of_friction(case: Case) -> None:
-    """What drives along the surface goes with bodies that stick and slip, wear does not."""
+    """What drives along the surface, and wear by slip, go with bodies that stick and slip."""
+    by_slip = case.wear is not None and case.wear.law != "threshold"
     if isinstance(case.contact.friction, CoulombFriction):
-        if case.wear is not None:
-            raise ValueError("wear is of gross sliding: give contact.friction as a number")
+        if case.wear is not None and not by_slip:
+            raise ValueError(
+                "wear.threshold is of gross sliding: give contact.friction as a number, or "
+                "wear.energy in place of it"
+            )
         return
+    if case.wear is not None and by_slip:
+        raise ValueError(
+            f"wear.{case.wear.law} is for bodies that stick and slip: give [contact] friction = "
+            "{coulomb = 0.3}, or wear.threshold in place of it"
+        )
     for index, segment in enumerate(case.path):
         if segment.slips:
             raise ValueError(
