@@ -2,10 +2,29 @@
 #include "samcontact/fft/padded_transform.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "samcontact/base/threads.hpp"
 
 namespace samcontact::fft {
+namespace {
+
+/// The rows of n numbers that are not all zero.
+std::vector<RowRun> rows_in_use(const double* plane, int count, int n) {
+  std::vector<char> used(count);
+  for (int i = 0; i < count; ++i, plane += n) {
+    used[i] = std::any_of(plane, plane + n, [](double v) { return v != 0; });
+  }
+  return runs_of(used);
+}
+
+/// Of a line of numbers, to be read soon: a transform reads them in an order that processors do not
+/// foresee.
+void fetch(const Complex* line, int count) {
+  for (int x = 0; x < count; x += 4) __builtin_prefetch(line + x);
+}
+
+}  // namespace
 
 PaddedTransform::PaddedTransform(int nx, int ny, int mx, int my)
     : nx_(nx),
@@ -50,37 +69,41 @@ void PaddedTransform::inverse(Complex* spectrum, double* plane, std::size_t stri
 
 void PaddedTransform::forward(const double* plane, ComplexField& lent, Complex* spectrum,
                               std::size_t stride) const {
-  const auto is_empty = [&](int i) {
-    const double* row = plane + static_cast<std::ptrdiff_t>(i) * ny_;
-    return std::all_of(row, row + ny_, [](double v) { return v == 0; });
-  };
-  int first = 0, last = nx_;
-  while (first < last && is_empty(first)) ++first;
-  while (first < last && is_empty(last - 1)) --last;
+  const std::vector<RowRun> runs = rows_in_use(plane, nx_, ny_);
   lent.resize(spectrum_size());
   // A team of its own, which shares the loop over rows with no other.
 #pragma omp parallel if (false)
-  rows_.forward(plane + static_cast<std::ptrdiff_t>(first) * ny_, last - first, lent.data() + first,
-                mx_);
+  for (const auto [first, count] : runs) {
+    rows_.forward(plane + static_cast<std::ptrdiff_t>(first) * ny_, count, lent.data() + first,
+                  mx_);
+  }
   for (int ky = 0; ky < mh(); ++ky) {
     Complex* column = lent.data() + static_cast<std::ptrdiff_t>(ky) * mx_;
-    std::fill(column, column + first, Complex{});
-    std::fill(column + last, column + mx_, Complex{});
+    int end = 0;
+    for (const auto [first, count] : runs) {
+      std::fill(column + end, column + first, Complex{});
+      end = first + count;
+    }
+    std::fill(column + end, column + mx_, Complex{});
     fftw_execute_dft(column_forward_.get(), raw(column), raw(spectrum + ky * stride));
   }
 }
 
 void PaddedTransform::inverse(const Complex* spectrum, std::size_t stride, ComplexField& lent,
-                              int first, int count, double* plane) const {
+                              std::span<const RowRun> rows, double* plane) const {
   lent.resize(spectrum_size());
   for (int ky = 0; ky < mh(); ++ky) {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): from another place they are only read.
     auto* from = const_cast<Complex*>(spectrum + ky * stride);
+    if (ky + 1 < mh()) fetch(from + stride, mx_);
     fftw_execute_dft(column_inverse_.get(), raw(from),
                      raw(lent.data() + static_cast<std::ptrdiff_t>(ky) * mx_));
   }
 #pragma omp parallel if (false)
-  rows_.inverse(lent.data() + first, mx_, count, plane + static_cast<std::ptrdiff_t>(first) * ny_);
+  for (const auto [first, count] : rows) {
+    rows_.inverse(lent.data() + first, mx_, count,
+                  plane + static_cast<std::ptrdiff_t>(first) * ny_);
+  }
 }
 
 }  // namespace samcontact::fft

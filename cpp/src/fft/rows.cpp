@@ -118,6 +118,22 @@ const double* parts(const Complex* z) { return reinterpret_cast<const double*>(z
 
 }  // namespace
 
+std::vector<RowRun> runs_of(std::span<const char> used) {
+  const int count = static_cast<int>(used.size());
+  std::vector<RowRun> runs;
+  for (int i = 0; i < count;) {
+    if (!used[i]) {
+      ++i;
+      continue;
+    }
+    if (runs.empty() || runs.back().first + runs.back().count != i) runs.push_back({i, 0});
+    const int rows = std::min(static_cast<int>(block), count - i);
+    runs.back().count += rows;
+    i += rows;
+  }
+  return runs;
+}
+
 Rows::Rows(int n, int m)
     : n_(n),
       m_(m),

@@ -27,7 +27,7 @@ VolumeTransform make_transform(const Grid& grid, const VolumeOptions& options) {
     mx = static_cast<int>(std::ceil(shortest_period * (2 * grid.ny - 1) * grid.dy / grid.dx));
     my = static_cast<int>(std::ceil(shortest_period * (2 * grid.nx - 1) * grid.dx / grid.dy));
   }
-  return {grid, options.symmetry, mx, my, options.unread_rows};
+  return {grid, options.symmetry, mx, my};
 }
 
 }  // namespace
@@ -78,7 +78,8 @@ void VolumeOperators::release_shallower() const {
 
 void VolumeOperators::for_each_layer(
     VolumeSpectrum& spectrum, const double* strain, const Tractions* tractions, double shear_sign,
-    const std::function<void(int layer, const double* stress)>& use, int layers) const {
+    const std::function<void(int layer, const double* stress)>& use, int layers,
+    const Rows& rows) const {
   check_interrupt();
   Field far_field;
   if (strain != nullptr) {
@@ -102,7 +103,8 @@ void VolumeOperators::for_each_layer(
     Field layer(layer_size);
 #pragma omp for schedule(dynamic)
     for (int k = 0; k < std::min(layers, spectrum.nz); ++k) {
-      inverse(transform_, spectrum, k, layer.data());
+      inverse(transform_, spectrum, k, layer.data(),
+              rows ? rows(k) : std::span<const fft::RowRun>());
       if (strain != nullptr) residual_stress_->correct(options_.tensor, far_field, k, layer.data());
       use(k, layer.data());
     }

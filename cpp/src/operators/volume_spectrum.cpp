@@ -66,9 +66,10 @@ void forward(const VolumeTransform& transform, const double* tensor, VolumeSpect
   transform.forward(planes_of(tensor, transform.plane_size(), out, layer), out.stride());
 }
 
-void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, int layer,
-             double* tensor) {
-  transform.inverse(planes_of(tensor, transform.plane_size(), spectrum, layer), spectrum.stride());
+void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, int layer, double* tensor,
+             std::span<const fft::RowRun> rows) {
+  transform.inverse(planes_of(tensor, transform.plane_size(), spectrum, layer), spectrum.stride(),
+                    rows);
 }
 
 void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, double* tensor) {

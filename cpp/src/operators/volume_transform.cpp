@@ -15,16 +15,14 @@ ComplexField& plane_buffer() {
 
 }  // namespace
 
-VolumeTransform::VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx, int least_my,
-                                 int unread_rows)
+VolumeTransform::VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx, int least_my)
     : nx_(grid.nx),
       ny_(grid.ny),
       symmetry_(symmetry),
       whole_(nx_, ny_, fft::convolution_size(nx_, grid.period.x, least_mx),
              fft::convolution_size(ny_, grid.period.y, least_my)),
       mx_(whole_.mx()),
-      my_(whole_.my()),
-      unread_rows_(unread_rows) {
+      my_(whole_.my()) {
   if (symmetry != Symmetry::none) {
     mirrored_ =
         std::make_unique<fft::MirroredTransform>(nx_, ny_, mx_, my_, symmetry == Symmetry::xy);
@@ -41,12 +39,15 @@ void VolumeTransform::forward(std::span<const Plane> planes, std::size_t stride)
   }
 }
 
-void VolumeTransform::inverse(std::span<const Plane> planes, std::size_t stride) const {
+void VolumeTransform::inverse(std::span<const Plane> planes, std::size_t stride,
+                              std::span<const fft::RowRun> rows) const {
   if (mirrored_) return mirrored_->inverse(planes, stride);
+  const fft::RowRun all{0, nx_};
+  if (rows.empty()) rows = {&all, 1};
   ComplexField& lent = plane_buffer();
   for (const Plane& plane : planes) {
-    whole_.inverse(reinterpret_cast<const Complex*>(plane.spectrum), stride / 2, lent, unread_rows_,
-                   nx_ - 2 * unread_rows_, plane.values);
+    whole_.inverse(reinterpret_cast<const Complex*>(plane.spectrum), stride / 2, lent, rows,
+                   plane.values);
   }
 }
 

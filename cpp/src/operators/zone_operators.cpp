@@ -38,6 +38,13 @@ Field fades(int count) {
   return weights;
 }
 
+/// The rows of a plane that some boxes, of its nodes, hold.
+std::vector<fft::RowRun> rows_of(const std::vector<Box>& boxes, const Box& plane) {
+  std::vector<char> used(plane.nx, 0);
+  for (const Box& box : boxes) std::fill_n(used.begin() + (box.i0 - plane.i0), box.nx, 1);
+  return fft::runs_of(used);
+}
+
 /// For a spectrum around a zone, of one thread, between uses.
 Field& spectrum_memory() {
   static thread_local Field memory;
@@ -78,6 +85,8 @@ struct ZoneOperators::Lattice {
         spectrum(operators->transform(), layers, operators->tensor(),
                  tables.borrow(operators->transform().mh() * operators->transform().row_size() *
                                count(operators->tensor()) * layers)) {}
+
+  std::vector<std::vector<fft::RowRun>> rows;  // that zones read, by layer
 
   std::size_t plane_size() const { return operators->grid().surface_size(); }
   int pitch() const { return operators->grid().ny; }
@@ -141,9 +150,23 @@ void ZoneOperators::make_lattices() {
   const auto of_far = operators(Band::far, far);
   // Its images need the strain of all layers.
   far_ = std::make_unique<Lattice>(far, of_far, of_far->grid().nz, *tables_);
+  find_rows();
   far_strain_ = tables_->borrow(far_->plane_size() * count(tensor_) * far_->layers());
   far_stress_ = tables_->borrow(far_->plane_size() * count(tensor_) * layers_);
   low_ = tables_->borrow(count(tensor_) * cells_);
+}
+
+void ZoneOperators::find_rows() {
+  for (int k = 0; k < layers_; ++k) {
+    std::vector<Box> in_middle, in_far;
+    for (const Box& zone : zones_) {
+      if (k >= zone.nz) continue;
+      in_middle.push_back(middle_->nodes.reached(zone));
+      in_far.push_back(far_->nodes.reached(in_middle.back()));
+    }
+    middle_->rows.push_back(rows_of(in_middle, middle_->planes()));
+    far_->rows.push_back(rows_of(in_far, far_->planes()));
+  }
 }
 
 void ZoneOperators::spread_layer(int k, const Field& strain) {
@@ -253,9 +276,10 @@ void ZoneOperators::find_low_stress(bool strained, const Tractions& tractions, d
         std::copy_n(stress, parts * far,
                     far_stress_.data() + static_cast<std::size_t>(k) * parts * far);
       },
-      layers_);
+      layers_, [&](int k) { return std::span<const fft::RowRun>(far_->rows[k]); });
   middle_->operators->for_each_layer(
-      middle_->spectrum, some, &on_middle, shear_sign, [&](int k, const double* stress) {
+      middle_->spectrum, some, &on_middle, shear_sign,
+      [&](int k, const double* stress) {
         for (std::size_t z = 0; z < zones_.size(); ++z) {
           if (k >= zones_[z].nz) continue;
           double* of_zone = low_.data() + first_[z] + k * zones_[z].surface_size();
@@ -266,7 +290,8 @@ void ZoneOperators::find_low_stress(bool strained, const Tractions& tractions, d
             gather_low(far_stress_.data() + from, stress + c * middle, zones_[z], to);
           }
         }
-      });
+      },
+      layers_, [&](int k) { return std::span<const fft::RowRun>(middle_->rows[k]); });
 }
 
 VolumeSpectrum ZoneOperators::spectrum_around(const Around& around, const std::vector<int>& zones,
@@ -336,6 +361,7 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
                                                   std::move(spectrum_memory()));
   Field& memory = around.spectrum ? around.memory : spectrum_memory();
   around.spectrum.reset();
+  const fft::RowRun rows{ring, box.nx};
   // A plane with a period has no images to be found from the strain.
   const double unused = 0.0;
   Field sum(parts * size);
@@ -349,7 +375,8 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
     use(zone, k, sum.data());
   };
   near.for_each_layer(spectrum, strain != nullptr ? &unused : nullptr, any ? &here : nullptr,
-                      shear_sign, with_low, box.nz);
+                      shear_sign, with_low, box.nz,
+                      [&rows](int) { return std::span<const fft::RowRun>(&rows, 1); });
   memory = std::move(spectrum.data);
 }
 

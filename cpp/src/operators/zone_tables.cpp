@@ -51,8 +51,7 @@ ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {
       kept_.try_emplace({static_cast<int>(band), lattice.nx, lattice.ny, lattice.nz}).first;
   Operators& place = at->second;
   if (!place) {
-    VolumeOptions options{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_, {}};
-    if (band == Band::near) options.unread_rows = near_range;
+    const VolumeOptions options{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_, {}};
     // Those of fewer layers come just before.
     Operators shallower;
     if (at != kept_.begin()) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/fft/plan.hpp"
@@ -38,12 +39,12 @@ class PaddedTransform {
   void inverse(Complex* spectrum, double* plane, std::size_t stride, Threads threads) const;
 
   /// The same by one thread through a plane's spectrum that the caller lends, where strides are so
-  /// long that rows are better transposed elsewhere. Skips zeros at both ends of the rows [i].
+  /// long that rows are better transposed elsewhere. Skips rows [i] of zeros.
   void forward(const double* plane, ComplexField& lent, Complex* spectrum,
                std::size_t stride) const;
-  /// Rows first, .., first + count - 1 of the plane; the others are not touched.
-  void inverse(const Complex* spectrum, std::size_t stride, ComplexField& lent, int first,
-               int count, double* plane) const;
+  /// Some rows of the plane; the others are not touched.
+  void inverse(const Complex* spectrum, std::size_t stride, ComplexField& lent,
+               std::span<const RowRun> rows, double* plane) const;
 
  private:
   int nx_, ny_, mx_, my_;

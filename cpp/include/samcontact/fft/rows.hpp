@@ -4,11 +4,21 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/fft/plan.hpp"
 
 namespace samcontact::fft {
+
+/// Neighbouring rows of a plane.
+struct RowRun {
+  int first, count;
+};
+
+/// Those that hold all rows in use, of as many as are transformed at once where there is room.
+std::vector<RowRun> runs_of(std::span<const char> used);
 
 /// Rows of n cells padded to m, which is even. Within a parallel region its threads share the rows;
 /// outside, one thread does all.

@@ -23,8 +23,6 @@ struct VolumeOptions {
   double image_tol = 1e-3;
   /// Heat that goes with the pressure; null: none.
   std::shared_ptr<const HeatStress> heat = {};
-  /// Rows [i][j] at both ends of whole planes whose stress nobody reads.
-  int unread_rows = 0;
 };
 
 /// Thread-safe; shared by bodies of one medium. Strain and stress have the
@@ -49,11 +47,13 @@ class VolumeOperators {
   /// The same layer by layer, in any order and several at once: calls use(layer, stress
   /// [component][i][j]) for the first ones. spectrum: that of the eigenstrain on entry, zero
   /// without one; destroyed. It may have fewer layers than the grid where the residual stress has
-  /// no far field.
+  /// no far field. rows: of a layer, those that are asked for, as VolumeTransform::inverse has
+  /// them.
+  using Rows = std::function<std::span<const fft::RowRun>(int layer)>;
   void for_each_layer(VolumeSpectrum& spectrum, const double* strain, const Tractions* tractions,
                       double shear_sign,
                       const std::function<void(int layer, const double* stress)>& use,
-                      int layers = std::numeric_limits<int>::max()) const;
+                      int layers = std::numeric_limits<int>::max(), const Rows& rows = {}) const;
 
   /// Memory of the kernels built so far.
   std::size_t bytes() const;

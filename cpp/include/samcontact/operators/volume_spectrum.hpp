@@ -56,8 +56,9 @@ void forward(const VolumeTransform& transform, const double* tensor, VolumeSpect
              int layer);
 
 /// One layer back to real space, [component][i][j]; destroys it in the spectrum. Thread-safe for
-/// different layers.
-void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, int layer, double* tensor);
+/// different layers. rows: as VolumeTransform::inverse has them.
+void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, int layer, double* tensor,
+             std::span<const fft::RowRun> rows = {});
 /// All layers, [component][k][i][j].
 void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, double* tensor);
 

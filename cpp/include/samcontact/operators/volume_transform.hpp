@@ -17,9 +17,8 @@ using fft::Symmetry;
 class VolumeTransform {
  public:
   /// Of the whole planes of a grid, also where only a part is stored; padded sizes are at least the
-  /// given ones. unread_rows: so many at both ends of whole planes [i][j] are not brought back.
-  VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx = 0, int least_my = 0,
-                  int unread_rows = 0);
+  /// given ones.
+  VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx = 0, int least_my = 0);
 
   Symmetry symmetry() const { return symmetry_; }
   /// Stored cells of a plane.
@@ -41,7 +40,9 @@ class VolumeTransform {
   /// Planes of the components of one layer. Spectra in rows `stride` doubles apart; one thread.
   using Plane = fft::MirroredTransform::Plane;
   void forward(std::span<const Plane> planes, std::size_t stride) const;
-  void inverse(std::span<const Plane> planes, std::size_t stride) const;
+  /// rows: of whole planes [i][j], those that are brought back; none: all.
+  void inverse(std::span<const Plane> planes, std::size_t stride,
+               std::span<const fft::RowRun> rows = {}) const;
 
   /// One plane, even or odd in mirrored directions; the spectrum [ky][kx] in rows of row_size().
   /// Threaded where whole.
@@ -52,7 +53,7 @@ class VolumeTransform {
   int nx_, ny_;
   Symmetry symmetry_;
   fft::PaddedTransform whole_;
-  int mx_, my_, unread_rows_;
+  int mx_, my_;
   std::unique_ptr<fft::MirroredTransform> mirrored_;
 };
 

@@ -45,6 +45,8 @@ class ZoneOperators {
   struct Lattice;
 
   void make_lattices();
+  /// Of the lattices' planes, which ones zones read.
+  void find_rows();
   void add_ring(const Box& zone);
   /// Of the first layers of the strain in some zones, on the plane around one.
   VolumeSpectrum spectrum_around(const Around& around, const std::vector<int>& zones, int layers,
