@@ -317,6 +317,7 @@ class BandMedium : public VolumeMedium {
     };
     ResidualSettings of_band = settings;
     of_band.share = own;
+    of_band.blends = band_ == Band::near;
     auto whole = tables_->medium()->residual_stress(grid, transform, of_band);
     if (band_ != Band::far) return whole;
     return std::make_unique<FarResidualStress>(std::move(whole), own(0.0, 0.0));

@@ -54,7 +54,7 @@ layers::Layout block_layout(const layers::Layout& of, int parts) {
 
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
                                          const Elastic& elastic, const ResidualSettings& settings)
-    : LayerResidualStress(grid, transform, elastic, settings.share) {
+    : LayerResidualStress(grid, transform, elastic, settings.share, settings.blends) {
   const double image_tol = settings.image_tol;
   const bool along_x = grid.period.x > 0, along_y = grid.period.y > 0;
   if (along_x && along_y) return;
@@ -66,25 +66,36 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
 }
 
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
-                                         const Elastic& elastic, const Share& share)
+                                         const Elastic& elastic, const Share& share, bool blends)
     : nu_(elastic.nu),
       lame_(2 * elastic.shear_modulus() * elastic.nu / (1 - 2 * elastic.nu)),
       shear_modulus_(elastic.shear_modulus()) {
   for (int ky = 0; ky < transform.mh(); ++ky) {
-    std::vector<Pass>& passes = passes_.emplace_back();
-    for (const bool alias_y : {false, true}) {
-      if (alias_y && 2 * ky <= blended_from * transform.my()) continue;
-      for (const bool alias_x : {false, true}) {
-        passes.push_back(pass(grid, transform, ky, alias_x, alias_y, share));
-      }
+    passes_.push_back(passes(grid, transform, ky, share, blends));
+  }
+}
+
+std::vector<LayerResidualStress::Pass> LayerResidualStress::passes(const Grid& grid,
+                                                                   const VolumeTransform& transform,
+                                                                   int ky, const Share& share,
+                                                                   bool blends) {
+  if (!blends) {
+    return {pass(grid, transform, ky, false, false, share, [](double) { return 1.0; })};
+  }
+  std::vector<Pass> found;
+  for (const bool alias_y : {false, true}) {
+    if (alias_y && 2 * ky <= blended_from * transform.my()) continue;
+    for (const bool alias_x : {false, true}) {
+      found.push_back(pass(grid, transform, ky, alias_x, alias_y, share, blended));
     }
   }
+  return found;
 }
 
 LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
                                                     const VolumeTransform& transform, int ky,
-                                                    bool alias_x, bool alias_y,
-                                                    const Share& share) {
+                                                    bool alias_x, bool alias_y, const Share& share,
+                                                    Weight weight_of) {
   // mx and my are even
   const int mx = transform.mx(), my = transform.my();
   const auto wavenumber = [&](int i) { return i <= mx / 2 ? i : i - mx; };
@@ -107,7 +118,7 @@ LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
     const int x = alias_x ? own - (own > 0 ? mx : -mx) : own;
     const int y = !varies_y ? 0 : alias_y ? ky - my : ky;
     double* mode = found.modes.data() + (i - found.first);
-    double weight = blended(std::abs(2.0 * x / mx)) * blended(std::abs(2.0 * y / my));
+    double weight = weight_of(std::abs(2.0 * x / mx)) * weight_of(std::abs(2.0 * y / my));
     if (share) {
       // That of the wave that is stored, also for its alias.
       const int stored_y = varies_y ? ky : 0;

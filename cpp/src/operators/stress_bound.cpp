@@ -14,7 +14,7 @@ namespace {
 /// Depths whose spectra are taken together.
 constexpr std::size_t together = 8;
 /// Depth in cells from which on a band is below 1e-3 of the pressure.
-constexpr double near_ends = 10.0, middle_ends = 48.0;
+constexpr double near_ends = 10.0, middle_ends = 28.0;
 
 constexpr int parts = 5;
 

@@ -40,7 +40,7 @@ class LayerResidualStress : public ResidualStress {
                       const ResidualSettings& settings);
   /// With all images of the transform's period.
   LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic)
-      : LayerResidualStress(grid, transform, elastic, Share{}) {}
+      : LayerResidualStress(grid, transform, elastic, Share{}, true) {}
 
   void apply(VolumeSpectrum& spectrum) const override;
   Field far_field(Tensor tensor, const double* strain) const override;
@@ -57,9 +57,14 @@ class LayerResidualStress : public ResidualStress {
   };
   using Share = decltype(ResidualSettings::share);
   LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
-                      const Share& share);
+                      const Share& share, bool blends);
+  /// Of one row ky.
+  static std::vector<Pass> passes(const Grid& grid, const VolumeTransform& transform, int ky,
+                                  const Share& share, bool blends);
+  /// weight: of a wavenumber relative to the highest, along one axis.
+  using Weight = double (*)(double);
   static Pass pass(const Grid& grid, const VolumeTransform& transform, int ky, bool alias_x,
-                   bool alias_y, const Share& share);
+                   bool alias_y, const Share& share, Weight weight);
 
   double nu_, lame_, shear_modulus_;
   std::vector<std::vector<Pass>> passes_;  // of each ky, first its own wavenumbers

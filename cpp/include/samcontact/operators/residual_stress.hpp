@@ -18,6 +18,9 @@ struct ResidualSettings {
   double image_tol = 1e-3;
   /// Fast: what the stress of a wave is multiplied by, wavenumbers in 1/m; none: 1.
   std::function<double(double kx, double ky)> share = {};
+  /// Fast: whether the highest waves share their place with their aliases; without, the share must
+  /// be next to nothing there.
+  bool blends = true;
 };
 
 class ResidualStress {
