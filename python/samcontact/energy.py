@@ -169,8 +169,7 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     Raises
     ------
     ValueError
-        Friction as a number, bodies that moved on, prescribed tractions; kinematic hardening or
-        softening, whose work the last state does not tell; no states.
+        Friction as a number, bodies that moved on or soften, prescribed tractions; no states.
     """
     bodies = simulation.body1, simulation.body2
     why = no_balance(simulation, states)
@@ -179,15 +178,27 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     last = states[-1]
     work = _work(states, float(np.min(states[0]._window.initial_gap)))
     plastic = [(n, body) for n, body in enumerate(bodies, 1) if body.is_plastic]
-    tracks = [(body, last.track(n, margin=0)) for n, body in plastic]
     return EnergyBalance(
         put_in=float(work[work > 0].sum()),
         net=float(work.sum()),
         elastic=_elastic_energy(simulation, last),
-        residual=float(sum(residual_energy(track) for _, track in tracks)),
+        residual=float(sum(residual_energy(last.track(n, margin=0)) for n, _ in plastic)),
         friction=last.friction_work,
-        plastic=float(sum(plastic_work(body, track) for body, track in tracks)),
+        plastic=float(sum(_plastic_work_of(body, n, states) for n, body in plastic)),
     )
+
+
+def _plastic_work_of(material: Material, body: int, states: Sequence[State]) -> float:
+    """Of the last state, or with backstresses of all increments that flow."""
+    if not material.kinematic:
+        return plastic_work(material, states[-1].track(body, margin=0))
+    total, before = 0.0, None
+    for state in states:
+        if state.iterations > 0:
+            after = state.track(body, margin=0)
+            total += plastic_work(material, after, before)
+            before = after
+    return total
 
 
 def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
@@ -204,8 +215,8 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
     if not all(np.isfinite(state.approach) for state in states):
         return "states must be of loads or approaches, got one of prescribed tractions"
     for body in (simulation.body1, simulation.body2):
-        if body.kinematic or body.softening is not None:
-            return f"bodies must be without kinematic hardening and softening, got {body!r}"
+        if body.softening is not None:
+            return f"bodies must be without softening, got {body!r}"
     return ""
 
 

@@ -53,12 +53,13 @@ def balances(body2, friction, counts, force):
 
 
 HARDENING = sc.Material.linear_hardening(210e9, 0.3, 1.2e9, 20e9)
+KINEMATIC = sc.Material.perfect_plastic(210e9, 0.3, 1.2e9).with_kinematic_hardening(20e9, 10.0)
 
 
 @pytest.mark.parametrize(
     ("body2", "friction"),
-    [(sc.Material.elastic(100e9, 0.2), 0.3), (HARDENING, 0.3)],
-    ids=["unlike", "yields"],
+    [(sc.Material.elastic(100e9, 0.2), 0.3), (HARDENING, 0.3), (KINEMATIC, 0.3)],
+    ids=["unlike", "yields", "kinematic"],
 )
 def test_what_is_missing_of_the_energy_falls_with_the_increments(body2, friction):
     few, many = balances(body2, friction, (2, 6), 60.0)

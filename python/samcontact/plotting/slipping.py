@@ -176,7 +176,9 @@ def shear_profile(
     return finish(ax)
 
 
-def fretting_loop(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str = "x") -> Axes:
+def fretting_loop(
+    dataset: xr.Dataset, ax: Axes | None = None, *, direction: str = "x", label: str | None = None
+) -> Axes:
     """Force along the surface over the motion, with the work of friction in the title.
 
     Parameters
@@ -187,6 +189,8 @@ def fretting_loop(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
         Where to draw.
     direction : {"x", "y", "z"}
         Along x, along y, or about z: torque over twist.
+    label : str, optional
+        Of the curve.
 
     Returns
     -------
@@ -199,23 +203,17 @@ def fretting_loop(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
     """
     force, motion = _DIRECTIONS[choice("direction", direction, tuple(_DIRECTIONS))]
     require_slip(dataset)
-    (across, way), (up, pull) = (_with_unit(dataset, name) for name in (motion, force))
     ax = axes_or_new(ax)
-    ax.plot(way, pull, "o-", markersize=3, linewidth=1.0, color="C0")
+    way, pull = (np.append(0.0, dataset[n].values) * CONTACT[n].factor for n in (motion, force))
+    ax.plot(way, pull, "o-", markersize=3, linewidth=1.0, label=label)
     work = float(dataset["friction_work"].values[-1])
     factor, unit = prefixed(work, "J")
     ax.set_title(f"work of friction {work * factor:.4g} {unit}", fontsize="medium")
-    ax.set_xlabel(across)
-    ax.set_ylabel(up)
+    ax.set_xlabel(CONTACT[motion].label)
+    ax.set_ylabel(CONTACT[force].label)
+    if label is not None:
+        ax.legend(frameon=False)
     return finish(ax)
-
-
-def _with_unit(dataset: xr.Dataset, name: str) -> tuple[str, FloatArray]:
-    """Label and values of one increment each, at first zero, in a unit that reads well."""
-    shown, values = CONTACT[name], np.append(0.0, dataset[name].values)
-    unit = shown.unit.replace(" ", "\N{THIN SPACE}")
-    factor, unit = prefixed(float(np.abs(values).max()), unit)
-    return f"{shown.heading} [{unit}]", values * factor
 
 
 def creep_curve(
