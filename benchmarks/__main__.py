@@ -36,7 +36,7 @@ def arguments(given: list[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--threads", type=int, default=1, help="OMP_NUM_THREADS (1)")
     parser.add_argument("--output", type=Path, default=ROOT / "results" / "benchmarks")
     parser.add_argument(
-        "--docs", action="store_true", help="also put the tables into docs/benchmarks.md"
+        "--docs", action="store_true", help="also put their tables into docs/benchmarks.md"
     )
     chosen = parser.parse_args(given)
     unknown = set(chosen.parts) - set(PARTS)
@@ -66,8 +66,11 @@ def main(given: list[str] | None = None) -> int:
         plots.write(table[table["part"] == part.NAME], part, folder)
     if chosen.docs:
         page = ROOT / "docs" / "benchmarks.md"
+        old = page.read_text(encoding="utf-8")
         text = tables.report(table, parts, times=False)
-        page.write_text(tables.between_markers(page.read_text(encoding="utf-8"), text))
+        titles = [importlib.import_module(f"benchmarks.{name}").TITLE for name in PARTS]
+        text = tables.with_sections(tables.inside_markers(old), text, titles)
+        page.write_text(tables.between_markers(old, text), encoding="utf-8")
     failed = [row for row in rows if "failed" in row]
     print(f"{len(rows)} measurements in {time.perf_counter() - start:.0f} s: {folder}")
     for row in failed:

@@ -75,7 +75,7 @@ class Meter:
             result = work()
             times.append(time.perf_counter() - start)
             if len(times) == 1:
-                self.memory = peak_memory() - before
+                self.memory = max(peak_memory() - before, 0)  # what is counted late is none
         self.time = min(times)
         return result
 

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stick and slip: work of the shear beside that of the pressure, against Cattaneo and Mindlin."""
+"""Stick and slip: work of the shear beside that of the pressure, against Cattaneo and Mindlin.
+
+And of rolling with creepage, steady and step after step.
+"""
 
 from __future__ import annotations
 
@@ -22,28 +25,44 @@ METHODS = {"pressure alone": None, "tol 1e-4": 1e-4, "tol 1e-6": 1e-6, "tol 1e-8
 BASE = "pressure alone"
 RADIUS = 0.4  # of the contact, on 1 m x 1 m
 NU = 0.3
+WHEEL_ON_RAIL = 287, 323  # cells of the finest of CONTACT's wheel-on-rail examples
+WIDE_RADIUS = 0.4175  # as many of them touch as there
+STEPS = 56
+ENTRY = "pulled, then rolling"
+CONTACT_STATES = {"shifted": 22.6, "rolling": 2210.0}  # s; its own times of 2016, on one core
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
     sizes = (64, 128) if quick else (64, 128, 256, 512)
-    return [
+    pulled = [
         Task(NAME, f"Q = {q:g} mu P", method, "solve", {"n": n, "share": q, "method": method}, BASE)
         for n in sizes
         for q in (0.1, 0.5, 0.9)
         for method in METHODS
-    ] + [
+    ]
+    unlike = [
         Task(NAME, f"unlike, {k} of 8", "tol 1e-8", "press_unlike", {"n": n, "last": k})
         for n in sizes[:2]
         for k in (1, 8)
     ]
+    rolling = [
+        Task(NAME, "rolling", method, "roll", {"n": n, "tol": METHODS[method]})
+        for n in sizes
+        for method in ("tol 1e-4", "tol 1e-8")
+    ]
+    large = (72, 81) if quick else WHEEL_ON_RAIL
+    scenes = {"shifted": "shift", "rolling": "roll_wide"}
+    wide = [
+        Task(NAME, f"{large[0]} x {large[1]}, {name}", "tol 1e-7", function, {"n": list(large)})
+        for name, function in scenes.items()
+    ]
+    steps = {"steps": 14 if quick else STEPS}
+    return [*pulled, *unlike, *rolling, *wide, Task(NAME, ENTRY, "tol 1e-8", "roll_on", steps)]
 
 
 def solve(meter: Meter, n: int, share: float, method: str) -> dict[str, Any]:
     """A ball pressed and pulled: the time is that of both, from nothing."""
-    grid = sc.Grid(n, n, 1 / n, 1 / n)
-    body = sc.Material.elastic(2 * (1 - NU * NU), NU)
-    gap = sc.surfaces.paraboloid(grid, 1.0)
-    load = 4 / 3 * RADIUS**3
+    grid, body, gap, load = ball(n, n, RADIUS)
     tol = METHODS[method]
     if tol is None:
         found = meter(lambda: sc.ContactSolver(grid, body, body).solve(gap, load=load))
@@ -54,11 +73,10 @@ def solve(meter: Meter, n: int, share: float, method: str) -> dict[str, Any]:
             gap, load=load, tangential_load=force
         )
     )
-    softness = 2 * (2 - NU) / (1 - NU)  # sum of (2 - nu)/G
-    shift = 3 * MU * load * softness / (16 * RADIUS) * (1 - (1 - share) ** (2 / 3))
+    moved = 3 * MU * load * softness() / (16 * RADIUS) * (1 - (1 - share) ** (2 / 3))
     stick = math.sqrt(pulled.sticking.sum() * grid.cell_area / math.pi) / RADIUS
     errors = {
-        "shift": relative_error(pulled.shift[0], shift),
+        "shift": relative_error(pulled.shift[0], moved),
         "stick radius": relative_error(stick, (1 - share) ** (1 / 3)),
     }
     return {"cells": n * n, "across": n, "errors": errors, **work(pulled), **shear_work(pulled)}
@@ -79,7 +97,113 @@ def press_unlike(meter: Meter, n: int, last: int) -> dict[str, Any]:
     return {"cells": n * n, "across": n, "errors": {}, **columns}
 
 
-def shear_work(found: sc.StickSlipSolution) -> dict[str, Any]:
+def ball(nx: int, ny: int, radius: float) -> tuple[sc.Grid, sc.Material, Any, float]:
+    """On 1 m x 1 m, with E* = 1 and a contact of a radius: grid, bodies, gap and load."""
+    grid = sc.Grid(nx, ny, 1 / nx, 1 / ny)
+    body = sc.Material.elastic(2 * (1 - NU * NU), NU)
+    return grid, body, sc.surfaces.paraboloid(grid, 1.0), 4 / 3 * radius**3
+
+
+def rolled(grid: sc.Grid, body: sc.Material, gap: Any, load: float, tol: float) -> Any:
+    """A third of the creepage at which all slides, along x and y, with spin."""
+    full = MU * abs(load) ** (1 / 3)
+    return sc.rolling.steady(
+        grid, body, body, gap, load=load, friction=sc.Coulomb(MU), tol=tol,
+        creepage=(0.3 * full, 0.2 * full), spin=0.2 * full,
+    )  # fmt: skip
+
+
+def roll(meter: Meter, n: int, tol: float) -> dict[str, Any]:
+    """A ball that rolls steadily: the time is that of pressure and shear, from nothing."""
+    scene = ball(n, n, RADIUS)
+    return {"cells": n * n, "across": n, **told(meter(lambda: rolled(*scene, tol)))}
+
+
+def roll_wide(meter: Meter, n: list[int]) -> dict[str, Any]:
+    scene = ball(*n, WIDE_RADIUS)
+    return {"cells": n[0] * n[1], "across": n[0], **told(meter(lambda: rolled(*scene, 1e-7)))}
+
+
+def shift(meter: Meter, n: list[int]) -> dict[str, Any]:
+    """Pressed and shifted, so far that rather more than half of the contact slips."""
+    grid, body, gap, load = ball(*n, WIDE_RADIUS)
+    most = 3 * MU * load * softness() / (16 * WIDE_RADIUS)
+    found = meter(
+        lambda: sc.ContactSolver(grid, body, body, sc.Coulomb(MU), tol=1e-7).solve(
+            gap, load=load, shift=(0.43 * most, 0.0)
+        )
+    )
+    force = MU * load * (1 - (1 - 0.43) ** 1.5)
+    columns = told(found) | {"errors": {"force": relative_error(found.tangential_load[0], force)}}
+    return {"cells": n[0] * n[1], "across": n[0], **columns}
+
+
+def roll_on(meter: Meter, steps: int) -> dict[str, Any]:
+    """CONTACT's way from Cattaneo to Carter, a cell a step, against the steady state of its end."""
+    grid = sc.Grid(33, 33, 0.25, 0.25)
+    gap = sc.surfaces.paraboloid(grid, 1 / (2 * 0.002963))
+    body, law, load = sc.Material.elastic(2 * 1.28, 0.28), sc.Coulomb(0.4013), 0.4705
+    force = {"load": load, "tangential_load": (-0.657 * 0.4013 * load, 0.0)}
+    solver = sc.ContactSolver(grid, body, body, law)
+    first = solver.solve(gap, **force)
+
+    def march() -> list[sc.StickSlipSolution]:
+        found = [first]
+        for _ in range(steps):
+            found.append(solver.solve(gap, **force, previous=found[-1], advance=(-0.25, -0.25)))
+        return found
+
+    found = meter(march)
+    creepage = (found[-1].shift - found[-2].shift)[0] / 0.25
+    # towards -x here: seen from behind, the force has the other sign
+    steady = sc.rolling.steady(
+        grid, body, body, gap, friction=law, load=load, tangential_load=(0.657 * 0.4013 * load, 0)
+    )
+    applications = [one.tangential_applications for one in found]
+    return {
+        "cells": 33 * 33,
+        "across": 33,
+        "errors": {"creepage": relative_error(abs(creepage), abs(steady.creepage[0]))},
+        "shear_applications": sum(applications),
+        "shear_work": sum(one.tangential_work for one in found),
+        "most_in_a_step": max(applications[1:]),
+    }
+
+
+def told(found: sc.StickSlipSolution | sc.RollingSolution) -> dict[str, Any]:
+    """Columns of any solution with shear."""
+    return {"errors": {}, **work(found), **shear_work(found)}
+
+
+def softness() -> float:
+    """Sum of (2 - nu)/G of two bodies with E* = 1."""
+    return 2 * (2 - NU) / (1 - NU)
+
+
+def notes(rows: list[dict[str, Any]]) -> list[str]:
+    """What the rows say at once."""
+    lines = []
+    for n in sorted({row["across"] for row in rows if row["case"].startswith("Q = ")}):
+        at = [row for row in rows if row["across"] == n and row["case"].startswith("Q = ")]
+        of = {method: [row for row in at if row["method"] == method] for method in METHODS}
+        most = {m: max(row["shear_work"] for row in of[m]) for m in ("tol 1e-4", "tol 1e-8")}
+        exact = max(row["shear_applications"] for row in of["tol 1e-8"])
+        lines.append(
+            f"{n} cells across: transforms of at most {most['tol 1e-4']:.0f} exact displacements "
+            f"by shear at 1e-4, {most['tol 1e-8']:.0f} at 1e-8; at most {exact:.0f} are exact ones."
+        )
+    for row in rows:
+        size, _, name = row["case"].partition(", ")
+        if size == " x ".join(map(str, WHEEL_ON_RAIL)) and "time_s" in row:
+            stated = CONTACT_STATES[name]
+            lines.append(
+                f"{size} cells, {row['contact_cells']:.0f} touch, {name}: {row['time_s']:.2g} s; "
+                f"CONTACT states {stated:g} s for a wheel on a rail, 50 796 cells, in 2016."
+            )
+    return ["\n".join(f"- {line}" for line in lines)] if lines else []
+
+
+def shear_work(found: sc.StickSlipSolution | sc.RollingSolution) -> dict[str, Any]:
     return {
         "work": found.work,
         "shear_iterations": found.tangential_iterations,

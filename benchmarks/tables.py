@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import platform
+import re
 from types import ModuleType
 from typing import Any
 
@@ -12,6 +13,7 @@ import pandas as pd
 
 import samcontact as sc
 
+BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
 # Columns in this order, where they have values; errors come after "across", others at the end.
 FIRST = ("part", "case", "method", "options", "cells", "across")
 WORK = (
@@ -73,11 +75,39 @@ def environment() -> str:
     return f"samcontact {sc.__version__}, {platform.machine()}, {threads} thread(s)."
 
 
+def with_sections(old: str, text: str, titles: list[str]) -> str:
+    """Text of the markers with the sections of a new one in place of its own, in order of titles.
+
+    What comes before the first section is that of the new text.
+    """
+    head, *new = _sections(text)
+    kept = dict(map(_titled, _sections(old)[1:])) | dict(map(_titled, new))
+    order = [title for title in titles if title in kept]
+    return "\n\n".join([head, *(kept[title] for title in order)]) + "\n"
+
+
+def _sections(text: str) -> list[str]:
+    return [part.strip() for part in re.split(r"^(?=### )", text, flags=re.MULTILINE)]
+
+
+def _titled(section: str) -> tuple[str, str]:
+    return section.splitlines()[0].removeprefix("### "), section
+
+
+def inside_markers(page: str) -> str:
+    """The text between the markers of the measured tables."""
+    return _split(page)[1]
+
+
 def between_markers(page: str, text: str) -> str:
     """The page with the text between the markers of the measured tables."""
-    begin, end = "<!-- measured: begin -->", "<!-- measured: end -->"
-    head, _, rest = page.partition(begin)
-    _, found, tail = rest.partition(end)
+    head, _, tail = _split(page)
+    return f"{head}{BEGIN}\n\n{text.strip()}\n\n{END}{tail}"
+
+
+def _split(page: str) -> tuple[str, str, str]:
+    head, _, rest = page.partition(BEGIN)
+    text, found, tail = rest.partition(END)
     if not found:
-        raise ValueError(f"the page has no {begin} ... {end}")
-    return f"{head}{begin}\n\n{text.strip()}\n\n{end}{tail}"
+        raise ValueError(f"the page has no {BEGIN} ... {END}")
+    return head, text.strip(), tail

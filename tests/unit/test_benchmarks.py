@@ -22,6 +22,7 @@ from benchmarks import (
     resolution,
     roughness,
     scaling,
+    slip,
     tables,
 )
 from benchmarks.__main__ import PARTS, arguments
@@ -198,6 +199,49 @@ def test_tables_go_between_the_markers_of_the_documentation():
     assert tables.between_markers(once, "new tables") == once
     with pytest.raises(ValueError, match="measured: begin"):
         tables.between_markers("a page without", "text")
+
+
+def test_tables_of_some_parts_replace_only_theirs():
+    old = "old head\n\n### A\n\n| a |\n\nnote\n\n### C\n\n| c |"
+    new = "new head\n\n### B\n\n| b |\n\n### C\n\n| d |\n"
+    assert tables.with_sections(old, new, ["A", "B", "C", "D"]) == (
+        "new head\n\n### A\n\n| a |\n\nnote\n\n### B\n\n| b |\n\n### C\n\n| d |\n"
+    )
+    page = (harness.ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
+    titles = [importlib.import_module(f"benchmarks.{name}").TITLE for name in PARTS]
+    inside = tables.inside_markers(page)
+    assert tables.with_sections(inside, inside.split("###")[0], titles).strip() == inside
+
+
+class TestSlip:
+    """Work of the shear: the bounds that its page tells of, on small grids."""
+
+    @pytest.fixture(scope="class")
+    @classmethod
+    def rows(cls, tmp_path_factory):
+        tasks = slip.tasks(True, tmp_path_factory.mktemp("data"))
+        small = [t for t in tasks if t.arguments.get("n", 64) in (64, [72, 81])]
+        return harness.run_tasks([t for t in small if t.case != "Q = 0.1 mu P"])
+
+    def test_work_is_bounded(self, rows):
+        assert not [row for row in rows if "failed" in row]
+        for row in rows:
+            if row["case"].startswith("Q = ") and row["method"] in ("tol 1e-4", "tol 1e-8"):
+                assert row["shear_work"] <= (25 if row["method"] == "tol 1e-4" else 50)
+                assert row["shear_applications"] <= 6
+                assert row["error: shift"] < 1e-3
+        (march,) = [row for row in rows if row["case"] == slip.ENTRY]
+        assert march["most_in_a_step"] <= 25
+        (shifted,) = [row for row in rows if row["case"].endswith("shifted")]
+        assert shifted["error: force"] < 1e-3
+
+    def test_notes_tell_the_most(self, rows):
+        (note,) = slip.notes(rows)
+        most = max(
+            r["shear_work"] for r in rows if r["case"][0] == "Q" and r["method"] == "tol 1e-8"
+        )
+        assert f"{most:.0f} at 1e-8" in note
+        assert "CONTACT" not in note  # of its own grid only
 
 
 def test_diagram(rows):
