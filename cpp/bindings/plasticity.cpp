@@ -71,6 +71,19 @@ void bind_material(py::module_& m) {
             return s.with_thermal(Thermal::of(conductivity, expansion, diffusivity));
           },
           py::arg("conductivity"), py::arg("expansion"), py::arg("diffusivity"))
+      .def(
+          "with_yield_profile",
+          [](const Material& s, const std::vector<double>& z, const std::vector<double>& factor) {
+            return s.with_yield_profile({z, factor});
+          },
+          py::arg("z"), py::arg("factor"))
+      .def(
+          "with_initial_stress",
+          [](const Material& s, const std::vector<double>& z, const std::vector<double>& sxx,
+             const std::vector<double>& syy, const std::vector<double>& sxy) {
+            return s.with_initial_stress({{z, sxx}, {z, syy}, {z, sxy}});
+          },
+          py::arg("z"), py::arg("sxx"), py::arg("syy"), py::arg("sxy"))
       .def_property_readonly("elastic_constants", [](const Material& s) { return s.elastic; })
       .def_property_readonly("is_plastic", &Material::is_plastic)
       .def(

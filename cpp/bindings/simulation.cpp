@@ -122,6 +122,8 @@ void bind_boxes(py::class_<State>& state) {
     state.def(name, method, py::arg("body"), py::arg("box"));
   };
   bind("residual_stress_in", box_method<Rank::tensor>(&State::residual_stress));
+  bind("initial_stress_in", box_method<Rank::tensor>(&State::initial_stress));
+  bind("yield_factor_in", box_method<Rank::scalar>(&State::yield_factor));
   bind("plastic_strain_in", box_method<Rank::tensor>(&State::plastic_strain));
   bind("equivalent_plastic_strain_in", box_method<Rank::scalar>(&State::equivalent_plastic_strain));
   bind("backstress_in", box_method<Rank::tensors>(&State::backstress));
@@ -173,6 +175,7 @@ void bind_fields(py::class_<State>& bound) {
   };
   bind("stress", volume_method<Rank::tensor>(&State::stress));
   bind("residual_stress", volume_method<Rank::tensor>(&State::residual_stress));
+  bind("initial_stress", volume_method<Rank::tensor>(&State::initial_stress));
   bind("backstress", volume_method<Rank::tensors>(&State::backstress));
   bind("plastic_strain", volume_method<Rank::tensor>(&State::plastic_strain));
   bind("temperature", volume_method<Rank::scalar>(&State::temperature));

@@ -72,7 +72,7 @@ def doubts_of(
     """All that a scene is looked at for, before it is solved; grid: the one that was given."""
     for number, body in enumerate(bodies, 1):
         if body.is_plastic:
-            ratio = float(body.yield_stress(0.0)) / body.E
+            ratio = body.least_yield_stress / body.E
             name = f"yield stress over E of body {number}"
             yield Doubt(Verdict(name, ratio, SOFTEST_YIELD, at_least=True), "Both are in pascals")
     heated = [
@@ -149,7 +149,7 @@ def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material])
     cells = wider * min(2 * e / d for e, d in zip(extent, (grid.dx, grid.dy), strict=True))
     name = "width of the Hertz contact in cells"
     yield Doubt(Verdict(name, cells, FEWEST_CELLS, at_least=True), said, True)
-    yields = [b for b in bodies if b.is_plastic and expected.contact.p0 > float(b.yield_stress(0))]
+    yields = [b for b in bodies if b.is_plastic and expected.contact.p0 > b.least_yield_stress]
     if grid.dz is not None and yields:
         name = "half width of the Hertz contact in layers"
         verdict = Verdict(name, wider * expected.semi_axes[1] / grid.dz, MOST_LAYERS)
@@ -158,7 +158,7 @@ def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material])
 
 def _flattened(contact: Contact, body: Material) -> float:
     """How much wider than elastic a contact is whose mean pressure is three yield stresses."""
-    stress = 3.0 * float(body.yield_stress(0.0)) if body.is_plastic else math.inf
+    stress = 3.0 * body.least_yield_stress if body.is_plastic else math.inf
     mean = contact.expected.contact.p0 / 1.5
     return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
 

@@ -155,7 +155,21 @@ def material_rows(material: Any) -> Rows:
         rows.append(("diffusivity", f"{diffusivity * 1e6:.4g} mm²/s"))
     if material.softening is not None:
         rows.append(("softening", repr(material.softening)))
+    if material.yield_profile is not None:
+        z, factor = material.yield_profile
+        rows.append(("yield profile", _over_depth(z, factor, "")))
+    if material.residual_stress is not None:
+        z, *stresses = material.residual_stress
+        for name, values in zip(("sxx", "syy", "sxy"), stresses, strict=True):
+            rows.append((f"residual {name}", _over_depth(z, values, "Pa")))
     return rows
+
+
+def _over_depth(z: tuple[float, ...], values: tuple[float, ...], unit: str) -> str:
+    span = " to ".join(dict.fromkeys(quantity(v, unit) for v in (values[0], values[-1])))
+    inside = [quantity(edge, unit) for edge in (min(values), max(values))]
+    most = "" if set(inside) <= set(span.split(" to ")) else f", within {' to '.join(inside)}"
+    return f"{span} from {quantity(z[0], 'm')} to {quantity(z[-1], 'm')}{most}"
 
 
 def _friction(law: Any) -> str:

@@ -195,6 +195,8 @@ def _scene(given: Mapping[str, Any]) -> Tree:
             "parameters": dict(body.parameters),
             "kinematic": body.kinematic or None,
             "thermal": body.thermal,
+            "yield_profile": body.yield_profile,
+            "residual_stress": body.residual_stress,
             "johnson_cook": astuple(law) if known else None,
             "softening": None if known or law is None else repr(law),
         }
@@ -242,4 +244,5 @@ def _body(name: str, part: Tree, law: Any) -> Material:
             "give it again, softening=(law of body 1, law of body 2), None for a body without"
         )
     kinematic = tuple(map(tuple, part.get("kinematic", ())))
-    return Material(part["law"], part["parameters"], kinematic, part.get("thermal"), law)
+    thermal, profile, stress = map(part.get, ("thermal", "yield_profile", "residual_stress"))
+    return Material(part["law"], part["parameters"], kinematic, thermal, law, profile, stress)

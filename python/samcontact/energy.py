@@ -84,12 +84,19 @@ def plastic_work(material: Material, after: Track, before: Track | None = None) 
         raise ValueError("plastic_work needs a material without softening")
     if not material.is_plastic:
         return 0.0
-    total = np.sum(material.plastic_work(after.equivalent_plastic_strain()))
+    total = _isotropic_work(material, after)
     if before is not None:
-        total -= np.sum(material.plastic_work(before.equivalent_plastic_strain()))
+        total -= _isotropic_work(material, before)
     if material.kinematic:
         total += _work_of_backstress(after, before)
     return float(total) * _cell_volume(after)
+
+
+def _isotropic_work(material: Material, track: Track) -> float:
+    """Sum over cells of the work of the yield stress."""
+    return float(
+        np.sum(track.yield_factor() * material.plastic_work(track.equivalent_plastic_strain()))
+    )
 
 
 def _work_of_backstress(after: Track, before: Track | None) -> float:
@@ -107,8 +114,12 @@ def residual_energy(track: Track) -> float:
     The residual stress is in equilibrium, without tractions, so that its work on the total strain
     vanishes and its elastic strain is as good as minus the plastic one. It can be released again,
     but not by contact alone. Mura, *Micromechanics of Defects in Solids* (1987), eq. (13.4).
+
+    Of a body with stress from the start the change of its energy, which plastic strain may release:
+    that stress is in equilibrium as well, and counts twice.
     """
-    return -0.5 * _product(track.residual_stress(), track.plastic_strain()) * _cell_volume(track)
+    stress = track.residual_stress() + track.initial_stress()
+    return -0.5 * _product(stress, track.plastic_strain()) * _cell_volume(track)
 
 
 @dataclass(frozen=True)

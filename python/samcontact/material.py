@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._checks import FloatArray, number, real_array
+from ._graded import PARTS, Graded, Profile, profile
 from ._laws import checked_constants, core_material
 from ._repr import Rows, Shown, material_rows
 
@@ -30,7 +31,7 @@ def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
 
 
 @dataclass(frozen=True, repr=False)
-class Material(Shown):
+class Material(Graded, Shown):
     """A material; make it with one of the factories, e.g. `Material.swift(...)`.
 
     Attributes
@@ -45,6 +46,8 @@ class Material(Shown):
         Conductivity, expansion and diffusivity, see `with_thermal`.
     softening : callable, or None
         See `with_softening`.
+    yield_profile, residual_stress : tuple of tuples of float, or None
+        Depths [m] and values at each, see `with_yield_profile` and `with_residual_stress`.
     """
 
     law: str
@@ -52,6 +55,8 @@ class Material(Shown):
     kinematic: tuple[tuple[float, float], ...] = ()
     thermal: tuple[float, float, float] | None = None
     softening: Callable[[FloatArray], ArrayLike] | None = None
+    yield_profile: Profile | None = None
+    residual_stress: Profile | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "parameters", checked_constants(self.law, self.parameters))
@@ -64,6 +69,9 @@ class Material(Shown):
             object.__setattr__(self, "thermal", _numbers("thermal", names, self.thermal))
         if self.softening is not None:
             self._check_softening(self.softening)
+        for name in PARTS:
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, profile(name, getattr(self, name)))
         if self.is_plastic and not np.isfinite(self.yield_stress(0.0)):
             raise ValueError(
                 f"the yield stress of {self!r} must be finite: its constants are too large"
@@ -259,9 +267,16 @@ class Material(Shown):
 
     @cached_property
     def _core(self) -> Any:
-        isotropic = core_material(self.law, self.parameters)
-        core = isotropic.with_backstresses(list(self.kinematic)) if self.kinematic else isotropic
-        return core if self.thermal is None else core.with_thermal(*self.thermal)
+        core = core_material(self.law, self.parameters)
+        if self.kinematic:
+            core = core.with_backstresses(list(self.kinematic))
+        if self.thermal is not None:
+            core = core.with_thermal(*self.thermal)
+        if self.yield_profile is not None:
+            core = core.with_yield_profile(*self.yield_profile)
+        if self.residual_stress is not None:
+            core = core.with_initial_stress(*self.residual_stress)
+        return core
 
     @property
     def E(self) -> float:
@@ -286,8 +301,9 @@ class Material(Shown):
     def yield_stress(self, g: ArrayLike) -> float | FloatArray:
         """Yield stress [Pa] at equivalent plastic strain g [-], scalar or array (same shape).
 
-        With kinematic hardening the radius of the yield surface, without its backstress. Infinite
-        for an elastic or rigid body. Raises ValueError where g is negative or not finite.
+        With kinematic hardening the radius of the yield surface, without its backstress; without
+        the factor of a yield profile, see `yield_factor`. Infinite for an elastic or rigid body.
+        Raises ValueError where g is negative or not finite.
         """
         return self._at(g, self._core.yield_stress)
 
@@ -302,9 +318,9 @@ class Material(Shown):
     def plastic_work(self, g: ArrayLike) -> float | FloatArray:
         """Work of the yield stress up to equivalent plastic strain g, its integral [J/m^3].
 
-        What is dissipated per volume, without what kinematic hardening does (its backstress) and
-        without thermal softening. Scalar or array (same shape); 0 for a body that cannot yield.
-        Raises ValueError where g is negative or not finite.
+        What is dissipated per volume, without what kinematic hardening does (its backstress), and
+        without the factors of thermal softening and of a yield profile. Scalar or array (same
+        shape); 0 for a body that cannot yield. Raises ValueError where g is negative or not finite.
         """
         return self._at(g, self._core.work)
 
@@ -344,7 +360,8 @@ class Material(Shown):
 
     def __repr__(self) -> str:
         """All that it is."""
-        extra = {name: getattr(self, name) for name in ("kinematic", "thermal", "softening")}
+        beside = [field.name for field in fields(self)[2:]]
+        extra = {name: getattr(self, name) for name in beside}
         given = {
             **self.parameters,
             **{name: value for name, value in extra.items() if value not in ((), None)},
@@ -352,7 +369,7 @@ class Material(Shown):
         return f"Material({', '.join([repr(self.law), *(f'{n}={v!r}' for n, v in given.items())])})"
 
     def __hash__(self) -> int:
-        return hash((self.law, self.parameters, self.kinematic, self.thermal, self.softening))
+        return hash(tuple(getattr(self, field.name) for field in fields(self)))
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in fields(self)}

@@ -267,7 +267,7 @@ def warn_of_unseen(
     half = 0.5 * min((s.stop - s.start) * d for s, d in zip(spot, sizes, strict=True))
     for body, material in enumerate(scene.bodies, 1):
         yields = last.max_equivalent_plastic_strain(body) > 0
-        if yields or not material.is_plastic or hardest < float(material.yield_stress(0.0)):
+        if yields or not material.is_plastic or hardest < material.least_yield_stress:
             continue
         if half / grid.dz >= few:
             continue
@@ -290,7 +290,7 @@ def warn_of_step(state: State, scene: Scene, *, stacklevel: int) -> bool:
             return True
     for body, material in enumerate(scene.bodies, 1):
         strain = state.max_equivalent_plastic_strain(body)
-        beyond = strain * material.E > float(material.yield_stress(0.0))
+        beyond = strain * material.E > material.least_yield_stress
         if beyond and warn_of_zone([state], body, TOO_FEW, stacklevel=stacklevel + 1):
             return True
     return False

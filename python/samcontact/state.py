@@ -24,8 +24,8 @@ from .track import Track
 from .zone import Zone, ZoneStress
 
 _VOLUME = (
-    "stress", "residual_stress", "plastic_strain", "equivalent_plastic_strain", "backstress",
-    "temperature",
+    "stress", "residual_stress", "initial_stress", "plastic_strain", "equivalent_plastic_strain",
+    "backstress", "temperature",
 )  # fmt: skip
 
 
@@ -198,8 +198,18 @@ class State(SurfaceState, Fixed, Shown):
         return self._field("stress", body)
 
     def residual_stress(self, body: int = 2) -> FloatArray:
-        """Stress of the plastic strain alone [Pa], shape (6, nx, ny, nz)."""
+        """Stress without tractions and heat [Pa], shape (6, nx, ny, nz).
+
+        That of the plastic strain, and `initial_stress`.
+        """
         return self._field("residual_stress", body)
+
+    def initial_stress(self, body: int = 2) -> FloatArray:
+        """Stress that was there before any contact [Pa], shape (6, nx, ny, nz).
+
+        See `Material.with_residual_stress`; 0 without.
+        """
+        return self._field("initial_stress", body)
 
     def von_mises(self, body: int = 2) -> FloatArray:
         """Von Mises stress [Pa], shape (nx, ny, nz)."""

@@ -72,8 +72,19 @@ class Track(Fixed):
         )  # fmt: skip
 
     def residual_stress(self) -> FloatArray:
-        """Stress of the plastic strain [Pa], shape (6, len(x), ny, nz)."""
+        """Stress of the plastic strain and `initial_stress` [Pa], shape (6, len(x), ny, nz)."""
         return self._field("residual_stress")
+
+    def initial_stress(self) -> FloatArray:
+        """Stress that was there before any contact [Pa], shape (6, len(x), ny, nz).
+
+        See `Material.with_residual_stress`; 0 without.
+        """
+        return self._field("initial_stress")
+
+    def yield_factor(self) -> FloatArray:
+        """Factor of the yield stress by its profile over depth [-], shape (len(x), ny, nz)."""
+        return self._field("yield_factor")
 
     def residual_von_mises(self) -> FloatArray:
         """Von Mises stress of the residual stress [Pa], shape (len(x), ny, nz)."""

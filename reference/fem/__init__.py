@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 DATA = Path(__file__).parent
-CASES = ("1b", "1c", "2a", "2b1500", "2d")
+CASES = ("1b", "1c", "2a", "2b1500", "2d", "graded")
 
 
 @dataclass(frozen=True)

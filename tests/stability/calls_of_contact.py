@@ -92,14 +92,14 @@ PASSES = {
 RAMP = {"increments": 3, "spacing": "power", "exponent": 2.0}
 PARTS = {"advance": (1e-5, 2e-5), "duration": 0.1, "heat_factor": 0.01}
 BODY_FIELDS = (
-    "offset", "stress", "residual_stress", "von_mises", "hydrostatic", "plastic_strain",
-    "equivalent_plastic_strain", "backstress", "max_equivalent_plastic_strain",
+    "offset", "stress", "residual_stress", "initial_stress", "von_mises", "hydrostatic",
+    "plastic_strain", "equivalent_plastic_strain", "backstress", "max_equivalent_plastic_strain",
     "max_plastic_strain", "relief", "surface_displacement", "temperature",
     "surface_temperature", "softening", "zones",
 )  # fmt: skip
 TRACK_FIELDS = (
-    "residual_stress", "residual_von_mises", "residual_hydrostatic",
-    "plastic_strain", "equivalent_plastic_strain", "backstress",
+    "residual_stress", "initial_stress", "yield_factor", "residual_von_mises",
+    "residual_hydrostatic", "plastic_strain", "equivalent_plastic_strain", "backstress",
 )  # fmt: skip
 ZONE_FIELDS = ("stress", "residual_stress", "plastic_strain", "equivalent_plastic_strain")
 

@@ -42,6 +42,8 @@ CALLS = [
             "kinematic": ((1e9, 0.0), (2e9, 3.0)),
             "thermal": (50.0, 12e-6, 1.4e-5),
             "softening": sc.softening.JohnsonCook(1800.0, 1.0),
+            "yield_profile": ((0.0, 1e-3), (2.0, 1.0)),
+            "residual_stress": ((0.0, 1e-3), (-1e8, 0.0), (-2e8, 0.0), (0.0, 0.0)),
         },
     ),
     ("Material.elastic", sc.Material.elastic, ELASTIC),
@@ -52,6 +54,18 @@ CALLS = [
         sc.Material.linear_hardening,
         {**ELASTIC, "yield_stress": 1e9, "tangent_modulus": 1e9},
     ),
+    (
+        "Material.with_yield_profile",
+        SOFT.with_yield_profile,
+        {"z": [0.0, 1e-3], "factor": [2.0, 1.0]},
+    ),
+    (
+        "Material.with_residual_stress",
+        SOFT.with_residual_stress,
+        {"z": [0.0, 1e-3], "sxx": [-1e8, 0.0], "syy": [-2e8, 0.0], "sxy": [1e8, 0.0]},
+    ),
+    ("Material.yield_factor", SOFT.yield_factor, {"z": Z}),
+    ("Material.residual_stress_at", SOFT.residual_stress_at, {"z": Z}),
     ("Material.swift", sc.Material.swift, {**ELASTIC, "B": 945e6, "C": 20.0, "n": 0.12}),
     (
         "Material.voce",

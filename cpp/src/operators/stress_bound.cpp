@@ -80,7 +80,7 @@ StressBound::~StressBound() = default;
 int StressBound::blocks_x() const { return (tables_->grid().nx + block - 1) / block; }
 int StressBound::blocks_y() const { return (tables_->grid().ny + block - 1) / block; }
 
-Field StressBound::at_corners(const Field& nodes) const {
+Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& given) const {
   const Box rows = middle_.box();
   const int nx = blocks_x() + 1, ny = blocks_y() + 1;
   const std::size_t plane = static_cast<std::size_t>(nx) * ny;
@@ -88,6 +88,7 @@ Field StressBound::at_corners(const Field& nodes) const {
   const auto &wx = middle_.x().weights(0), &wy = middle_.y().weights(0);
   const int a0 = middle_.x().place(0), b0 = middle_.y().place(0);
   Field values(parts * plane), line(rows.ny);
+  const std::array<double, parts> more{given[0], given[1], 0.0, 0.0, given[2]};
   for (int c = 0; c < parts; ++c) {
     for (int i = 0; i < nx; ++i) {
       const double* from =
@@ -103,7 +104,7 @@ Field StressBound::at_corners(const Field& nodes) const {
       for (int j = 0; j < ny; ++j) {
         double sum = 0.0;
         for (int m = 0; m < window_width; ++m) sum += wy[m] * line[b0 + j + m];
-        to[j] = sum;
+        to[j] = sum + more[c];
       }
     }
   }
@@ -146,7 +147,7 @@ Field StressBound::near_part(double depth, const Tractions& tractions) const {
 }
 
 void StressBound::look_at(const Group& group, const Loads& loads, double shear_sign,
-                          const Use& use) const {
+                          const Given& given, const Use& use) const {
   const Grid& grid = tables_->grid();
   const int count = static_cast<int>(group.depths.size());
   const auto spectrum_of = [&](const VolumeTransform& transform, const TractionStress& stress,
@@ -181,7 +182,8 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
       far_.gather(far_layer.data() + c * far_plane, far_nodes, rows,
                   nodes.data() + c * rows.surface_size());
     }
-    const Field corners = at_corners(nodes), near = near_part(group.depths[k], loads.cells);
+    const Field corners = at_corners(nodes, given[group.first + k]);
+    const Field near = near_part(group.depths[k], loads.cells);
     const int nx = blocks_x(), ny = blocks_y();
     Field bound(static_cast<std::size_t>(nx) * ny);
     for (int i = 0; i < nx; ++i) {
@@ -201,14 +203,14 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
   }
 }
 
-void StressBound::for_each_depth(const Tractions& tractions, double shear_sign,
+void StressBound::for_each_depth(const Tractions& tractions, double shear_sign, const Given& given,
                                  const Use& use) const {
   const Grid& grid = tables_->grid();
   const Grid middle = tables_->lattice(Band::middle, middle_, 0);
   Loads loads{tractions, spread(tractions, Box::surface(grid), grid.ny, middle_, middle), {}};
   loads.far =
       spread(loads.middle, middle_.box(), middle.ny, far_, tables_->lattice(Band::far, far_, 0));
-  for (const auto& group : groups_) look_at(*group, loads, shear_sign, use);
+  for (const auto& group : groups_) look_at(*group, loads, shear_sign, given, use);
 }
 
 std::size_t StressBound::bytes() const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "samcontact/base/deviator.hpp"
 #include "samcontact/base/errors.hpp"
 
 namespace samcontact::plasticity {
@@ -15,7 +16,46 @@ void require_positive(const char* name, double value, const char* allowed) {
   require(std::isfinite(value) && value > 0, name, allowed, value);
 }
 
+void require_depths(const OverDepth& profile, const std::string& name, const std::string& of) {
+  const auto& [depth, value] = profile;
+  if (depth.empty() || depth.size() != value.size()) {
+    throw std::invalid_argument(name + of + " must have a value for each depth of z");
+  }
+  const std::string z = "z" + of;
+  require(depth.front() >= 0, z, ">= 0 [m]: depth below the surface", depth.front());
+  for (std::size_t n = 0; n < depth.size(); ++n) {
+    require(std::isfinite(depth[n]), z, "finite [m]", depth[n]);
+    require(n == 0 || depth[n] > depth[n - 1], z, "rising [m]: a jump needs two depths", depth[n]);
+  }
+}
+
+/// Both are straight between their depths, and von Mises stress is convex: the depths of either
+/// decide.
+void require_below_yield(const Material& material) {
+  if (!material.initial_stress || !material.is_plastic()) return;
+  const InitialStress& stress = *material.initial_stress;
+  const double yield_stress = material.hardening.yield_stress(0.0);
+  std::vector<double> depths = stress.xx.depth;
+  if (const auto& profile = material.yield_profile) {
+    depths.insert(depths.end(), profile->depth.begin(), profile->depth.end());
+  }
+  for (const double z : depths) {
+    const double factor = material.yield_profile ? material.yield_profile->at(z) : 1.0;
+    const double limit = factor * yield_stress, found = stress.von_mises(z);
+    require(found <= limit * (1 + 1e-9),
+            "the von Mises stress of residual_stress at z = " + to_text(z) + " m",
+            "at most the yield stress there, " + to_text(limit) +
+                " Pa (where a case bears more, give the yield profile first)",
+            found);
+  }
+}
+
 }  // namespace
+
+double InitialStress::von_mises(double z) const {
+  const double x = xx.at(z), y = yy.at(z), mean = (x + y) / 3;
+  return std::sqrt(3 * second_invariant(x - mean, y - mean, 0.0, 0.0, xy.at(z)));
+}
 
 Material Material::with_law(double E, double nu, Hardening::Laws law) {
   const Elastic elastic = Elastic::isotropic(E, nu);
@@ -55,6 +95,39 @@ Material Material::with_thermal(const Thermal& constants) const {
   }
   Material material = *this;
   material.thermal = constants;
+  return material;
+}
+
+Material Material::with_yield_profile(OverDepth factor) const {
+  if (!is_plastic()) {
+    throw std::invalid_argument("a yield profile needs a body that yields, not an elastic one");
+  }
+  require_depths(factor, "factor", " of yield_profile");
+  for (const double f : factor.value) {
+    require(f >= 1e-6 && f <= 1e6, "factor of yield_profile", "from 1e-6 to 1e6", f);
+  }
+  Material material = *this;
+  material.yield_profile = std::move(factor);
+  require_below_yield(material);
+  return material;
+}
+
+Material Material::with_initial_stress(InitialStress stress) const {
+  if (elastic.is_rigid()) {
+    throw std::invalid_argument("a rigid body has no stress");
+  }
+  const std::pair<const char*, const OverDepth*> parts[] = {
+      {"sxx", &stress.xx}, {"syy", &stress.yy}, {"sxy", &stress.xy}};
+  for (const auto& [name, part] : parts) {
+    require_depths(*part, name, " of residual_stress");
+    for (const double s : part->value) {
+      require(std::fabs(s) <= elastic.E, std::string(name) + " of residual_stress",
+              "a stress below Young's modulus [Pa]", s);
+    }
+  }
+  Material material = *this;
+  material.initial_stress = std::move(stress);
+  require_below_yield(material);
   return material;
 }
 

@@ -30,7 +30,7 @@ double increment_error(const State& one, const State& two) {
     if (!one.plastic[b] || !two.plastic[b]) continue;
     const auto& material = two.scene().materials[b];
     const double yield_strain =
-        material.hardening.yield_stress(0.0) / (3 * material.elastic.shear_modulus());
+        material.smallest_yield_stress() / (3 * material.elastic.shear_modulus());
     const Box box = around(one.flow_boxes[b]).united(around(two.flow_boxes[b]));
     const auto symmetry = common(one.plastic[b]->symmetry(), two.plastic[b]->symmetry());
     const auto first = unfolded(one.plastic[b], grid, symmetry);

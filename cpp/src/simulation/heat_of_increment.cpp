@@ -74,18 +74,27 @@ void HeatOfIncrement::stress(int body, const Box& box, Tensor tensor, Field& sum
 }
 
 Box HeatOfIncrement::above(int body, const operators::Tractions& tractions,
-                           operators::ResidualMethod method, double limit) {
+                           operators::ResidualMethod method, const YieldLimit& limit) {
   const Box below = scene_.volume_below(tractions.pressure);
   const auto operators =
       scene_.volume(body, below, Tensor::full, method, fft::Symmetry::none, target_.heating[body]);
   const Field stress = operators->stress(nullptr, &tractions, operators::shear_sign(body));
   const Field& past = past_stress(body, below.nz);
   const std::size_t cells = below.volume_size(), stride = past.size() / 6;
+  std::vector<LayerRange> layers;
+  layers.reserve(below.nz);
+  for (int k = 0; k < below.nz; ++k) layers.push_back({k, k, k + 1});
+  const std::vector<LayerLimit> limits = limit.of(layers);
   Box found;
   for (std::size_t n = 0; n < cells; ++n) {
     plasticity::Tensor s;
     for (int c = 0; c < 6; ++c) s[c] = stress[c * cells + n] + past[c * stride + n];
-    if (plasticity::von_mises(s) <= limit) continue;
+    const auto& [least, start] = limits[n / below.surface_size()];
+    s[0] += start[0];
+    s[1] += start[1];
+    s[2] -= start[0] + start[1];
+    s[5] += start[2];
+    if (plasticity::von_mises(s) <= least) continue;
     const int j = static_cast<int>(n % below.ny), i = static_cast<int>(n / below.ny % below.nx);
     const int k = static_cast<int>(n / below.ny / below.nx);
     found = found.united({i, j, 1, 1, k + 1});

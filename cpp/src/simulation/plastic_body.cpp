@@ -16,8 +16,12 @@ namespace {
 
 using operators::Tensor;
 
-/// Elastic stress above this part of the yield stress belongs into the box.
-constexpr double near = 0.9;
+/// Elastic stress above this part of the yield stress belongs into the box. Of a body whose
+/// strength changes, more: where a weak layer lies below what flows, and apart from it, no rim says
+/// that flow above has brought it to yield.
+constexpr double near = 0.9, graded_near = 0.7;
+/// The same where zones or layers below the grid are to hold what yields.
+constexpr double graded_beyond = 0.8;
 
 /// Cells of a surface beyond which a bound of the stress says where a body may yield.
 constexpr std::size_t large_surface = 65000;
@@ -69,6 +73,7 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
       symmetry_(symmetry),
       heating_(heating),
       choice_(scene_.grid, symmetry),
+      strength_(scene_.materials[index], scene_.grid.dz),
       history_(unfolded(from.plastic[index], scene_.grid, symmetry)),
       met_(from.met[index] ? unfolded(from.met[index], scene_.grid, symmetry) : history_),
       offset_(from.placement().offset[index]) {
@@ -77,28 +82,41 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
   strained_ = true;
 }
 
+YieldLimit PlasticBody::limit(double softening, double share, double graded_share) const {
+  return {strength_, softening, strength_.is_graded() ? graded_share : share};
+}
+
 Box PlasticBody::near_yield(const YieldScan& scan, HeatOfIncrement& heat) const {
-  const double limit = near * weakest_ * material().hardening.yield_stress(0.0);
-  return heat.has_past(index_) ? heat.above(index_, tractions(), method_, limit)
-                               : scan.box(tractions(), sign(), limit);
+  const YieldLimit beyond = limit(weakest_, near, graded_near);
+  const bool has_past = heat.has_past(index_);
+  const Box hot = has_past ? heat.above(index_, tractions(), method_, beyond) : Box{};
+  // Strength may change further down than past heat is looked at.
+  if (has_past && !strength_.is_graded()) return hot;
+  return scan.box(tractions(), sign(), beyond).united(hot);
 }
 
 Box PlasticBody::yield_below(const YieldScan& scan) const {
-  return scan.box_below(tractions(), sign(), material().hardening.yield_stress(0.0));
+  const YieldLimit beyond = limit(1.0, 1.0, graded_beyond);
+  const Box below = scan.box_below(tractions(), sign(), beyond);
+  // Here flow above may reach a weak layer as well.
+  return strength_.is_graded() ? below.united(scan.box(tractions(), sign(), beyond)) : below;
 }
 
 bool PlasticBody::yields_everywhere(const YieldScan& scan) const {
-  return scan.is_beyond_everywhere(tractions(), sign(), material().hardening.yield_stress(0.0));
+  return scan.is_beyond_everywhere(tractions(), sign(), limit(1.0, 1.0, 1.0));
 }
 
 const Columns& PlasticBody::yielding_columns(const YieldScan& scan) {
-  const double limit = weakest_ * material().hardening.yield_stress(0.0);
-  const bool known = yielding_ && yielding_->limit == limit && yielding_->tractions == tractions();
-  if (!known) yielding_ = Yielding{tractions(), limit, columns_beyond(limit, scan)};
+  const bool known =
+      yielding_ && yielding_->softening == weakest_ && yielding_->tractions == tractions();
+  if (!known) {
+    const YieldLimit beyond = limit(weakest_, 1.0, graded_beyond);
+    yielding_ = Yielding{tractions(), weakest_, columns_beyond(beyond, scan)};
+  }
   return yielding_->columns;
 }
 
-Columns PlasticBody::columns_beyond(double limit, const YieldScan& scan) const {
+Columns PlasticBody::columns_beyond(const YieldLimit& limit, const YieldScan& scan) const {
   if (scene_.grid.surface_size() <= large_surface) {
     return scan.columns(tractions(), sign(), limit);
   }
@@ -136,6 +154,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
     if (active.cells[n].body == number_) active_[active.cells[n].cell] = static_cast<int>(n);
   }
   zones_ = zones;
+  factor_.clear();
   // The old one first: the two together may not fit.
   volume_.reset();
   split_ = split;
@@ -152,6 +171,12 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
     for (std::size_t zone = 0; zone < zones_.count(); ++zone) {
       source->stress(index_, zones_.boxes()[zone], tensor_, given_stress_[zone]);
     }
+  }
+  for (std::size_t zone = 0; zone < zones_.count(); ++zone) {
+    const Box& box = zones_.boxes()[zone];
+    strength_.add_stress(box, tensor_, given_stress_[zone]);
+    const Field factor = strength_.factor(box);
+    factor_.insert(factor_.end(), factor.begin(), factor.end());
   }
   if (!history_) return;
   outside_ = split ? outside_strain_in_zones(tables, *history_, zones_, scene_.reach)
@@ -197,7 +222,9 @@ void PlasticBody::activate(std::uint32_t cell, const plasticity::Tensor& deviato
 
 double PlasticBody::find_stress(ActiveCells& active) {
   const double first = material().hardening.yield_stress(0.0), bound = first * first / 3;
-  const Limits limits{bound, bound * weakest_ * weakest_};
+  const auto& profile = material().yield_profile;
+  const double weakest = profile ? weakest_ * profile->smallest() : weakest_;
+  const Limits limits{bound, bound * weakest * weakest};
   std::vector<std::vector<Seen>> seen;  // by zone and layer
   for (const Box& box : zones_.boxes()) seen.emplace_back(box.nz);
   const auto look = [&](std::size_t zone, int k, const double* layer) {
@@ -257,7 +284,8 @@ PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plan
       const double second =
           second_invariant(effective[0], effective[1], effective[2], effective[3], effective[4]);
       const bool own = second > limits.weakest && (softening_ || equivalent_[cell] > 0);
-      const double limit = own ? yield_limit(static_cast<std::uint32_t>(cell)) : limits.first;
+      double limit = own ? yield_limit(static_cast<std::uint32_t>(cell)) : limits.first;
+      if (!own && !factor_.empty()) limit *= factor_[cell] * factor_[cell];
       highest = std::max(highest, second / limit);
       if (second <= limit) continue;
     }
@@ -273,15 +301,16 @@ PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plan
 }
 
 double PlasticBody::yield_limit(std::uint32_t cell) const {
-  double yield_stress = material().hardening.yield_stress(equivalent_[cell]);
-  if (softening_) yield_stress *= softened(cell);
+  const double yield_stress =
+      material().hardening.yield_stress(equivalent_[cell]) * strength_of(cell);
   return yield_stress * yield_stress / 3;
 }
 
-double PlasticBody::softened(std::uint32_t cell) const {
-  if (!softening_) return 1.0;
+double PlasticBody::strength_of(std::uint32_t cell) const {
+  const double factor = factor_.empty() ? 1.0 : factor_[cell];
+  if (!softening_) return factor;
   const auto [i, j, k] = zones_.cell(cell);
-  return softening_->at(i, j, k);
+  return factor * softening_->at(i, j, k);
 }
 
 std::span<const plasticity::Tensor> PlasticBody::backstresses(std::uint32_t cell,
@@ -298,11 +327,11 @@ plasticity::Return PlasticBody::return_map(std::uint32_t cell, const plasticity:
                                            const plasticity::Tensor& guess) const {
   plasticity::Tensors place;
   return plasticity::radial_return(deviator, guess, equivalent_[cell], material(),
-                                   backstresses(cell, place), softened(cell));
+                                   backstresses(cell, place), strength_of(cell));
 }
 
 double PlasticBody::strain_at_yield() const {
-  return material().hardening.yield_stress(0.0) / (3 * material().elastic.shear_modulus());
+  return material().smallest_yield_stress() / (3 * material().elastic.shear_modulus());
 }
 
 double PlasticBody::strain_scale() const {

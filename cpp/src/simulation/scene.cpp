@@ -246,11 +246,12 @@ std::shared_ptr<const operators::ZoneTables> Scene::zone_tables(
 std::shared_ptr<const ZoneScan> Scene::zone_scan(int body,
                                                  const operators::Heating& heating) const {
   const auto tables = zone_tables(body, operators::Tensor::deviator, heating);
+  const Strength strength(materials[body], grid.dz);
   const std::lock_guard lock(mutex_);
   for (const auto& scan : zone_scans_) {
-    if (scan && scan->tables() == tables) return scan;
+    if (scan && scan->tables() == tables && scan->resolves(strength)) return scan;
   }
-  zone_scans_[body] = std::make_shared<const ZoneScan>(tables);
+  zone_scans_[body] = std::make_shared<const ZoneScan>(tables, strength);
   return zone_scans_[body];
 }
 

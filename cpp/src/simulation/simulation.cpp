@@ -73,7 +73,10 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
 }
 
 const Scans& Simulation::scans(const operators::HeatingPair& heating) {
-  const bool equal = scene_->media[0] == scene_->media[1] && heating[0] == heating[1];
+  const auto& [upper, lower] = scene_->materials;
+  const bool equal = scene_->media[0] == scene_->media[1] && heating[0] == heating[1] &&
+                     upper.yield_profile == lower.yield_profile &&
+                     upper.initial_stress == lower.initial_stress;
   for (int b = 0; b < 2; ++b) {
     if (!scene_->materials[b].is_plastic()) continue;
     if (scans_[b] && scans_heating_[b] == heating[b]) continue;

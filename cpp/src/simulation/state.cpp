@@ -170,7 +170,7 @@ Field State::total_stress(int body, bool with_tractions, const Box& region) cons
         ->stress(nullptr, &loads, sign);
   };
   if (is_elsewhere(body)) {
-    Field out = residual_stress(body, region);
+    Field out = stress_of_strain(body, region);
     if (with_tractions) add(of_tractions(), out);
     return out;
   }
@@ -196,7 +196,7 @@ Field State::total_stress(int body, bool with_tractions, const Box& region) cons
   return out;
 }
 
-Field State::residual_stress(int body, const Box& region) const {
+Field State::stress_of_strain(int body, const Box& region) const {
   scene_->require_volume(body);
   if (!plastic[body]) return Field(6 * region.volume_size(), 0.0);
   const auto history = unfolded(plastic[body], scene_->grid, fft::Symmetry::none);
@@ -211,11 +211,40 @@ Field State::stress(int body, Layers layers) const {
   const Box region = below(layers);
   Field stress = total_stress(body, true, region);
   if (past[body]) add(past[body]->stress(duration, scene_->grid.z(region.nz)), stress);
+  strength(body).add_stress(region, Tensor::full, stress);
   return stress;
 }
 
 Field State::residual_stress(int body, Layers layers) const {
-  return total_stress(body, false, below(layers));
+  const Box region = below(layers);
+  Field stress = total_stress(body, false, region);
+  strength(body).add_stress(region, Tensor::full, stress);
+  return stress;
+}
+
+Field State::residual_stress(int body, const Box& region) const {
+  Field stress = stress_of_strain(body, region);
+  strength(body).add_stress(region, Tensor::full, stress);
+  return stress;
+}
+
+Strength State::strength(int body) const { return {scene_->materials[body], scene_->grid.dz}; }
+
+Field State::initial_stress(int body, Layers layers) const {
+  return initial_stress(body, below(layers));
+}
+
+Field State::initial_stress(int body, const Box& region) const {
+  scene_->require_volume(body);
+  Field stress(6 * region.volume_size(), 0.0);
+  strength(body).add_stress(region, Tensor::full, stress);
+  return stress;
+}
+
+Field State::yield_factor(int body, const Box& region) const {
+  scene_->require_volume(body);
+  const Field factor = strength(body).factor(region);
+  return factor.empty() ? Field(region.volume_size(), 1.0) : factor;
 }
 
 Field State::plastic_strain(int body, Layers layers) const {

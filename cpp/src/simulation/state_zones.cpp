@@ -54,6 +54,13 @@ Field State::stress_in_zones(int body, bool with_tractions) const {
         }
       });
   tables->forget_unused();
+  for (std::size_t zone = 0; zone < zones.count(); ++zone) {
+    const Box& box = zones.boxes()[zone];
+    Field start;
+    strength(body).add_stress(box, operators::Tensor::full, start);
+    double* to = out.data() + 6 * zones.first(zone);
+    for (std::size_t n = 0; n < start.size(); ++n) to[n] += start[n];
+  }
   return out;
 }
 
@@ -83,6 +90,11 @@ Field State::deviator_in_own_box(int body, bool with_tractions) const {
                                   operators::shear_sign(body));
   Field out(6 * region.volume_size());
   put_unfolded(six_components(part, history->tensor()), stored, symmetry, grid, region, out);
+  if (!scene_->materials[body].initial_stress) return out;
+  Field start;
+  strength(body).add_stress(region, operators::Tensor::deviator, start);
+  start = six_components(std::move(start), operators::Tensor::deviator);
+  for (std::size_t n = 0; n < out.size(); ++n) out[n] += start[n];
   return out;
 }
 

@@ -25,27 +25,48 @@ Grid coarsened(const Grid& grid, int factor) {
   return coarse;
 }
 
-std::vector<double> depths(const Grid& grid, const std::vector<int>& layers) {
+std::vector<double> depths(const Grid& grid, const std::vector<LayerRange>& ranges) {
   std::vector<double> z;
-  z.reserve(layers.size());
-  for (const int k : layers) z.push_back((k + 0.5) * grid.dz);
+  z.reserve(ranges.size());
+  for (const LayerRange& range : ranges) z.push_back((range.layer + 0.5) * grid.dz);
   return z;
 }
 
-/// As deep as the window is wide, or the grid if it is deeper.
-std::vector<int> scanned_layers(const Grid& grid) {
+/// As deep as the window is wide, or the grid or what changes with depth if they are deeper.
+std::vector<int> scanned_layers(const Grid& grid, const Strength& strength) {
   const double half = 0.5 * std::min(grid.dx, grid.dy);
   const double width = std::max(grid.nx * grid.dx, grid.ny * grid.dy) / grid.dz;
-  const int deepest = std::max(grid.nz, static_cast<int>(std::min(std::ceil(width), most_layers)));
+  const int wide = static_cast<int>(std::min(std::ceil(width), most_layers));
+  const int graded = strength.is_graded() ? strength.layers() + 1 : 0;
+  const int deepest = std::max({grid.nz, wide, graded});
   std::vector<int> layers;
   double next = 0.0;
   for (int k = 0; k < deepest; ++k) {
     const double z = (k + 0.5) * grid.dz;
-    if (z < next && k + 1 != grid.nz && k + 1 < deepest) continue;
+    const bool far = z >= next || (k < graded && strength.differs(layers.back(), k));
+    if (!far && k + 1 != grid.nz && k + 1 < deepest) continue;
     next = z + std::max(half, depth_step * z);
     layers.push_back(k);
   }
   return layers;
+}
+
+/// Layers of a part of those that are looked at. A strength that changes is that of all layers
+/// between those above and below.
+std::vector<LayerRange> ranges_of(const std::vector<int>& layers, std::size_t begin,
+                                  std::size_t end, bool graded) {
+  std::vector<LayerRange> ranges;
+  for (std::size_t n = begin; n < end; ++n) {
+    const int k = layers[n];
+    const bool last = n + 1 == (graded ? layers.size() : end);
+    ranges.push_back({k, graded && n > 0 ? layers[n - 1] + 1 : k, last ? k + 1 : layers[n + 1]});
+  }
+  return ranges;
+}
+
+std::vector<LayerRange> all_ranges(const Grid& grid, const Strength& strength) {
+  const std::vector<int> layers = scanned_layers(grid, strength);
+  return ranges_of(layers, 0, layers.size(), strength.is_graded());
 }
 
 /// Means over factor x factor cells; beyond the border nothing.
@@ -64,45 +85,47 @@ Field average(const Field& fine, const Grid& grid, const Grid& coarse, int facto
 
 }  // namespace
 
-YieldScan::Level::Level(const Grid& fine, int factor_, std::vector<int> layers_,
+YieldScan::Level::Level(const Grid& fine, int factor_, std::vector<LayerRange> ranges_,
                         const operators::SharedMedium& medium,
                         const std::shared_ptr<const operators::HeatStress>& heat)
     : factor(factor_),
       grid(coarsened(fine, factor_)),
-      layers(std::move(layers_)),
+      ranges(std::move(ranges_)),
       transform(grid, operators::Symmetry::none),
-      stress(grid, transform, medium, heat, depths(fine, layers), Tensor::deviator) {}
+      stress(grid, transform, medium, heat, depths(fine, ranges), Tensor::deviator) {}
 
 YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& heating)
     : grid_(scene.grid) {
   const auto heat = scene.heat_stress(body, heating);
+  const Strength strength(scene.materials[body], grid_.dz);
   const double cell = std::max(grid_.dx, grid_.dy);
   const int widest = std::max(grid_.nx, grid_.ny);
-  std::vector<int> layers;
+  const std::vector<int> layers = scanned_layers(grid_, strength);
+  std::size_t begin = 0;
   int factor = 1;
-  const auto flush = [&] {
-    if (layers.empty()) return;
-    const bool lower = grid_.nz > 0 && layers.front() >= grid_.nz;
+  const auto flush = [&](std::size_t end) {
+    if (begin == end) return;
+    const bool lower = grid_.nz > 0 && layers[begin] >= grid_.nz;
     (lower ? below_ : levels_)
-        .push_back(
-            std::make_unique<Level>(grid_, factor, std::move(layers), scene.media[body], heat));
-    layers.clear();
+        .push_back(std::make_unique<Level>(grid_, factor,
+                                           ranges_of(layers, begin, end, strength.is_graded()),
+                                           scene.media[body], heat));
+    begin = end;
   };
-  for (const int k : scanned_layers(grid_)) {
-    if ((k + 0.5) * grid_.dz >= 2 * factor * cell * cells_per_depth && 4 * factor <= widest &&
-        grid_.can_be_coarsened(2 * factor)) {
-      flush();
+  for (std::size_t n = 0; n < layers.size(); ++n) {
+    if ((layers[n] + 0.5) * grid_.dz >= 2 * factor * cell * cells_per_depth &&
+        4 * factor <= widest && grid_.can_be_coarsened(2 * factor)) {
+      flush(n);
       factor *= 2;
     }
-    layers.push_back(k);
-    if (k + 1 == grid_.nz) flush();
+    if (layers[n] + 1 == grid_.nz) flush(n + 1);
   }
-  flush();
+  flush(layers.size());
 }
 
 template <class Use>
 void YieldScan::for_beyond(const Level& level, const operators::Tractions& tractions,
-                           double shear_sign, double limit, const Use& use) const {
+                           double shear_sign, const YieldLimit& limit, const Use& use) const {
   const Grid& grid = level.grid;
   const int nz = level.stress.layers();
   operators::VolumeSpectrum spectrum(level.transform, nz, Tensor::deviator);
@@ -116,27 +139,28 @@ void YieldScan::for_beyond(const Level& level, const operators::Tractions& tract
   Field s(5 * n);
   operators::inverse(level.transform, spectrum, s.data());
 
-  const double bound = limit * limit / 3;
+  const std::vector<LayerLimit> limits = limit.of(level.ranges);
   for (int k = 0; k < nz; ++k) {
+    const auto [least, start] = limits[k];
+    const double bound = least > 0 ? least * least / 3 : -1.0;
     for (int i = 0; i < grid.nx; ++i) {
       for (int j = 0; j < grid.ny; ++j) {
         const std::size_t at = k * plane + static_cast<std::size_t>(i) * grid.ny + j;
-        if (second_invariant(s[at], s[n + at], s[2 * n + at], s[3 * n + at], s[4 * n + at]) <=
-            bound) {
+        if (second_invariant(s[at] + start[0], s[n + at] + start[1], s[2 * n + at], s[3 * n + at],
+                             s[4 * n + at] + start[2]) <= bound) {
           continue;
         }
         const int i0 = i * level.factor, j0 = j * level.factor;
         // Up to the next depth that is looked at.
-        const int below = k + 1 < nz ? level.layers[k + 1] : level.layers[k] + 1;
         use(Box{i0, j0, std::min(level.factor, grid_.nx - i0),
-                std::min(level.factor, grid_.ny - j0), below});
+                std::min(level.factor, grid_.ny - j0), level.ranges[k].end});
       }
     }
   }
 }
 
 Box YieldScan::level_box(const Level& level, const operators::Tractions& tractions,
-                         double shear_sign, double limit) const {
+                         double shear_sign, const YieldLimit& limit) const {
   Box found;
   for_beyond(level, tractions, shear_sign, limit,
              [&](const Box& cells) { found = found.united(cells); });
@@ -144,7 +168,7 @@ Box YieldScan::level_box(const Level& level, const operators::Tractions& tractio
 }
 
 Box YieldScan::box(const Levels& levels, const operators::Tractions& tractions, double shear_sign,
-                   double limit) const {
+                   const YieldLimit& limit) const {
   Box found;
   for (const auto& level : levels) {
     found = found.united(level_box(*level, tractions, shear_sign, limit));
@@ -153,7 +177,7 @@ Box YieldScan::box(const Levels& levels, const operators::Tractions& tractions, 
 }
 
 Columns YieldScan::columns(const operators::Tractions& tractions, double shear_sign,
-                           double limit) const {
+                           const YieldLimit& limit) const {
   Columns columns{Box::surface(grid_), std::vector<int>(grid_.surface_size(), 0)};
   const auto deepen = [&](const Box& cells) {
     for (int i = cells.i0; i < cells.i0 + cells.nx; ++i) {
@@ -170,12 +194,12 @@ Columns YieldScan::columns(const operators::Tractions& tractions, double shear_s
 }
 
 bool YieldScan::is_beyond_everywhere(const operators::Tractions& tractions, double shear_sign,
-                                     double limit) const {
+                                     const YieldLimit& limit) const {
   if (grid_.period.x == 0 || grid_.period.y == 0) return false;
   // There is nothing but the mean left of the stress at the depth of a period.
   const Level& level = below_.empty() ? *levels_.back() : *below_.back();
   const Box found = level_box(level, tractions, shear_sign, limit);
-  return found.nz > level.layers.back() && found.surface_size() == grid_.surface_size();
+  return found.nz > level.ranges.back().layer && found.surface_size() == grid_.surface_size();
 }
 
 std::size_t YieldScan::bytes() const {
@@ -186,32 +210,39 @@ std::size_t YieldScan::bytes() const {
   return bytes;
 }
 
-ZoneScan::ZoneScan(const std::shared_ptr<const operators::ZoneTables>& tables)
+ZoneScan::ZoneScan(const std::shared_ptr<const operators::ZoneTables>& tables,
+                   const Strength& strength)
     : tables_(tables),
       grid_(tables->grid()),
-      layers_(scanned_layers(grid_)),
-      bound_(tables, depths(grid_, layers_)) {}
+      ranges_(all_ranges(grid_, strength)),
+      bound_(tables, depths(grid_, ranges_)) {}
+
+bool ZoneScan::resolves(const Strength& strength) const {
+  return ranges_ == all_ranges(grid_, strength);
+}
 
 Columns ZoneScan::columns(const operators::Tractions& tractions, double shear_sign,
-                          double limit) const {
+                          const YieldLimit& limit) const {
   constexpr int block = operators::StressBound::block;
   const int nx = bound_.blocks_x(), ny = bound_.blocks_y();
+  const std::vector<LayerLimit> limits = limit.of(ranges_);
+  operators::StressBound::Given start;
+  for (const LayerLimit& layer : limits) start.push_back(layer.start);
   // Of blocks, by depth.
-  std::vector<std::vector<std::size_t>> beyond(layers_.size());
-  bound_.for_each_depth(tractions, shear_sign, [&](int depth, const double* bound) {
+  std::vector<std::vector<std::size_t>> beyond(ranges_.size());
+  bound_.for_each_depth(tractions, shear_sign, start, [&](int depth, const double* bound) {
     for (std::size_t n = 0; n < static_cast<std::size_t>(nx) * ny; ++n) {
-      if (bound[n] > limit) beyond[depth].push_back(n);
+      if (bound[n] > limits[depth].stress) beyond[depth].push_back(n);
     }
   });
   Columns columns{Box::surface(grid_), std::vector<int>(grid_.surface_size(), 0)};
-  for (std::size_t d = 0; d < layers_.size(); ++d) {
-    // Down to the next depth that is looked at.
-    const int below = d + 1 < layers_.size() ? layers_[d + 1] : layers_[d] + 1;
+  for (std::size_t d = 0; d < ranges_.size(); ++d) {
     for (const std::size_t n : beyond[d]) {
       const int i0 = static_cast<int>(n / ny) * block, j0 = static_cast<int>(n % ny) * block;
       for (int i = i0; i < std::min(grid_.nx, i0 + block); ++i) {
         for (int j = j0; j < std::min(grid_.ny, j0 + block); ++j) {
-          columns.depth[static_cast<std::size_t>(i) * grid_.ny + j] = below;
+          // Down to the next depth that is looked at.
+          columns.depth[static_cast<std::size_t>(i) * grid_.ny + j] = ranges_[d].end;
         }
       }
     }

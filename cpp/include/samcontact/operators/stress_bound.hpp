@@ -3,6 +3,7 @@
 // lies near each cell of the surface, taken together without regard to signs.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -22,10 +23,13 @@ class StressBound {
   int blocks_x() const;
   int blocks_y() const;
 
+  /// A deviator at each depth that is there besides: xx, yy and xy [Pa].
+  using Given = std::vector<std::array<double, 3>>;
   /// Calls use(number of the depth, bound [i][j] of blocks [Pa]), in any order and several at once.
   /// shear_sign: as everywhere.
   using Use = std::function<void(int depth, const double* bound)>;
-  void for_each_depth(const Tractions& tractions, double shear_sign, const Use& use) const;
+  void for_each_depth(const Tractions& tractions, double shear_sign, const Given& given,
+                      const Use& use) const;
 
   std::size_t bytes() const;
 
@@ -35,9 +39,10 @@ class StressBound {
   /// Tractions on the cells and on the nodes of both lattices.
   struct Loads;
 
-  void look_at(const Group& group, const Loads& loads, double shear_sign, const Use& use) const;
+  void look_at(const Group& group, const Loads& loads, double shear_sign, const Given& given,
+               const Use& use) const;
   /// Von Mises stress of what is smooth at the corners of blocks, from nodes [component][a][b].
-  Field at_corners(const Field& nodes) const;
+  Field at_corners(const Field& nodes, const std::array<double, 3>& given) const;
   Field near_part(double depth, const Tractions& tractions) const;
 
   std::shared_ptr<const ZoneTables> tables_;

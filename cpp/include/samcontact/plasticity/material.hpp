@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Materials: isotropic elasticity; J2 plasticity with isotropic and kinematic hardening.
+// Materials: isotropic elasticity; J2 plasticity with isotropic and kinematic hardening, whose
+// yield stress may change with depth; stress that is there from the start.
 #pragma once
 
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "samcontact/base/elastic.hpp"
+#include "samcontact/base/over_depth.hpp"
 #include "samcontact/base/thermal.hpp"
 #include "samcontact/plasticity/hardening.hpp"
 
@@ -24,11 +26,22 @@ struct Backstress {
 /// As many may add up (Chaboche 1986).
 constexpr int max_backstresses = 4;
 
+/// Stress along the surface [Pa]. As it changes with depth only and has no other component, it is
+/// in equilibrium, and leaves the surface free, whatever its profile.
+struct InitialStress {
+  OverDepth xx, yy, xy;  // at the same depths
+
+  double von_mises(double z) const;
+  bool operator==(const InitialStress&) const = default;
+};
+
 struct Material {
   Elastic elastic;
   Hardening hardening;
   std::vector<Backstress> backstresses = {};
   std::optional<Thermal> thermal = {};
+  std::optional<OverDepth> yield_profile = {};  // factor of the yield stress; none: 1
+  std::optional<InitialStress> initial_stress = {};
 
   /// Both throw std::invalid_argument naming the parameter, its value and what is allowed.
   static Material with_law(double E, double nu, Hardening::Laws law);
@@ -43,8 +56,19 @@ struct Material {
   /// The same with thermal constants.
   Material with_thermal(const Thermal& constants) const;
 
+  /// The same with another strength over depth. Throws where the initial stress is above it.
+  Material with_yield_profile(OverDepth factor) const;
+
+  /// The same with stress from the start. Throws where it is above the yield stress.
+  Material with_initial_stress(InitialStress stress) const;
+
   bool operator==(const Material&) const = default;
   bool is_plastic() const { return hardening.yields(); }
+  /// Before it has hardened, of all depths [Pa].
+  double smallest_yield_stress() const {
+    const double yield_stress = hardening.yield_stress(0.0);
+    return yield_profile ? yield_stress * yield_profile->smallest() : yield_stress;
+  }
 };
 
 }  // namespace samcontact::plasticity

@@ -9,6 +9,7 @@
 
 #include "samcontact/simulation/simulation.hpp"
 #include "samcontact/simulation/source.hpp"
+#include "samcontact/simulation/yield_scan.hpp"
 
 namespace samcontact::simulation {
 
@@ -20,10 +21,10 @@ class HeatOfIncrement : public Source {
   /// Of past heat.
   void open(Field& gap) const override;
   void stress(int body, const Box& box, operators::Tensor tensor, Field& sum) override;
-  /// All cells below the grid whose von Mises stress, under tractions and past heat, exceeds
-  /// `limit`.
+  /// All cells below the grid whose von Mises stress, under tractions and past heat, exceeds the
+  /// limit.
   Box above(int body, const operators::Tractions& tractions, operators::ResidualMethod method,
-            double limit);
+            const YieldLimit& limit);
   /// Factor of the yield stress in a box under a pressure; null: 1 everywhere. Throws
   /// std::invalid_argument for a law that gives what is none.
   std::shared_ptr<const BoxField> softening(int body, const Softening& law, const Field& pressure,

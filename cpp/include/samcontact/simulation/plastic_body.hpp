@@ -16,6 +16,7 @@
 #include "samcontact/simulation/outside_strain.hpp"
 #include "samcontact/simulation/source.hpp"
 #include "samcontact/simulation/state.hpp"
+#include "samcontact/simulation/strength.hpp"
 #include "samcontact/simulation/yield_scan.hpp"
 #include "samcontact/simulation/zone_volume.hpp"
 
@@ -45,7 +46,8 @@ class PlasticBody {
   Box near_yield(const YieldScan& scan, HeatOfIncrement& heat) const;
   /// The columns of those that yield. Without heat of the past.
   const Columns& yielding_columns(const YieldScan& scan);
-  /// The box of all cells below those of the grid where the tractions alone make it yield.
+  /// The box of all cells below those of the grid where the tractions alone make it yield; of a
+  /// body whose strength changes, of all cells where they come near.
   Box yield_below(const YieldScan& scan) const;
   /// Whether it yields down to any depth.
   bool yields_everywhere(const YieldScan& scan) const;
@@ -89,7 +91,7 @@ class PlasticBody {
   plasticity::Return return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
                                 const plasticity::Tensor& guess) const;
 
-  /// Yield stress / 3 G.
+  /// Smallest yield stress / 3 G.
   double strain_at_yield() const;
   /// That, or the largest accumulated strain before the increment.
   double strain_scale() const;
@@ -112,12 +114,14 @@ class PlasticBody {
   /// The columns where some tractions go beyond a limit.
   struct Yielding {
     operators::Tractions tractions;
-    double limit;
+    double softening;
     Columns columns;
   };
 
   const plasticity::Material& material() const { return scene_.materials[index_]; }
-  Columns columns_beyond(double limit, const YieldScan& scan) const;
+  /// A share of what it bears; a smaller one where its strength changes.
+  YieldLimit limit(double softening, double share, double graded_share) const;
+  Columns columns_beyond(const YieldLimit& limit, const YieldScan& scan) const;
   /// Axes along which its residual displacement matters.
   std::span<const operators::Axis> axes() const;
   /// What the strain before the increment does along the surface.
@@ -133,7 +137,7 @@ class PlasticBody {
   Field with_given_stress(std::size_t zone, int k, const double* layer) const;
   double yield_limit(std::uint32_t cell) const;
   /// Factor of the yield stress.
-  double softened(std::uint32_t cell) const;
+  double strength_of(std::uint32_t cell) const;
   /// Before the increment, into the first places; how many.
   std::span<const plasticity::Tensor> backstresses(std::uint32_t cell,
                                                    plasticity::Tensors& place) const;
@@ -146,6 +150,7 @@ class PlasticBody {
   fft::Symmetry symmetry_;
   operators::Heating heating_;
   BoxChoice choice_;
+  Strength strength_;
   std::shared_ptr<const PlasticState> history_;  // before the increment; null: none
   /// The same as the surfaces met with it, before it was extrapolated.
   std::shared_ptr<const PlasticState> met_;
@@ -156,6 +161,7 @@ class PlasticBody {
   Field strain_;             // before the increment plus the last guess
   Field equivalent_;         // before the increment
   Field backstress_;         // before the increment, [term][component][cell]
+  Field factor_;             // of the yield stress, by depth; empty: 1
   std::vector<int> active_;  // per cell: its place among the active ones, or -1
   bool strained_ = false;
   double rim_displacement_ = 0.0;

@@ -11,6 +11,7 @@
 
 #include "samcontact/simulation/plastic_state.hpp"
 #include "samcontact/simulation/scene.hpp"
+#include "samcontact/simulation/strength.hpp"
 
 namespace samcontact::simulation {
 
@@ -109,8 +110,14 @@ class State {
   /// Fields of a body (0 or 1), layers at mid-depth: [component][k][i][j] or [k][i][j], in the
   /// body's cells (see Placement). Throw std::invalid_argument for a grid without volume or a rigid
   /// body.
+  /// Both with the stress that is there from the start.
   Field stress(int body, Layers layers = {}) const;
   Field residual_stress(int body, Layers layers = {}) const;
+  /// The stress that is there from the start.
+  Field initial_stress(int body, Layers layers = {}) const;
+  Field initial_stress(int body, const Box& region) const;
+  /// Factor of the yield stress by its profile over depth.
+  Field yield_factor(int body, const Box& region) const;
   Field plastic_strain(int body, Layers layers = {}) const;
   Field equivalent_plastic_strain(int body, Layers layers = {}) const;
   /// The cells with plastic strain, where fields do not have all of them; else empty. Along x
@@ -154,7 +161,11 @@ class State {
   Field surface_temperature(int body) const;
 
  private:
+  /// Of tractions and plastic strain.
   Field total_stress(int body, bool with_tractions, const Box& region) const;
+  /// Of plastic strain.
+  Field stress_of_strain(int body, const Box& region) const;
+  Strength strength(int body) const;
   fft::Symmetry stress_symmetry(int body, bool with_tractions) const;
   /// The cells of the grid down to a number of layers.
   Box below(Layers layers) const;

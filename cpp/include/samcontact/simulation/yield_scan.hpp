@@ -8,30 +8,43 @@
 
 #include "samcontact/operators/stress_bound.hpp"
 #include "samcontact/simulation/scene.hpp"
+#include "samcontact/simulation/strength.hpp"
 #include "samcontact/simulation/zone_choice.hpp"
 
 namespace samcontact::simulation {
+
+/// What to compare stress with: a share of what a body bears, softened by a factor.
+struct YieldLimit {
+  const Strength& strength;
+  double softening = 1.0, share = 1.0;
+
+  std::vector<LayerLimit> of(const std::vector<LayerRange>& ranges) const {
+    return strength.limits(ranges, softening, share);
+  }
+};
 
 class YieldScan {
  public:
   /// For one body of the scene, with its heat.
   YieldScan(const Scene& scene, int body, const operators::Heating& heating);
 
-  /// The box of all cells whose von Mises stress under the tractions exceeds `limit` [Pa]; empty
-  /// when there is none. Tractions in the body's own frame but for the sign of the shear. In the
-  /// layers of the grid; without a bottom, as deep as its window is wide.
-  Box box(const operators::Tractions& tractions, double shear_sign, double limit) const {
+  /// The box of all cells whose von Mises stress under the tractions exceeds the limit; empty when
+  /// there is none. Tractions in the body's own frame but for the sign of the shear. In the layers
+  /// of the grid; without a bottom, as deep as its window is wide and as the strength changes.
+  Box box(const operators::Tractions& tractions, double shear_sign, const YieldLimit& limit) const {
     return box(levels_, tractions, shear_sign, limit);
   }
   /// The same of layers below those of the grid.
-  Box box_below(const operators::Tractions& tractions, double shear_sign, double limit) const {
+  Box box_below(const operators::Tractions& tractions, double shear_sign,
+                const YieldLimit& limit) const {
     return box(below_, tractions, shear_sign, limit);
   }
   /// Whether a surface that is periodic in both directions exceeds it at any depth.
   bool is_beyond_everywhere(const operators::Tractions& tractions, double shear_sign,
-                            double limit) const;
+                            const YieldLimit& limit) const;
   /// By column of the grid, down to any depth.
-  Columns columns(const operators::Tractions& tractions, double shear_sign, double limit) const;
+  Columns columns(const operators::Tractions& tractions, double shear_sign,
+                  const YieldLimit& limit) const;
 
   std::size_t bytes() const;
 
@@ -40,11 +53,11 @@ class YieldScan {
   struct Level {
     int factor;
     Grid grid;
-    std::vector<int> layers;  // of the scene's grid
+    std::vector<LayerRange> ranges;  // of the scene's grid
     operators::VolumeTransform transform;
     operators::TractionStress stress;
 
-    Level(const Grid& fine, int factor_, std::vector<int> layers_,
+    Level(const Grid& fine, int factor_, std::vector<LayerRange> ranges_,
           const operators::SharedMedium& medium,
           const std::shared_ptr<const operators::HeatStress>& heat);
   };
@@ -52,12 +65,12 @@ class YieldScan {
   /// to the next depth that is looked at.
   template <class Use>
   void for_beyond(const Level& level, const operators::Tractions& tractions, double shear_sign,
-                  double limit, const Use& use) const;
+                  const YieldLimit& limit, const Use& use) const;
   using Levels = std::vector<std::unique_ptr<Level>>;
   Box box(const Levels& levels, const operators::Tractions& tractions, double shear_sign,
-          double limit) const;
+          const YieldLimit& limit) const;
   Box level_box(const Level& level, const operators::Tractions& tractions, double shear_sign,
-                double limit) const;
+                const YieldLimit& limit) const;
 
   Grid grid_;
   Levels levels_, below_;  // of the grid's layers, and below them
@@ -67,10 +80,13 @@ class YieldScan {
 /// heat.
 class ZoneScan {
  public:
-  explicit ZoneScan(const std::shared_ptr<const operators::ZoneTables>& tables);
+  ZoneScan(const std::shared_ptr<const operators::ZoneTables>& tables, const Strength& strength);
 
   /// Columns of the grid, down to below the deepest cell whose stress may exceed the limit.
-  Columns columns(const operators::Tractions& tractions, double shear_sign, double limit) const;
+  Columns columns(const operators::Tractions& tractions, double shear_sign,
+                  const YieldLimit& limit) const;
+  /// Whether it looks where this strength changes.
+  bool resolves(const Strength& strength) const;
 
   const std::shared_ptr<const operators::ZoneTables>& tables() const { return tables_; }
   std::size_t bytes() const { return bound_.bytes(); }
@@ -78,7 +94,7 @@ class ZoneScan {
  private:
   std::shared_ptr<const operators::ZoneTables> tables_;
   Grid grid_;
-  std::vector<int> layers_;  // that are looked at
+  std::vector<LayerRange> ranges_;  // that are looked at
   operators::StressBound bound_;
 };
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the cells of a body bear before they have hardened: its yield stress over depth, and the
+// stress that is there from the start.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "samcontact/base/box.hpp"
+#include "samcontact/operators/volume_spectrum.hpp"
+#include "samcontact/plasticity/material.hpp"
+
+namespace samcontact::simulation {
+
+/// A layer that stands for others, [first, end).
+struct LayerRange {
+  int layer, first, end;
+  bool operator==(const LayerRange&) const = default;
+};
+
+/// What some layers bear besides `start`, the deviator's xx, yy and xy [Pa].
+struct LayerLimit {
+  double stress;  // von Mises [Pa]; may be negative
+  std::array<double, 3> start;
+};
+
+class Strength {
+ public:
+  /// material: must outlive it. Throws std::invalid_argument for profiles of more layers than can
+  /// be counted.
+  Strength(const plasticity::Material& material, double dz);
+
+  /// Whether it depends on depth.
+  bool is_graded() const { return variation_.has_value(); }
+  /// Layers below which nothing changes any more.
+  int layers() const { return layers_; }
+  /// Whether so much changes between two layers that both are to be looked at.
+  bool differs(int above, int below) const;
+
+  /// Factor of the yield stress at mid-depth of the cells of a box [k][i][j]; empty: 1.
+  Field factor(const Box& box) const;
+  /// Adds the stress of the start in a box [component][k][i][j]; an empty field is 0.
+  void add_stress(const Box& box, operators::Tensor tensor, Field& sum) const;
+
+  /// The least of what the layers of each range bear of a share of all stresses: a cell whose
+  /// stress is within it yields nowhere in the range. softening: factor of the yield stress.
+  std::vector<LayerLimit> limits(const std::vector<LayerRange>& ranges, double softening,
+                                 double share) const;
+
+ private:
+  double factor(int k) const;
+  /// Deviator of the stress of the start: xx, yy, xy.
+  std::array<double, 3> start(int k) const;
+  double mid_depth(int k) const { return (k + 0.5) * dz_; }
+
+  const plasticity::Material& material_;
+  double dz_;
+  int layers_ = 0;
+  /// Sum of all changes from the surface on, parts of the yield stress; none: nothing changes.
+  std::optional<OverDepth> variation_;
+};
+
+}  // namespace samcontact::simulation

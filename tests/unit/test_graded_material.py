@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Profiles over depth as a part of a material: what it tells of them, and what it refuses."""
+
+import re
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+
+E, NU, Y = 210e9, 0.3, 1e9
+ELASTIC, RIGID = sc.Material.elastic(E, NU), sc.Material.rigid()
+PLAIN = sc.Material.perfect_plastic(E, NU, Y)
+SOFT = sc.Material.linear_hardening(E, NU, Y, 0.1 * E)
+WEAK = ([0.0, 20e-6, 30e-6, 60e-6], [1.0, 1.0, 0.5, 1.0])
+
+
+def test_what_a_material_is_at_a_depth():
+    body = PLAIN.with_yield_profile([1e-3, 2e-3], [2.0, 1.0])
+    np.testing.assert_allclose(body.yield_factor([0.0, 1.5e-3, 1.0]), [2.0, 1.5, 1.0])
+    np.testing.assert_array_equal(PLAIN.yield_factor([0.0, 1.0]), [1.0, 1.0])
+    pulled = body.with_residual_stress([0.0, 1e-3], [1e8, 0.0], sxy=[0.0, 1e7])
+    np.testing.assert_allclose(pulled.residual_stress_at(5e-4), [5e7, 5e7, 5e6])
+    assert not body.residual_stress_at([0.0, 1.0]).any()
+    assert eval(repr(pulled).replace("Material(", "make("), {"make": made}) == pulled
+    with pytest.raises(ValueError, match=r"z of yield_profile must be finite and >= 0, got -1.0"):
+        body.yield_factor(-1.0)
+
+
+def test_tables_tell_it():
+    body = PLAIN.with_yield_profile(*WEAK).with_residual_stress([0.0, 1e-4], [-2e8, 0.0])
+    table = body._repr_html_()
+    for row in ("1 from 0 m to 60 µm, within 0.5 to 1", "-200 MPa to 0 Pa from 0 m to 100 µm"):
+        assert row in table
+
+
+def test_first_yield_is_not_that_of_one_yield_stress():
+    grid = sc.Grid(9, 9, 60e-6, 60e-6, 6, 40e-6)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    with pytest.raises(ValueError, match="'yield' compares stress with one yield stress"):
+        sc.find_load(
+            lambda load: (
+                sc.Simulation(grid, RIGID, PLAIN.with_yield_profile(*WEAK), gap), [{"load": load}]
+            ),
+            "yield", largest_load=10.0,
+        )  # fmt: skip
+
+
+def made(law, yield_profile=None, residual_stress=None, **parameters):
+    return sc.Material(
+        law, parameters, yield_profile=yield_profile, residual_stress=residual_stress
+    )
+
+
+@pytest.mark.parametrize(
+    ("make", "text"),
+    [
+        (lambda: ELASTIC.with_yield_profile([0.0], [1.0]), "needs a body that yields"),
+        (lambda: RIGID.with_residual_stress([0.0], [1.0]), "a rigid body has no stress"),
+        (
+            lambda: SOFT.with_yield_profile([0.0, 1e-3], [1.0]),
+            "factor of yield_profile must have as many values",
+        ),
+        (
+            lambda: SOFT.with_yield_profile([0.0, 0.0], [1.0, 2.0]),
+            "z of yield_profile must be rising",
+        ),
+        (
+            lambda: SOFT.with_yield_profile([-1e-3, 0.0], [1.0, 2.0]),
+            "z of yield_profile must be >= 0",
+        ),
+        (
+            lambda: SOFT.with_yield_profile([0.0], [0.0]),
+            "factor of yield_profile must be from 1e-6 to 1e6",
+        ),
+        (lambda: SOFT.with_yield_profile([], []), "z of yield_profile must be a list of 1 to 4096"),
+        (
+            lambda: SOFT.with_yield_profile([0.0], [np.nan]),
+            "factor of yield_profile must be finite",
+        ),
+        (
+            lambda: SOFT.with_residual_stress([0.0], [1e8], [1e8, 2e8]),
+            "syy of residual_stress must have as many",
+        ),
+        (
+            lambda: SOFT.with_residual_stress([0.0], [1e12]),
+            "sxx of residual_stress must be a stress below",
+        ),
+        (lambda: SOFT.with_residual_stress([0.0, 2e-3], [-2e9, 0.0]), "at z = 0 m must be at"),
+        (
+            # Within the yield stress at all depths of its own, not where the profile is weak.
+            lambda: SOFT.with_yield_profile(
+                [0.0, 1e-3, 2e-3], [1.0, 0.1, 1.0]
+            ).with_residual_stress([0.0, 2e-3], [5e8, 5e8]),
+            "at z = 0.001 m must be at most the yield stress there, 1e+08 Pa",
+        ),
+    ],
+)
+def test_what_cannot_be_is_refused(make, text):
+    with pytest.raises(ValueError, match=re.escape(text)):
+        make()
+
+
+def test_a_profile_beyond_what_layers_can_be_counted_is_refused():
+    body = SOFT.with_yield_profile([0.0, 1.0], [1.0, 2.0])
+    grid = sc.Grid(5, 5, 1e-6, 1e-6, dz=1e-7)
+    with pytest.raises(ValueError, match="the deepest z of a yield profile or residual stress"):
+        sc.Simulation(grid, RIGID, body, np.zeros((5, 5)))
