@@ -23,7 +23,7 @@ def test_what_a_material_is_at_a_depth():
     np.testing.assert_allclose(pulled.residual_stress_at(5e-4), [5e7, 5e7, 5e6])
     assert not body.residual_stress_at([0.0, 1.0]).any()
     assert eval(repr(pulled).replace("Material(", "make("), {"make": made}) == pulled
-    with pytest.raises(ValueError, match=r"z of yield_profile must be finite and >= 0, got -1.0"):
+    with pytest.raises(ValueError, match=r"^z must be finite and >= 0, got -1.0"):
         body.yield_factor(-1.0)
 
 
