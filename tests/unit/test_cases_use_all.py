@@ -18,6 +18,9 @@ SWIFT = {
     "thermal": {"conductivity": 46.0, "expansion": 11e-6, "diffusivity": 13e-6},
     "softening": {"kind": "johnson_cook", "melting": 1800.0, "m": 1.0, "reference": 300.0,
                   "ambient": 300.0, "floor": 0.1},
+    "yield_profile": {"z": [0.0, 1e-5], "factor": [2.0, 1.5]},
+    "residual_stress": {"z": [0.0, 1e-5], "sxx": [-1e8, 0.0], "syy": [-2e8, 0.0],
+                        "sxy": [1e7, 0.0]},
 }  # fmt: skip
 VOCE = {
     "law": "voce", "E": 210e9, "nu": 0.3, "yield_stress": 1e9, "saturation_stress": 2e9,
@@ -135,7 +138,9 @@ OTHER = {
     "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
     "channel": ["other"], "window": [[5, 5]], "start": [0.6, 2e-8], "velocity": [
         [[2.0, 0.0], [0.5, 0.0]], [-3.0, 0.0], [0.0, 1.0]],
-    "heat_factor": [[1e-3, 4e-3], 0.5, [0.0, 4e-3]], "factor": [[1e-3, 4e-3], [0.0, 4e-3]],
+    "heat_factor": [[1e-3, 4e-3], 0.5, [0.0, 4e-3]], "factor": [[1e-3, 4e-3], [0.0, 4e-3],
+                                                                  [2.1, 1.4]],
+    "z": [[0.0, 2e-5]], "sxx": [[-3e8, 0.0]], "syy": [[-1e8, 0.0]], "sxy": [[2e7, 0.0]],
     "history": [[1e-6, 2e-3]],
     "energy": [[2e-14, 1e-14], 3e-14], "archard": [2e-14],
     "advance": [[2e-5, 0.0]], "recovery": [[6.0]], "modulus": [[2e9]], "order": [2],
@@ -154,6 +159,7 @@ UNSET = {
     "tangential_load_y": 0.2, "torque": 1e-9, "fret": {"shift_x": 1e-8},
     "width": 1.7, "depth": 1.5, "approach": 1e-7, "load": 1.0, "image_tol": 1e-2, "floor": 0.2,
     "thermal": SWIFT["thermal"], "softening": SWIFT["softening"], "kinematic": SWIFT["kinematic"],
+    "yield_profile": SWIFT["yield_profile"], "residual_stress": SWIFT["residual_stress"],
     "wear": WEAR, "relief1": DENT, "relief2": DENT, "roughness": ROUGH, "grid": GRID,
 }  # fmt: skip
 
@@ -291,6 +297,7 @@ def test_every_field_of_every_section_is_tried():
     fields = {name for model in sections for name in model.model_fields}
     sections_in = {
         "kinematic",
+        "yield_profile",
         "surface",
         "path",
         "body1",

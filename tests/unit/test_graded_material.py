@@ -5,6 +5,7 @@ import re
 
 import numpy as np
 import pytest
+from pydantic import TypeAdapter, ValidationError
 
 import samcontact as sc
 
@@ -106,3 +107,17 @@ def test_a_profile_beyond_what_layers_can_be_counted_is_refused():
     grid = sc.Grid(5, 5, 1e-6, 1e-6, dz=1e-7)
     with pytest.raises(ValueError, match="the deepest z of a yield profile or residual stress"):
         sc.Simulation(grid, RIGID, body, np.zeros((5, 5)))
+
+
+def test_a_case_file_gives_the_same_material():
+    from samcontact.cases.bodies import BodySection
+
+    read = TypeAdapter(BodySection).validate_python
+    given = {"law": "perfect_plastic", "E": E, "nu": NU, "yield_stress": Y}
+    profile = {"z": ["0 um", "20 um", "0.03 mm", 60e-6], "factor": WEAK[1]}
+    stress = {"z": [0.0, "0.1 mm"], "sxx": ["-200 MPa", 0.0], "sxy": [1e7, 0.0]}
+    body = read(given | {"yield_profile": profile, "residual_stress": stress}).build()
+    expected = PLAIN.with_yield_profile(*WEAK)
+    assert body == expected.with_residual_stress([0.0, 1e-4], [-2e8, 0.0], sxy=[1e7, 0.0])
+    with pytest.raises(ValidationError, match="must be at most the yield stress there"):
+        read(given | {"residual_stress": {"z": [0.0], "sxx": [2e9]}})

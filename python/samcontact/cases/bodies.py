@@ -62,6 +62,29 @@ class JohnsonCookSoftening(Section):
         return self
 
 
+Depths = Annotated[list[NonNegative], Field(min_length=1), in_unit("m")]
+Stresses = Annotated[list[Finite], in_unit("Pa")]
+
+
+class YieldProfile(Section):
+    """Yield stress that changes with depth, see `Material.with_yield_profile`."""
+
+    z: Depths
+    factor: list[Positive]
+
+
+class InitialStress(Section):
+    """Stress that is there before any contact, see `Material.with_residual_stress`."""
+
+    z: Depths
+    sxx: Stresses
+    syy: Stresses | None = None
+    sxy: Stresses | None = None
+
+
+_BESIDE = ("kinematic", "thermal", "softening", "yield_profile", "residual_stress")
+
+
 class _Body(Section):
     if TYPE_CHECKING:
         law: str
@@ -81,7 +104,7 @@ class _Body(Section):
         from ..softening import JohnsonCook
 
         parameters = self.model_dump()
-        extra = {name: parameters.pop(name, None) for name in ("kinematic", "thermal", "softening")}
+        extra = {name: parameters.pop(name, None) for name in _BESIDE}
         material: Material = getattr(Material, parameters.pop("law"))(**parameters)
         if extra["kinematic"] is not None:
             material = material.with_kinematic_hardening(**extra["kinematic"])
@@ -90,16 +113,22 @@ class _Body(Section):
         if extra["softening"] is not None:
             del extra["softening"]["kind"]
             material = material.with_softening(JohnsonCook(**extra["softening"]))
+        if extra["yield_profile"] is not None:
+            material = material.with_yield_profile(**extra["yield_profile"])
+        if extra["residual_stress"] is not None:
+            material = material.with_residual_stress(**extra["residual_stress"])
         return material
 
 
 class _ElasticBody(_Body):
     thermal: ThermalConstants | None = None
+    residual_stress: InitialStress | None = None
 
 
 class _PlasticBody(_ElasticBody):
     kinematic: KinematicHardening | None = None
     softening: JohnsonCookSoftening | None = None
+    yield_profile: YieldProfile | None = None
 
 
 def _field(constant: Constant) -> Any:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from .._checks import FloatArray
+from .._graded import PARTS
 from .._quantities import CONTACT, Quantity
 from .._repr import counts, lengths, quantity
 from ..cases.field_units import field_unit
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
 
 # Units that take a prefix; others are written as they are.
 _PREFIXED = ("m", "Pa", "N", "s", "m/s")
+_MOST_LISTED = 8
+"""Values of a list that are told one by one."""
 
 
 _ROUNDING = 1e-13  # of the largest of a column
@@ -96,6 +99,9 @@ def _rows(section: str, fields: dict[str, Any]) -> list[Row]:
 def _value(value: Any, unit: str) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
+    if isinstance(value, list) and len(value) > _MOST_LISTED:
+        first, last = (_value(end, unit) for end in (value[0], value[-1]))
+        return f"{len(value)} values, from {first} to {last}"
     if isinstance(value, list):
         return ", ".join(_value(entry, unit) for entry in value)
     if not isinstance(value, (int, float)):
@@ -123,7 +129,9 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
             if str(name).startswith(prefix):
                 field = str(name).removeprefix(prefix)
                 plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
-                unit = field_unit(f"body{body}.{field.removeprefix('kinematic_')}")
+                for section in ("kinematic", *PARTS):
+                    field = field.removeprefix(f"{section}_")
+                unit = field_unit(f"body{body}.{field}")
                 rows.append(Row(f"body{body}", field.replace("_", " "), _value(plain, unit)))
     for name in ("friction", "tol"):
         if name in dataset.attrs:

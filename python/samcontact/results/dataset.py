@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 
 from .._checks import choice, integer
+from .._graded import PARTS
 from .._peak import peak_of_dataset
 from .._quantities import CONTACT
 from .._tensors import COMPONENTS
@@ -295,6 +296,9 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
             modulus, recovery = zip(*material.kinematic, strict=True)
             attributes[f"body{body}_kinematic_modulus"] = list(modulus)
             attributes[f"body{body}_kinematic_recovery"] = list(recovery)
+        for kind, parts in PARTS.items():
+            for part, values in zip(parts, getattr(material, kind) or (), strict=False):
+                attributes[f"body{body}_{kind}_{part}"] = list(values)
     if case is not None:
         attributes["description"] = case.description
         attributes["case"] = case.text
