@@ -11,7 +11,7 @@
 #include "rooms.hpp"
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/contact/coulomb_contact.hpp"
-#include "samcontact/operators/half_space.hpp"
+#include "samcontact/operators/layered_half_space.hpp"
 
 namespace samcontact::bindings {
 
@@ -126,10 +126,10 @@ py::object shear(const ContactSolver& solver, const Array& pressure) {
 
 void bind_contact(py::module_& m) {
   py::class_<ContactSolver>(m, "ContactSolver")
-      .def(py::init([](const Grid& grid, const Elastic& body1, const Elastic& body2,
-                       double friction, const operators::HeatingPair& heating) {
-             return std::make_unique<ContactSolver>(grid, operators::half_space(body1),
-                                                    operators::half_space(body2),
+      .def(py::init([](const Grid& grid, const Stack& body1, const Stack& body2, double friction,
+                       const operators::HeatingPair& heating) {
+             return std::make_unique<ContactSolver>(grid, operators::medium_of(body1),
+                                                    operators::medium_of(body2),
                                                     contact::GrossSliding(friction), heating);
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
@@ -141,11 +141,10 @@ void bind_contact(py::module_& m) {
 
   m.attr("spin_lead") = contact::spin_lead;
   py::class_<contact::CoulombContact>(m, "CoulombContact")
-      .def(py::init(
-               [](const Grid& grid, const Elastic& body1, const Elastic& body2, double friction) {
-                 return std::make_unique<contact::CoulombContact>(
-                     grid, operators::half_space(body1), operators::half_space(body2), friction);
-               }),
+      .def(py::init([](const Grid& grid, const Stack& body1, const Stack& body2, double friction) {
+             return std::make_unique<contact::CoulombContact>(
+                 grid, operators::medium_of(body1), operators::medium_of(body2), friction);
+           }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"))
       .def_property_readonly("is_coupled", &contact::CoulombContact::is_coupled)
       .def("solve", &stick_and_slip, py::arg("gap"), py::arg("load_driven"), py::arg("value"),

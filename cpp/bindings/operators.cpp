@@ -6,6 +6,7 @@
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/operators/half_space.hpp"
+#include "samcontact/operators/layered_half_space.hpp"
 #include "samcontact/operators/surface_displacement.hpp"
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
@@ -46,29 +47,28 @@ py::array residual_displacement(const Grid& grid, const Array& strain, double nu
 }
 
 /// Along x, y or z: axis 0, 1 or 2.
-py::array surface_displacement(const Grid& grid, const Elastic& elastic, const Array& pressure,
+py::array surface_displacement(const Grid& grid, const Stack& body, const Array& pressure,
                                const py::object& shear_x, const py::object& shear_y, int axis) {
   const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
                                        to_field_or_empty(shear_y)};
   Field out;
   {
     const py::gil_scoped_release release;
-    out = operators::surface_displacement(grid, *operators::half_space(elastic), {}, tractions, 1.0,
+    out = operators::surface_displacement(grid, *operators::medium_of(body), {}, tractions, 1.0,
                                           static_cast<operators::Axis>(axis));
   }
   return surface_array(std::move(out), grid);
 }
 
-py::array surface_stress(const Grid& grid, const Elastic& elastic,
-                         const operators::Heating& heating, const std::vector<double>& z,
-                         const Array& pressure, const py::object& shear_x,
-                         const py::object& shear_y) {
+py::array surface_stress(const Grid& grid, const Stack& body, const operators::Heating& heating,
+                         const std::vector<double>& z, const Array& pressure,
+                         const py::object& shear_x, const py::object& shear_y) {
   const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
                                        to_field_or_empty(shear_y)};
   Field out;
   {
     const py::gil_scoped_release release;
-    out = operators::traction_stress(grid, operators::half_space(elastic), heating, z, tractions);
+    out = operators::traction_stress(grid, operators::medium_of(body), heating, z, tractions);
   }
   return tensor_array(std::move(out), grid, static_cast<py::ssize_t>(z.size()));
 }
@@ -238,14 +238,14 @@ void bind_operators(py::module_& parent) {
         py::arg("exact"), py::arg("image_tol"));
   m.def("residual_displacement", &residual_displacement, py::arg("grid"), py::arg("strain"),
         py::arg("nu"), py::arg("axis"));
-  m.def("surface_displacement", &surface_displacement, py::arg("grid"), py::arg("elastic"),
+  m.def("surface_displacement", &surface_displacement, py::arg("grid"), py::arg("body"),
         py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"), py::arg("axis"));
   m.def("zone_fields", &zone_fields, py::arg("grid"), py::arg("elastic"), py::arg("zones"),
         py::arg("strain"), py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"),
         py::arg("image_tol"));
   m.def("temperature", &temperature, py::arg("grid"), py::arg("heating"), py::arg("z"),
         py::arg("pressure"));
-  m.def("surface_stress", &surface_stress, py::arg("grid"), py::arg("elastic"), py::arg("heating"),
+  m.def("surface_stress", &surface_stress, py::arg("grid"), py::arg("body"), py::arg("heating"),
         py::arg("z"), py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"));
 }
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "arrays.hpp"
 #include "rooms.hpp"
+#include "samcontact/base/stack.hpp"
+#include "samcontact/operators/layered_half_space.hpp"
 #include "samcontact/plasticity/material.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
 
@@ -34,6 +39,29 @@ void bind_descriptions(py::module_& m) {
       .def_readonly("yields", &LawDescription::yields)
       .def_readonly("parameters", &LawDescription::parameters);
   m.def("hardening_laws", &plasticity::Hardening::descriptions);
+}
+
+void bind_stack(py::module_& m) {
+  py::class_<Stack>(m, "Stack")
+      .def(py::init([](const Elastic& elastic) { return Stack{{}, elastic}; }), py::arg("elastic"))
+      .def(py::init(
+               [](const std::vector<std::pair<Elastic, double>>& layers, const Elastic& substrate) {
+                 std::vector<ElasticLayer> given;
+                 given.reserve(layers.size());
+                 for (const auto& [elastic, thickness] : layers)
+                   given.push_back({elastic, thickness});
+                 return Stack::of(std::move(given), substrate);
+               }),
+           py::arg("layers"), py::arg("substrate"))
+      .def(
+          "wave_compliance",
+          [](const Stack& stack, const Array& wavenumbers) {
+            const auto medium = operators::medium_of(stack);
+            return each(wavenumbers, [&](double q) { return medium->wave_compliance(q); });
+          },
+          py::arg("wavenumbers"))
+      .def(py::self == py::self)
+      .def(py::self != py::self);
 }
 
 using plasticity::Material;
@@ -124,6 +152,7 @@ void bind_plasticity(py::module_& m) {
       .def_static("rigid", &Elastic::rigid)
       .def_readonly("E", &Elastic::E)
       .def_readonly("nu", &Elastic::nu);
+  bind_stack(m);
   bind_material(m);
 }
 

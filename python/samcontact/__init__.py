@@ -38,6 +38,7 @@ from .friction import Coulomb
 from .grid import Grid
 from .grid_errors import GridErrors, estimate_errors
 from .heat import Heat
+from .layered import Layered
 from .material import Material
 from .relief import Relief
 from .resolution import ElasticStrainWarning, ResolutionWarning
@@ -64,6 +65,7 @@ __all__ = [
     "GridTooSmallError",
     "GridTooSmallWarning",
     "Heat",
+    "Layered",
     "Material",
     "PlasticStrainWarning",
     "Relief",

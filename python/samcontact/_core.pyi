@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, overload
 
 from ._checks import FloatArray
 
@@ -75,6 +75,13 @@ class LawDescription:
 
 def hardening_laws() -> list[LawDescription]: ...
 
+class Stack:
+    @overload
+    def __init__(self, elastic: Elastic) -> None: ...
+    @overload
+    def __init__(self, layers: list[tuple[Elastic, float]], substrate: Elastic) -> None: ...
+    def wave_compliance(self, wavenumbers: FloatArray) -> FloatArray: ...
+
 class Material:
     elastic_constants: Elastic
     is_plastic: bool
@@ -106,8 +113,8 @@ class ContactSolver:
     def __init__(
         self,
         grid: Grid,
-        body1: Elastic,
-        body2: Elastic,
+        body1: Stack,
+        body2: Stack,
         friction: float,
         heating: list[Heating],
     ) -> None: ...
@@ -126,7 +133,7 @@ class ContactSolver:
 spin_lead: float
 
 class CoulombContact:
-    def __init__(self, grid: Grid, body1: Elastic, body2: Elastic, friction: float) -> None: ...
+    def __init__(self, grid: Grid, body1: Stack, body2: Stack, friction: float) -> None: ...
     @property
     def is_coupled(self) -> bool: ...
     def solve(
@@ -375,7 +382,7 @@ class operators:
     @staticmethod
     def surface_displacement(
         grid: Grid,
-        elastic: Elastic,
+        body: Stack,
         pressure: FloatArray,
         shear_x: FloatArray | None,
         shear_y: FloatArray | None,
@@ -384,7 +391,7 @@ class operators:
     @staticmethod
     def surface_stress(
         grid: Grid,
-        elastic: Elastic,
+        body: Stack,
         heating: Heating,
         z: list[float],
         pressure: FloatArray,

@@ -15,11 +15,13 @@ import numpy as np
 from . import _doubts, hertz
 from ._core import ConvergenceError, GridTooSmallError
 from ._repr import lengths, quantity
+from .layered import Layered, softest
 
 if TYPE_CHECKING:
     from ._checks import FloatArray
     from .grid import Grid
     from .heat import Heat
+    from .layered import Body
     from .material import Material
 
 SMOOTH = 0.03
@@ -69,12 +71,17 @@ class Scene:
         self,
         grid: Grid,
         gap: FloatArray,
-        bodies: tuple[Material, Material],
+        bodies: tuple[Body, Body],
         relieved: bool = False,
     ) -> None:
         self.grid, self.gap, self.bodies = grid, gap, bodies
         # the neighbours of a contact that repeats itself press as well
         self.relieved = relieved or bool(grid.periodic)
+
+    @property
+    def _solids(self) -> tuple[Material, Material]:
+        """Bodies, or what is most compliant of their layers."""
+        return softest(self.bodies[0]), softest(self.bodies[1])
 
     @property
     def radii(self) -> tuple[float, float] | None:
@@ -127,8 +134,10 @@ class Scene:
         drive = load if approach is None else approach
         if drive is None or not 0 < drive < math.inf or self.radii is None:
             return None
+        if any(isinstance(body, Layered) for body in self.bodies):
+            return None
         try:
-            E_star = hertz.effective_modulus(*self.bodies)
+            E_star = hertz.effective_modulus(*self._solids)
             if math.isclose(*self.radii, rel_tol=1e-6):
                 return Expected(hertz.point(self.radii[0], E_star, load=load, approach=approach))
             return Expected(hertz.elliptic(*self.radii, E_star, load=load, approach=approach))
@@ -144,7 +153,7 @@ class Scene:
             driver = "approach" if target.get("load") is None else "load"
             contact = _doubts.Contact(expected, self.extent(**target), driver)
         return _doubts.warn_of_doubts(
-            contact, self.grid, self.bodies, heat, stacklevel=stacklevel + 1
+            contact, self.grid, self._solids, heat, stacklevel=stacklevel + 1
         )
 
     def require_room(self, load: float | None = None, approach: float | None = None) -> None:

@@ -13,6 +13,7 @@ from . import _core
 from ._checks import FloatArray, finite_array
 from .grid import Grid
 from .heat import Heat
+from .layered import Body, Layered
 from .material import Material
 
 COLD = Heat(0.0)
@@ -20,7 +21,7 @@ COLD = Heat(0.0)
 MOST_HEAT_WAY = 1e7
 """Largest speed times extent of the grid over diffusivity [-]: the work grows with it."""
 
-Bodies = tuple[Material, Material]
+Bodies = tuple[Body, Body]
 
 
 def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = None) -> list[Any]:
@@ -32,6 +33,14 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     reference = 1.0 if heat.reference is None else heat.reference
     entries = []
     for n, (body, factor, v) in enumerate(zip(bodies, heat.factor, heat.velocity, strict=True), 1):
+        if isinstance(body, Layered):
+            if factor > 0:
+                raise ValueError(
+                    f"heat.factor of body{n} must be 0 where the body has layers, got {factor!r}: "
+                    "there are no kernels of heat in layers"
+                )
+            entries.append(_core.Heating())
+            continue
         if factor > 0:
             if grid.periodic:
                 raise ValueError(

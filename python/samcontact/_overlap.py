@@ -14,9 +14,10 @@ import numpy as np
 
 from . import hertz
 from ._core import ConvergenceError
+from .layered import softest
 
 if TYPE_CHECKING:
-    from .material import Material
+    from .layered import Body
     from .solution import ContactSolution
     from .state import State
 
@@ -27,16 +28,16 @@ SHARE = 1e-3
 def require_apart(
     found: ContactSolution | State,
     cell_area: float,
-    bodies: tuple[Material, Material],
+    bodies: tuple[Body, Body],
     friction: float,
     tol: float,
 ) -> None:
     """Raise ConvergenceError for a sliding contact whose bodies overlap."""
-    if not friction > 0 or bodies[0].parameters == bodies[1].parameters:
+    if not friction > 0 or bodies[0]._stack == bodies[1]._stack:
         return
     pressed = found.pressure > 0
     size = math.sqrt(np.count_nonzero(pressed) * cell_area)
-    scale = float(found.pressure.max()) * size / hertz.effective_modulus(*bodies)
+    scale = float(found.pressure.max()) * size / hertz.effective_modulus(*map(softest, bodies))
     overlap = -float(found.gap.min())
     if overlap > max(SHARE, 10 * tol) * scale > 0:
         error = ConvergenceError(

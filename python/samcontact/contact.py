@@ -19,7 +19,7 @@ from ._window import GROWS, Surfaces, Window, counts_for, require_continued, tol
 from .friction import Coulomb, Drive, Pressing, require_cold, tangential_drive
 from .grid import Grid
 from .heat import Heat
-from .material import Material
+from .layered import Body, require_bodies
 from .operators import depths_of, shear_components
 from .solution import ContactSolution, ShearedSolution, fits
 
@@ -40,7 +40,7 @@ class ContactSolver(Configured):
     Parameters
     ----------
     grid : Grid
-    body1, body2 : Material
+    body1, body2 : Material or Layered
         Upper and lower body; at most one is rigid. Plastic materials act elastically here.
     friction : float or Coulomb, optional
         Coefficient of friction mu >= 0 [-]: gross sliding along x. `Coulomb(mu)`: stick and slip.
@@ -64,8 +64,8 @@ class ContactSolver(Configured):
     def __init__(
         self,
         grid: Grid,
-        body1: Material,
-        body2: Material,
+        body1: Body,
+        body2: Body,
         friction: float | Coulomb = ContactSettings.friction,
         *,
         tol: float = ContactSettings.tol,
@@ -74,13 +74,11 @@ class ContactSolver(Configured):
         heat: Heat | None = None,
     ) -> None:
         require_type("grid", grid, Grid)
-        require_type("body1", body1, Material)
-        require_type("body2", body2, Material)
+        require_bodies(grid, body1, body2)
         self.grid = grid
         self.body1 = body1
         self.body2 = body2
         self._configure(ContactSettings(friction, tol, on_border, max_iterations))
-        upper, lower = body1._core.elastic_constants, body2._core.elastic_constants
         self.heat = COLD if heat is None else heat
         require_type("heat", self.heat, Heat)
         if self.heat.history is not None:
@@ -90,12 +88,13 @@ class ContactSolver(Configured):
             )
         self._heating = heating(self.heat, (body1, body2), grid)
         self._require_memory()
+        scene = grid._core, body1._stack, body2._stack
         self._core: _core.ContactSolver | _core.CoulombContact
         if isinstance(self.friction, Coulomb):
             require_cold(self.friction, self.heat)
-            self._core = _core.CoulombContact(grid._core, upper, lower, self.friction.coefficient)
+            self._core = _core.CoulombContact(*scene, self.friction.coefficient)
         else:
-            self._core = _core.ContactSolver(grid._core, upper, lower, self.friction, self._heating)
+            self._core = _core.ContactSolver(*scene, self.friction, self._heating)
 
     def __repr__(self) -> str:
         return (
@@ -104,7 +103,7 @@ class ContactSolver(Configured):
         )
 
     def _require_memory(self) -> None:
-        coupled = self.friction != 0 and self.body1.parameters != self.body2.parameters
+        coupled = self.friction != 0 and self.body1._stack != self.body2._stack
         cell = _memory.COUPLED_CONTACT if coupled else _memory.CONTACT
         if isinstance(self.friction, Coulomb):
             cell = _memory.STICK_SLIP
@@ -308,7 +307,7 @@ class ContactSolver(Configured):
         _memory.require_for_grid(f"the stress at {layers} depths", self.grid, needed)
         stress: FloatArray = _core.operators.surface_stress(
             self.grid._core,
-            material._core.elastic_constants,
+            material._stack,
             self._heating[body - 1],
             depths_of(z).tolist(),
             *self._tractions_on(body, pressure, shear),
@@ -352,9 +351,10 @@ class ContactSolver(Configured):
         needed = 3 * _memory.surface(self.grid, _memory.DISPLACEMENT)
         _memory.require_for_grid("a displacement", self.grid, needed)
         loads = self._tractions_on(body, pressure, shear)
-        elastic = material._core.elastic_constants
         along = _core.operators.surface_displacement
-        return np.stack([along(self.grid._core, elastic, *loads, axis) for axis in range(3)])
+        return np.stack(
+            [along(self.grid._core, material._stack, *loads, axis) for axis in range(3)]
+        )
 
     def _tractions_on(
         self, body: int, pressure: ArrayLike, shear: ArrayLike | None

@@ -87,9 +87,9 @@ def surface_displacement(
     needed = _memory.surface(grid, _memory.DISPLACEMENT)
     _memory.require_for_grid("a displacement", grid, needed)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
-    elastic = _core.Elastic.isotropic(E, nu)
+    body = _core.Stack(_core.Elastic.isotropic(E, nu))
     field: FloatArray = _core.operators.surface_displacement(
-        grid._core, elastic, p, *shear_components(grid, shear), number
+        grid._core, body, p, *shear_components(grid, shear), number
     )
     return field
 
@@ -119,9 +119,9 @@ def surface_stress(
     _memory.require_for_grid(f"the stress at {len(depths)} depths", grid, needed)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     # The stress due to tractions does not depend on Young's modulus.
-    elastic = _core.Elastic.isotropic(1.0, nu)
+    body = _core.Stack(_core.Elastic.isotropic(1.0, nu))
     field: FloatArray = _core.operators.surface_stress(
-        grid._core, elastic, _core.Heating(), depths.tolist(), p, *shear_components(grid, shear)
+        grid._core, body, _core.Heating(), depths.tolist(), p, *shear_components(grid, shear)
     )
     return field
 

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import hertz
 from ._checks import FloatArray
 from ._repr import lengths, quantity
+from .layered import materials_of, softest
 from .zone import strained_extent
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ class ElasticStrainWarning(UserWarning):
 def warn_of_strain(pressure: FloatArray, scene: Scene, *, stacklevel: int) -> bool:
     """Warn of pressures that linear elasticity cannot carry; whether it did."""
     largest = float(pressure.max())
-    share = largest / hertz.effective_modulus(*scene.bodies)
+    share = largest / hertz.effective_modulus(*map(softest, scene.bodies))
     if not share > LARGEST_STRAIN:
         return False
     text = (
@@ -267,7 +268,8 @@ def warn_of_unseen(
     half = 0.5 * min((s.stop - s.start) * d for s, d in zip(spot, sizes, strict=True))
     for body, material in enumerate(scene.bodies, 1):
         yields = last.max_equivalent_plastic_strain(body) > 0
-        if yields or not material.is_plastic or hardest < material.least_yield_stress:
+        weakest = min(m.least_yield_stress for m in materials_of(material))
+        if yields or not material.is_plastic or hardest < weakest:
             continue
         if half / grid.dz >= few:
             continue
@@ -290,7 +292,8 @@ def warn_of_step(state: State, scene: Scene, *, stacklevel: int) -> bool:
             return True
     for body, material in enumerate(scene.bodies, 1):
         strain = state.max_equivalent_plastic_strain(body)
-        beyond = strain * material.E > material.least_yield_stress
+        yielding = [m for m in materials_of(material) if m.is_plastic]
+        beyond = any(strain * m.E > m.least_yield_stress for m in yielding)
         if beyond and warn_of_zone([state], body, TOO_FEW, stacklevel=stacklevel + 1):
             return True
     return False

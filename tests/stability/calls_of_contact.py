@@ -16,6 +16,7 @@ GRID = sc.Grid(9, 9, 5e-5, 5e-5, 6, 5e-5)
 GAP = sc.surfaces.paraboloid(GRID, 7.5e-3)
 LOAD = 60.0
 SOFT = sc.Material.perfect_plastic(E, NU, 6e8)
+COATED = sc.Layered([(STEEL, 1e-6)], SOFT)
 KINEMATIC = SOFT.with_kinematic_hardening(1e10)
 NOTHING = np.zeros(GRID.surface_shape)
 PATCH = NOTHING.copy()
@@ -243,6 +244,17 @@ CALLS = [
             "history": None, "reference": 1.0,
         },
     ),
+    (
+        "Layered",
+        sc.Layered,
+        {"layers": [(STEEL, 1e-6), (SOFT, 2e-5)], "substrate": sc.Material.rigid()},
+    ),
+    (
+        "Layered.wave_compliance",
+        COATED.wave_compliance,
+        {"wavenumber": [1.0, 1e5]},
+    ),
+    ("Layered.material_at", COATED.material_at, {"z": 1e-6}),
     (
         "asperities.tug",
         sc.asperities.tug,

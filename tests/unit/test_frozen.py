@@ -19,6 +19,7 @@ STEEL = (
     .with_thermal(46.0, 11e-6, 13e-6)
     .with_softening(sc.softening.JohnsonCook(1800.0, 1.0))
 )
+GLASS = sc.Material.elastic(70e9, 0.2)
 GAP = sc.surfaces.paraboloid(GRID, 1e-3)
 
 
@@ -28,8 +29,8 @@ def simulation(**settings):
 
 
 KINDS = (
-    "grid", "heat", "material", "softening", "relief", "measured", "solver", "simulation", "state",
-    "track", "collision", "hertz",
+    "grid", "heat", "layered", "material", "softening", "relief", "measured", "solver",
+    "simulation", "state", "track", "collision", "hertz",
 )  # fmt: skip
 
 
@@ -39,6 +40,7 @@ def objects():
     return {
         "grid": GRID,
         "heat": sc.Heat(0.1),
+        "layered": sc.Layered([(sc.Material.elastic(1e9, 0.3), 1e-6)], GLASS),
         "material": STEEL,
         "softening": STEEL.softening,
         "relief": sc.Relief(HEIGHTS),

@@ -9,67 +9,13 @@
 #include "samcontact/kernels/far_displacement.hpp"
 #include "samcontact/kernels/surface_traction.hpp"
 #include "samcontact/kernels/wave.hpp"
+#include "samcontact/operators/corner_sums.hpp"
 #include "samcontact/operators/influence_lattice.hpp"
 
 namespace samcontact::operators {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// The edges of cells at offsets, in half cells from the centre of the source, each once.
-std::vector<int> edges_of(const std::vector<int>& offsets) {
-  std::vector<int> edges;
-  for (const int n : offsets) edges.insert(edges.end(), {2 * n - 1, 2 * n + 1});
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
-/// Corner sums of a cell of 1 by `aspect`, each corner evaluated once however many cells share it:
-/// [component][j][i] of the first `count` components.
-template <std::size_t N, class Corner>
-Field corner_sums(const CellOffsets& offsets, double aspect, int count, const Corner& corner) {
-  const std::vector<int> at_x = edges_of(offsets.x), at_y = edges_of(offsets.y);
-  const std::size_t corners_size = at_x.size() * at_y.size();
-  Field corners(N * corners_size);
-  std::size_t at = 0;
-  for (const int y : at_y) {
-    for (const int x : at_x) {
-      const std::array<double, N> f = corner(0.5 * x, 0.5 * y * aspect);
-      for (std::size_t c = 0; c < N; ++c) corners[c * corners_size + at] = f[c];
-      ++at;
-    }
-  }
-  // The upper edge follows the lower one.
-  const auto lower_edges = [](const std::vector<int>& cells, const std::vector<int>& edges) {
-    std::vector<std::size_t> places;
-    places.reserve(cells.size());
-    for (const int n : cells) {
-      places.push_back(std::lower_bound(edges.begin(), edges.end(), 2 * n - 1) - edges.begin());
-    }
-    return places;
-  };
-  const auto from_x = lower_edges(offsets.x, at_x), from_y = lower_edges(offsets.y, at_y);
-  Field sums;
-  sums.reserve(count * from_x.size() * from_y.size());
-  for (int c = 0; c < count; ++c) {
-    for (const std::size_t j : from_y) {
-      const double* lower = corners.data() + c * corners_size + j * at_x.size();
-      const double* upper = lower + at_x.size();
-      for (const std::size_t i : from_x) {
-        sums.push_back((upper[i + 1] - upper[i]) - (lower[i + 1] - lower[i]));
-      }
-    }
-  }
-  return sums;
-}
-
-/// Of one component.
-template <class Corner>
-Field corner_sums(const CellOffsets& offsets, double aspect, const Corner& corner) {
-  return corner_sums<1>(offsets, aspect, 1,
-                        [&](double x, double y) { return std::array{corner(x, y)}; });
-}
 
 /// u_z of pressure: by its moments far away.
 Field pressure_sums(const CellOffsets& offsets, double aspect) {
@@ -95,13 +41,6 @@ std::array<double, 6> turned(const std::array<double, 6>& s) {
   return {s[1], s[0], s[2], s[4], s[3], s[5]};
 }
 
-/// The components of the field that are asked for come first.
-kernels::Stress select(kernels::Stress s, Tensor tensor) {
-  if (tensor == Tensor::full) return s;
-  const double mean = (s[0] + s[1] + s[2]) / 3;
-  return {s[0] - mean, s[1] - mean, s[3], s[4], s[5], 0.0};
-}
-
 /// Corner sums of a row of cells without end, of the functions of a strip: [component][i].
 template <class Function>
 Field strip_sums(int nx, double d, const Function& function) {
@@ -111,19 +50,6 @@ Field strip_sums(int nx, double d, const Function& function) {
     for (int c = 0; c < 6; ++c) sums[c * nx + i] = (upper[c] - lower[c]) / pi;
   }
   return sums;
-}
-
-kernels::Stress wave_stress(Traction traction, double kx, double ky, double z, double nu) {
-  if (traction == Traction::pressure) return kernels::pressure_wave_stress(kx, ky, z, nu);
-  if (traction == Traction::shear_x) return kernels::shear_wave_stress(kx, ky, z, nu);
-  return turned(kernels::shear_wave_stress(ky, kx, z, nu));
-}
-
-kernels::Stress wave_mean(Traction traction, double kx, double ky, double z0, double z1,
-                          double nu) {
-  if (traction == Traction::pressure) return kernels::pressure_wave_mean(kx, ky, z0, z1, nu);
-  if (traction == Traction::shear_x) return kernels::shear_wave_mean(kx, ky, z0, z1, nu);
-  return turned(kernels::shear_wave_mean(ky, kx, z0, z1, nu));
 }
 
 std::array<double, 6> bar_displacement(Axis axis, double x, double z, double nu) {
@@ -175,6 +101,30 @@ kernels::Parity compliance_parity(Traction traction, Axis axis) {
 kernels::Parity stress_parity(Traction traction, int component) {
   const auto load = vector_parity(traction), own = kernels::component_parity(component);
   return {load.odd_x != own.odd_x, load.odd_y != own.odd_y, own.odd_z};
+}
+
+kernels::Stress select(kernels::Stress s, Tensor tensor) {
+  if (tensor == Tensor::full) return s;
+  const double mean = (s[0] + s[1] + s[2]) / 3;
+  return {s[0] - mean, s[1] - mean, s[3], s[4], s[5], 0.0};
+}
+
+kernels::Stress wave_stress(Traction traction, double kx, double ky, double z, double nu) {
+  if (traction == Traction::pressure) return kernels::pressure_wave_stress(kx, ky, z, nu);
+  if (traction == Traction::shear_x) return kernels::shear_wave_stress(kx, ky, z, nu);
+  return turned(kernels::shear_wave_stress(ky, kx, z, nu));
+}
+
+kernels::Stress wave_mean(Traction traction, double kx, double ky, double z0, double z1,
+                          double nu) {
+  if (traction == Traction::pressure) return kernels::pressure_wave_mean(kx, ky, z0, z1, nu);
+  if (traction == Traction::shear_x) return kernels::shear_wave_mean(kx, ky, z0, z1, nu);
+  return turned(kernels::shear_wave_mean(ky, kx, z0, z1, nu));
+}
+
+double betti_factor(Traction traction, int component) {
+  const auto parity = stress_parity(traction, component);
+  return (parity.odd_x != parity.odd_y ? -1.0 : 1.0) * (component < 3 ? 1.0 : 2.0);
 }
 
 double compliance_corner(Traction traction, Axis axis, double x, double y, double nu) {
@@ -314,8 +264,7 @@ CellInfluence residual_of_cell(double nu, Axis axis, const Grid& grid, int layer
   const auto uniform = uniform_stress(traction, nu);
   for (int c = 0; c < 6; ++c) {
     const auto parity = stress_parity(traction, c);
-    // Seen from the other end; each shear with its transpose.
-    factors[c] = (parity.odd_x != parity.odd_y ? -1.0 : 1.0) * (c < 3 ? 1.0 : 2.0);
+    factors[c] = betti_factor(traction, c);
     influence.parities.push_back(parity);
     influence.uniform.push_back(h * factors[c] * uniform[c]);
   }

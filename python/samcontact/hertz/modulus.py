@@ -35,9 +35,16 @@ def effective_modulus(body1: Body, body2: Body) -> float:
     ------
     ValueError
         A modulus is not positive, or both bodies are rigid.
+    TypeError
+        A body has layers.
     """
     compliance = 0.0
     for name, body in (("body1", body1), ("body2", body2)):
+        if not hasattr(body, "E"):
+            raise TypeError(
+                f"{name} must be homogeneous, with E and nu, got {body!r}: layers have no modulus "
+                "of their own"
+            )
         modulus = positive(f"{name}.E", body.E, allow_inf=True)
         if not math.isinf(modulus):
             compliance += (1.0 - poisson_ratio(f"{name}.nu", body.nu) ** 2) / modulus

@@ -29,6 +29,16 @@ CellInfluence compliance_of_cell(const Elastic& elastic, Traction traction, Axis
 /// under the component as an eigenstrain.
 kernels::Parity stress_parity(Traction traction, int component);
 
+/// The displacement over that stress: seen from the other end, each shear with its transpose.
+double betti_factor(Traction traction, int component);
+
+/// The components of a tensor that a field has, first.
+kernels::Stress select(kernels::Stress s, Tensor tensor);
+/// Stress under a wave of a traction at a depth, and its mean over depths, in the sense of
+/// kernels/wave.hpp.
+kernels::Stress wave_stress(Traction traction, double kx, double ky, double z, double nu);
+kernels::Stress wave_mean(Traction traction, double kx, double ky, double z0, double z1, double nu);
+
 /// Corner functions of the stress under a unit traction on a rectangle, whose corner sum counts
 /// 1/(2 pi).
 kernels::Stress stress_corner(Traction traction, double x, double y, double z, double nu);

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Answer of layers on a substrate to a wave of surface traction exp(i (kx x + ky y)): impedances
+// and reflections from the bottom up, without growing exponentials (docs/theory.md, "Layers").
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "samcontact/base/stack.hpp"
+#include "samcontact/kernels/surface_traction.hpp"
+
+namespace samcontact::kernels {
+
+/// Displacement of the surface in the frame of the wave, times its wavenumber [1/Pa]: along it
+/// under shear along it, along it under pressure (and down under shear), down under pressure, and
+/// across under shear across. All > 0 but the second.
+struct WaveCompliance {
+  double along, coupling, down, across;
+};
+/// Of a homogeneous half-space: the same for all waves.
+WaveCompliance wave_compliance(const Elastic& elastic);
+
+/// exp(-y) and y exp(-y) at a depth y times the wavelength over 2 pi, or their means over depths.
+struct WaveDecay {
+  double e, ye;
+  static WaveDecay at(double y);
+  static WaveDecay mean(double y0, double y1);
+};
+
+/// Scratch for one thread: set_wavenumber() comes before all else.
+class LayeredWave {
+ public:
+  explicit LayeredWave(const Stack& stack);
+
+  /// q > 0 [1/m].
+  void set_wavenumber(double q);
+  WaveCompliance compliance() const;
+
+  /// In one layer, exp(-y) and y exp(-y) of what decays from its top and from its bottom: at a
+  /// depth, or their means over z0 < z < z1.
+  struct Decays {
+    WaveDecay down, up;
+  };
+  Decays at(int layer, double z) const;
+  Decays mean(int layer, double z0, double z1) const;
+  /// Stress xx, yy, zz, yz, xz, xy [-] there under unit pressure and under unit shear along x, the
+  /// real factors of kernels/wave.hpp, with the direction of the wave.
+  Stress under_pressure(int layer, const Decays& decays, double cos, double sin) const;
+  Stress under_shear_x(int layer, const Decays& decays, double cos, double sin) const;
+
+ private:
+  using Matrix = Eigen::Matrix2d;
+  using Vector = Eigen::Vector2d;
+
+  /// Waves that decay from the top (a) and from the bottom (b) of a layer, in the plane and across.
+  struct Amplitudes {
+    Vector a, b;
+    double across_a, across_b;
+  };
+  struct LayerWaves {
+    Matrix traction_down, traction_up, displacement_down, displacement_up;  // of amplitudes
+    double softness, thickness, top;
+    // Of the wavenumber.
+    Matrix decay = Matrix::Zero(), reflection = Matrix::Zero(), to_amplitude = Matrix::Zero();
+    double across_decay = 0.0, across_reflection = 0.0, across_to_amplitude = 0.0;
+  };
+  /// Under tractions (T, N) and T_2 on the surface.
+  Amplitudes amplitudes(int layer, Vector traction, double across) const;
+  /// Stress in the frame of the wave.
+  struct Turned;
+  Turned turned(int layer, const Decays& decays, const Vector& traction, double across) const;
+
+  std::vector<LayerWaves> layers_;
+  std::vector<double> poisson_;
+  bool on_rigid_;
+  double q_ = 0.0;
+  WaveCompliance compliance_{};
+};
+
+}  // namespace samcontact::kernels

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Influence of a rectangle from its waves, by rings in wavenumber: windows, each half as wide as
+// the one before, whose short Fourier sums have periods of their own, so that nothing wraps around
+// and offsets are exact (docs/theory.md, "Layers").
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
+
+namespace samcontact::kernels {
+
+/// Components of waves exp(i (kx x + ky y)), the real factors of kernels/wave.hpp.
+struct RingWaves {
+  std::vector<Parity> parities;
+  /// At kx, ky >= 0, for all components; finite at kx = ky = 0.
+  std::function<void(double kx, double ky, double* values)> at;
+  double highest;  // wavenumber beyond which they are negligible [1/m]
+  double longest;  // length over which they vary in space beyond the offsets [m]
+};
+
+/// What a rectangle dx by dy with a unit load does at offsets >= 0 [m] from its centre:
+/// [component][j][i], to 1e-9 of the largest.
+Field ring_sums(const RingWaves& waves, double dx, double dy, std::span<const double> x,
+                std::span<const double> y);
+
+}  // namespace samcontact::kernels

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Layers on a substrate: a medium with coefficients from its waves.
+#pragma once
+
+#include "samcontact/base/stack.hpp"
+#include "samcontact/operators/medium.hpp"
+
+namespace samcontact::operators {
+
+/// Neighbours that are alike are one; a half_space() where only the substrate is left. What layers
+/// do not serve yet throws std::invalid_argument: periodic surfaces, heat and stress of
+/// eigenstrain.
+SharedMedium medium_of(const Stack& stack);
+
+}  // namespace samcontact::operators

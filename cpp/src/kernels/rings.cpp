@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/kernels/rings.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace samcontact::kernels {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+
+constexpr double pi = std::numbers::pi;
+/// Width of the windows' edges, and where their kernels have decayed: exp(-(reach/2)^2).
+constexpr double edge = 0.2, reach = 9.0;
+/// Wavenumber of the last disc times the longest length: it sums up to 90 times that length away.
+constexpr double last = 0.2;
+constexpr double negligible = 1e-13;
+
+/// 1 below q1, 0 above.
+double window(double q, double q1) { return 0.5 * std::erfc((q / q1 - 1) / edge); }
+
+double sinc(double x) { return x == 0 ? 1.0 : std::sin(x) / x; }
+
+/// The wavenumbers of a ring along one axis, and their waves at the offsets within its reach.
+struct RingAxis {
+  std::vector<int> places;  // of offsets
+  Eigen::VectorXd k;
+  Matrix even, odd;  // [offset][wavenumber], with the weight of the sum
+
+  RingAxis(std::span<const double> offsets, double cell, double support, double wavenumber,
+           bool is_last) {
+    const double reached = support + 0.5 * cell;
+    double farthest = 0.0;
+    for (std::size_t n = 0; n < offsets.size(); ++n) {
+      if (!is_last && offsets[n] > reached) continue;
+      places.push_back(static_cast<int>(n));
+      farthest = std::max(farthest, offsets[n]);
+    }
+    const double period = reached + (is_last ? reached : farthest);
+    const int count =
+        static_cast<int>(std::ceil((1 + 5 * edge) * wavenumber * period / (2 * pi))) + 1;
+    k = Eigen::VectorXd::LinSpaced(count, 0.0, 2 * pi / period * (count - 1));
+    if (count == 1) k[0] = 0.0;
+    const auto rows = static_cast<Eigen::Index>(places.size());
+    even.resize(rows, count);
+    odd.resize(rows, count);
+    for (Eigen::Index m = 0; m < count; ++m) {
+      const double weight = (m > 0 ? 2.0 : 1.0) * cell / period * sinc(0.5 * k[m] * cell);
+      for (Eigen::Index n = 0; n < rows; ++n) {
+        const double phase = k[m] * offsets[places[n]];
+        even(n, m) = weight * std::cos(phase);
+        odd(n, m) = weight * std::sin(phase);
+      }
+    }
+  }
+};
+
+/// Adds one ring between wavenumbers inner and outer to the sums.
+void add_ring(const RingWaves& waves, const RingAxis& x, const RingAxis& y, double inner,
+              double outer, std::size_t nx, std::size_t plane, Field& sums) {
+  const std::size_t count = waves.parities.size();
+  std::vector<Matrix> values(count, Matrix::Zero(x.k.size(), y.k.size()));
+  std::vector<double> wave(count);
+  for (Eigen::Index n = 0; n < y.k.size(); ++n) {
+    for (Eigen::Index m = 0; m < x.k.size(); ++m) {
+      const double q = std::hypot(x.k[m], y.k[n]);
+      const double share = window(q, outer) - (inner > 0 ? window(q, inner) : 0.0);
+      if (std::fabs(share) < negligible) continue;
+      waves.at(x.k[m], y.k[n], wave.data());
+      for (std::size_t c = 0; c < count; ++c) values[c](m, n) = share * wave[c];
+    }
+  }
+  for (std::size_t c = 0; c < count; ++c) {
+    const auto& [odd_x, odd_y, odd_z] = waves.parities[c];
+    const Matrix ring = (odd_x ? x.odd : x.even) * values[c] * (odd_y ? y.odd : y.even).transpose();
+    for (std::size_t n = 0; n < y.places.size(); ++n) {
+      double* row = sums.data() + c * plane + y.places[n] * nx;
+      for (std::size_t m = 0; m < x.places.size(); ++m) row[x.places[m]] += ring(m, n);
+    }
+  }
+}
+
+}  // namespace
+
+Field ring_sums(const RingWaves& waves, double dx, double dy, std::span<const double> x,
+                std::span<const double> y) {
+  Field sums(waves.parities.size() * x.size() * y.size(), 0.0);
+  const double extent = std::max({std::ranges::max(x), std::ranges::max(y), waves.longest});
+  for (double outer = waves.highest;; outer *= 0.5) {
+    const bool is_last = outer * extent < last;
+    const double inner = is_last ? 0.0 : 0.5 * outer;
+    const double support = reach / (edge * (is_last ? outer : inner));
+    // Within the cells their total acts, and a ring has none.
+    if (!is_last && support < 0.5 * std::min(dx, dy)) continue;
+    add_ring(waves, {x, dx, support, outer, is_last}, {y, dy, support, outer, is_last}, inner,
+             outer, x.size(), x.size() * y.size(), sums);
+    if (is_last) return sums;
+  }
+}
+
+}  // namespace samcontact::kernels

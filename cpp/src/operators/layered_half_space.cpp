@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/layered_half_space.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "samcontact/kernels/layered_wave.hpp"
+#include "samcontact/operators/half_space.hpp"
+#include "samcontact/operators/layered_influence.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument("a layered body has no " + what +
+                              ": give a homogeneous body instead");
+}
+
+void require_free(const Grid& grid) {
+  if (grid.period.is_on()) refuse("contact on a periodic grid");
+}
+
+class LayeredHalfSpace : public Medium {
+ public:
+  explicit LayeredHalfSpace(Stack stack) : stack_(std::move(stack)) {}
+
+  bool is_rigid() const override { return false; }
+  bool operator==(const Medium& other) const override {
+    const auto* layered = dynamic_cast<const LayeredHalfSpace*>(&other);
+    return layered != nullptr && layered->stack_ == stack_;
+  }
+
+  Field compliance(Traction traction, Axis axis, const Grid& grid,
+                   const CellOffsets& offsets) const override {
+    require_free(grid);
+    return layered_compliance(stack_, traction, axis, grid, offsets);
+  }
+  double wave_compliance(double wavenumber) const override {
+    kernels::LayeredWave wave(stack_);
+    wave.set_wavenumber(wavenumber);
+    return wave.compliance().down / wavenumber;
+  }
+
+  Field stress(Traction traction, const Grid& grid, const KernelOffsets& offsets, double z,
+               Tensor tensor) const override {
+    return stress(traction, grid, CellOffsets::lattice(offsets.nx, offsets.ny), z, tensor);
+  }
+  Field stress(Traction traction, const Grid& grid, const CellOffsets& offsets, double z,
+               Tensor tensor) const override {
+    require_free(grid);
+    return layered_stress(stack_, traction, grid, offsets, z, tensor);
+  }
+  Field residual_displacement(Axis axis, const Grid& grid, const CellOffsets& offsets,
+                              int layer) const override {
+    require_free(grid);
+    return layered_residual_displacement(stack_, axis, grid, offsets, layer);
+  }
+
+  std::unique_ptr<ResidualStress> residual_stress(const Grid&, const VolumeTransform&,
+                                                  const ResidualSettings&) const override {
+    refuse("stress of plastic strain");
+  }
+  std::unique_ptr<ResidualDisplacement> residual_displacement(
+      Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,
+      const ResidualDisplacement* shallower) const override {
+    require_free(grid);
+    const KernelOffsets offsets(grid, transform.mx(), transform.my());
+    const auto lattice = CellOffsets::lattice(offsets.nx, offsets.ny);
+    const auto layer = [&](int k) {
+      return layered_residual_displacement(stack_, axis, grid, lattice, k);
+    };
+    return std::make_unique<ResidualDisplacement>(grid, transform, axis, layer, grid.nz, tensor,
+                                                  shallower);
+  }
+
+  ParityParts heat_displacement(const Heating&, double, double, const Offsets&) const override {
+    refuse("frictional heat");
+  }
+  std::array<ParityParts, 6> heat_stress(const Heating&, double, double, double,
+                                         const Offsets&) const override {
+    refuse("frictional heat");
+  }
+  HeatHistory heat_history(const Grid&, const Heating&, const HeatHistorySettings&) const override {
+    refuse("frictional heat");
+  }
+
+ private:
+  Stack stack_;
+};
+
+}  // namespace
+
+SharedMedium medium_of(const Stack& stack) {
+  Stack joined = stack.joined();
+  if (joined.layers.empty()) return half_space(joined.substrate);
+  return std::make_shared<const LayeredHalfSpace>(std::move(joined));
+}
+
+}  // namespace samcontact::operators

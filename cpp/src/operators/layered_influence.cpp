@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/layered_influence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "samcontact/kernels/buried_displacement.hpp"
+#include "samcontact/kernels/layered_wave.hpp"
+#include "samcontact/kernels/rings.hpp"
+#include "samcontact/operators/corner_sums.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+using kernels::WaveCompliance;
+
+/// Wavenumber times thickness at which what comes back from a layer's bottom is below rounding.
+constexpr double deepest_wave = 22.0;
+/// The same of stress, times twice the thickness less the depth, or times the depth.
+constexpr double deepest_stress_wave = 42.0;
+/// Shortest wavenumber that is evaluated, times the longest length: the limit is linear in it.
+constexpr double shortest_wave = 1e-5;
+
+/// Length over which a body differs from its substrate: stiff layers bend as plates.
+double longest_length(const Stack& stack) {
+  double stiffest = 1.0;
+  for (const ElasticLayer& layer : stack.layers) {
+    if (!stack.substrate.is_rigid()) {
+      stiffest = std::max(stiffest, layer.elastic.E / stack.substrate.E);
+    }
+  }
+  return 2 * stack.thickness() * std::cbrt(stiffest);
+}
+
+WaveCompliance combined(const WaveCompliance& a, double factor, const WaveCompliance& b) {
+  return {a.along + factor * b.along, a.coupling + factor * b.coupling, a.down + factor * b.down,
+          a.across + factor * b.across};
+}
+
+/// The displacement that waves of a traction cause along an axis, times the wavenumber, with the
+/// direction of the wave.
+double component(const WaveCompliance& of, Traction traction, Axis axis, double c, double s) {
+  if (traction == Traction::shear_y) {
+    return component(of, Traction::shear_x, exchanged(axis), s, c);
+  }
+  if (traction == Traction::pressure) {
+    return axis == Axis::z ? of.down : -of.coupling * (axis == Axis::x ? c : s);
+  }
+  if (axis == Axis::z) return c * of.coupling;
+  return axis == Axis::x ? c * c * of.along + s * s * of.across : c * s * (of.across - of.along);
+}
+
+/// The same of waves exp(-q d)/q on a rectangle: a corner function, whose sum counts 1/(2 pi).
+double buried(const WaveCompliance& of, Traction traction, Axis axis, double x, double y,
+              double d) {
+  if (traction == Traction::shear_y || (traction == Traction::pressure && axis == Axis::y)) {
+    return buried(of, exchanged(traction), exchanged(axis), y, x, d);
+  }
+  if (traction == Traction::pressure) {
+    return axis == Axis::z ? of.down * kernels::buried_displacement(x, y, d)
+                           : -of.coupling * kernels::buried_coupling(x, y, d);
+  }
+  if (axis == Axis::z) return of.coupling * kernels::buried_coupling(x, y, d);
+  if (axis == Axis::y) return (of.across - of.along) * kernels::buried_across(x, y, d);
+  return of.across * kernels::buried_displacement(x, y, d) +
+         (of.along - of.across) * kernels::buried_along(x, y, d);
+}
+
+/// A wavenumber that is not 0, in the direction in which even components have their mean.
+std::array<double, 2> moved_from_zero(double kx, double ky, double longest) {
+  if (kx != 0 || ky != 0) return {kx, ky};
+  return {shortest_wave / longest, shortest_wave / longest};
+}
+
+/// Highest wavenumber at which the stress at a depth differs from that of a half-space.
+double highest_stress_wave(const Stack& stack, int layer, double z) {
+  return deepest_stress_wave / (layer > 0 ? z : 2 * stack.layers[0].thickness - z);
+}
+
+/// Stress of a wave of a traction from that of the tractions along x.
+template <class Decays>
+kernels::Stress stress_of(const kernels::LayeredWave& wave, Traction traction, int layer,
+                          const Decays& decays, double c, double s) {
+  if (traction == Traction::pressure) return wave.under_pressure(layer, decays, c, s);
+  if (traction == Traction::shear_x) return wave.under_shear_x(layer, decays, c, s);
+  const auto turned = wave.under_shear_x(layer, decays, s, c);
+  return {turned[1], turned[0], turned[2], turned[4], turned[3], turned[5]};
+}
+
+}  // namespace
+
+Field layered_compliance(const Stack& stack, Traction traction, Axis axis, const Grid& grid,
+                         const CellOffsets& offsets) {
+  const Elastic& top = stack.elastic(0);
+  Field table = cell_compliance(top, traction, axis, grid, offsets);
+  if (stack.layers.empty()) return table;
+  // Far away the substrate acts, at a distance that leaves the near field to the top layer.
+  const WaveCompliance near = kernels::wave_compliance(top);
+  const WaveCompliance far = combined(kernels::wave_compliance(stack.substrate), -1.0, near);
+  const double d = 2 * stack.thickness(), longest = longest_length(stack);
+  const double scale = grid.dx / (2 * std::numbers::pi);
+  const Field distant = corner_sums(offsets, grid.dy / grid.dx, [&](double x, double y) {
+    return scale * buried(far, traction, axis, x, y, d / grid.dx);
+  });
+  kernels::LayeredWave wave(stack);
+  const auto rest = [&](double kx, double ky, double* value) {
+    const auto [x, y] = moved_from_zero(kx, ky, longest);
+    const double q = std::hypot(x, y);
+    wave.set_wavenumber(q);
+    const auto own = combined(combined(wave.compliance(), -1.0, near), -std::exp(-q * d), far);
+    *value = component(own, traction, axis, x / q, y / q) / q;
+  };
+  const auto [x, y] = offsets.in_metres(grid.dx, grid.dy);
+  const Field sums = kernels::ring_sums({{compliance_parity(traction, axis)},
+                                         rest,
+                                         deepest_wave / stack.layers[0].thickness,
+                                         longest},
+                                        grid.dx, grid.dy, x, y);
+  for (std::size_t n = 0; n < table.size(); ++n) table[n] += distant[n] + sums[n];
+  return table;
+}
+
+Field layered_stress(const Stack& stack, Traction traction, const Grid& grid,
+                     const CellOffsets& offsets, double z, Tensor tensor) {
+  const int layer = stack.layer_at(z);
+  const double nu = stack.elastic(layer).nu;
+  Field table = cell_stress(nu, traction, grid, offsets, z, tensor);
+  if (stack.layers.empty()) return table;
+  const double longest = std::max(longest_length(stack), z);
+  kernels::LayeredWave wave(stack);
+  const auto rest = [&](double kx, double ky, double* values) {
+    const auto [x, y] = moved_from_zero(kx, ky, longest);
+    const double q = std::hypot(x, y);
+    wave.set_wavenumber(q);
+    auto stress = stress_of(wave, traction, layer, wave.at(layer, z), x / q, y / q);
+    const auto near = wave_stress(traction, x, y, z, nu);
+    for (int c = 0; c < 6; ++c) stress[c] -= near[c];
+    std::ranges::copy_n(select(stress, tensor).begin(), count(tensor), values);
+  };
+  kernels::RingWaves waves{{}, rest, highest_stress_wave(stack, layer, z), longest};
+  for (const int c : components(tensor)) waves.parities.push_back(stress_parity(traction, c));
+  const auto [x, y] = offsets.in_metres(grid.dx, grid.dy);
+  const Field sums = kernels::ring_sums(waves, grid.dx, grid.dy, x, y);
+  for (std::size_t n = 0; n < table.size(); ++n) table[n] += sums[n];
+  return table;
+}
+
+Field layered_residual_displacement(const Stack& stack, Axis axis, const Grid& grid,
+                                    const CellOffsets& offsets, int layer) {
+  const double z0 = layer * grid.dz, z1 = (layer + 1) * grid.dz;
+  const int own = stack.layer_at(0.5 * (z0 + z1));
+  const double nu = stack.elastic(own).nu;
+  Field table = cell_residual_displacement(nu, axis, grid, offsets, layer);
+  if (stack.layers.empty()) return table;
+  const double longest = std::max(longest_length(stack), z1);
+  // Betti: the work of a traction on the displacement is that of its stress on the eigenstrain.
+  const Traction traction = traction_along(axis);
+  kernels::RingWaves waves{{}, {}, highest_stress_wave(stack, own, own > 0 ? z0 : z1), longest};
+  std::array<double, 6> factors{};
+  for (int c = 0; c < 6; ++c) {
+    waves.parities.push_back(stress_parity(traction, c));
+    factors[c] = betti_factor(traction, c) * grid.dz;
+  }
+  kernels::LayeredWave wave(stack);
+  waves.at = [&](double kx, double ky, double* values) {
+    const auto [x, y] = moved_from_zero(kx, ky, longest);
+    const double q = std::hypot(x, y);
+    wave.set_wavenumber(q);
+    const auto stress = stress_of(wave, traction, own, wave.mean(own, z0, z1), x / q, y / q);
+    const auto near = wave_mean(traction, x, y, z0, z1, nu);
+    for (int c = 0; c < 6; ++c) values[c] = factors[c] * (stress[c] - near[c]);
+  };
+  const auto [x, y] = offsets.in_metres(grid.dx, grid.dy);
+  const Field sums = kernels::ring_sums(waves, grid.dx, grid.dy, x, y);
+  for (std::size_t n = 0; n < table.size(); ++n) table[n] += sums[n];
+  return table;
+}
+
+}  // namespace samcontact::operators

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Layers on a substrate, against Hankel integrals of their waves and homogeneous half-spaces.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "samcontact/kernels/gauss.hpp"
+#include "samcontact/kernels/layered_wave.hpp"
+#include "samcontact/operators/half_space.hpp"
+#include "samcontact/operators/layered_half_space.hpp"
+#include "samcontact/operators/layered_influence.hpp"
+
+using namespace samcontact;
+using namespace samcontact::operators;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr Elastic soft{1.0, 0.3}, stiff{4.0, 0.25};
+
+double largest(const Field& field) {
+  double found = 0.0;
+  for (const double v : field) found = std::max(found, std::fabs(v));
+  return found;
+}
+
+double difference(const Field& a, const Field& b) {
+  double found = 0.0;
+  for (std::size_t n = 0; n < a.size(); ++n) found = std::max(found, std::fabs(a[n] - b[n]));
+  return found;
+}
+
+/// Nodes from 0 to `end`, in panels that grow from a small one at 0 [1/m].
+std::vector<kernels::QuadratureNode> wavenumbers(double end, double first, double widest) {
+  std::vector<kernels::QuadratureNode> nodes;
+  for (double at = 0.0, step = first; at < end; at += step, step = std::min(1.4 * step, widest)) {
+    for (const auto& node : kernels::gauss_legendre(10)) {
+      nodes.push_back({at + node.at * step, node.weight * step});
+    }
+  }
+  return nodes;
+}
+
+/// u_z of a unit force at a distance on the surface, less that of a homogeneous body of the top
+/// layer: down, under pressure, and under shear towards the point.
+std::array<double, 2> rest_of_force(const Stack& stack, double r,
+                                    const std::vector<kernels::QuadratureNode>& nodes) {
+  const auto near = kernels::wave_compliance(stack.elastic(0));
+  kernels::LayeredWave wave(stack);
+  std::array<double, 2> u{};
+  for (const auto& [q, weight] : nodes) {
+    wave.set_wavenumber(q);
+    const auto own = wave.compliance();
+    u[0] += weight / (2 * pi) * (own.down - near.down) * std::cyl_bessel_j(0, q * r);
+    u[1] += weight / (2 * pi) * (own.coupling - near.coupling) * std::cyl_bessel_j(1, q * r);
+  }
+  return u;
+}
+
+}  // namespace
+
+TEST_CASE("coefficients of layers are Hankel integrals of their waves") {
+  const Stack stack = Stack::of({{stiff, 1.5}, {soft, 0.5}}, {2.0, 0.4});
+  const Grid grid(1, 1, 1.0, 1.0);
+  const CellOffsets offsets{{0, 4, 1}, {2, 0}};
+  const Field down = layered_compliance(stack, Traction::pressure, Axis::z, grid, offsets);
+  const Field side = layered_compliance(stack, Traction::shear_x, Axis::z, grid, offsets);
+  const auto nodes = wavenumbers(20.0, 0.01, 0.7);
+  const auto points = kernels::gauss_legendre(6);
+  const double scale = largest(down);
+  std::size_t at = 0;
+  for (const int j : offsets.y) {
+    for (const int i : offsets.x) {
+      const CellOffsets one{{i}, {j}};
+      double pressed = cell_compliance(stiff, Traction::pressure, Axis::z, grid, one)[0];
+      double sheared = cell_compliance(stiff, Traction::shear_x, Axis::z, grid, one)[0];
+      for (const auto& s : points) {
+        for (const auto& t : points) {
+          const double x = i + s.at - 0.5, y = j + t.at - 0.5, r = std::hypot(x, y);
+          const auto [u, v] = rest_of_force(stack, r, nodes);
+          pressed += s.weight * t.weight * u;
+          sheared += s.weight * t.weight * v * x / r;
+        }
+      }
+      CHECK(std::fabs(down[at] - pressed) < 1e-7 * scale);
+      CHECK(std::fabs(side[at] - sheared) < 1e-7 * scale);
+      ++at;
+    }
+  }
+}
+
+TEST_CASE("layers that are alike are a half-space") {
+  const Stack alike = Stack::of({{stiff, 0.3}, {stiff, 2.0}}, stiff);
+  CHECK(*medium_of(alike) == *half_space(stiff));
+  const auto steel = half_space(stiff);
+  Grid grid(1, 1, 1.0, 0.7, 4, 0.25);
+  const auto offsets = CellOffsets::lattice(9, 7);
+  for (const Traction traction : all_tractions) {
+    for (const Axis axis : all_axes) {
+      const Field exact = steel->compliance(traction, axis, grid, offsets);
+      const double scale = largest(steel->compliance(traction, axis, grid, offsets));
+      CHECK(difference(layered_compliance(alike, traction, axis, grid, offsets), exact) <
+            1e-12 * scale);
+    }
+    for (const double z : {0.0, 0.1, 0.3, 1.0, 5.0}) {
+      const Field exact = steel->stress(traction, grid, offsets, z, Tensor::deviator);
+      CHECK(difference(layered_stress(alike, traction, grid, offsets, z, Tensor::deviator), exact) <
+            1e-11);
+    }
+  }
+}
+
+TEST_CASE("stress of layers is in equilibrium, bonded and what the surface is loaded with") {
+  const Stack stack = Stack::of({{stiff, 0.6}, {soft, 1.1}}, {10.0, 0.1});
+  const Grid grid(1, 1, 1.0, 0.8);
+  const auto offsets = CellOffsets::lattice(5, 4);
+  const std::size_t plane = 20;
+  for (const Traction traction : all_tractions) {
+    const int own = traction == Traction::pressure ? 2 : traction == Traction::shear_x ? 4 : 3;
+    const Field top = layered_stress(stack, traction, grid, offsets, 0.0, Tensor::full);
+    for (const int c : {2, 3, 4}) {
+      for (std::size_t n = 0; n < plane; ++n) {
+        const double exact = c == own && n == 0 ? -1.0 : 0.0;
+        CHECK(std::fabs(top[c * plane + n] - exact) < 1e-9);
+      }
+    }
+    for (const double z : {0.6, stack.thickness()}) {
+      const Field below = layered_stress(stack, traction, grid, offsets, z, Tensor::full);
+      const Field above =
+          layered_stress(stack, traction, grid, offsets, std::nextafter(z, 0.0), Tensor::full);
+      for (std::size_t n = 0; n < 6 * plane; ++n) {
+        const auto c = n / plane;
+        if (c >= 2 && c <= 4) CHECK(std::fabs(above[n] - below[n]) < 1e-8);
+      }
+      CHECK(difference(above, below) > 1e-2);
+    }
+    if (traction != Traction::pressure) continue;
+    // What a plane carries is what the surface does.
+    const auto wide = CellOffsets::lattice(60, 75);
+    const Field deep = layered_stress(stack, traction, grid, wide, 0.9, Tensor::full);
+    double total = 0.0;
+    for (std::size_t n = 0; n < 60 * 75; ++n) {
+      const double twins = (n % 60 > 0 ? 2 : 1) * (n >= 60 ? 2 : 1);
+      total += twins * deep[own * 60 * 75 + n];
+    }
+    CHECK(total == doctest::Approx(-1.0).epsilon(1e-4));
+  }
+}

@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bodies of layers: coatings on a substrate."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import accumulate
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._checks import FloatArray, finite, positive, real_array, require_type
+from ._laws import core_stack
+from ._repr import Rows, Shown, material_in_short, quantity
+from .grid import Grid
+from .material import Material
+
+
+def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
+    if isinstance(given, Material) or not isinstance(given, Iterable):
+        raise TypeError(f"layers must be a list of (material, thickness), got {given!r}")
+    layers = []
+    for n, layer in enumerate(given):
+        if isinstance(layer, Material) or not isinstance(layer, Sequence) or len(layer) != 2:
+            raise TypeError(f"layers[{n}] must be (material, thickness), got {layer!r}")
+        material, thickness = layer
+        require_type(f"material of layers[{n}]", material, Material)
+        if material.is_rigid:
+            raise ValueError(f"layers[{n}] is rigid: only the substrate may be")
+        layers.append((material, positive(f"thickness of layers[{n}]", thickness)))
+    if not layers:
+        raise ValueError("layers must hold at least one layer: the substrate alone is a body too")
+    return tuple(layers)
+
+
+@dataclass(frozen=True, repr=False)
+class Layered(Shown):
+    """Layers on a substrate, perfectly bonded: a coated body, to be used like a `Material`.
+
+    Parameters
+    ----------
+    layers : sequence of pairs
+        Material and thickness [m] of each layer, from the surface down; any number.
+    substrate : Material
+        What lies below them, without end; `Material.rigid()` is allowed.
+
+    Raises
+    ------
+    ValueError
+        There is no layer, a layer is rigid, a thickness is not a finite number > 0, or a material
+        has thermal constants or softens, for which layers have no kernels.
+    TypeError
+        Something is not a material or not a number.
+
+    Notes
+    -----
+    Waves of each wavenumber are reflected and transmitted at the interfaces by a recursion of
+    impedances that holds for thick and thin layers (docs/theory.md, "Layers"). Stresses in the
+    surface's plane jump at interfaces. A depth that lies exactly on one belongs to the layer below;
+    ``np.nextafter(z, 0.0)`` is the layer above.
+    """
+
+    layers: tuple[tuple[Material, float], ...]
+    substrate: Material
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "layers", _checked_layers(self.layers))
+        require_type("substrate", self.substrate, Material)
+        for name, material in self._named_materials():
+            for what in ("thermal", "softening"):
+                if getattr(material, what) is not None:
+                    raise ValueError(
+                        f"{name} must have no {what}, got {getattr(material, what)!r}: layered "
+                        "bodies have no kernels of heat"
+                    )
+        self._stack  # noqa: B018  (the core checks thicknesses)
+
+    def _named_materials(self) -> list[tuple[str, Material]]:
+        named = [(f"layers[{n}]", material) for n, (material, _) in enumerate(self.layers)]
+        return [*named, ("substrate", self.substrate)]
+
+    @cached_property
+    def _stack(self) -> Any:
+        return core_stack(self.layers, self.substrate)
+
+    @property
+    def interfaces(self) -> FloatArray:
+        """Depth of the bottom of each layer [m], shape (number of layers,)."""
+        return np.array(list(accumulate(h for _, h in self.layers)))
+
+    @property
+    def is_rigid(self) -> bool:
+        """False: layers are elastic."""
+        return False
+
+    @property
+    def is_plastic(self) -> bool:
+        """Whether a layer or the substrate can yield."""
+        return any(material.is_plastic for _, material in self._named_materials())
+
+    def material_at(self, z: float) -> Material:
+        """The material at a depth z >= 0 [m]; on an interface that below it."""
+        depth = finite("z", z)
+        if not depth >= 0:
+            raise ValueError(f"z must be >= 0, got {z!r}")
+        below = int(np.searchsorted(self.interfaces, depth, side="right"))
+        return self._named_materials()[below][1]
+
+    def wave_compliance(self, wavenumber: ArrayLike) -> FloatArray:
+        """Displacement u_z of the surface over the pressure of a wave cos(q x) [m/Pa].
+
+        Parameters
+        ----------
+        wavenumber : array_like
+            q = 2 pi over the wavelength [1/m], > 0.
+
+        Returns
+        -------
+        ndarray
+            Of the same shape: (1 - nu^2) 2/(E q) of the substrate for long waves, of the top layer
+            for short ones.
+        """
+        q = real_array("wavenumber", wavenumber)
+        bad = ~(np.isfinite(q) & (q > 0))
+        if bad.any():
+            raise ValueError(f"wavenumber must be finite and > 0, got {float(q[bad].flat[0])!r}")
+        found = self._stack.wave_compliance(np.ascontiguousarray(q).ravel())
+        return np.asarray(found).reshape(q.shape)
+
+    def _rows(self) -> Rows:
+        rows = [
+            (f"layer {n}", f"{quantity(h, 'm')} of {material_in_short(material)}")
+            for n, (material, h) in enumerate(self.layers, 1)
+        ]
+        return [*rows, ("substrate", material_in_short(self.substrate))]
+
+    def __repr__(self) -> str:
+        return f"Layered({list(self.layers)!r}, {self.substrate!r})"
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"layers": self.layers, "substrate": self.substrate}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+
+Body = Material | Layered
+
+
+def require_bodies(grid: Grid, *bodies: Any) -> None:
+    """Raise TypeError for what is neither a material nor layers of them, ValueError for layers on a
+    periodic grid."""
+    for n, body in enumerate(bodies, 1):
+        if not isinstance(body, Body):
+            raise TypeError(
+                f"body{n} must be a samcontact.Material or samcontact.Layered, got {body!r}"
+            )
+        if grid.periodic and isinstance(body, Layered):
+            raise ValueError(
+                f"body{n} must be homogeneous on a periodic grid, got {body!r} with grid.periodic "
+                f"= {grid.periodic!r}: layers have no periodic coefficients yet"
+            )
+
+
+def materials_of(body: Body) -> list[Material]:
+    """All materials of a body, from the surface down."""
+    if isinstance(body, Material):
+        return [body]
+    return [material for _, material in body._named_materials()]
+
+
+def softest(body: Body) -> Material:
+    """Of the materials of a body that is most compliant: a homogeneous one for orders of size."""
+    if isinstance(body, Material):
+        return body
+    return max(materials_of(body), key=lambda material: (1 - material.nu**2) / material.E)

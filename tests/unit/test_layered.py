@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Layered bodies: what they refuse, their waves and coefficients, and contacts between them."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from oracles import layers as oracle
+
+STEEL = sc.Material.elastic(210e9, 0.3)
+NITRIDE = sc.Material.elastic(420e9, 0.22)
+POLYMER = sc.Material.elastic(3e9, 0.4)
+HOT = STEEL.with_thermal(46.0, 1e-5, 1e-5)
+RIGID = sc.Material.rigid()
+
+
+@pytest.mark.parametrize(
+    ("layers", "substrate", "error", "text"),
+    [
+        ([], STEEL, ValueError, "at least one layer"),
+        (STEEL, STEEL, TypeError, "list of .material, thickness."),
+        ([STEEL], STEEL, TypeError, r"layers\[0\] must be .material, thickness."),
+        ([(STEEL, 1e-6), (STEEL, 0.0)], STEEL, ValueError, r"thickness of layers\[1\].*> 0.*got 0"),
+        ([(STEEL, np.inf)], STEEL, ValueError, r"thickness of layers\[0\].*finite"),
+        ([(STEEL, "1 um")], STEEL, TypeError, r"thickness of layers\[0\] must be a number"),
+        ([(RIGID, 1e-6)], STEEL, ValueError, r"layers\[0\] is rigid: only the substrate"),
+        (
+            [(1e-6, STEEL)],
+            STEEL,
+            TypeError,
+            r"material of layers\[0\] must be a",
+        ),
+        ([(STEEL, 1e-6)], 210e9, TypeError, "substrate must be a samcontact.Material"),
+        (
+            [(STEEL.with_thermal(46.0, 1e-5, 1e-5), 1e-6)],
+            STEEL,
+            ValueError,
+            r"layers\[0\] must have no thermal",
+        ),
+    ],
+)
+def test_what_is_no_layered_body(layers, substrate, error, text):
+    with pytest.raises(error, match=text):
+        sc.Layered(layers, substrate)
+
+
+def test_what_layers_do_not_serve_is_refused_by_name():
+    coated = sc.Layered([(NITRIDE, 2e-6)], STEEL)
+    with pytest.raises(ValueError, match="body2 must be homogeneous on a periodic grid"):
+        sc.ContactSolver(sc.Grid(8, 8, 1e-6, 1e-6, periodic="x"), RIGID, coated)
+    with pytest.raises(ValueError, match=r"heat.factor of body2 must be 0.*layers"):
+        sc.ContactSolver(sc.Grid(8, 8, 1e-6, 1e-6), RIGID, coated, 0.1, heat=sc.Heat((0.0, 0.1)))
+    with pytest.raises(TypeError, match="body1 must be homogeneous, with E and nu"):
+        sc.hertz.effective_modulus(coated, STEEL)
+
+
+def test_a_layered_body_is_data():
+    coated = sc.Layered([(NITRIDE, 2e-6), (POLYMER, 1e-6)], STEEL)
+    assert coated == sc.Layered(((NITRIDE, 2e-6), [POLYMER, 1e-6]), STEEL) != STEEL
+    for again in (copy.deepcopy(coated), pickle.loads(pickle.dumps(coated))):
+        assert again == coated
+        assert hash(again) == hash(coated)
+    assert coated.interfaces == pytest.approx([2e-6, 3e-6])
+    depths = [0.0, np.nextafter(2e-6, 0.0), 2e-6, 1.0]
+    assert [coated.material_at(z) for z in depths] == [NITRIDE, NITRIDE, POLYMER, STEEL]
+
+
+STACKS = {
+    "stiff coating": ([(50.0, 0.25, 1.0)], (1.0, 0.3)),
+    "soft coating": ([(0.02, 0.499, 1.0)], (1.0, 0.3)),
+    "soft between stiff": ([(800.0, 0.2, 0.3), (5.0, 0.45, 0.6), (70.0, 0.33, 0.4)], (210.0, 0.3)),
+    "on a rigid base": ([(1.0, 0.0, 1.0), (3.0, 0.4, 0.2)], None),
+}
+
+
+def layered(layers, substrate):
+    below = RIGID if substrate is None else sc.Material.elastic(*substrate)
+    return sc.Layered([(sc.Material.elastic(E, nu), h) for E, nu, h in layers], below)
+
+
+@pytest.mark.parametrize("name", STACKS)
+def test_waves_obey_elasticity_through_the_depth(name):
+    layers, substrate = STACKS[name]
+    q = np.geomspace(0.1, 7.0, 9)
+    exact = [oracle.wave_compliance(value, layers, substrate) for value in q]
+    assert layered(layers, substrate).wave_compliance(q) == pytest.approx(exact, rel=1e-8)
+
+
+def test_waves_far_longer_and_shorter_than_layers_see_one_material():
+    coated = sc.Layered([(NITRIDE, 1e-9), (POLYMER, 1e-3)], STEEL)
+    for q, material in ((1e-6, STEEL), (1e6, POLYMER), (1e13, NITRIDE)):
+        alone = 2 * (1 - material.nu**2) / (material.E * q)
+        assert coated.wave_compliance(q) == pytest.approx(alone, rel=3e-3)
+
+
+def coefficients(body, offsets, grid):
+    """u_x, u_y, u_z at cells from the first one, under pressure, shear_x and shear_y on it."""
+    solver = sc.ContactSolver(grid, RIGID, body)
+    unit = np.zeros(grid.surface_shape)
+    unit[0, 0] = 1.0
+    loads = [(unit, 0 * unit), (0 * unit, unit), (0 * unit, np.stack([0 * unit, unit]))]
+    tables = [solver.displacement(pressure, shear) for pressure, shear in loads]
+    return np.array([[table[:, i, j] for i, j in offsets] for table in tables])
+
+
+@pytest.mark.parametrize("thickness", [0.1, 4.0, 300.0])
+@pytest.mark.parametrize("ratio", [1 / 50, 4.0, 50.0])
+def test_coefficients_are_hankel_integrals_of_waves(thickness, ratio):
+    grid = sc.Grid(40, 33, 1.0, 1.0)
+    top = sc.Material.elastic(ratio, 0.25)
+    body = sc.Layered([(top, thickness)], sc.Material.elastic(1.0, 0.3))
+    offsets = [(0, 0), (1, 0), (2, 3), (12, 5), (39, 32)]
+    near, all_of_it = (coefficients(b, offsets, grid)[0, :, 2] for b in (top, body))
+
+    def rest(q):
+        return body.wave_compliance(q) - 2 * (1 - top.nu**2) / (top.E * q)
+
+    longest = thickness * max(1.0, ratio) ** (1 / 3) + 40.0
+    span = 1e-4 / longest, 20 / thickness
+    exact = near + [oracle.cell_displacement(i, j, rest, *span) for i, j in offsets]
+    assert np.abs(all_of_it - exact).max() < 1e-6 * all_of_it.max()
+
+
+def test_coefficients_turn_with_the_axes():
+    """A body is the same in all directions: what shear does along and across, at (30, 40)."""
+    body = sc.Layered([(NITRIDE, 9.0), (POLYMER, 5.0)], STEEL)
+    ahead, aslant = (30, 40), (50, 0)
+    grid = sc.Grid(51, 51, 1.0, 1.0)
+    found = coefficients(body, [ahead, aslant], grid)
+    c, s = 0.6, 0.8
+    turn = np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+    tensor = found[[1, 2, 0], 0]  # of loads along x, y and z
+    turned, along = turn @ tensor @ turn.T, found[[1, 2, 0], 1]
+    assert turned == pytest.approx(along, abs=3e-4 * np.abs(along).max())
+
+
+def test_the_operator_is_symmetric_and_positive():
+    body = sc.Layered([(NITRIDE, 0.7), (POLYMER, 0.4)], STEEL)
+    grid = sc.Grid(5, 4, 1.0, 1.3)
+    solver = sc.ContactSolver(grid, RIGID, body)
+    columns = []
+    for place in np.ndindex(3, *grid.surface_shape):
+        load = np.zeros((3, *grid.surface_shape))
+        load[place] = 1.0
+        columns.append(solver.displacement(load[2], load[:2]).ravel())
+    operator = np.array(columns).T
+    assert np.abs(operator - operator.T).max() < 1e-12 * operator.max()
+    values = np.linalg.eigvalsh(operator)
+    assert values[0] > 0
+
+
+def test_equal_layers_are_the_homogeneous_body():
+    grid = sc.Grid(24, 20, 1e-6, 1.1e-6)
+    gap = sc.surfaces.paraboloid(grid, 1e-3)
+    same = sc.Layered([(STEEL, 1e-6), (STEEL, 3e-7)], STEEL)
+    one, two = (sc.ContactSolver(grid, NITRIDE, body, 0.2) for body in (STEEL, same))
+    a, b = (solver.solve(gap, load=0.05) for solver in (one, two))
+    assert np.array_equal(a.pressure, b.pressure)
+    z = [0.0, 5e-7, 1e-6, 1e-5]
+    assert np.array_equal(one.stress(a.pressure, z), two.stress(a.pressure, z))
+
+
+def test_both_bodies_may_have_layers_and_friction_couples_them():
+    grid = sc.Grid(32, 32, 1e-6, 1e-6)
+    gap = sc.surfaces.paraboloid(grid, 2e-3)
+    coated = sc.Layered([(NITRIDE, 4e-6)], STEEL)
+    other = sc.Layered([(POLYMER, 2e-6)], RIGID)
+    both = sc.ContactSolver(grid, coated, other, 0.3).solve(gap, load=0.02)
+    swapped = sc.ContactSolver(grid, other, coated, 0.3).solve(gap, load=0.02)
+    # The bodies exchanged are the same scene seen from the other side: shear to -x.
+    assert swapped.pressure == pytest.approx(both.pressure[::-1], rel=1e-6, abs=1.0)
+    stuck = sc.ContactSolver(grid, coated, coated, sc.Coulomb(0.3))
+    alike = stuck.solve(gap, load=0.05, tangential_load=(0.01, 0.0))
+    assert 0 < alike.sticking.sum() < np.count_nonzero(alike.pressure)
+    assert alike.tangential_load == pytest.approx((0.01, 0.0), abs=1e-8)
