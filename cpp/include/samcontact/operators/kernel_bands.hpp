@@ -16,7 +16,7 @@ constexpr int spacing(Band band) { return band == Band::near ? 1 : band == Band:
 /// Cells beyond which the near band has no influence.
 inline constexpr int near_range = 6;
 /// Nodes at the end of the far lattice that must stay empty: there its tables fade out.
-inline constexpr int fading_nodes = 12;
+inline constexpr int fading_nodes = 6;
 
 /// The media of the bands of a medium, near, middle and far, on lattices of their nodes: those of
 /// near and middle ones are periodic. cells: what nodes stand for, a grid without a period;
