@@ -4,11 +4,13 @@
 import math
 
 import numpy as np
+import PIL.Image
 import pytest
 from matplotlib.quiver import Quiver
 
 import samcontact as sc
 from samcontact import plotting
+from samcontact.plotting.slip_animation import course_of
 from samcontact.plotting.slipping import COLOURS, chosen, creepages
 from samcontact.results import to_dataset
 
@@ -124,6 +126,26 @@ def test_runs_write_them(fretting, rolling, tmp_path):
         plotting.fretting_loop(slides)
 
 
+def test_an_animation_shows_each_increment(fretting, rolling, tmp_path):
+    states, _ = fretting
+    animation = plotting.stick_slip_animation(states[::4])
+    left, right = animation._fig.axes[:2]
+    animation._func(2)
+    kinds = np.ma.getdata(left.collections[0].get_array()).reshape(GRID.ny, GRID.nx).T
+    np.testing.assert_array_equal(kinds == 0, states[8].sticking)
+    (point,) = (line for line in right.lines if line.get_marker() == "o")
+    assert point.get_ydata() == pytest.approx([states[8].tangential_load[0]])
+    assert point.get_xdata() == pytest.approx([states[8].shift[0] * 1e6])
+    low, high = left.get_xlim()
+    assert low < GRID.x[states[8].pressure.any(axis=1)][0] * 1e6 < 0 < high
+    path = plotting.save_animation(animation, tmp_path / "a.gif", dpi=40)
+    with PIL.Image.open(path) as image:
+        assert image.n_frames == len(states[::4])
+    course = course_of(rolling[0])
+    np.testing.assert_allclose(course.across, np.arange(9) * GRID.dx * 1e6, atol=1e-9)
+    np.testing.assert_allclose(course.force, rolling[1]["tangential_load_x"])
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
@@ -131,6 +153,8 @@ def test_runs_write_them(fretting, rolling, tmp_path):
         (lambda s: plotting.stick_slip_map(s.pressure, s.slip, GRID, unit="km"), "unit must be"),
         (lambda s: plotting.shear_profile(s.pressure, s.shear, GRID, -1.0), "friction must be"),
         (lambda s: plotting.creep_curve([1.0, 2.0], [1.0]), "force must have shape"),
+        (lambda s: plotting.stick_slip_animation([]), "at least one state, got none"),
+        (lambda s: plotting.stick_slip_animation([s], interval=0.0), "interval must be a finite"),
     ],
 )
 def test_bad_input_is_named(fretting, call, message):

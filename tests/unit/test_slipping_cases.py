@@ -13,6 +13,7 @@ from case_texts import BODIES, GRID
 from samcontact import half_resolution, paths
 from samcontact.accuracy.scene import require_refinable
 from samcontact.cases import CaseError, load_case, parse_case
+from samcontact.commands.folder import is_own
 from samcontact.commands.solve_contact import solve_contact
 from samcontact.results import open_results
 from samcontact.results.slipping import moved_along
@@ -210,7 +211,9 @@ def test_results_tell_forces_motions_and_what_sticks(capsys, tmp_path):
         more="[output]\nfigures = false\n",
     )
     console = Console(width=200)
-    files = solve_contact(read, tmp_path, console, figures=False, animate=False, resume=False)
+    files = solve_contact(read, tmp_path, console, figures=False, animate=True, resume=False)
+    assert [file.name for file in files] == ["results.nc", "stick_slip.gif"]
+    assert all(is_own(file) for file in files)
     with open_results(files[0]) as dataset:
         names = ["tangential_load_x", "shift_x", "friction_work", "sticking_share"]
         assert moved_along(dataset) == names

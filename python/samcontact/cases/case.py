@@ -137,6 +137,11 @@ class Case(CaseFile):
         return self.grid is None or self.grid.dz is not None
 
     @property
+    def sticks(self) -> bool:
+        """Whether the bodies stick and slip, instead of sliding all over."""
+        return isinstance(self.contact.friction, CoulombFriction)
+
+    @property
     def moves(self) -> bool:
         """Whether a body moves through the contact."""
         return any(any(step.get("advance", ())) for step in self.steps())

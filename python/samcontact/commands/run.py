@@ -23,7 +23,10 @@ if TYPE_CHECKING:
 @click.option("--output", type=FilePath(), help="Directory of the results.")
 @click.option("--no-figures", is_flag=True, help="Write no figures.")
 @click.option(
-    "--animate", is_flag=True, help="Write rolling.gif too, for a path that moves the bodies."
+    "--animate",
+    is_flag=True,
+    help="Write rolling.gif too, for a path that moves the bodies, and stick_slip.gif for bodies "
+    "that stick and slip.",
 )
 @click.option(
     "--resume",

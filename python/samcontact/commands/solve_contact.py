@@ -46,8 +46,11 @@ def solve_contact(
     With `resume`, each increment leaves a checkpoint. Without it whatever ends the run before all
     files are written leaves them all. An error after some increments leaves these as results, too.
     """
-    if animate and not (case.moves and case.has_volume):
-        raise ValueError("--animate needs a path that moves a body, and a grid with layers")
+    if animate and not (case.sticks or (case.moves and case.has_volume)):
+        raise ValueError(
+            "--animate needs a path that moves a body, and a grid with layers; or bodies that "
+            "stick and slip"
+        )
     simulation, path = case.build()
     who = describe(simulation, path=path)
     # before the computation: a directory that cannot be made must not cost a run
@@ -158,13 +161,18 @@ class _Run:
             written += summary_figures(
                 self._shown(dataset), self.directory, body=body, hertz=reference
             )
-        if animate:
-            from ..plotting import rolling_animation, save_animation
+        return written + (self._animations() if animate else [])
 
-            shown = states[:: math.ceil(len(states) / MOST_FRAMES)]
-            animation = rolling_animation(shown, body=body)
-            written.append(save_animation(animation, self.directory / "rolling.gif"))
-        return written
+    def _animations(self) -> list[Path]:
+        from ..plotting import rolling_animation, save_animation, stick_slip_animation
+
+        shown = self.states[:: math.ceil(len(self.states) / MOST_FRAMES)]
+        made = {}
+        if self.case.moves and self.case.has_volume:
+            made["rolling"] = rolling_animation(shown, body=self.case.output.body)
+        if self.case.sticks and any(state.pressure.any() for state in shown):
+            made["stick_slip"] = stick_slip_animation(shown)
+        return [save_animation(one, self.directory / f"{name}.gif") for name, one in made.items()]
 
     def _errors(self) -> GridErrors | None:
         """Estimated on half the cells; None where it cannot be, which is told."""

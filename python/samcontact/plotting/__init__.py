@@ -17,6 +17,7 @@ from .contact import (
     temperature_profile,
 )
 from .maps import surface_map, track_map
+from .slip_animation import stick_slip_animation
 from .slipping import creep_curve, fretting_loop, shear_profile, stick_slip_map
 from .summary import summary_figures
 from .track import loaded_section, track_print, track_section
@@ -33,6 +34,7 @@ __all__ = [
     "save_animation",
     "section",
     "shear_profile",
+    "stick_slip_animation",
     "stick_slip_map",
     "summary_figures",
     "surface_map",

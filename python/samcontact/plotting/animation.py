@@ -194,7 +194,7 @@ def save_animation(
     Parameters
     ----------
     animation : matplotlib.animation.FuncAnimation
-        From `rolling_animation`.
+        From `rolling_animation` or `stick_slip_animation`.
     path : str or Path
         Ends in .gif (written by Pillow, which comes with matplotlib) or .mp4 (needs the program
         ffmpeg).

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 COLOURS = "#9ecae1", "#fdae6b"
 """Of what sticks and of what slips."""
-_ARROWS = 19  # along the longer side of the contact
+_ARROWS = 15  # along the longer side of the contact
 _LONGEST = 0.95  # times their distance
 _DIRECTIONS = {"x": ("tangential_load_x", "shift_x"), "y": ("tangential_load_y", "shift_y"),
                "z": ("torque", "twist")}  # fmt: skip

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What sticks and slips as an animation, beside the force."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from matplotlib.animation import FuncAnimation
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+
+from .._checks import FloatArray, positive
+from .._quantities import CONTACT
+from ..state import in_one_window
+from .parts import finish, new_figure
+from .slipping import stick_slip_map
+
+if TYPE_CHECKING:
+    from ..grid import Grid
+    from ..state import State
+
+_MARGIN = 0.15  # around the contact, of its size
+
+
+class Course(NamedTuple):
+    """Of all increments, in the units of their labels."""
+
+    across: FloatArray
+    force: FloatArray
+    labels: tuple[str, str]
+
+
+def stick_slip_animation(states: Sequence[State], *, interval: float = 100.0) -> FuncAnimation:
+    """One frame for each state: where the bodies stick and slip, beside force over motion.
+
+    Of bodies that roll it is the force over the way rolled.
+
+    Parameters
+    ----------
+    states : sequence of State
+        In the order of the path, of a simulation with `Coulomb`.
+    interval : float, optional
+        Between two frames [ms], > 0, where it is shown on a screen.
+
+    Returns
+    -------
+    matplotlib.animation.FuncAnimation
+        For `save_animation`, or ``to_jshtml()`` in a notebook. Keep a reference to it.
+
+    Raises
+    ------
+    ValueError
+        No states, none in contact, or friction as a number.
+    """
+    if len(states) == 0:
+        raise ValueError("states must hold at least one state, got none")
+    positive("interval", interval)
+    states = in_one_window(states)
+    grid, course = states[0].grid, course_of(states)
+    limits = _limits(states, grid)
+    figure = new_figure(9.0, 4.0)
+    left, right = figure.subplots(1, 2)
+    point = _course_panel(right, course)
+
+    def draw(number: int) -> list[Any]:
+        state = states[number]
+        left.clear()
+        stick_slip_map(state.pressure, state.slip, grid, left)
+        left.set(xlim=limits[0], ylim=limits[1])
+        right.set_title(f"load {state.load:.4g} N", fontsize="medium")
+        point.set_data([course.across[number]], [course.force[number]])
+        return [left, point]
+
+    draw(0)
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")  # panels that shift from frame to frame would distract
+    return FuncAnimation(
+        figure, draw, frames=len(states), interval=interval, cache_frame_data=False, blit=False
+    )
+
+
+def course_of(states: Sequence[State]) -> Course:
+    """In the direction of the largest force; about z where there is no force."""
+    forces = np.array([state.tangential_load for state in states])
+    motions = np.array([state.shift for state in states])
+    direction = int(np.argmax(np.abs(forces).max(axis=0)))
+    name = "xy"[direction]
+    largest = max(state.load for state in states)
+    if np.abs(forces).max() > 1e-8 * largest:
+        force, motion = f"tangential_load_{name}", f"shift_{name}"
+        pull, moved = forces[:, direction], motions[:, direction]
+    else:
+        force, motion = "torque", "twist"
+        pull = np.array([state.torque for state in states])
+        moved = np.array([state.twist for state in states])
+    up, along = CONTACT[force], CONTACT[motion]
+    label = along.label
+    ways = -np.mean([state.travel for state in states], axis=1)
+    if ways.any():
+        moved, along, label = ways, CONTACT["travel"], "way rolled [µm]"
+    return Course(moved * along.factor, pull * up.factor, (label, up.label))
+
+
+def _limits(states: Sequence[State], grid: Grid) -> list[tuple[float, float]]:
+    """Of the contact of all states along x and y [µm]."""
+    touched = np.any([state.pressure > 0 for state in states], axis=0)
+    if not touched.any():
+        raise ValueError("states must hold one in contact, got none")
+    found = []
+    for centres, cell, axis in ((grid.x, grid.dx, 1), (grid.y, grid.dy, 0)):
+        there = np.asarray(centres)[touched.any(axis=axis)]
+        margin = _MARGIN * float(np.ptp(there)) + 2 * cell
+        found.append(((there[0] - margin) * 1e6, (there[-1] + margin) * 1e6))
+    return found
+
+
+def _course_panel(ax: Axes, course: Course) -> Line2D:
+    """All of it, thin; the point that is shown."""
+    ax.plot(course.across, course.force, "-", linewidth=0.8, color="0.6")
+    (point,) = ax.plot([], [], "o", color="C3")
+    ax.set_xlabel(course.labels[0])
+    ax.set_ylabel(course.labels[1])
+    finish(ax)
+    return point
