@@ -322,7 +322,11 @@ CALLS = [
     ),
     *(
         (f"paths.{name}", getattr(sc.paths, name), {**driver, **PASSES, **rest})
-        for name, rest in (("rolling", {"slide_to_roll": -0.1}), ("sliding", {"slider": 1}))
+        for name, rest in (
+            ("rolling", {"slide_to_roll": -0.1, "lateral_creepage": 1e-3, "spin": 1.0}),
+            ("rolling", {"tangential_load_x": 1.0}),
+            ("sliding", {"slider": 1}),
+        )
         for driver in DRIVERS
     ),
     *(

@@ -107,6 +107,11 @@ KINDS = {
     | {"path": [{"load": 2.0, "increments": 2, "spacing": "power", "exponent": 3.0,
                  "shift_x": 1e-8, "tangential_load_y": 0.1, "torque": 1e-9},
                 {"load": 3.0, "increments": 2, "tangential_load_y": 0.05, "twist": 1e-6}]},
+    "creeping": STICKS
+    | {"path": [{"load": 2.0, "increments": 2,
+                 "roll": ROLL | {"lateral_creepage": 1e-3, "spin": 2.0}},
+                {"load": 2.0, "increments": 2, "roll": {
+                    "distance": 1e-5, "step": 5e-6, "passes": 2, "tangential_load_x": 0.1}}]},
     "fretting": STICKS
     | {"path": [{"load": 2.0, "increments": 2},
                 {"load": 2.0, "fret": {"tangential_load_x": 0.1, "tangential_load_y": 0.05,
@@ -135,6 +140,7 @@ OF_RESULTS = {"title", "description", "estimate_error", "output"}
 OF_ACCURACY = {"accuracy", "quantities", "max_memory", "max_time"}
 # Other values where the field's own does not tell one; the first that is valid and differs counts.
 OTHER = {
+    "lateral_creepage": [2e-3], "spin": [1.0],
     "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
     "channel": ["other"], "window": [[5, 5]], "start": [0.6, 2e-8], "velocity": [
         [[2.0, 0.0], [0.5, 0.0]], [-3.0, 0.0], [0.0, 1.0]],

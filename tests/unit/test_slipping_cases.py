@@ -93,6 +93,33 @@ def test_rolling_may_creep_either_way():
         )
 
 
+def test_rolling_comes_to_the_steady_state_of_its_creepages():
+    """Signs and units too: with all three creepages, and with a force."""
+    grid = sc.Grid(31, 31, 22e-6, 22e-6)
+    body, gap = sc.Material.elastic(210e9, 0.3), sc.surfaces.paraboloid(grid, 7.5e-3)
+    law, rolls = sc.Coulomb(0.4), {"load": 300.0, "distance": 100 * 22e-6, "step": 22e-6}
+    for drive, steady in (
+        (
+            {"slide_to_roll": -1e-3, "lateral_creepage": 5e-4, "spin": 4.0},
+            {"creepage": (1e-3, 5e-4), "spin": 4.0},
+        ),
+        (
+            {"tangential_load_x": -40.0, "lateral_creepage": -1e-3},
+            {"tangential_load": (-40.0, None), "creepage": (None, -1e-3)},
+        ),
+    ):
+        path = paths.rolling(**rolls, increments=1, unload_increments=1, **drive)
+        states = sc.Simulation(grid, body, body, gap, law).run(path, progress=False)
+        expected = sc.rolling.steady(grid, body, body, gap, load=300.0, friction=law, **steady)
+        found = states[-2].tangential_load
+        np.testing.assert_allclose(found, expected.tangential_load, atol=0.5)
+        assert states[-2].torque == pytest.approx(expected.torque, rel=0.03)
+        slip = (states[-2].shift - states[-3].shift) / grid.dx
+        np.testing.assert_allclose(slip, expected.creepage, atol=2e-5)
+    with pytest.raises(ValueError, match="slide_to_roll must be 0 where tangential_load_x is giv"):
+        paths.rolling(**rolls, slide_to_roll=0.1, tangential_load_x=1.0)
+
+
 def test_cells_twice_as_large_take_twice_the_motion():
     grid = sc.Grid(8, 8, 1e-5, 1e-5)
     step = {"load": 1.0, "advance": (1.001e-5, 1e-5), "shift": (None, 2e-8), "twist": 1e-6}
@@ -183,6 +210,11 @@ def test_errors_of_laws_name_the_field(friction, message):
 def test_what_gross_sliding_has_no_use_for_is_refused():
     with pytest.raises(CaseError, match=r"path\[1\]: shift_x, twist is for bodies that stick and"):
         case("load = 700.0\nshift_x = 1e-6\ntwist = 0.0", friction="friction = 0.3")
+    with pytest.raises(CaseError, match=r"path\[2\]: roll\.spin is for bodies that stick and"):
+        case(
+            "load = 0.0", "load = 9.0\nroll = {distance = 1e-4, step = 1e-5, spin = 1.0}",
+            friction="friction = 0.3",
+        )  # fmt: skip
     with pytest.raises(CaseError, match=r"path\[1\]: fret is for bodies that stick and slip"):
         case("load = 600.0\nfret = {shift_x = 1e-6}", friction="friction = 0.3")
     wear = "[wear]\nthreshold = 0.002\nwindow = 3"

@@ -173,8 +173,8 @@ def test_without_pint(tmp_path, monkeypatch):
 # numbers without a dimension (width and depth of [tugging] are multiples), and start, whose unit
 # depends on its segment
 NUMBERS = {
-    *("nu", "C", "n", "recovery", "m", "floor", "hurst", "friction", "coulomb", "tol"),
-    *("increment_tol", "rate", "plastic_strain", "factor"),
+    *("nu", "C", "n", "recovery", "m", "floor", "hurst", "friction", "coulomb", "lateral_creepage"),
+    *("tol", "increment_tol", "rate", "plastic_strain", "factor"),
     *("image_tol", "exponent", "slide_to_roll", "start", "width", "depth", "threshold"),
 }
 

@@ -27,7 +27,7 @@ from .base import (
     in_unit,
 )
 from .sections import SelfAffineRoughness
-from .slipping import ALONG, Along, Fretting, Reached
+from .slipping import ALONG, Along, Force, Fretting, Reached
 
 if TYPE_CHECKING:
     from ..grid import Grid
@@ -52,6 +52,21 @@ class Rolling(_Passes):
     """Rolling over both bodies, see `paths.rolling`."""
 
     slide_to_roll: Annotated[float, Field(ge=-2.0, le=2.0)] = 0.0
+    lateral_creepage: Finite = 0.0
+    spin: Annotated[Finite, in_unit("1/m")] = 0.0
+    tangential_load_x: Force | None = None
+
+    def scaled(self, factor: float) -> Rolling:
+        """The same with the force multiplied."""
+        if self.tangential_load_x is None:
+            return self
+        return self.model_copy(update={"tangential_load_x": factor * self.tangential_load_x})
+
+    @property
+    def slips(self) -> list[str]:
+        """Names of what it has for bodies that stick and slip."""
+        names = ("lateral_creepage", "spin", "tangential_load_x")
+        return [f"roll.{name}" for name in names if changed(self, [name])]
 
 
 class Sliding(_Passes):
@@ -130,14 +145,15 @@ class Segment(Along):
     @property
     def slips(self) -> list[str]:
         """Names of what it has for bodies that stick and slip."""
-        return self.along + ["fret"] * (self.fret is not None)
+        rolling = [] if self.roll is None else self.roll.slips
+        return [*self.along, *rolling, *(["fret"] if self.fret is not None else [])]
 
     def scaled(self, factor: float) -> Segment:
         """The same with all forces multiplied."""
         forces = ("load", "start", "tangential_load_x", "tangential_load_y", "torque")
         return self.model_copy(
             update={name: factor * v for name in forces if (v := getattr(self, name)) is not None}
-            | ({} if self.fret is None else {"fret": self.fret.scaled(factor)})
+            | {n: part.scaled(factor) for n in ("roll", "fret") if (part := getattr(self, n))}
         )
 
     def steps(self, reached: Reached) -> tuple[paths.Path, Reached]:

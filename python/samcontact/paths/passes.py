@@ -26,6 +26,26 @@ _ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
+class Creep:
+    """What a contact that sticks and slips has besides creepage along the way."""
+
+    lateral: float = 0.0
+    spin: float = 0.0
+    force_x: float | None = None
+
+    def over(self, length: float) -> dict[str, Any]:
+        """Arguments of the step in which it travels a length."""
+        given: dict[str, Any] = {}
+        if self.lateral != 0.0:
+            given["shift"] = (None if self.force_x is not None else 0.0, self.lateral * length)
+        if self.spin != 0.0:
+            given["twist"] = self.spin * length
+        if self.force_x is not None:
+            given["tangential_load"] = (self.force_x, None)
+        return given
+
+
+@dataclass(frozen=True)
 class Passes:
     """One or more passes over the same place; see `paths.rolling` for the arguments.
 
@@ -43,6 +63,7 @@ class Passes:
     back_and_forth: bool
     speed: float | None
     heat_factor: float | Sequence[float] | None
+    creep: Creep
 
     def steps(self) -> Steps:
         lengths = _lengths(self.distance, self.step)
@@ -84,7 +105,7 @@ class Passes:
 
     def _moved(self, length: float) -> dict[str, Any]:
         step = {self.quantity: self.value, "advance": self._advance(length)}
-        return self._timed(step, length)
+        return self._timed(step | self.creep.over(length), length)
 
     def _still(self, value: float) -> dict[str, Any]:
         return self._timed({self.quantity: value}, self.step)
@@ -126,6 +147,9 @@ def rolling(
     increments: int = 10,
     unload_increments: int | None = None,
     slide_to_roll: float = 0.0,
+    lateral_creepage: float = 0.0,
+    spin: float = 0.0,
+    tangential_load_x: float | None = None,
     back_and_forth: bool = False,
     speed: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
@@ -152,7 +176,13 @@ def rolling(
         Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) of the surface speeds u1, u2 of the bodies
         through the contact, in [-2, 2] [-]: the bodies move (1 + slide_to_roll/2) and
         (1 - slide_to_roll/2) times the distance. Where the simulation has friction, body 1 must
-        slide towards +x: distance and slide_to_roll then have opposite signs.
+        slide towards +x: distance and slide_to_roll then have opposite signs. With `Coulomb` it has
+        any sign: minus the creepage of `samcontact.rolling.steady`.
+    lateral_creepage, spin : float
+        With `Coulomb`: motion along y of body 1 over body 2 [-], and turn about z [1/m], per way of
+        the contact towards +x, as in `samcontact.rolling.steady`.
+    tangential_load_x : float, optional
+        With `Coulomb`: force on body 2 while rolling [N], from which the creepage follows.
     back_and_forth : bool
         Passes under load in turn there and back, loaded and unloaded once.
     speed : float, optional
@@ -171,7 +201,8 @@ def rolling(
     Raises
     ------
     ValueError
-        Both or neither of load and approach, or a value outside its range.
+        Both or neither of load and approach, or a value outside its range; slide_to_roll beside
+        tangential_load_x.
 
     Examples
     --------
@@ -185,6 +216,16 @@ def rolling(
     if not -2.0 <= number("slide_to_roll", slide_to_roll) <= 2.0:
         raise ValueError(f"slide_to_roll must be in [-2, 2], got {slide_to_roll!r}")
     shares = (1.0 + 0.5 * slide_to_roll, 1.0 - 0.5 * slide_to_roll)
+    if tangential_load_x is not None:
+        finite("tangential_load_x", tangential_load_x)
+        if slide_to_roll != 0.0:
+            raise ValueError(
+                f"slide_to_roll must be 0 where tangential_load_x is given, got {slide_to_roll!r}: "
+                "the creepage follows from the force"
+            )
+    creep = Creep(
+        finite("lateral_creepage", lateral_creepage), finite("spin", spin), tangential_load_x
+    )
     name, value = load_or_approach(load, approach)
     return Passes(
         name,
@@ -198,6 +239,7 @@ def rolling(
         back_and_forth,
         speed,
         heat_factor,
+        creep,
     ).steps()
 
 
@@ -267,4 +309,5 @@ def sliding(
         back_and_forth,
         speed,
         heat_factor,
+        Creep(),
     ).steps()
