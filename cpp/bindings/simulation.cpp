@@ -269,7 +269,7 @@ simulation::Softening softening_law(const py::object& law, const Grid& grid) {
   };
 }
 
-/// Each None or (heights (rows, ny), first row, whether periodic).
+/// Each None or (heights (rows, ny), first row, whether periodic, what is worn off or None).
 simulation::Reliefs to_reliefs(const std::array<py::object, 2>& given) {
   simulation::Reliefs reliefs;
   for (int b = 0; b < 2; ++b) {
@@ -277,7 +277,7 @@ simulation::Reliefs to_reliefs(const std::array<py::object, 2>& given) {
     const auto parts = given[b].cast<py::tuple>();
     const auto heights = parts[0].cast<Array>();
     reliefs[b] = {to_field(heights), static_cast<int>(heights.shape(0)), parts[1].cast<int>(),
-                  parts[2].cast<bool>()};
+                  parts[2].cast<bool>(), to_field_or_empty(parts[3])};
   }
   return reliefs;
 }

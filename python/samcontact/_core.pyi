@@ -236,7 +236,7 @@ class Simulation:
         settings: Settings,
         march: tuple[float, float],
         softening: list[Callable[[FloatArray], FloatArray] | None],
-        reliefs: list[tuple[FloatArray, int, bool] | None],
+        reliefs: list[tuple[FloatArray, int, bool, FloatArray | None] | None],
     ) -> None: ...
     def step(
         self,

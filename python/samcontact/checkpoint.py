@@ -203,8 +203,7 @@ def _scene(given: Mapping[str, Any]) -> Tree:
     for name in ("relief1", "relief2"):
         relief = given[name]
         if relief is not None:
-            part = {"heights": relief.heights, "first": relief.first, "periodic": relief.periodic}
-            scene[name] = part
+            scene[name] = {item.name: getattr(relief, item.name) for item in fields(Relief)}
     return scene
 
 

@@ -208,6 +208,12 @@ def _relief(relief: Relief, fine: Grid, grid: Grid) -> Relief:
     numbers = np.arange(count + 1, dtype=np.float64)
     edges: FloatArray = 2.0 * (first + numbers - 0.5 * grid.nx) - begins
     mode: Any = "wrap" if relief.periodic else "constant"
-    heights = _means(np.pad(relief.heights, [(2, 2), (0, 0)], mode), edges + 2.0, 0)
     across = [replace(g, nx=1, periodic="") for g in (fine, grid)]
-    return Relief(_averaged(heights, across[0], across[1]), first, relief.periodic)
+
+    def means(field: FloatArray) -> FloatArray:
+        along = _means(np.pad(field, [(2, 2), (0, 0)], mode), edges + 2.0, 0)
+        return _averaged(along, across[0], across[1])
+
+    # Beside the rows of the grid it goes on straight, and may fall below 0.
+    worn = None if relief.worn is None else np.maximum(means(relief.worn), 0.0)
+    return Relief(means(relief.heights), first, relief.periodic, worn)

@@ -33,16 +33,22 @@ class Relief(Brief):
         towards +x, rows before it enter the grid.
     periodic : bool, optional
         Repeat the rows along x for ever; by default the surface is flat (0) beyond them.
+    worn : array_like, shape (rows, ny), optional
+        Depth of the material that has been worn off [m], >= 0: the yield profile and the residual
+        stress of the body are counted from the surface before. It does not change the heights;
+        default 0, and 0 beyond these rows.
 
     Raises
     ------
     ValueError, TypeError
-        Heights that are not finite or not two-dimensional, or `first` not an integer.
+        Heights that are not finite or not two-dimensional, worn depths that are negative or of
+        another shape, or `first` not an integer.
     """
 
     heights: FloatArray
     first: int = 0
     periodic: bool = False
+    worn: FloatArray | None = None
 
     def __post_init__(self) -> None:
         heights = real_array("heights", self.heights)
@@ -52,9 +58,14 @@ class Relief(Brief):
         object.__setattr__(self, "heights", read_only(checked))
         object.__setattr__(self, "first", integer("first", self.first))
         object.__setattr__(self, "periodic", bool(choice("periodic", self.periodic, (True, False))))
+        if self.worn is not None:
+            worn = np.array(finite_array("worn", self.worn, heights.shape), order="C")
+            if (worn < 0).any():
+                raise ValueError(f"worn must be >= 0 everywhere, got {float(worn.min())!r}")
+            object.__setattr__(self, "worn", read_only(worn))
 
 
-def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool] | None:
+def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool, Any] | None:
     """The parts of a relief for the core."""
     if relief is None:
         return None
@@ -64,7 +75,7 @@ def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int,
         raise ValueError(
             f"{name} must have heights of shape (rows, {grid.ny}), got {relief.heights.shape}"
         )
-    return relief.heights, int(relief.first), bool(relief.periodic)
+    return relief.heights, int(relief.first), bool(relief.periodic), relief.worn
 
 
 def heights_over(relief: Relief, first: int, count: int) -> FloatArray:

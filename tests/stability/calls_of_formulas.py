@@ -100,7 +100,11 @@ CALLS = [
     ("Material.yield_stress", SOFT.yield_stress, {"g": [0.0, 1e-3]}),
     ("Material.plastic_work", SOFT.plastic_work, {"g": [0.0, 1e-3]}),
     ("Material.uniaxial_stress", SOFT.uniaxial_stress, {"strain": [0.0, 1e-3]}),
-    ("Relief", sc.Relief, {"heights": np.zeros((3, 5)), "first": 2, "periodic": False}),
+    (
+        "Relief",
+        sc.Relief,
+        {"heights": np.zeros((3, 5)), "first": 2, "periodic": False, "worn": np.ones((3, 5))},
+    ),
     (
         "asperities.Collision",
         sc.asperities.Collision,

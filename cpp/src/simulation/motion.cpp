@@ -34,12 +34,16 @@ Placement::Placement(const Travel& travel, int followed) {
   offset[other] = place - first[other];
 }
 
-double Relief::at(int row, int j, int ny) const {
-  if (heights.empty()) return 0.0;
+double Relief::worn_at(int row, int j, int ny) const {
+  return at(worn, row, std::clamp(j, 0, ny - 1), ny);
+}
+
+double Relief::at(const Field& field, int row, int j, int ny) const {
+  if (field.empty()) return 0.0;
   int r = row - first;
   if (periodic) r = (r % rows + rows) % rows;
   if (r < 0 || r >= rows) return 0.0;
-  return heights[static_cast<std::size_t>(r) * ny + j];
+  return field[static_cast<std::size_t>(r) * ny + j];
 }
 
 Field seen_from_body(const Field& field, const Grid& grid, double offset) {

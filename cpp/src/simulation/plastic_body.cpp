@@ -73,7 +73,7 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
       symmetry_(symmetry),
       heating_(heating),
       choice_(scene_.grid, symmetry),
-      strength_(scene_.materials[index], scene_.grid.dz),
+      strength_(scene_.strength(index, from.travel)),
       history_(unfolded(from.plastic[index], scene_.grid, symmetry)),
       met_(from.met[index] ? unfolded(from.met[index], scene_.grid, symmetry) : history_),
       offset_(from.placement().offset[index]) {

@@ -47,6 +47,8 @@ bool PlasticIncrement::twins() const {
   if (target_.heating[0] != target_.heating[1] || target_.past[0] != target_.past[1]) return false;
   // Two laws cannot be compared.
   if (settings_.softening[0] || settings_.softening[1]) return false;
+  // They may be worn by different depths.
+  if (!scene_.reliefs[0].worn.empty() || !scene_.reliefs[1].worn.empty()) return false;
   // Shear acts on the two in opposite directions.
   if (!target_.tractions.shear_x.empty() || !target_.tractions.shear_y.empty()) return false;
   const auto offset = from_.placement().offset;

@@ -125,7 +125,27 @@ fft::Symmetry Scene::symmetry(const Travel& travel) const {
   const bool moved = travel != Travel{};
   const auto symmetry = moved ? common(symmetry_, fft::Symmetry::y) : symmetry_;
   const bool flat = reliefs[0].heights.empty() && reliefs[1].heights.empty();
-  return flat ? symmetry : common(symmetry, symmetry_of(gap(travel), grid));
+  if (flat) return symmetry;
+  const auto of_gap = common(symmetry, symmetry_of(gap(travel), grid));
+  return common(of_gap, common(symmetry_of_worn(0, travel), symmetry_of_worn(1, travel)));
+}
+
+fft::Symmetry Scene::symmetry_of_worn(int body, const Travel& travel) const {
+  const Relief& relief = reliefs[body];
+  if (relief.worn.empty()) return fft::Symmetry::xy;
+  Field worn(grid.surface_size());
+  const int first = placement(travel).first[body];
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      worn[static_cast<std::size_t>(i) * grid.ny + j] = relief.worn_at(i + first, j, grid.ny);
+    }
+  }
+  // Of what lies beside the grid along x only the rows are known to be alike.
+  return common(symmetry_of(worn, grid), fft::Symmetry::y);
+}
+
+Strength Scene::strength(int body, const Travel& travel) const {
+  return {materials[body], grid, reliefs[body], placement(travel).first[body]};
 }
 
 std::shared_ptr<const contact::ContactSolver> Scene::solver(
@@ -246,7 +266,7 @@ std::shared_ptr<const operators::ZoneTables> Scene::zone_tables(
 std::shared_ptr<const ZoneScan> Scene::zone_scan(int body,
                                                  const operators::Heating& heating) const {
   const auto tables = zone_tables(body, operators::Tensor::deviator, heating);
-  const Strength strength(materials[body], grid.dz);
+  const Strength strength = this->strength(body, {});
   const std::lock_guard lock(mutex_);
   for (const auto& scan : zone_scans_) {
     if (scan && scan->tables() == tables && scan->resolves(strength)) return scan;

@@ -228,7 +228,7 @@ Field State::residual_stress(int body, const Box& region) const {
   return stress;
 }
 
-Strength State::strength(int body) const { return {scene_->materials[body], scene_->grid.dz}; }
+Strength State::strength(int body) const { return scene_->strength(body, travel); }
 
 Field State::initial_stress(int body, Layers layers) const {
   return initial_stress(body, below(layers));

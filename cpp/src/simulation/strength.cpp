@@ -35,7 +35,10 @@ std::vector<double> kinks(const plasticity::Material& material) {
 
 }  // namespace
 
-Strength::Strength(const plasticity::Material& material, double dz) : material_(material), dz_(dz) {
+Strength::Strength(const plasticity::Material& material, const Grid& grid, const Relief& relief,
+                   int first)
+    : material_(material), relief_(relief), first_(first), ny_(grid.ny), dz_(grid.dz) {
+  const double dz = dz_;
   const auto& profile = material.yield_profile;
   const auto& stress = material.initial_stress;
   if (!profile && !stress) return;
@@ -59,7 +62,12 @@ Strength::Strength(const plasticity::Material& material, double dz) : material_(
     variation.value.push_back(variation.value.back() + change);
   }
   if (variation.value.back() == 0) return;
-  layers_ = dz > 0 ? static_cast<int>(std::ceil(deepest / dz)) : 0;
+  if (dz > 0) {
+    layers_ = static_cast<int>(std::ceil(deepest / dz));
+    const auto most = std::max_element(relief.worn.begin(), relief.worn.end());
+    const double worn = most == relief.worn.end() ? 0.0 : std::min(*most, deepest);
+    worn_layers_ = static_cast<int>(std::ceil(worn / dz));
+  }
   variation_ = std::move(variation);
 }
 
@@ -69,22 +77,39 @@ bool Strength::differs(int above, int below) const {
   return variation_->at(mid_depth(below)) - variation_->at(mid_depth(above)) > step;
 }
 
-double Strength::factor(int k) const {
-  return material_.yield_profile ? material_.yield_profile->at(mid_depth(k)) : 1.0;
-}
-
-std::array<double, 3> Strength::start(int k) const {
+std::array<double, 3> Strength::start_at(double z) const {
   if (!material_.initial_stress) return {};
   const auto& stress = *material_.initial_stress;
-  const double z = mid_depth(k), x = stress.xx.at(z), y = stress.yy.at(z), mean = (x + y) / 3;
+  const double x = stress.xx.at(z), y = stress.yy.at(z), mean = (x + y) / 3;
   return {x - mean, y - mean, stress.xy.at(z)};
+}
+
+template <class Use>
+void Strength::for_cells(const Box& box, const Use& use) const {
+  std::vector<double> worn(box.surface_size(), 0.0);
+  if (!relief_.worn.empty()) {
+    std::size_t n = 0;
+    for (int i = box.i0; i < box.i0 + box.nx; ++i) {
+      for (int j = box.j0; j < box.j0 + box.ny; ++j) {
+        worn[n++] = relief_.worn_at(i + first_, j, ny_);
+      }
+    }
+  }
+  std::size_t n = 0;
+  for (int k = 0; k < box.nz; ++k) {
+    for (const double depth : worn) use(n++, mid_depth(k) + depth);
+  }
 }
 
 Field Strength::factor(const Box& box) const {
   if (!material_.yield_profile) return {};
-  Field out;
-  out.reserve(box.volume_size());
-  for (int k = 0; k < box.nz; ++k) out.insert(out.end(), box.surface_size(), factor(k));
+  Field out(box.volume_size());
+  // Whole layers are alike.
+  double known = -1.0, value = 0.0;
+  for_cells(box, [&](std::size_t n, double z) {
+    if (z != known) value = factor_at(known = z);
+    out[n] = value;
+  });
   return out;
 }
 
@@ -93,16 +118,18 @@ void Strength::add_stress(const Box& box, operators::Tensor tensor, Field& sum) 
   const auto& stress = *material_.initial_stress;
   const bool deviator = tensor == operators::Tensor::deviator;
   const auto places = operators::components(tensor);
-  sum.resize(places.size() * box.volume_size(), 0.0);
-  double* to = sum.data();
-  for (const int c : places) {
-    for (int k = 0; k < box.nz; ++k) {
-      const double z = mid_depth(k), x = stress.xx.at(z), y = stress.yy.at(z);
-      const double mean = deviator ? (x + y) / 3 : 0.0;
-      const std::array<double, 6> at{x - mean, y - mean, -mean, 0.0, 0.0, stress.xy.at(z)};
-      for (std::size_t n = 0; n < box.surface_size(); ++n) *to++ += at[c];
+  const std::size_t cells = box.volume_size();
+  sum.resize(places.size() * cells, 0.0);
+  double known = -1.0;
+  std::array<double, 6> at{};
+  for_cells(box, [&](std::size_t n, double z) {
+    if (z != known) {
+      const double x = stress.xx.at(z), y = stress.yy.at(z), mean = deviator ? (x + y) / 3 : 0.0;
+      at = {x - mean, y - mean, -mean, 0.0, 0.0, stress.xy.at(z)};
+      known = z;
     }
-  }
+    for (std::size_t c = 0; c < places.size(); ++c) sum[c * cells + n] += at[places[c]];
+  });
 }
 
 std::vector<LayerLimit> Strength::limits(const std::vector<LayerRange>& ranges, double softening,
@@ -111,12 +138,14 @@ std::vector<LayerLimit> Strength::limits(const std::vector<LayerRange>& ranges, 
   std::vector<LayerLimit> limits;
   limits.reserve(ranges.size());
   for (const auto& [layer, first, end] : ranges) {
-    LayerLimit limit{yield_stress * factor(layer), start(layer)};
-    // Further down they are alike.
-    for (int k = first; k < std::min(end, layers_ + 1); ++k) {
-      auto other = start(k);
+    const double z = mid_depth(layer);
+    LayerLimit limit{yield_stress * factor_at(z), start_at(z)};
+    // Worn cells are as strong as deeper ones; far down they are alike.
+    for (int k = first; k < std::min(end + worn_layers_, layers_ + 1); ++k) {
+      auto other = start_at(mid_depth(k));
       for (int c = 0; c < 3; ++c) other[c] = share * (other[c] - limit.start[c]);
-      limit.stress = std::min(limit.stress, yield_stress * factor(k) - von_mises(other));
+      limit.stress =
+          std::min(limit.stress, yield_stress * factor_at(mid_depth(k)) - von_mises(other));
     }
     for (double& s : limit.start) s *= share;
     limits.push_back(limit);

@@ -97,7 +97,7 @@ YieldScan::Level::Level(const Grid& fine, int factor_, std::vector<LayerRange> r
 YieldScan::YieldScan(const Scene& scene, int body, const operators::Heating& heating)
     : grid_(scene.grid) {
   const auto heat = scene.heat_stress(body, heating);
-  const Strength strength(scene.materials[body], grid_.dz);
+  const Strength strength = scene.strength(body, {});
   const double cell = std::max(grid_.dx, grid_.dy);
   const int widest = std::max(grid_.nx, grid_.ny);
   const std::vector<int> layers = scanned_layers(grid_, strength);

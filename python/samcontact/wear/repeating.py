@@ -90,7 +90,9 @@ def reliefs_of(scene: Worn, standing: Standing) -> list[Relief | None]:
     reliefs = list(scene.reliefs)
     for body in scene.worn:
         first, _ = scene.rows(body)
-        reliefs[body - 1] = Relief(standing.heights[body][-1], first)
+        heights = standing.heights[body]
+        worn = np.maximum(heights[0] - heights[-1], 0.0)
+        reliefs[body - 1] = Relief(heights[-1], first, worn=worn)
     return reliefs
 
 

@@ -36,9 +36,17 @@ struct Relief {
   int rows = 0;
   int first = 0;          // the grid's row that the first of them starts from
   bool periodic = false;  // along x; otherwise flat beyond
+  /// How much material has been worn off [m], as the heights: what is told of depths in the body is
+  /// counted from the surface before. Empty: none.
+  Field worn = {};
 
   /// Height at a row of the body, counted from the grid's first at the start.
-  double at(int row, int j, int ny) const;
+  double at(int row, int j, int ny) const { return at(heights, row, j, ny); }
+  /// What has been worn off there; beside the rows of the grid's cells along y as at the nearest.
+  double worn_at(int row, int j, int ny) const;
+
+ private:
+  double at(const Field& field, int row, int j, int ny) const;
 };
 using Reliefs = std::array<Relief, 2>;
 

@@ -17,6 +17,7 @@
 #include "samcontact/simulation/mirror.hpp"
 #include "samcontact/simulation/motion.hpp"
 #include "samcontact/simulation/past_heat.hpp"
+#include "samcontact/simulation/strength.hpp"
 
 namespace samcontact::simulation {
 
@@ -45,6 +46,8 @@ class Scene {
   int followed() const;
   /// Heights of a body's relief in the grid [i][j]; 0 without one.
   Field relief(int body, const Travel& travel) const;
+  /// Of the cells of a body, where it is by then.
+  Strength strength(int body, const Travel& travel) const;
   /// Separation of the undeformed bodies [i][j].
   Field gap(const Travel& travel) const;
 
@@ -98,6 +101,8 @@ class Scene {
     operators::Heating heating;
     Operators operators;
   };
+
+  fft::Symmetry symmetry_of_worn(int body, const Travel& travel) const;
 
   double image_tol_;
   fft::Symmetry symmetry_;

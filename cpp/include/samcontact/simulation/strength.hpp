@@ -10,6 +10,7 @@
 #include "samcontact/base/box.hpp"
 #include "samcontact/operators/volume_spectrum.hpp"
 #include "samcontact/plasticity/material.hpp"
+#include "samcontact/simulation/motion.hpp"
 
 namespace samcontact::simulation {
 
@@ -27,9 +28,9 @@ struct LayerLimit {
 
 class Strength {
  public:
-  /// material: must outlive it. Throws std::invalid_argument for profiles of more layers than can
-  /// be counted.
-  Strength(const plasticity::Material& material, double dz);
+  /// material and relief: must outlive it. first: the relief's row at the grid's first cell. Throws
+  /// std::invalid_argument for profiles of more layers than can be counted.
+  Strength(const plasticity::Material& material, const Grid& grid, const Relief& relief, int first);
 
   /// Whether it depends on depth.
   bool is_graded() const { return variation_.has_value(); }
@@ -49,14 +50,22 @@ class Strength {
                                  double share) const;
 
  private:
-  double factor(int k) const;
+  double factor_at(double z) const {
+    return material_.yield_profile ? material_.yield_profile->at(z) : 1.0;
+  }
   /// Deviator of the stress of the start: xx, yy, xy.
-  std::array<double, 3> start(int k) const;
+  std::array<double, 3> start_at(double z) const;
   double mid_depth(int k) const { return (k + 0.5) * dz_; }
+  /// Calls use(number of the cell, its mid-depth below the surface before wear) for all of a box in
+  /// order.
+  template <class Use>
+  void for_cells(const Box& box, const Use& use) const;
 
   const plasticity::Material& material_;
+  const Relief& relief_;
+  int first_, ny_;
   double dz_;
-  int layers_ = 0;
+  int layers_ = 0, worn_layers_ = 0;
   /// Sum of all changes from the surface on, parts of the yield stress; none: nothing changes.
   std::optional<OverDepth> variation_;
 };
