@@ -11,13 +11,16 @@ from __future__ import annotations
 import math
 from dataclasses import asdict, dataclass
 
-from ._checks import non_negative, poisson_ratio, positive
+from ._checks import non_negative, poisson_ratio, positive, require_type
+from ._first_yield import first_yield
 from ._repr import Shown
 from .hertz.axis import line_max_von_mises, point_max_von_mises
 from .hertz.field import sliding_max_von_mises
+from .material import Material
 
 __all__ = [
     "CriticalCylinder",
+    "CriticalPlace",
     "CriticalSlidingSphere",
     "CriticalSphere",
     "green",
@@ -26,6 +29,7 @@ __all__ = [
     "kogut_etsion",
     "onset",
     "onset_cylinder",
+    "onset_over_depth",
     "onset_sliding",
 ]
 
@@ -69,6 +73,21 @@ class CriticalSlidingSphere(CriticalSphere):
     """
 
     x: float
+    z: float
+
+
+@dataclass(frozen=True)
+class CriticalPlace(CriticalSphere):
+    """Onset of yield in a point contact of a body whose strength changes with depth.
+
+    Attributes
+    ----------
+    x, y, z : float
+        Where the body yields first [m]; z = 0 is the surface. Of places alike one.
+    """
+
+    x: float
+    y: float
     z: float
 
 
@@ -206,6 +225,50 @@ def onset_sliding(
         ratio, x, z = sliding_max_von_mises(nu, friction)
     sphere = _sphere(R, E_star, 1.0 / ratio, yield_stress)
     return CriticalSlidingSphere(**asdict(sphere), x=x * sphere.a, z=z * sphere.a)
+
+
+def onset_over_depth(
+    R: float, E_star: float, body: Material, friction: float = 0.0
+) -> CriticalPlace:
+    """Critical values of a sphere on a body with a yield profile or residual stress.
+
+    Parameters
+    ----------
+    R : float
+        Equivalent radius [m].
+    E_star : float
+        Contact modulus of the pair [Pa].
+    body : Material
+        The body that yields; the elastic constants of the pair are in E_star.
+    friction : float, optional
+        Coefficient mu >= 0 of a contact that slides on it along +x [-], as of `onset_sliding`.
+
+    Returns
+    -------
+    CriticalPlace
+        The smallest load at which the von Mises stress, residual stress included, reaches the yield
+        stress of its depth: anywhere within 1.3 radii of the axis and down to 12 radii, from the
+        closed form of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02, to about 1e-5. C is
+        over the yield stress of the law, without its profile.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range; the body cannot yield, or its residual stress leaves
+        nothing to a contact.
+    TypeError
+        `body` is not a Material.
+    """
+    require_type("body", body, Material)
+    if not body.is_plastic:
+        raise ValueError(f"body must be one that yields, got {body.law!r}")
+    R, E_star = positive("R", R), positive("E_star", E_star)
+    friction, yield_stress = non_negative("friction", friction), float(body.yield_stress(0.0))
+    _require_numbers(R, E_star, yield_stress)
+    p0, place = first_yield(body, math.pi * R / (2.0 * E_star), friction)
+    x, y, z = map(float, place)
+    sphere = _sphere(R, E_star, p0 / yield_stress, yield_stress)
+    return CriticalPlace(**asdict(sphere), x=x, y=y, z=z)
 
 
 def kogut_etsion(

@@ -160,7 +160,7 @@ class Search:
                 raise ValueError(
                     f"{YIELD!r} compares stress with one yield stress, and body {n} has a yield "
                     "profile or residual stress: find max_plastic_strain of a small value, e.g. "
-                    "1e-6"
+                    "1e-6, or take critical.onset_over_depth"
                 )
         return {
             f"max_von_mises_body{n}": float(body.yield_stress(0.0))

@@ -170,6 +170,11 @@ CALLS = [
         for name in ("green", "green_cylinder", "jackson_green", "onset", "onset_cylinder")
     ),
     ("critical.kogut_etsion", sc.critical.kogut_etsion, {**SPHERE, "hardness": 3e9}),
+    (
+        "critical.onset_over_depth",
+        sc.critical.onset_over_depth,
+        {"R": 1e-2, "E_star": E_STAR, "body": SOFT, "friction": 0.2},
+    ),
     ("critical.onset_sliding", sc.critical.onset_sliding, {**SPHERE, "friction": 0.2}),
     *(
         (

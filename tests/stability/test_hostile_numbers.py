@@ -19,9 +19,9 @@ MADE_BY_THE_PACKAGE = {
     "Accurate", "ContactSolution", "FoundLoad", "GridErrors", "State", "Track",
     "asperities.Tugging",
     "bearings.LoadZone",
-    "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalSlidingSphere",
-    "critical.CriticalSphere", "energy.EnergyBalance", "flattening.Flattening",
-    "hertz.EllipticContact",
+    "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalPlace",
+    "critical.CriticalSlidingSphere", "critical.CriticalSphere", "energy.EnergyBalance",
+    "flattening.Flattening", "hertz.EllipticContact",
     "hertz.LineContact", "hertz.PointContact", "RollingSolution", "StickSlipSolution", "wear.Cycle",
     "wear.FrettingCycle", "wear.FrettingResult", "wear.WearResult", "Zone",
 }  # fmt: skip

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Critical values against published numbers and against Hertz contact at the onset of yield."""
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
+import samcontact as sc
 from samcontact import critical, hertz
+from samcontact._tensors import von_mises
 
 E_STAR = 111.40819964e9
 TUGGING = {"R": 0.5, "E_star": E_STAR, "nu": 0.32, "yield_stress": 0.9115e9}
@@ -93,3 +96,82 @@ def test_kogut_etsion_interference():
 def test_bad_input_is_named(model, changed, message):
     with pytest.raises(ValueError, match=message):
         model(**{**TUGGING, **changed})
+
+
+E, NU = 210e9, 0.3
+PLAIN = sc.Material.perfect_plastic(E, NU, 1e9)
+FLAT = {"R": 1e-2, "E_star": E / (1 - NU**2)}
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.2, 0.5])
+def test_a_body_alike_at_all_depths_yields_where_it_does(friction):
+    found = critical.onset_over_depth(**FLAT, body=PLAIN, friction=friction)
+    expected = critical.onset_sliding(**FLAT, nu=NU, yield_stress=1e9, friction=friction)
+    assert pytest.approx(found.C, rel=1e-9) == expected.C
+    assert found.load == pytest.approx(expected.load, rel=1e-8)
+    assert (found.x, found.z) == pytest.approx((expected.x, expected.z), abs=1e-4 * found.a)
+    if friction == 0:
+        exact = critical.onset(**FLAT, nu=NU, yield_stress=1e9)
+        assert pytest.approx(found.C, rel=1e-9) == exact.C
+
+
+def test_a_hardened_case_yields_first_where_finite_elements_do():
+    """At p0 = 1.80 GPa, 0.71 radii deep; the radius is that of the case there."""
+    z, a = np.linspace(0.0, 2e-3, 201), 1e-3
+    body = sc.Material.swift(E, NU, 700e6, 20.0, 0.1)
+    body = body.with_yield_profile(z, 1 + 0.6 * np.exp(-((z / 0.5e-3) ** 2)))
+    body = body.with_residual_stress(z, -400e6 * np.exp(-((z / 0.4e-3) ** 2)))
+    found = critical.onset_over_depth(2 * a * FLAT["E_star"] / np.pi / 1.8e9, FLAT["E_star"], body)
+    assert found.a == pytest.approx(a, rel=0.005)
+    assert found.p0 == pytest.approx(1.80e9, rel=0.005)
+    assert found.z == pytest.approx(0.71 * a, abs=0.01 * a)
+
+
+@pytest.mark.parametrize(
+    ("z", "factor", "stress", "depth"),
+    [
+        ([0.0, 80e-6, 81e-6], [2.0, 2.0, 1.0], 0.0, (81e-6, 81e-6)),  # below the case
+        ([0.0, 5e-6, 6e-6], [0.2, 0.2, 1.0], 0.0, (0.0, 5e-6)),  # in the skin
+        ([0.0], [1.0], -4e8, (70e-6, 80e-6)),  # pressed along the surface
+    ],
+)
+def test_first_yield_is_that_of_the_stress_along_fine_lines(z, factor, stress, depth):
+    """Below the critical load nothing yields on ten thousand points, above it one does."""
+    body = PLAIN.with_yield_profile(z, factor).with_residual_stress([0.0], [stress])
+    found = critical.onset_over_depth(**FLAT, body=body)
+    assert depth[0] <= found.z <= depth[1]
+    r = np.linspace(0.0, 1.2, 101)[:, None] * found.a
+    depths = np.unique(np.concatenate([np.linspace(0.0, 3 * found.a, 150), z, [found.z]]))
+    for part, yields in ((1 - 1e-6, False), (1 + 1e-3, True)):
+        contact = hertz.point(**FLAT, p0=part * found.p0)
+        s = contact.stress(r, 0.0, depths, NU)
+        s[:2] += stress
+        ratio = von_mises(s) / (1e9 * np.interp(depths, z, factor))
+        assert (ratio.max() >= 1) is np.bool_(yields)
+
+
+def test_uneven_residual_stress_helps_one_way():
+    """Pure shear of the start, along a line that no symmetry tells."""
+    size = 3e8
+    ways = [
+        critical.onset_over_depth(
+            **FLAT,
+            body=PLAIN.with_residual_stress(
+                [0.0], [size * np.cos(2 * t)], [-size * np.cos(2 * t)], [size * np.sin(2 * t)]
+            ),
+        )
+        for t in (0.0, 0.3, np.pi / 4)
+    ]
+    assert [way.load for way in ways] == pytest.approx([ways[0].load] * 3, rel=1e-6)
+    # On the axis s_rr, twice, and s_zz: 1/2 ((s_xx - s_yy)^2 + ...) = (s_zz - s_rr)^2 + 3 s^2.
+    alone = critical.onset(**FLAT, nu=NU, yield_stress=np.sqrt(1e18 - 3 * size**2))
+    assert ways[0].load == pytest.approx(alone.load, rel=1e-6)
+
+
+def test_what_has_no_first_yield_is_refused():
+    with pytest.raises(ValueError, match="body must be one that yields, got 'elastic'"):
+        critical.onset_over_depth(**FLAT, body=sc.Material.elastic(E, NU))
+    with pytest.raises(TypeError, match="body"):
+        critical.onset_over_depth(**FLAT, body=1e9)
+    with pytest.raises(ValueError, match="at yield without a contact"):
+        critical.onset_over_depth(**FLAT, body=PLAIN.with_residual_stress([0.0], [1e9]))
