@@ -36,6 +36,7 @@ UNITS = {
     "load_per_length": "N/m",
     "p0": "Pa",
     "x": "m",
+    "y": "m",
     "z": "m",
 }
 # Units whose prefixes are not powers of a thousand, with the factors that read well.

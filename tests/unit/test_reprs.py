@@ -165,6 +165,7 @@ CLOSED_FORMS = [
     sc.critical.green(7.5e-3, E_STAR, 0.3, 1e9),
     sc.critical.green_cylinder(7.5e-3, E_STAR, 0.3, 1e9),
     sc.critical.onset_sliding(7.5e-3, E_STAR, 0.3, 1e9, 0.2),
+    sc.critical.onset_over_depth(7.5e-3, E_STAR, sc.Material.perfect_plastic(210e9, 0.3, 1e9)),
 ]
 
 
@@ -290,7 +291,8 @@ def test_arrays_are_told_by_shape_and_range():
         "MeasuredSurface(heights=<array 2 x 3, -2 to 3, 1 NaN>, dx=1e-06, dy=1e-06, attrs={})"
     )
     relief = sc.Relief(np.zeros((2, 3)), 5)
-    assert repr(relief) == "Relief(heights=<array 2 x 3, 0 to 0>, first=5, periodic=False)"
+    shown = "Relief(heights=<array 2 x 3, 0 to 0>, first=5, periodic=False, worn=None)"
+    assert repr(relief) == shown
     assert in_short(np.zeros(0)) == "<array 0>"
     assert in_short(np.full(2, np.nan)) == "<array 2, 2 NaN>"
     assert in_short(["a" * 200]) == "<list>"
