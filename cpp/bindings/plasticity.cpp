@@ -44,15 +44,6 @@ void bind_descriptions(py::module_& m) {
 void bind_stack(py::module_& m) {
   py::class_<Stack>(m, "Stack")
       .def(py::init([](const Elastic& elastic) { return Stack{{}, elastic}; }), py::arg("elastic"))
-      .def(py::init(
-               [](const std::vector<std::pair<Elastic, double>>& layers, const Elastic& substrate) {
-                 std::vector<ElasticLayer> given;
-                 given.reserve(layers.size());
-                 for (const auto& [elastic, thickness] : layers)
-                   given.push_back({elastic, thickness});
-                 return Stack::of(std::move(given), substrate);
-               }),
-           py::arg("layers"), py::arg("substrate"))
       .def(
           "wave_compliance",
           [](const Stack& stack, const Array& wavenumbers) {
@@ -112,6 +103,16 @@ void bind_material(py::module_& m) {
             return s.with_initial_stress({{z, sxx}, {z, syy}, {z, sxy}});
           },
           py::arg("z"), py::arg("sxx"), py::arg("syy"), py::arg("sxy"))
+      .def(
+          "with_coating",
+          [](const Material& s, const std::vector<std::pair<Elastic, double>>& layers) {
+            std::vector<ElasticLayer> coating;
+            coating.reserve(layers.size());
+            for (const auto& [elastic, h] : layers) coating.push_back({elastic, h});
+            return s.with_coating(std::move(coating));
+          },
+          py::arg("layers"))
+      .def_property_readonly("stack", &Material::stack)
       .def_property_readonly("elastic_constants", [](const Material& s) { return s.elastic; })
       .def_property_readonly("is_plastic", &Material::is_plastic)
       .def(

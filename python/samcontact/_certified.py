@@ -18,7 +18,7 @@ from ._checks import FloatArray
 from ._tensors import von_mises
 
 if TYPE_CHECKING:
-    from .material import Material
+    from .layered import Body
     from .state import State
 
 OF_CONTACT = ("load", "approach", "max_pressure", "contact_area")
@@ -38,7 +38,7 @@ _FIELDS = {
 }
 
 
-def names(bodies: Sequence[Material], body: int = 2, *, volume: bool = True) -> list[str]:
+def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list[str]:
     """Of all that a scene has: of each inelastic body, or else of the chosen one."""
     inelastic = [n for n, material in enumerate(bodies, 1) if material.is_plastic]
     found = list(OF_CONTACT)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 from collections.abc import Callable, Sequence
-from typing import Any, overload
+from typing import Any
 
 from ._checks import FloatArray
 
@@ -76,14 +76,12 @@ class LawDescription:
 def hardening_laws() -> list[LawDescription]: ...
 
 class Stack:
-    @overload
     def __init__(self, elastic: Elastic) -> None: ...
-    @overload
-    def __init__(self, layers: list[tuple[Elastic, float]], substrate: Elastic) -> None: ...
     def wave_compliance(self, wavenumbers: FloatArray) -> FloatArray: ...
 
 class Material:
     elastic_constants: Elastic
+    stack: Stack
     is_plastic: bool
     @staticmethod
     def rigid() -> Material: ...
@@ -92,6 +90,7 @@ class Material:
     def with_thermal(
         self, conductivity: float, expansion: float, diffusivity: float
     ) -> Material: ...
+    def with_coating(self, layers: list[tuple[Elastic, float]]) -> Material: ...
     def with_backstresses(self, terms: list[tuple[float, float]]) -> Material: ...
     def with_yield_profile(self, z: Sequence[float], factor: Sequence[float]) -> Material: ...
     def with_initial_stress(

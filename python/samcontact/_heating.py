@@ -14,7 +14,6 @@ from ._checks import FloatArray, finite_array
 from .grid import Grid
 from .heat import Heat
 from .layered import Body, Layered
-from .material import Material
 
 COLD = Heat(0.0)
 """No heat."""
@@ -88,7 +87,7 @@ def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> Non
         raise ValueError(f"{name} must be at most {longest:.3g} s, got {time:.3g} s")
 
 
-def core_law(body: Material) -> Callable[[FloatArray], FloatArray] | None:
+def core_law(body: Body) -> Callable[[FloatArray], FloatArray] | None:
     """The law of softening of a body as the core calls it: (nx, ny, nz) in, depth-major out."""
     law = body.softening
     if law is None:

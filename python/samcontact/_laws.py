@@ -8,7 +8,7 @@ law; all else (checks, case files, tables, checkpoints) follows from `LAWS`.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -95,11 +95,3 @@ def core_material(law: str, constants: Mapping[str, Any]) -> _core.Material:
     values = {name: np.atleast_1d(value).tolist() for name, value in constants.items()}
     (E,), (nu,) = values.pop("E"), values.pop("nu")
     return _core.Material.with_law(E, nu, law, values)
-
-
-def core_stack(layers: Iterable[tuple[Any, float]], substrate: Any) -> _core.Stack:
-    """The core's elastic body of materials and thicknesses on a material."""
-    return _core.Stack(
-        [(material._core.elastic_constants, thickness) for material, thickness in layers],
-        substrate._core.elastic_constants,
-    )

@@ -33,7 +33,7 @@ def require_apart(
     tol: float,
 ) -> None:
     """Raise ConvergenceError for a sliding contact whose bodies overlap."""
-    if not friction > 0 or bodies[0]._stack == bodies[1]._stack:
+    if not friction > 0 or bodies[0]._core.stack == bodies[1]._core.stack:
         return
     pressed = found.pressure > 0
     size = math.sqrt(np.count_nonzero(pressed) * cell_area)

@@ -135,6 +135,8 @@ class Shown:
 
 def material_rows(material: Any) -> Rows:
     """Law and constants of a material."""
+    if material.law not in LAWS:  # layers of materials
+        return list(material._rows())
     constants = LAWS[material.law].constants
     rows = [("law", material.law.replace("_", " "))]
     for name, value in material.parameters.items():

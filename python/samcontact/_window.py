@@ -21,7 +21,7 @@ from ._settings import Configured, Settings
 from ._steps import Step, checked_step
 from .grid import Grid
 from .heat import Heat
-from .material import Material
+from .layered import Body
 from .relief import Relief, heights_over, relief_rows
 
 if TYPE_CHECKING:
@@ -144,8 +144,8 @@ class Windowed(Configured):
     initial_gap: FloatArray
     relief1: Relief | None
     relief2: Relief | None
-    body1: Material
-    body2: Material
+    body1: Body
+    body2: Body
     _settings: Settings
     _core: Any
     _heat: Heat

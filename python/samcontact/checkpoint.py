@@ -14,6 +14,7 @@ from ._window import Surfaces, Window, require_continued
 from .friction import Coulomb
 from .grid import Grid
 from .heat import Heat
+from .layered import Body, Layered
 from .material import Material
 from .relief import Relief
 from .runs.file import DAMAGED, CheckpointError, ForeignCheckpointError, damaged, read, write
@@ -32,8 +33,8 @@ class Standing(Protocol):
     """A simulation, as far as copies and checkpoints know it."""
 
     grid: Grid
-    body1: Material
-    body2: Material
+    body1: Body
+    body2: Body
     friction: float | Coulomb
     residual_stress: str
     _core: Any
@@ -188,23 +189,31 @@ def _scene(given: Mapping[str, Any]) -> Tree:
         "gap": given["gap"],
     }
     for name in ("body1", "body2"):
-        body, law = given[name], given[name].softening
-        known = isinstance(law, JohnsonCook)
-        scene[name] = {
-            "law": body.law,
-            "parameters": dict(body.parameters),
-            "kinematic": body.kinematic or None,
-            "thermal": body.thermal,
-            "yield_profile": body.yield_profile,
-            "residual_stress": body.residual_stress,
-            "johnson_cook": astuple(law) if known else None,
-            "softening": None if known or law is None else repr(law),
-        }
+        scene[name] = _body_tree(given[name])
     for name in ("relief1", "relief2"):
         relief = given[name]
         if relief is not None:
             scene[name] = {item.name: getattr(relief, item.name) for item in fields(Relief)}
     return scene
+
+
+def _body_tree(body: Body) -> Tree:
+    if isinstance(body, Layered):
+        layers = {str(n): _body_tree(material) for n, (material, _) in enumerate(body.layers)}
+        thickness = [h for _, h in body.layers]
+        below = _body_tree(body.substrate)
+        return {"law": body.law, "layers": layers, "thickness": thickness, "substrate": below}
+    law, known = body.softening, isinstance(body.softening, JohnsonCook)
+    return {
+        "law": body.law,
+        "parameters": dict(body.parameters),
+        "kinematic": body.kinematic or None,
+        "thermal": body.thermal,
+        "yield_profile": body.yield_profile,
+        "residual_stress": body.residual_stress,
+        "johnson_cook": astuple(law) if isinstance(law, JohnsonCook) else None,
+        "softening": None if known or law is None else repr(law),
+    }
 
 
 def _law(given: Mapping[str, Any]) -> Tree:
@@ -234,7 +243,15 @@ def _arguments(scene: Tree, *laws: Any) -> dict[str, Any]:
     return given
 
 
-def _body(name: str, part: Tree, law: Any) -> Material:
+def _body(name: str, part: Tree, law: Any) -> Body:
+    if part["law"] == Layered.law:
+        layers = [_material(name, part["layers"][n], None) for n in sorted(part["layers"], key=int)]
+        substrate = _material(name, part["substrate"], None)
+        return Layered(tuple(zip(layers, part["thickness"], strict=True)), substrate)
+    return _material(name, part, law)
+
+
+def _material(name: str, part: Tree, law: Any) -> Material:
     if "johnson_cook" in part:
         law = JohnsonCook(*part["johnson_cook"])
     elif "softening" in part and law is None:

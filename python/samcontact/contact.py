@@ -74,7 +74,7 @@ class ContactSolver(Configured):
         heat: Heat | None = None,
     ) -> None:
         require_type("grid", grid, Grid)
-        require_bodies(grid, body1, body2)
+        require_bodies(body1, body2)
         self.grid = grid
         self.body1 = body1
         self.body2 = body2
@@ -88,7 +88,7 @@ class ContactSolver(Configured):
             )
         self._heating = heating(self.heat, (body1, body2), grid)
         self._require_memory()
-        scene = grid._core, body1._stack, body2._stack
+        scene = grid._core, body1._core.stack, body2._core.stack
         self._core: _core.ContactSolver | _core.CoulombContact
         if isinstance(self.friction, Coulomb):
             require_cold(self.friction, self.heat)
@@ -103,7 +103,7 @@ class ContactSolver(Configured):
         )
 
     def _require_memory(self) -> None:
-        coupled = self.friction != 0 and self.body1._stack != self.body2._stack
+        coupled = self.friction != 0 and self.body1._core.stack != self.body2._core.stack
         cell = _memory.COUPLED_CONTACT if coupled else _memory.CONTACT
         if isinstance(self.friction, Coulomb):
             cell = _memory.STICK_SLIP
@@ -307,7 +307,7 @@ class ContactSolver(Configured):
         _memory.require_for_grid(f"the stress at {layers} depths", self.grid, needed)
         stress: FloatArray = _core.operators.surface_stress(
             self.grid._core,
-            material._stack,
+            material._core.stack,
             self._heating[body - 1],
             depths_of(z).tolist(),
             *self._tractions_on(body, pressure, shear),
@@ -353,7 +353,7 @@ class ContactSolver(Configured):
         loads = self._tractions_on(body, pressure, shear)
         along = _core.operators.surface_displacement
         return np.stack(
-            [along(self.grid._core, material._stack, *loads, axis) for axis in range(3)]
+            [along(self.grid._core, material._core.stack, *loads, axis) for axis in range(3)]
         )
 
     def _tractions_on(

@@ -188,7 +188,8 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
         raise ValueError(why)
     last = states[-1]
     work = _work(states, float(np.min(states[0]._window.initial_gap)))
-    plastic = [(n, body) for n, body in enumerate(bodies, 1) if body.is_plastic]
+    homogeneous = [(n, b) for n, b in enumerate(bodies, 1) if isinstance(b, Material)]
+    plastic = [(n, body) for n, body in homogeneous if body.is_plastic]
     return EnergyBalance(
         put_in=float(work[work > 0].sum()),
         net=float(work.sum()),
@@ -228,6 +229,8 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
     for body in (simulation.body1, simulation.body2):
         if body.softening is not None:
             return f"bodies must be without softening, got {body!r}"
+        if body.is_plastic and not isinstance(body, Material):
+            return f"bodies of layers must not yield, got {body!r}"
     return ""
 
 

@@ -21,6 +21,7 @@ from ._progress import tell
 from ._quantities import described
 from ._repr import Rows, Shown, quantity
 from .grid_errors import estimate_errors
+from .material import Material
 from .runs.journal import describe
 from .runs.solves import Solves
 
@@ -165,7 +166,7 @@ class Search:
         return {
             f"max_von_mises_body{n}": float(body.yield_stress(0.0))
             for n, body in enumerate(self.bodies, 1)
-            if body.is_plastic
+            if isinstance(body, Material) and body.is_plastic
         }
 
     def refuse(self, why: object) -> ValueError:

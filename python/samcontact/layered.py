@@ -3,19 +3,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._checks import FloatArray, finite, positive, real_array, require_type
-from ._laws import core_stack
+from ._frozen import FrozenDict
 from ._repr import Rows, Shown, material_in_short, quantity
-from .grid import Grid
 from .material import Material
 
 
@@ -65,6 +64,12 @@ class Layered(Shown):
 
     layers: tuple[tuple[Material, float], ...]
     substrate: Material
+    law: ClassVar[str] = "layered"
+    kinematic: ClassVar[tuple[()]] = ()
+    thermal: ClassVar[None] = None
+    softening: ClassVar[None] = None
+    yield_profile: ClassVar[None] = None
+    residual_stress: ClassVar[None] = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "layers", _checked_layers(self.layers))
@@ -76,15 +81,39 @@ class Layered(Shown):
                         f"{name} must have no {what}, got {getattr(material, what)!r}: layered "
                         "bodies have no kernels of heat"
                     )
-        self._stack  # noqa: B018  (the core checks thicknesses)
+            for what in ("yield_profile", "residual_stress"):
+                if getattr(material, what) is not None:
+                    raise ValueError(
+                        f"{name} must have no {what}: strength and stress over depth are of "
+                        "homogeneous bodies"
+                    )
+        self._core  # noqa: B018  (the core checks thicknesses)
 
     def _named_materials(self) -> list[tuple[str, Material]]:
         named = [(f"layers[{n}]", material) for n, (material, _) in enumerate(self.layers)]
         return [*named, ("substrate", self.substrate)]
 
     @cached_property
-    def _stack(self) -> Any:
-        return core_stack(self.layers, self.substrate)
+    def _core(self) -> Any:
+        layers = [(material._core.elastic_constants, h) for material, h in self.layers]
+        return self.substrate._core.with_coating(layers)
+
+    @property
+    def parameters(self) -> Mapping[str, tuple[float, ...]]:
+        """E [Pa] and nu from the surface down, the substrate last, and each thickness [m]."""
+        materials = materials_of(self)
+        return FrozenDict(
+            {
+                "E": tuple(material.E for material in materials),
+                "nu": tuple(material.nu for material in materials),
+                "thickness": tuple(h for _, h in self.layers),
+            }
+        )
+
+    @property
+    def least_yield_stress(self) -> float:
+        """Smallest yield stress of all materials before hardening [Pa]; infinite without yield."""
+        return min(material.least_yield_stress for material in materials_of(self))
 
     @property
     def interfaces(self) -> FloatArray:
@@ -127,11 +156,12 @@ class Layered(Shown):
         bad = ~(np.isfinite(q) & (q > 0))
         if bad.any():
             raise ValueError(f"wavenumber must be finite and > 0, got {float(q[bad].flat[0])!r}")
-        found = self._stack.wave_compliance(np.ascontiguousarray(q).ravel())
+        found = self._core.stack.wave_compliance(np.ascontiguousarray(q).ravel())
         return np.asarray(found).reshape(q.shape)
 
     def _rows(self) -> Rows:
-        rows = [
+        rows = [("law", self.law)]
+        rows += [
             (f"layer {n}", f"{quantity(h, 'm')} of {material_in_short(material)}")
             for n, (material, h) in enumerate(self.layers, 1)
         ]
@@ -150,18 +180,20 @@ class Layered(Shown):
 Body = Material | Layered
 
 
-def require_bodies(grid: Grid, *bodies: Any) -> None:
-    """Raise TypeError for what is neither a material nor layers of them, ValueError for layers on a
-    periodic grid."""
+def require_bodies(*bodies: Any, elastic: bool = False) -> None:
+    """Raise TypeError for what is neither a material nor layers of them.
+
+    elastic: ValueError for layered bodies that yield.
+    """
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Body):
             raise TypeError(
                 f"body{n} must be a samcontact.Material or samcontact.Layered, got {body!r}"
             )
-        if grid.periodic and isinstance(body, Layered):
+        if elastic and isinstance(body, Layered) and body.is_plastic:
             raise ValueError(
-                f"body{n} must be homogeneous on a periodic grid, got {body!r} with grid.periodic "
-                f"= {grid.periodic!r}: layers have no periodic coefficients yet"
+                f"body{n} must not yield where it has layers, got {body!r}: give layers and "
+                "substrate of Material.elastic"
             )
 
 

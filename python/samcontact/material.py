@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from ._checks import FloatArray, number, real_array
 from ._graded import PARTS, Graded, Profile, profile
-from ._laws import checked_constants, core_material, core_stack
+from ._laws import checked_constants, core_material
 from ._repr import Rows, Shown, material_rows
 
 
@@ -277,11 +277,6 @@ class Material(Graded, Shown):
         if self.residual_stress is not None:
             core = core.with_initial_stress(*self.residual_stress)
         return core
-
-    @cached_property
-    def _stack(self) -> Any:
-        """Its elastic constants as the core's body, without layers."""
-        return core_stack((), self)
 
     @property
     def E(self) -> float:

@@ -25,7 +25,7 @@ from .checkpoint import loaded, reduced, snapshot, stand_at, write_checkpoint
 from .friction import Coulomb, require_cold
 from .grid import Grid
 from .heat import Heat
-from .material import Material
+from .layered import Body, require_bodies
 from .relief import Relief, relief_rows
 from .state import State
 
@@ -41,7 +41,7 @@ class Simulation(Running, Windowed, Shown):
     ----------
     grid : Grid
         Needs layers (dz) when a body is inelastic.
-    body1, body2 : Material
+    body1, body2 : Material or Layered
         Upper and lower body; any of them inelastic, at most one rigid.
     gap : array_like, shape (nx, ny), or callable
         Initial separation of the undeformed bodies [m]; or a function of a grid that returns it,
@@ -112,8 +112,8 @@ class Simulation(Running, Windowed, Shown):
     def __init__(
         self,
         grid: Grid,
-        body1: Material,
-        body2: Material,
+        body1: Body,
+        body2: Body,
         gap: ArrayLike | Callable[[Grid], ArrayLike],
         friction: float | Coulomb = Settings.friction,
         *,
@@ -130,8 +130,7 @@ class Simulation(Running, Windowed, Shown):
         reach: float | None = Settings.reach,
     ) -> None:
         require_type("grid", grid, Grid)
-        require_type("body1", body1, Material)
-        require_type("body2", body2, Material)
+        require_bodies(body1, body2, elastic=True)
         self.body1, self.body2 = body1, body2
         self._configure(
             Settings(

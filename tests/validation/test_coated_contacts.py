@@ -48,3 +48,31 @@ def test_pressure_approach_and_stresses_on_the_axis(name):
     stress = solver.stress(found.pressure, depths)[:, n // 2, n // 2]
     assert stress[2] == pytest.approx(s_zz, abs=5e-4)
     assert stress[0] == pytest.approx(s_rr, abs=5e-4)
+
+
+WAVE, AMPLITUDE = 1e-3, 1e-7
+STEEL = sc.Material.elastic(210e9, 0.3)
+COATINGS = [
+    [(sc.Material.elastic(210e9 * ratio, nu), thickness * WAVE)]
+    for ratio, nu, thickness in [
+        (4, 0.25, 0.003), (4, 0.25, 0.05), (4, 0.25, 0.3), (50, 0.2, 0.02), (50, 0.2, 2.0),
+        (0.25, 0.3, 0.003), (0.25, 0.3, 0.1), (0.02, 0.45, 0.05), (0.02, 0.49, 1.0),
+    ]
+]  # fmt: skip
+COATINGS.append(COATINGS[1] + COATINGS[7])
+
+
+@pytest.mark.parametrize("layers", COATINGS)
+def test_wave_on_a_coating_closes_at_its_own_pressure(layers):
+    """Full contact of one wave: p = p_m + p* cos(q x), p* = A over the compliance of the wave."""
+    n = 128
+    grid = sc.Grid(n, 1, WAVE / n, WAVE / n, periodic="xy")
+    body, q = sc.Layered(layers, STEEL), 2 * np.pi / WAVE
+    gap = AMPLITUDE * (1 - np.cos(q * grid.x))[:, None]
+    full = AMPLITUDE / body.wave_compliance(q)
+    solver = sc.ContactSolver(grid, sc.Material.rigid(), body)
+    found = solver.solve(gap, load=1.2 * full * WAVE * grid.dy)
+    exact = full * (1.2 + np.cos(q * grid.x))
+    assert found.pressure[:, 0] == pytest.approx(exact, abs=1e-3 * full)
+    touching = solver.solve(gap, load=0.98 * full * WAVE * grid.dy).pressure
+    assert touching.min() == 0

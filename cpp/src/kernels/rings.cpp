@@ -17,6 +17,8 @@ constexpr double edge = 0.2, reach = 9.0;
 /// Wavenumber of the last disc times the longest length: it sums up to 90 times that length away.
 constexpr double last = 0.2;
 constexpr double negligible = 1e-13;
+/// Shortest wavenumber of a strip, times the longest length: the limit at 0 depends on directions.
+constexpr double shortest = 1e-5;
 
 /// 1 below q1, 0 above.
 double window(double q, double q1) { return 0.5 * std::erfc((q / q1 - 1) / edge); }
@@ -82,22 +84,59 @@ void add_ring(const RingWaves& waves, const RingAxis& x, const RingAxis& y, doub
   }
 }
 
+/// Calls add(inner, outer, support, is_last) for each ring whose kernel reaches beyond a cell.
+template <class Add>
+void for_each_ring(const RingWaves& waves, double extent, double smallest_cell, const Add& add) {
+  for (double outer = waves.highest;; outer *= 0.5) {
+    const bool is_last = outer * extent < last;
+    const double inner = is_last ? 0.0 : 0.5 * outer;
+    const double support = reach / (edge * (is_last ? outer : inner));
+    // Within the cells their total acts, and a ring has none.
+    if (is_last || support >= 0.5 * smallest_cell) add(inner, outer, support, is_last);
+    if (is_last) return;
+  }
+}
+
 }  // namespace
 
 Field ring_sums(const RingWaves& waves, double dx, double dy, std::span<const double> x,
                 std::span<const double> y) {
   Field sums(waves.parities.size() * x.size() * y.size(), 0.0);
   const double extent = std::max({std::ranges::max(x), std::ranges::max(y), waves.longest});
-  for (double outer = waves.highest;; outer *= 0.5) {
-    const bool is_last = outer * extent < last;
-    const double inner = is_last ? 0.0 : 0.5 * outer;
-    const double support = reach / (edge * (is_last ? outer : inner));
-    // Within the cells their total acts, and a ring has none.
-    if (!is_last && support < 0.5 * std::min(dx, dy)) continue;
-    add_ring(waves, {x, dx, support, outer, is_last}, {y, dy, support, outer, is_last}, inner,
-             outer, x.size(), x.size() * y.size(), sums);
-    if (is_last) return sums;
-  }
+  for_each_ring(waves, extent, std::min(dx, dy),
+                [&](double inner, double outer, double support, bool is_last) {
+                  add_ring(waves, {x, dx, support, outer, is_last},
+                           {y, dy, support, outer, is_last}, inner, outer, x.size(),
+                           x.size() * y.size(), sums);
+                });
+  return sums;
+}
+
+Field ring_strip_sums(const RingWaves& waves, double dx, std::span<const double> x) {
+  const std::size_t count = waves.parities.size();
+  Field sums(count * x.size(), 0.0);
+  std::vector<double> wave(count);
+  const double extent = std::max(std::ranges::max(x), waves.longest);
+  for_each_ring(waves, extent, dx, [&](double inner, double outer, double support, bool is_last) {
+    const RingAxis axis(x, dx, support, outer, is_last);
+    Matrix values = Matrix::Zero(axis.k.size(), static_cast<Eigen::Index>(count));
+    for (Eigen::Index m = 0; m < axis.k.size(); ++m) {
+      const double q = axis.k[m];
+      const double share = window(q, outer) - (inner > 0 ? window(q, inner) : 0.0);
+      if (std::fabs(share) < negligible) continue;
+      waves.at(std::max(q, shortest / waves.longest), 0.0, wave.data());
+      for (std::size_t c = 0; c < count; ++c) values(m, c) = share * wave[c];
+    }
+    for (std::size_t c = 0; c < count; ++c) {
+      if (waves.parities[c].odd_y) continue;
+      const auto& side = waves.parities[c].odd_x ? axis.odd : axis.even;
+      const Eigen::VectorXd ring = side * values.col(static_cast<Eigen::Index>(c));
+      for (std::size_t n = 0; n < axis.places.size(); ++n) {
+        sums[c * x.size() + axis.places[n]] += ring[static_cast<Eigen::Index>(n)];
+      }
+    }
+  });
+  return sums;
 }
 
 }  // namespace samcontact::kernels

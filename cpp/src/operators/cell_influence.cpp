@@ -122,6 +122,19 @@ kernels::Stress wave_mean(Traction traction, double kx, double ky, double z0, do
   return turned(kernels::shear_wave_mean(ky, kx, z0, z1, nu));
 }
 
+Field selected(Field six, Tensor tensor) {
+  if (tensor == Tensor::full) return six;
+  const std::size_t plane = six.size() / 6;
+  Field five(5 * plane);
+  for (std::size_t n = 0; n < plane; ++n) {
+    const double mean = (six[n] + six[plane + n] + six[2 * plane + n]) / 3;
+    five[n] = six[n] - mean;
+    five[plane + n] = six[plane + n] - mean;
+    for (int c = 2; c < 5; ++c) five[c * plane + n] = six[(c + 1) * plane + n];
+  }
+  return five;
+}
+
 double betti_factor(Traction traction, int component) {
   const auto parity = stress_parity(traction, component);
   return (parity.odd_x != parity.odd_y ? -1.0 : 1.0) * (component < 3 ? 1.0 : 2.0);

@@ -11,20 +11,6 @@
 namespace samcontact::operators {
 namespace {
 
-/// The components of a tensor of six, [component][plane].
-Field selected(Field six, Tensor tensor) {
-  if (tensor == Tensor::full) return six;
-  const std::size_t plane = six.size() / 6;
-  Field five(5 * plane);
-  for (std::size_t n = 0; n < plane; ++n) {
-    const double mean = (six[n] + six[plane + n] + six[2 * plane + n]) / 3;
-    five[n] = six[n] - mean;
-    five[plane + n] = six[plane + n] - mean;
-    for (int c = 2; c < 5; ++c) five[c * plane + n] = six[(c + 1) * plane + n];
-  }
-  return five;
-}
-
 class HalfSpace : public Medium {
  public:
   explicit HalfSpace(const Elastic& elastic) : elastic_(elastic) {}

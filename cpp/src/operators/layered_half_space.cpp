@@ -17,7 +17,7 @@ namespace {
 }
 
 void require_free(const Grid& grid) {
-  if (grid.period.is_on()) refuse("contact on a periodic grid");
+  if (grid.period.is_on()) refuse("displacement of plastic strain on a periodic grid");
 }
 
 class LayeredHalfSpace : public Medium {
@@ -32,8 +32,13 @@ class LayeredHalfSpace : public Medium {
 
   Field compliance(Traction traction, Axis axis, const Grid& grid,
                    const CellOffsets& offsets) const override {
-    require_free(grid);
-    return layered_compliance(stack_, traction, axis, grid, offsets);
+    if (!grid.period.is_on()) return layered_compliance(stack_, traction, axis, grid, offsets);
+    const auto cell = [&](const Grid& own, bool turned) {
+      return turned ? layered_compliance_of_cell(stack_, exchanged(traction), exchanged(axis), own)
+                    : layered_compliance_of_cell(stack_, traction, axis, own);
+    };
+    const int name = 3 * static_cast<int>(traction) + static_cast<int>(axis);
+    return sums_.sum(grid, offsets, cell, std::array{0}, name);
   }
   double wave_compliance(double wavenumber) const override {
     kernels::LayeredWave wave(stack_);
@@ -43,11 +48,15 @@ class LayeredHalfSpace : public Medium {
 
   Field stress(Traction traction, const Grid& grid, const KernelOffsets& offsets, double z,
                Tensor tensor) const override {
-    return stress(traction, grid, CellOffsets::lattice(offsets.nx, offsets.ny), z, tensor);
+    const auto lattice = CellOffsets::lattice(offsets.nx, offsets.ny);
+    if (!grid.period.is_on()) return stress(traction, grid, lattice, z, tensor);
+    const auto cell = [&](const Grid& own, bool turned) {
+      return layered_stress_of_cell(stack_, turned ? exchanged(traction) : traction, own, z);
+    };
+    return selected(sums_.sum(grid, lattice, cell, exchanged_components), tensor);
   }
   Field stress(Traction traction, const Grid& grid, const CellOffsets& offsets, double z,
                Tensor tensor) const override {
-    require_free(grid);
     return layered_stress(stack_, traction, grid, offsets, z, tensor);
   }
   Field residual_displacement(Axis axis, const Grid& grid, const CellOffsets& offsets,
@@ -86,6 +95,7 @@ class LayeredHalfSpace : public Medium {
 
  private:
   Stack stack_;
+  PeriodicSums sums_;
 };
 
 }  // namespace

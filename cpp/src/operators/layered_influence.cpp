@@ -74,6 +74,58 @@ std::array<double, 2> moved_from_zero(double kx, double ky, double longest) {
   return {shortest_wave / longest, shortest_wave / longest};
 }
 
+/// Waves of a traction less those of the closed forms, near and far.
+struct DisplacementRest {
+  const Stack& stack;
+  Traction traction;
+  Axis axis;
+  WaveCompliance near, far;  // of the top layer; of the substrate less that
+  double distance, longest;
+
+  DisplacementRest(const Stack& of, Traction load, Axis along)
+      : stack(of),
+        traction(load),
+        axis(along),
+        near(kernels::wave_compliance(of.elastic(0))),
+        far(combined(kernels::wave_compliance(of.substrate), -1.0, near)),
+        distance(2 * of.thickness()),
+        longest(longest_length(of)) {}
+
+  kernels::RingWaves waves() const {
+    const auto at = [rest = *this, wave = kernels::LayeredWave(stack)](double kx, double ky,
+                                                                       double* value) mutable {
+      const auto [x, y] = moved_from_zero(kx, ky, rest.longest);
+      const double q = std::hypot(x, y);
+      wave.set_wavenumber(q);
+      const auto layered = combined(wave.compliance(), -1.0, rest.near);
+      const auto own = combined(layered, -std::exp(-q * rest.distance), rest.far);
+      *value = component(own, rest.traction, rest.axis, x / q, y / q) / q;
+    };
+    return {
+        {compliance_parity(traction, axis)}, at, deepest_wave / stack.layers[0].thickness, longest};
+  }
+};
+
+/// Primitive in x of what a line load does at a distance d whose wave has the displacement
+/// exp(-k d)/k: with ln(reference/r) where it is even.
+double distant_line_primitive(double x, double d, bool odd, double reference) {
+  const double log = std::log((x * x + d * d) / (reference * reference)), angle = std::atan(x / d);
+  if (odd) return (x * angle - 0.5 * d * log) / std::numbers::pi;
+  return -(0.5 * x * log - x + d * angle) / std::numbers::pi;
+}
+
+/// Displacement under a uniform traction: of a body at rest far below, as the mean plane of an
+/// elastic substrate is; on a rigid one layers are compressed and sheared by a finite amount.
+double uniform_displacement(const Stack& stack, Traction traction, Axis axis) {
+  if (!stack.substrate.is_rigid() || traction_along(axis) != traction) return 0.0;
+  double sum = 0.0;
+  for (const auto& [elastic, thickness] : stack.layers) {
+    const double nu = elastic.nu, shear = elastic.shear_modulus();
+    sum += thickness / (axis == Axis::z ? 2 * shear * (1 - nu) / (1 - 2 * nu) : shear);
+  }
+  return sum;
+}
+
 /// Highest wavenumber at which the stress at a depth differs from that of a half-space.
 double highest_stress_wave(const Stack& stack, int layer, double z) {
   return deepest_stress_wave / (layer > 0 ? z : 2 * stack.layers[0].thickness - z);
@@ -93,44 +145,61 @@ kernels::Stress stress_of(const kernels::LayeredWave& wave, Traction traction, i
 
 Field layered_compliance(const Stack& stack, Traction traction, Axis axis, const Grid& grid,
                          const CellOffsets& offsets) {
-  const Elastic& top = stack.elastic(0);
-  Field table = cell_compliance(top, traction, axis, grid, offsets);
+  Field table = cell_compliance(stack.elastic(0), traction, axis, grid, offsets);
   if (stack.layers.empty()) return table;
   // Far away the substrate acts, at a distance that leaves the near field to the top layer.
-  const WaveCompliance near = kernels::wave_compliance(top);
-  const WaveCompliance far = combined(kernels::wave_compliance(stack.substrate), -1.0, near);
-  const double d = 2 * stack.thickness(), longest = longest_length(stack);
+  const DisplacementRest rest(stack, traction, axis);
   const double scale = grid.dx / (2 * std::numbers::pi);
   const Field distant = corner_sums(offsets, grid.dy / grid.dx, [&](double x, double y) {
-    return scale * buried(far, traction, axis, x, y, d / grid.dx);
+    return scale * buried(rest.far, traction, axis, x, y, rest.distance / grid.dx);
   });
-  kernels::LayeredWave wave(stack);
-  const auto rest = [&](double kx, double ky, double* value) {
-    const auto [x, y] = moved_from_zero(kx, ky, longest);
-    const double q = std::hypot(x, y);
-    wave.set_wavenumber(q);
-    const auto own = combined(combined(wave.compliance(), -1.0, near), -std::exp(-q * d), far);
-    *value = component(own, traction, axis, x / q, y / q) / q;
-  };
   const auto [x, y] = offsets.in_metres(grid.dx, grid.dy);
-  const Field sums = kernels::ring_sums({{compliance_parity(traction, axis)},
-                                         rest,
-                                         deepest_wave / stack.layers[0].thickness,
-                                         longest},
-                                        grid.dx, grid.dy, x, y);
+  const Field sums = kernels::ring_sums(rest.waves(), grid.dx, grid.dy, x, y);
   for (std::size_t n = 0; n < table.size(); ++n) table[n] += distant[n] + sums[n];
   return table;
 }
 
-Field layered_stress(const Stack& stack, Traction traction, const Grid& grid,
-                     const CellOffsets& offsets, double z, Tensor tensor) {
+CellInfluence layered_compliance_of_cell(const Stack& stack, Traction traction, Axis axis,
+                                         const Grid& grid) {
+  CellInfluence influence = compliance_of_cell(stack.elastic(0), traction, axis, grid);
+  influence.uniform = {uniform_displacement(stack, traction, axis)};
+  influence.cell = [=](int nx, int ny) {
+    return layered_compliance(stack, traction, axis, grid, CellOffsets::lattice(nx, ny));
+  };
+  influence.wave = [=](double kx, double ky, double* value) {
+    const double q = std::hypot(kx, ky);
+    kernels::LayeredWave wave(stack);
+    wave.set_wavenumber(q);
+    *value = component(wave.compliance(), traction, axis, kx / q, ky / q) / q;
+  };
+  influence.strip = [=, near = influence.strip](int nx) {
+    Field sums = near(nx);
+    const auto parity = compliance_parity(traction, axis);
+    if (parity.odd_y) return sums;
+    const DisplacementRest rest(stack, traction, axis);
+    const double factor = component(rest.far, traction, axis, 1.0, 0.0);
+    const double reference = grid.period.reference > 0 ? grid.period.reference : grid.dx;
+    const auto offsets = CellOffsets::lattice(nx, 1).in_metres(grid.dx, grid.dy);
+    const Field rings = kernels::ring_strip_sums(rest.waves(), grid.dx, offsets.x);
+    const auto line = [&](double x) {
+      return distant_line_primitive(x, rest.distance, parity.odd_x, reference);
+    };
+    for (int i = 0; i < nx; ++i) {
+      sums[i] += factor * (line((i + 0.5) * grid.dx) - line((i - 0.5) * grid.dx)) + rings[i];
+    }
+    return sums;
+  };
+  return influence;
+}
+
+namespace {
+
+/// Stress at a depth of a wave of a traction less that of a half-space of the layer that it is in.
+kernels::RingWaves stress_rest(const Stack& stack, Traction traction, double z, Tensor tensor) {
   const int layer = stack.layer_at(z);
-  const double nu = stack.elastic(layer).nu;
-  Field table = cell_stress(nu, traction, grid, offsets, z, tensor);
-  if (stack.layers.empty()) return table;
-  const double longest = std::max(longest_length(stack), z);
-  kernels::LayeredWave wave(stack);
-  const auto rest = [&](double kx, double ky, double* values) {
+  const double nu = stack.elastic(layer).nu, longest = std::max(longest_length(stack), z);
+  const auto at = [=, wave = kernels::LayeredWave(stack)](double kx, double ky,
+                                                          double* values) mutable {
     const auto [x, y] = moved_from_zero(kx, ky, longest);
     const double q = std::hypot(x, y);
     wave.set_wavenumber(q);
@@ -139,12 +208,48 @@ Field layered_stress(const Stack& stack, Traction traction, const Grid& grid,
     for (int c = 0; c < 6; ++c) stress[c] -= near[c];
     std::ranges::copy_n(select(stress, tensor).begin(), count(tensor), values);
   };
-  kernels::RingWaves waves{{}, rest, highest_stress_wave(stack, layer, z), longest};
+  kernels::RingWaves waves{{}, at, highest_stress_wave(stack, layer, z), longest};
   for (const int c : components(tensor)) waves.parities.push_back(stress_parity(traction, c));
+  return waves;
+}
+
+}  // namespace
+
+Field layered_stress(const Stack& stack, Traction traction, const Grid& grid,
+                     const CellOffsets& offsets, double z, Tensor tensor) {
+  Field table =
+      cell_stress(stack.elastic(stack.layer_at(z)).nu, traction, grid, offsets, z, tensor);
+  if (stack.layers.empty()) return table;
   const auto [x, y] = offsets.in_metres(grid.dx, grid.dy);
-  const Field sums = kernels::ring_sums(waves, grid.dx, grid.dy, x, y);
+  const Field sums =
+      kernels::ring_sums(stress_rest(stack, traction, z, tensor), grid.dx, grid.dy, x, y);
   for (std::size_t n = 0; n < table.size(); ++n) table[n] += sums[n];
   return table;
+}
+
+CellInfluence layered_stress_of_cell(const Stack& stack, Traction traction, const Grid& grid,
+                                     double z) {
+  const int layer = stack.layer_at(z);
+  CellInfluence influence = stress_of_cell(stack.elastic(layer).nu, traction, grid, z);
+  influence.cell = [=](int nx, int ny) {
+    return layered_stress(stack, traction, grid, CellOffsets::lattice(nx, ny), z, Tensor::full);
+  };
+  influence.wave = [=](double kx, double ky, double* stress) {
+    const double q = std::hypot(kx, ky);
+    kernels::LayeredWave wave(stack);
+    wave.set_wavenumber(q);
+    const auto found = stress_of(wave, traction, layer, wave.at(layer, z), kx / q, ky / q);
+    std::ranges::copy(found, stress);
+  };
+  influence.strip = [=, near = influence.strip](int nx) {
+    Field sums = near(nx);
+    const auto offsets = CellOffsets::lattice(nx, 1).in_metres(grid.dx, grid.dy);
+    const Field rings =
+        kernels::ring_strip_sums(stress_rest(stack, traction, z, Tensor::full), grid.dx, offsets.x);
+    for (std::size_t n = 0; n < sums.size(); ++n) sums[n] += rings[n];
+    return sums;
+  };
+  return influence;
 }
 
 Field layered_residual_displacement(const Stack& stack, Axis axis, const Grid& grid,

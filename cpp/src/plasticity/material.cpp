@@ -89,6 +89,12 @@ Material Material::with_backstresses(const std::vector<Backstress>& terms) const
   return material;
 }
 
+Material Material::with_coating(std::vector<ElasticLayer> layers) const {
+  Material coated = *this;
+  coated.coating = Stack::of(std::move(layers), elastic).layers;
+  return coated;
+}
+
 Material Material::with_thermal(const Thermal& constants) const {
   if (elastic.is_rigid()) {
     throw std::invalid_argument("a rigid body does not expand: it has no thermal constants");

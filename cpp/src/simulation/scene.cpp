@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "samcontact/operators/half_space.hpp"
 #include "samcontact/operators/heated_medium.hpp"
+#include "samcontact/operators/layered_half_space.hpp"
 #include "samcontact/simulation/yield_scan.hpp"
 
 namespace samcontact::simulation {
@@ -48,8 +48,8 @@ double spot_radius(const Field& pressure, const Grid& grid) {
 
 std::array<operators::SharedMedium, 2> media_of(const plasticity::Material& body1,
                                                 const plasticity::Material& body2) {
-  const auto upper = operators::half_space(body1.elastic);
-  const auto lower = operators::half_space(body2.elastic);
+  const auto upper = operators::medium_of(body1.stack());
+  const auto lower = operators::medium_of(body2.stack());
   return {upper, *upper == *lower ? upper : lower};
 }
 

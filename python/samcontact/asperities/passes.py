@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -15,6 +15,9 @@ from ..runs.journal import Journal
 from ..simulation import Simulation
 from .collision import Collision
 from .series import Row
+
+if TYPE_CHECKING:
+    from ..material import Material
 
 _ROUNDING = 1e-9
 """Relative: what is less does not count as a step, or as an approach."""
@@ -106,7 +109,7 @@ class Passes:
         self.state = kept
         self.peak = max(self.peak, kept, key=lambda state: state.load)
         for body in self._inelastic:
-            material = (self.simulation.body1, self.simulation.body2)[body - 1]
+            material = cast("Material", (self.simulation.body1, self.simulation.body2)[body - 1])
             tracks = (s.track(body, margin=0) for s in (self.state, before))
             self.plastic_work += energy.plastic_work(material, *tracks)
 

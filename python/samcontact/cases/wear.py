@@ -5,13 +5,14 @@ from __future__ import annotations
 
 import os
 from inspect import signature
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, cast
 
 from pydantic import Field, model_validator
 
 from .base import Count, Length, NonNegative, Positive, Section, changed, in_unit
 
 if TYPE_CHECKING:
+    from ..material import Material
     from ..simulation import Simulation
     from ..wear import FrettingResult, WearResult
 
@@ -72,7 +73,8 @@ class WearSection(Section):
         common: dict[str, Any] = {name: getattr(scene, name) for name in names}
         common |= {"friction": scene.friction, "cycle": cycle, "cycles": self.cycles}
         common |= {"checkpoint": checkpoint, "progress": progress}
-        given = scene.grid, scene.body1, scene.body2, scene.initial_gap
+        bodies = cast("Material", scene.body1), cast("Material", scene.body2)
+        given = scene.grid, *bodies, scene.initial_gap
         if self.threshold is None:
             common |= {self.law: getattr(self, self.law), "repeats": self.repeats}
             return wear.fretting(*given, **common)

@@ -25,7 +25,7 @@ from .zones import add_gathered, is_gathered, max_von_mises
 if TYPE_CHECKING:
     from .._window import Window
     from ..cases import Case
-    from ..material import Material
+    from ..layered import Body
     from ..simulation import Simulation
     from ..state import State
 
@@ -198,7 +198,7 @@ def _add_temperatures(
     return heated
 
 
-def _material(simulation: Simulation, body: int) -> Material:
+def _material(simulation: Simulation, body: int) -> Body:
     return simulation.body1 if body == 1 else simulation.body2
 
 

@@ -27,4 +27,7 @@ struct RingWaves {
 Field ring_sums(const RingWaves& waves, double dx, double dy, std::span<const double> x,
                 std::span<const double> y);
 
+/// The same of a strip along y without end, from the waves along x: [component][i].
+Field ring_strip_sums(const RingWaves& waves, double dx, std::span<const double> x);
+
 }  // namespace samcontact::kernels

@@ -34,6 +34,8 @@ double betti_factor(Traction traction, int component);
 
 /// The components of a tensor that a field has, first.
 kernels::Stress select(kernels::Stress s, Tensor tensor);
+/// The same of tables [component][plane].
+Field selected(Field six, Tensor tensor);
 /// Stress under a wave of a traction at a depth, and its mean over depths, in the sense of
 /// kernels/wave.hpp.
 kernels::Stress wave_stress(Traction traction, double kx, double ky, double z, double nu);

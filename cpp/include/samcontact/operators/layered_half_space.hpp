@@ -8,8 +8,7 @@
 namespace samcontact::operators {
 
 /// Neighbours that are alike are one; a half_space() where only the substrate is left. What layers
-/// do not serve yet throws std::invalid_argument: periodic surfaces, heat and stress of
-/// eigenstrain.
+/// do not serve throws std::invalid_argument: heat and the stress of eigenstrain.
 SharedMedium medium_of(const Stack& stack);
 
 }  // namespace samcontact::operators

@@ -17,6 +17,12 @@ Field layered_compliance(const Stack& stack, Traction traction, Axis axis, const
 Field layered_stress(const Stack& stack, Traction traction, const Grid& grid,
                      const CellOffsets& offsets, double z, Tensor tensor);
 
+/// Of both what lattice sums need.
+CellInfluence layered_compliance_of_cell(const Stack& stack, Traction traction, Axis axis,
+                                         const Grid& grid);
+CellInfluence layered_stress_of_cell(const Stack& stack, Traction traction, const Grid& grid,
+                                     double z);
+
 /// Displacement of the surface along an axis per unit eigenstrain xx, yy, zz, yz, xz, xy in a cell
 /// between two depths inside one layer [component][j][i] [m].
 Field layered_residual_displacement(const Stack& stack, Axis axis, const Grid& grid,
