@@ -57,6 +57,7 @@ class Heating:
         speed_y: float = ...,
         age: float = ...,
         reference: float = ...,
+        of_slip: bool = ...,
     ) -> None: ...
 
 class LawParameter:

@@ -31,11 +31,13 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     age = math.inf if heat.time is None else heat.time
     reference = 1.0 if heat.reference is None else heat.reference
     entries = []
-    for n, (body, factor, v) in enumerate(zip(bodies, heat.factor, heat.velocity, strict=True), 1):
+    of_slip = heat.partition is not None
+    name = "share of the heat" if of_slip else "heat.factor"
+    for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
         if isinstance(body, Layered):
             if factor > 0:
                 raise ValueError(
-                    f"heat.factor of body{n} must be 0 where the body has layers, got {factor!r}: "
+                    f"{name} of body{n} must be 0 where the body has layers, got {factor!r}: "
                     "there are no kernels of heat in layers"
                 )
             entries.append(_core.Heating())
@@ -43,15 +45,15 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
         if factor > 0:
             if grid.periodic:
                 raise ValueError(
-                    f"heat.factor of body{n} must be 0 on a periodic grid, got {factor!r} with "
+                    f"{name} of body{n} must be 0 on a periodic grid, got {factor!r} with "
                     f"grid.periodic = {grid.periodic!r}: heat that enters all of a half-space "
                     "has no steady state"
                 )
             if body.is_rigid:
-                raise ValueError(f"heat.factor of body{n} is {factor!r}, but the body is rigid")
+                raise ValueError(f"{name} of body{n} is {factor!r}, but the body is rigid")
             if body.thermal is None:
                 raise ValueError(
-                    f"heat.factor of body{n} is {factor!r}, but the body has no thermal constants: "
+                    f"{name} of body{n} is {factor!r}, but the body has no thermal constants: "
                     "give them with with_thermal()"
                 )
             _require_speed(grid, n, body.thermal[2], math.hypot(*v))
@@ -60,7 +62,7 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
             if duration is not None:
                 _require_time("duration", duration, body.thermal[2], grid)
         constants = body.thermal or (1.0, 0.0, 1.0)
-        entries.append(_core.Heating(factor, *constants, *v, age, reference))
+        entries.append(_core.Heating(factor, *constants, *v, age, reference, of_slip))
     return entries
 
 
@@ -104,7 +106,7 @@ def require_reference(heat: Heat) -> None:
     """For a given approach: heat at rest in the steady state displaces relative to a distance."""
     if heat.reference is not None or heat.time is not None or heat.history is not None:
         return
-    if any(f > 0 and not any(v) for f, v in zip(heat.factor, heat.velocity, strict=True)):
+    if any(f > 0 and not any(v) for f, v in zip(heat.shares, heat.velocity, strict=True)):
         raise ValueError(
             "heat.reference must be given with an approach: the displacement of a steady source at "
             "rest has no limit far away, it is zero at this distance [m] of a point source"

@@ -136,7 +136,7 @@ class Running(Windowed):
     ) -> None:
         """Append the state of each increment as soon as it is done."""
         self._told.doubt(self._scene, self._heat, largest_target(steps), stacklevel=3)
-        if not any(self._heat.factor) and (load := largest_cold_load(steps)) is not None:
+        if not any(self._heat.shares) and (load := largest_cold_load(steps)) is not None:
             self._make_room(load)
         with self._told.as_a_whole():
             run_into(states, self, steps, progress, checkpoint, leave=leave)

@@ -22,7 +22,7 @@ from ._checks import (
     tractions,
 )
 from ._heating import Bodies, heating, require_reference
-from .friction import Coulomb, GivenAlong, given_along, require_cold
+from .friction import Coulomb, GivenAlong, given_along, require_heat_of
 from .grid import Grid
 from .heat import Heat
 from .operators import shear_components
@@ -100,13 +100,17 @@ def checked_step(
     tangential = given_along(friction, shift, tangential_load, twist, torque)
     _require_possible(friction, tangential, pressure, shear, torque, (first, second))
     lasts = _duration(heat, duration)
+    if heat_factor is not None and heat.partition is not None:
+        raise ValueError(
+            f"heat_factor must be left out with heat.partition, got {heat_factor!r}: the heat is "
+            "that of the slip"
+        )
     if heat_factor is not None:
         heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
-    if isinstance(friction, Coulomb):
-        require_cold(friction, heat)
-    if lasts is not None and (first, second) != (0.0, 0.0):
+    require_heat_of(friction, heat)
+    if heat.history is not None and lasts is not None and (first, second) != (0.0, 0.0):
         _require_motion_of_heat(heat, lasts, (first, second), grid.dx)
-    entries = heating(heat, bodies, grid, lasts)
+    entries = heating(heat, bodies, grid, None if heat.history is None else lasts)
     if kind == "approach":
         require_reference(heat)
     return Step(kind, value, heat, entries, lasts or 0.0, (first, second), tangential, **given)
@@ -158,10 +162,14 @@ def largest_target(steps: Sequence[Mapping[str, Any]]) -> dict[str, float]:
 
 
 def _duration(heat: Heat, duration: float | None) -> float | None:
-    """Of an increment [s]; None without a march in time."""
+    """Of an increment [s]; None without a march in time or heat of slip."""
+    if heat.partition is not None:
+        if duration is None:
+            raise ValueError("duration must be given in a simulation with heat of slip")
+        return positive("duration", duration)
     if heat.history is None:
         if duration is not None:
-            raise ValueError("duration needs a simulation with heat of a history")
+            raise ValueError("duration needs a simulation with heat of a history or of slip")
         return None
     if duration is None:
         raise ValueError("duration must be given in a simulation with heat of a history")

@@ -206,7 +206,7 @@ class Windowed(Configured):
             step = self._checked(given)
             if self._told.looks_at_steps:
                 self._told.doubt(self._scene, step.heat, step.target, stacklevel=4)
-            if not any(step.heat.factor):
+            if not any(step.heat.shares):
                 self._make_room(**step.target)
             before = self.state
             try:

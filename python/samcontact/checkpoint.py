@@ -103,7 +103,9 @@ def resume(simulation: Standing, kept: Snapshot) -> None:
             require_continued(window, before)
         except ValueError as error:
             raise ForeignCheckpointError(f"the checkpoint is of other surfaces: {error}") from error
-    then = replace(heat, factor=[state["heat_factor1"], state["heat_factor2"]])
+    then = heat
+    if heat.partition is None:
+        then = replace(heat, factor=[state["heat_factor1"], state["heat_factor2"]])
     entries = heating(then, (simulation.body1, simulation.body2), grid)
     if window is simulation._window:
         simulation._core.restore(state, kept.counters, entries)

@@ -16,7 +16,7 @@ from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
 from ._settings import Configured, ContactSettings
 from ._window import GROWS, Surfaces, Window, counts_for, require_continued, told_in
-from .friction import Coulomb, Drive, Pressing, require_cold, tangential_drive
+from .friction import Coulomb, Drive, Pressing, require_heat_of, tangential_drive
 from .grid import Grid
 from .heat import Heat
 from .layered import Body, require_bodies
@@ -81,17 +81,18 @@ class ContactSolver(Configured):
         self._configure(ContactSettings(friction, tol, on_border, max_iterations))
         self.heat = COLD if heat is None else heat
         require_type("heat", self.heat, Heat)
-        if self.heat.history is not None:
-            raise ValueError(
-                f"heat.history must be None for a single contact, got {self.heat.history!r}: give "
-                "time, or use Simulation"
-            )
+        for name, instead in (("history", "give time, or"), ("partition", "slip takes time,")):
+            if (given := getattr(self.heat, name)) is not None:
+                raise ValueError(
+                    f"heat.{name} must be None for a single contact, got {given!r}: {instead} use "
+                    "Simulation"
+                )
+        require_heat_of(self.friction, self.heat)
         self._heating = heating(self.heat, (body1, body2), grid)
         self._require_memory()
         scene = grid._core, body1._core.stack, body2._core.stack
         self._core: _core.ContactSolver | _core.CoulombContact
         if isinstance(self.friction, Coulomb):
-            require_cold(self.friction, self.heat)
             self._core = _core.CoulombContact(*scene, self.friction.coefficient)
         else:
             self._core = _core.ContactSolver(*scene, self.friction, self._heating)

@@ -55,12 +55,18 @@ def coefficient(friction: float | Coulomb) -> float:
     return friction.coefficient if isinstance(friction, Coulomb) else float(friction)
 
 
-def require_cold(friction: Coulomb, heat: Heat) -> None:
-    """Raise ValueError for heat, which needs a slip that is known."""
-    if any(heat.factor):
+def require_heat_of(friction: float | Coulomb, heat: Heat) -> None:
+    """Raise ValueError for heat of another kind than the friction's."""
+    sticks = isinstance(friction, Coulomb)
+    if sticks and any(heat.factor):
         raise ValueError(
-            f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: heat enters "
-            "where bodies slide all over, as they do with a number as friction"
+            f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: bodies that "
+            "stick and slip are heated by their slip; give heat.partition to a Simulation"
+        )
+    if not sticks and heat.partition is not None:
+        raise ValueError(
+            f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: "
+            "where all slides the heat goes with the pressure; give heat.factor, see heat.factors"
         )
 
 

@@ -3,7 +3,8 @@
 
 The flux into a body is its heat factor times the pressure, q = Q_f p, Q_f = beta mu V with beta the
 share of this body, mu the coefficient of friction and V the speed of sliding (Boucly 2008, section
-2.1.3).
+2.1.3); or, of bodies that stick and slip, its share of the power of friction, q = beta s . w/t with
+the slip w of an increment that lasts t.
 """
 
 from __future__ import annotations
@@ -35,9 +36,9 @@ class Heat:
 
     Parameters
     ----------
-    factor : float or pair of floats
+    factor : float or pair of floats, optional
         Q_f >= 0 [m/s]: heat flux into body 2 (or into body 1 and 2) over pressure, see `factors`.
-        The heated bodies need thermal constants. 0: the source is off.
+        The heated bodies need thermal constants. 0, the default: the source is off.
     velocity : array_like, shape (2,) or (2, 2), optional
         V_x, V_y of body 2 (or of body 1 and 2) through the contact [m/s], to which the heat is
         fixed; default at rest.
@@ -52,6 +53,10 @@ class Heat:
         Distance [m] at which a point source at rest in the steady state displaces nothing, which
         has no limit far away. Matters for the approach only; a given approach needs it; 1 m
         otherwise.
+    partition : float, optional
+        With `Coulomb` friction of a `Simulation`, instead of `factor`: share beta of the power of
+        friction that enters body 2, in [0, 1], the rest enters body 1; see the function
+        `partition`. Each step then takes its `duration`, and heats as its slip does on the mean.
 
     Raises
     ------
@@ -64,26 +69,45 @@ class Heat:
     time: float | None
     history: Pair | None
     reference: float | None
+    partition: float | None
 
     def __init__(
         self,
-        factor: float | Sequence[float],
+        factor: float | Sequence[float] = 0.0,
         velocity: ArrayLike | None = None,
         time: float | None = None,
         history: Sequence[float] | None = None,
         reference: float | None = None,
+        partition: float | None = None,
     ) -> None:
         if history is not None and time is not None:
             raise ValueError("give history or time of heat, not both")
+        if partition is not None and history is not None:
+            raise ValueError(
+                f"history must be None with partition, got {history!r}: heat of slip is that of a "
+                "source in the steady state, or for a time; give time"
+            )
+        factors = of_bodies("factor", factor)
         checked = {
-            "factor": of_bodies("factor", factor),
+            "factor": factors,
             "velocity": _velocities(velocity),
             "time": None if time is None else positive("time", time),
             "history": None if history is None else _history(history),
             "reference": None if reference is None else positive("reference", reference),
+            "partition": None if partition is None else _share("partition", partition),
         }
+        if partition is not None and any(factors):
+            raise ValueError(
+                f"factor must be 0 with partition, got {factor!r}: the heat is that of the slip, "
+                "not of the pressure"
+            )
         for name, value in checked.items():
             object.__setattr__(self, name, value)
+
+    @property
+    def shares(self) -> Pair:
+        """Of both bodies: the factors, or the shares of the power of friction."""
+        return self.factor if self.partition is None else (1.0 - self.partition, self.partition)
 
     def __repr__(self) -> str:
         """Without what is as it is by default."""
@@ -93,6 +117,13 @@ class Heat:
 
 
 _AT_REST = ((0.0, 0.0), (0.0, 0.0))
+
+
+def _share(name: str, value: float) -> float:
+    share = number(name, value)
+    if not 0.0 <= share <= 1.0:
+        raise ValueError(f"{name} must be in [0, 1], got {share!r}")
+    return share
 
 
 def _velocities(velocity: ArrayLike | None) -> tuple[Pair, Pair]:
@@ -143,9 +174,7 @@ def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[floa
     total = non_negative("friction", friction) * non_negative("speed", speed)
     if not math.isfinite(total):
         raise ValueError(f"friction times speed must be finite, got {friction!r} and {speed!r}")
-    share = number("partition", partition)
-    if not 0.0 <= share <= 1.0:
-        raise ValueError(f"partition must be in [0, 1], got {share!r}")
+    share = _share("partition", partition)
     return (1.0 - share) * total, share * total
 
 

@@ -22,7 +22,7 @@ from ._told import Told
 from ._turn import Turn
 from ._window import Surfaces, Window, Windowed
 from .checkpoint import loaded, reduced, snapshot, stand_at, write_checkpoint
-from .friction import Coulomb, require_cold
+from .friction import Coulomb, require_heat_of
 from .grid import Grid
 from .heat import Heat
 from .layered import Body, require_bodies
@@ -149,8 +149,7 @@ class Simulation(Running, Windowed, Shown):
         self._heat = COLD if heat is None else heat
         require_type("heat", self._heat, Heat)
         heating(self._heat, (body1, body2), grid)  # checks it against the bodies
-        if isinstance(self.friction, Coulomb):
-            require_cold(self.friction, self._heat)
+        require_heat_of(self.friction, self._heat)
         self._told, self._turn = Told(), Turn()
         self._surfaces = Surfaces(gap, relief1, relief2)
         self._open(self._over(grid))
@@ -224,8 +223,8 @@ class Simulation(Running, Windowed, Shown):
         heat_factor : float or pair of floats, optional
             Of the heat from now on [m/s]; 0: the source is off.
         duration : float, optional
-            Of the increment [s], > 0; goes with a `history` of the heat. The flux is that of the
-            pressure at its end.
+            Of the increment [s], > 0; goes with a `history` of the heat, whose flux is that of the
+            pressure at its end, or with its `partition`.
 
         Returns
         -------

@@ -97,7 +97,8 @@ class State(SurfaceState, Fixed, Shown):
 
     @property
     def heat_factor(self) -> tuple[float, float]:
-        """Heat flux over pressure of body 1 and 2 in this increment [m/s]."""
+        """Heat flux over pressure of body 1 and 2 in this increment [m/s]; with a `partition` of
+        the heat its shares [-]."""
         return self._core.heat_factor1, self._core.heat_factor2
 
     @property

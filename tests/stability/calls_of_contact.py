@@ -240,8 +240,8 @@ CALLS = [
         "Heat",
         sc.Heat,
         {
-            "factor": (0.0, 0.01), "velocity": ((0.1, 0.0), (0.2, 0.1)), "time": 1.0,
-            "history": None, "reference": 1.0,
+            "factor": (0.0, 0.0), "velocity": ((0.1, 0.0), (0.2, 0.1)), "time": 1.0,
+            "history": None, "reference": 1.0, "partition": 0.5,
         },
     ),
     (

@@ -105,9 +105,9 @@ void require_consistent(const State& state) {
   const Grid& grid = state.scene().grid;
   const auto fits = [&](const Field& field) { return field.size() == grid.surface_size(); };
   require_that(fits(state.tractions.pressure), "the pressure does not fit the grid");
-  for (const Field* field :
-       {&state.tractions.shear_x, &state.tractions.shear_y, &state.contact_gap}) {
-    require_that(field->empty() || fits(*field), "shear or gap do not fit the grid");
+  for (const Field* field : {&state.tractions.shear_x, &state.tractions.shear_y, &state.contact_gap,
+                             &state.slip_power}) {
+    require_that(field->empty() || fits(*field), "shear, gap or power of slip do not fit the grid");
   }
   for (const double way : state.travel) {
     require_that(std::fabs(way) < farthest, "travel is out of range");

@@ -123,6 +123,10 @@ Target between(const State& from, const Target& target, double fraction) {
 /// Flow and slip of an earlier part of the increment.
 void add_part(const State& earlier, State& state) {
   for (int b = 0; b < 2; ++b) state.flowed[b] |= earlier.flowed[b];
+  if (!earlier.slip_work.empty()) {
+    state.slip_work.resize(earlier.slip_work.size(), 0.0);
+    contact::add_scaled(1.0, earlier.slip_work, state.slip_work);
+  }
   if (earlier.slip.empty()) return;
   state.slip.resize(earlier.slip.size(), 0.0);
   contact::add_scaled(1.0, earlier.slip, state.slip);
@@ -140,6 +144,7 @@ Division::Division(const State& from, const Target& target, const Settings& sett
       moment_(from) {
   moment_.flowed = {};
   moment_.slip.clear();
+  moment_.slip_work.clear();
 }
 
 Target Division::part_of(const State& from, double start, double end) const {

@@ -29,15 +29,21 @@ void for_cells(const Box& box, const Grid& grid, const Use& use) {
   }
 }
 
+GivenHeat given_in(const Scene& scene, const Target& target, int body) {
+  return {scene, body, target.past[body], target.duration, target.heating[body], target.slip_power};
+}
+
 }  // namespace
 
-HeatOfIncrement::HeatOfIncrement(const Scene& scene, const Target& target)
-    : scene_(scene), target_(target) {
+HeatOfIncrement::HeatOfIncrement(const Scene& scene, const Target& target,
+                                 const std::array<double, 2>& offsets)
+    : scene_(scene),
+      target_(target),
+      offsets_(offsets),
+      given_{given_in(scene, target, 0), given_in(scene, target, 1)} {
   if (target.is_prescribed()) return;
   for (int b = 0; b < 2; ++b) {
-    if (has_past(b)) {
-      displacement_.push_back(target.past[b]->displacement(target.duration));
-    }
+    if (has_past(b)) displacement_.push_back(given_[b].displacement());
   }
 }
 
@@ -52,7 +58,7 @@ const Field& HeatOfIncrement::past_stress(int body, int layers) {
   Field& stress = stress_[body];
   const std::size_t least = 6 * grid.surface_size() * layers;
   if (stress.size() < least) {
-    stress = target_.past[body]->stress(target_.duration, grid.z(std::max(layers, grid.nz)));
+    stress = given_[body].stress(grid.z(std::max(layers, grid.nz)), offsets_[body]);
   }
   return stress;
 }
@@ -111,7 +117,7 @@ std::shared_ptr<const BoxField> HeatOfIncrement::softening(int body, const Softe
   const auto operators = scene_.temperature(target_.heating[body], box);
   Field rise = operators->rise(window({pressure, {}, {}}, grid, box).pressure.data(), depths);
   if (has_past(body)) {
-    const Field more = target_.past[body]->temperature(target_.duration, depths);
+    const Field more = given_[body].temperature(depths, offsets_[body]);
     double* to = rise.data();
     for_cells(box, grid, [&](std::size_t n) { *to++ += more[n]; });
   }

@@ -67,7 +67,7 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
                      ? seen_from_body(target.tractions, scene_.grid, from.placement().origin)
                      : operators::Tractions{from.tractions.pressure, {}, {}}),
       undeformed_(target.is_prescribed() ? Field() : scene_.gap(from.travel)),
-      heat_(scene_, target),
+      heat_(scene_, target, from.placement().offset),
       sources_{&undeformed_, &heat_},
       symmetry_(choose_symmetry()),
       choice_(scene_.grid, symmetry_) {
@@ -311,6 +311,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.tractions = tractions_;
   state.heating = target_.heating;
   state.past = target_.past;
+  state.slip_power = target_.slip_power;
   state.past_symmetry = target_.past_symmetry;
   state.softening = {};
   state.contact_gap.clear();

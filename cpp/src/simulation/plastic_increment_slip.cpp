@@ -173,12 +173,20 @@ contact::Solution PlasticIncrement::stick_and_slip(const Field& gap,
 
 void PlasticIncrement::remember_slip(State& state) const {
   if (!scene_.coulomb) return;
+  state.slip_work.clear();
   if (target_.is_prescribed()) {
     state.slip.clear();
     state.shear_symmetry = common(state.shear_symmetry, symmetry_of(tractions_, scene_.grid));
     return;
   }
   state.slip = shear_.slip;
+  if (!target_.slip_power.empty()) {
+    const std::size_t n = scene_.grid.surface_size();
+    const Field &s = shear_.shear, &w = shear_.slip;
+    for (std::size_t i = 0; i < n; ++i) {
+      state.slip_work.push_back(s[i] * w[i] + s[n + i] * w[n + i]);
+    }
+  }
   const auto& motion = shear_.motion;
   state.motion[0] += motion[0];
   state.motion[1] += motion[1] + contact::spin_lead * way_of(from_) * motion[2];

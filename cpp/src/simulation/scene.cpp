@@ -186,6 +186,17 @@ std::shared_ptr<const operators::HeatStress> Scene::heat_stress(
   return heat_stress_[body];
 }
 
+std::shared_ptr<const operators::FluxHeat> Scene::flux_heat(
+    int body, const operators::Heating& heating) const {
+  const operators::Heating of_power = heating.of_power();
+  const std::lock_guard lock(heat_mutex_);
+  auto& kept = flux_heat_[body];
+  if (!kept || kept->heating() != of_power) {
+    kept = std::make_shared<const operators::FluxHeat>(grid, media[body], of_power);
+  }
+  return kept;
+}
+
 operators::HeatHistory Scene::heat_history(int body, const operators::Heating& heating) const {
   return media[body]->heat_history(
       grid, heating,

@@ -8,6 +8,9 @@
 #include <utility>
 
 #include "samcontact/base/errors.hpp"
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/anderson.hpp"
+#include "samcontact/contact/shear_problem.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
 #include "samcontact/simulation/description.hpp"
 #include "samcontact/simulation/division.hpp"
@@ -51,6 +54,22 @@ void check_backstress(const std::vector<plasticity::Backstress>& laws, const Fie
               trace);
     }
   }
+}
+
+/// Solves of an increment with heat of slip, and iterates remembered between them.
+constexpr int most_heatings = 20, anderson_depth = 4;
+/// What the heat may differ from that of the slip, in tolerances; and what is none [W/m^2].
+constexpr double power_share = 10.0, smallest_power = 1e-200;
+
+/// Of friction per area, by work per area in a time [i][j] [W/m^2].
+Field power_of(const Field& work, double duration, std::size_t cells) {
+  Field power(cells, 0.0);
+  for (std::size_t i = 0; i < work.size(); ++i) power[i] = std::max(work[i], 0.0) / duration;
+  return power;
+}
+
+double total(const Field& power) {
+  return ordered_sum(power.size(), [&](std::size_t i) { return std::fabs(power[i]); });
 }
 
 }  // namespace
@@ -108,14 +127,47 @@ std::vector<std::string> Simulation::border_complaints(const State& reached,
   return {std::move(what)};
 }
 
+State Simulation::reached(const Target& target) {
+  const auto scans_of = [this](const auto& heating) -> const Scans& { return scans(heating); };
+  return Division(state_, target, settings_, counters_, scans_of).walk();
+}
+
+State Simulation::heated_by_slip(Target target) {
+  const Grid& grid = scene_->grid;
+  const double duration = std::exchange(target.duration, 0.0);
+  const auto moving = symmetry_of({target.heating[0].of_power(), target.heating[1].of_power()});
+  Field& power = target.slip_power;
+  power = state_.slip_power;
+  power.resize(grid.surface_size(), 0.0);
+  contact::Anderson anderson(anderson_depth);
+  double error = 1.0;
+  for (int n = 0; n < most_heatings; ++n) {
+    target.past_symmetry = common(moving, symmetry_of(power, grid));
+    State state = reached(target);
+    Field change = power_of(state.slip_work, duration, power.size());
+    const double all = total(change);
+    contact::add_scaled(-1.0, power, change);
+    const double changed = total(change);
+    error = changed > 0 ? changed / std::max(all, smallest_power) : 0.0;
+    if (error <= power_share * settings_.tol) return state;
+    anderson.next(power, change);
+    for (double& q : power) q = std::max(q, 0.0);
+  }
+  throw ConvergenceError("slip and the heat that it makes did not settle at " + describe(target) +
+                             ": relative change " + to_text(error) + " after " +
+                             std::to_string(most_heatings) +
+                             " solves: take a longer duration or a smaller increment",
+                         most_heatings, error);
+}
+
 const State& Simulation::step(const Target& target) {
   check(target);
   const long contact_before = counters_.contact_iterations;
   Target whole = target;
   const auto& [pressure, shear_x, shear_y] = target.tractions;
   if (shear_x.empty() && shear_y.empty()) whole.tractions = scene_->sliding.tractions(pressure);
-  const auto scans_of = [this](const auto& heating) -> const Scans& { return scans(heating); };
-  State reached = Division(state_, whole, settings_, counters_, scans_of).walk();
+  const bool slip_heats = whole.heating[0].is_of_slip() || whole.heating[1].is_of_slip();
+  State reached = slip_heats ? heated_by_slip(std::move(whole)) : this->reached(whole);
   reached.contact_iterations = static_cast<int>(counters_.contact_iterations - contact_before);
   reached.warnings = border_complaints(reached, target);
   state_ = std::move(reached);

@@ -210,7 +210,8 @@ Field State::stress_of_strain(int body, const Box& region) const {
 Field State::stress(int body, Layers layers) const {
   const Box region = below(layers);
   Field stress = total_stress(body, true, region);
-  if (past[body]) add(past[body]->stress(duration, scene_->grid.z(region.nz)), stress);
+  const GivenHeat heat = given_heat(body);
+  if (heat.is_on()) add(heat.stress(scene_->grid.z(region.nz), placement().offset[body]), stress);
   strength(body).add_stress(region, Tensor::full, stress);
   return stress;
 }
@@ -365,7 +366,7 @@ Field State::surface_displacement(int body) const {
   add(operators::surface_displacement(scene_->grid, *scene_->media[body], heating[body], tractions,
                                       operators::shear_sign(body), operators::Axis::z),
       out);
-  if (past[body]) add(past[body]->displacement(duration), out);
+  if (const GivenHeat heat = given_heat(body); heat.is_on()) add(heat.displacement(), out);
   return out;
 }
 
@@ -375,7 +376,8 @@ Field State::temperature(int body, Layers layers) const {
   const Box region = below(layers);
   const auto depths = scene_->grid.z(region.nz);
   Field rise = scene_->temperature(heating[body], region)->rise(pressure.data(), depths);
-  if (past[body]) add(past[body]->temperature(duration, depths), rise);
+  const GivenHeat heat = given_heat(body);
+  if (heat.is_on()) add(heat.temperature(depths, placement().offset[body]), rise);
   return rise;
 }
 
@@ -383,7 +385,9 @@ Field State::surface_temperature(int body) const {
   const std::array surface{0.0};
   Field rise =
       operators::Temperature(scene_->grid, heating[body]).rise(tractions.pressure.data(), surface);
-  if (past[body]) add(past[body]->temperature(duration, surface), rise);
+  if (const GivenHeat heat = given_heat(body); heat.is_on()) {
+    add(heat.temperature(surface, placement().offset[body]), rise);
+  }
   return rise;
 }
 

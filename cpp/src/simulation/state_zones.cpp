@@ -17,8 +17,8 @@ bool State::is_in_zones(int body) const {
 }
 
 bool State::shows_zones(int body) const {
-  return is_in_zones(body) && travel == Travel{} && !heating[body].is_moving() && !past[body] &&
-         !plastic[body]->reaches_beyond(Zones(flow_boxes[body]));
+  return is_in_zones(body) && travel == Travel{} && !heating[body].is_moving() &&
+         !given_heat(body).is_on() && !plastic[body]->reaches_beyond(Zones(flow_boxes[body]));
 }
 
 std::vector<Box> State::zones(int body) const {
@@ -65,7 +65,7 @@ Field State::stress_in_zones(int body, bool with_tractions) const {
 }
 
 Box State::own_box(int body) const {
-  if (!plastic[body] || is_elsewhere(body) || past[body]) return {};
+  if (!plastic[body] || is_elsewhere(body) || given_heat(body).is_on()) return {};
   const Grid& grid = scene_->grid;
   Box box = whole_box(plastic[body]->box(), grid, plastic[body]->symmetry());
   Box window = window_of(tractions_on(body), grid);

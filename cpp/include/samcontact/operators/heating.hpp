@@ -13,16 +13,27 @@
 
 namespace samcontact::operators {
 
-/// Heat that enters one body: flux = factor p, fixed to the contact, as it is for `age`.
+/// Heat that enters one body: flux = factor p, or of slip, fixed to the contact, as it is for
+/// `age`.
 struct Heating {
-  double factor = 0.0;  // Q_f [m/s]
+  double factor = 0.0;  // Q_f [m/s]; of slip: the share of the power of friction
   Thermal thermal{1.0, 0.0, 1.0};
   double speed_x = 0.0, speed_y = 0.0;                   // of the body through the contact [m/s]
   double age = std::numeric_limits<double>::infinity();  // [s]; infinity: steady state
   /// Distance at which a steady point source at rest displaces nothing [m].
   double reference = 1.0;
 
-  bool is_on() const { return factor != 0; }
+  bool of_slip = false;
+
+  /// Whether it goes with the pressure.
+  bool is_on() const { return factor != 0 && !of_slip; }
+  bool is_of_slip() const { return factor != 0 && of_slip; }
+  /// The same under a pressure that stands for the power of friction.
+  Heating of_power() const {
+    Heating heating = *this;
+    heating.of_slip = false;
+    return heating;
+  }
   bool is_moving() const { return speed_x != 0 || speed_y != 0; }
   /// Only then is there no limit of the displacement far away.
   bool is_steady_at_rest() const { return !is_moving() && age == infinity(); }

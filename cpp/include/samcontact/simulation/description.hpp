@@ -96,6 +96,7 @@ void describe(S& s, Visitor& visit) {
   visit("slip", s.slip);
   visit("motion", s.motion);
   visit("friction_work", s.friction_work);
+  visit("slip_power", s.slip_power);
   visit("shear_symmetry", s.shear_symmetry);
   visit("travel", s.travel);
   visit("time", s.time);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "samcontact/simulation/given_heat.hpp"
 #include "samcontact/simulation/simulation.hpp"
 #include "samcontact/simulation/source.hpp"
 #include "samcontact/simulation/yield_scan.hpp"
@@ -15,10 +16,12 @@ namespace samcontact::simulation {
 
 class HeatOfIncrement : public Source {
  public:
-  HeatOfIncrement(const Scene& scene, const Target& target);
+  /// offsets: of the bodies' cells, see Placement.
+  HeatOfIncrement(const Scene& scene, const Target& target, const std::array<double, 2>& offsets);
 
-  bool has_past(int body) const { return target_.past[body] != nullptr; }
-  /// Of past heat.
+  /// Past heat, or heat of slip.
+  bool has_past(int body) const { return given_[body].is_on(); }
+  /// Of that.
   void open(Field& gap) const override;
   void stress(int body, const Box& box, operators::Tensor tensor, Field& sum) override;
   /// All cells below the grid whose von Mises stress, under tractions and past heat, exceeds the
@@ -36,6 +39,8 @@ class HeatOfIncrement : public Source {
 
   const Scene& scene_;
   const Target& target_;
+  std::array<double, 2> offsets_;
+  std::array<GivenHeat, 2> given_;
   std::vector<Field> displacement_;
   std::array<Field, 2> stress_;  // when it was asked for
 };

@@ -10,6 +10,7 @@
 #include "samcontact/base/box.hpp"
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/contact/coulomb_contact.hpp"
+#include "samcontact/operators/flux_heat.hpp"
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
 #include "samcontact/operators/zone_operators.hpp"
@@ -70,6 +71,10 @@ class Scene {
   /// Throws std::invalid_argument for a grid without volume or a rigid body.
   void require_volume(int body) const;
 
+  /// What heat of slip does to a body; that of the last heating is kept. Thread-safe.
+  std::shared_ptr<const operators::FluxHeat> flux_heat(int body,
+                                                       const operators::Heating& heating) const;
+
   using Operators = std::shared_ptr<const operators::VolumeOperators>;
   /// Operators of a body on (whole) boxes of this size; bodies of one medium with equal heat share
   /// them. The last few are kept. Thread-safe.
@@ -117,6 +122,7 @@ class Scene {
   mutable std::array<std::shared_ptr<const ZoneScan>, 2> zone_scans_;
   mutable std::mutex heat_mutex_;
   mutable std::array<std::shared_ptr<const operators::HeatStress>, 2> heat_stress_;
+  mutable std::array<std::shared_ptr<const operators::FluxHeat>, 2> flux_heat_;
   mutable std::list<std::shared_ptr<const operators::Temperature>> temperatures_;  // latest first
   mutable operators::HeatingPair solver_heating_;
   mutable std::shared_ptr<const contact::ContactSolver> solver_;

@@ -21,9 +21,11 @@ struct Target {
   operators::Tractions tractions = {};
   Travel advance{};                     // on the way there
   operators::HeatingPair heating = {};  // that goes with the pressure
-  /// Of the increment [s], in a march in time, where it is the age of the heating too.
+  /// Of the increment [s], in a march in time, where it is the age of the heating too; and with
+  /// heat of slip, which is that of the increment on the mean.
   double duration = 0.0;
-  PastHeat past = {};  // filled in by the simulation
+  PastHeat past = {};     // filled in by the simulation
+  Field slip_power = {};  // the same, of heat of slip
   fft::Symmetry past_symmetry = fft::Symmetry::xy;
 
   bool is_prescribed() const { return !tractions.pressure.empty(); }
@@ -98,6 +100,10 @@ class Simulation {
   void check(const Target& target) const;
   /// With the heat of a target.
   const Scans& scans(const operators::HeatingPair& heating);
+  /// The state at a target.
+  State reached(const Target& target);
+  /// The same with heat of slip: solved until slip makes the heat that it was solved with.
+  State heated_by_slip(Target target);
   std::vector<std::string> border_complaints(const State& reached, const Target& target) const;
 
   std::shared_ptr<const Scene> scene_;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "samcontact/simulation/given_heat.hpp"
 #include "samcontact/simulation/plastic_state.hpp"
 #include "samcontact/simulation/scene.hpp"
 #include "samcontact/simulation/strength.hpp"
@@ -52,7 +53,10 @@ class State {
   operators::HeatingPair heating;                   // that goes with the pressure
   PastHeat past;                                    // of all steps before, seen from their end
   fft::Symmetry past_symmetry = fft::Symmetry::xy;  // mirror planes of that
-  double time = 0.0, duration = 0.0;                // [s], of a march, and of its last step
+  /// Of friction per area, by what slipped [i][j] [W/m^2]; empty: it heats nothing.
+  Field slip_power;
+  Field slip_work;                    // the same of the increment [J/m^2], where it heats
+  double time = 0.0, duration = 0.0;  // [s], of a march, and of its last step
   /// Factor of the yield stress over the grid, and where the body may flow beyond; null: 1.
   std::array<std::shared_ptr<const BoxField>, 2> softening;
   double load = 0.0;      // [N]
@@ -99,6 +103,10 @@ class State {
   /// Past heat as the next step finds it: with that of this one.
   PastHeat heat_so_far() const;
   fft::Symmetry heat_symmetry_so_far() const;
+  /// Heat that does not go with its pressure.
+  GivenHeat given_heat(int body) const {
+    return {*scene_, body, past[body], duration, heating[body], slip_power};
+  }
 
   /// Separation of the surfaces under load [i][j] [m]; under prescribed tractions for approach 0.
   Field gap() const;

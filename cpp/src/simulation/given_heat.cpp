@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/given_heat.hpp"
+
+namespace samcontact::simulation {
+
+GivenHeat::GivenHeat(const Scene& scene, int body,
+                     const std::shared_ptr<const operators::HeatHistory>& past, double ahead,
+                     const operators::Heating& heating, const Field& slip_power)
+    : grid_(scene.grid),
+      past_(past),
+      ahead_(ahead),
+      of_slip_(heating.is_of_slip() && !slip_power.empty() ? scene.flux_heat(body, heating)
+                                                           : nullptr),
+      slip_power_(slip_power) {}
+
+Field GivenHeat::power_at(double offset) const {
+  return seen_from_body(slip_power_, grid_, offset);
+}
+
+Field GivenHeat::temperature(std::span<const double> depths, double offset) const {
+  return past_ ? past_->temperature(ahead_, depths)
+               : of_slip_->temperature(power_at(offset), depths);
+}
+
+Field GivenHeat::displacement() const {
+  return past_ ? past_->displacement(ahead_) : of_slip_->displacement(slip_power_);
+}
+
+Field GivenHeat::stress(std::span<const double> depths, double offset) const {
+  return past_ ? past_->stress(ahead_, depths) : of_slip_->stress(power_at(offset), depths);
+}
+
+}  // namespace samcontact::simulation
