@@ -59,9 +59,9 @@ def test_loops_are_superpositions_of_frictionless_contacts(cells):
     assert np.abs(second.shear[0] - expected).max() < 1e-7 * scale
     shift -= 2 * MU * ratio * (whole.approach - inner.approach)
     assert second.shift[0] == pytest.approx(shift, rel=1e-6)
-    # the loop closes where it began, but for the errors of both ends
+    # the loop closes where it began
     third = solver.solve(gap, load=load, **force(top), previous=second)
-    assert np.abs(third.shear - first.shear).max() < 2e-7 * scale
+    assert np.abs(third.shear - first.shear).max() < 1e-7 * scale
     assert third.shift == pytest.approx(first.shift, rel=1e-6, abs=1e-9 * abs(shift))
 
 

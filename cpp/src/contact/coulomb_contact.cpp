@@ -19,6 +19,10 @@ constexpr int anderson_depth = 4;
 constexpr double inner_share = 0.1, loosest = 1e-2;
 /// Of the tolerance: the last sweep stays within it.
 constexpr double safety = 0.5;
+/// e_t is relative to the stiffness of the whole contact, and the shear of single cells is off by
+/// up to 25 times as much: tolerances below `fine`, but for rounding, are met with this share of
+/// them.
+constexpr double shear_share = 0.5, fine = 1e-6, rounding = 1e-12;
 /// A shear of this share of its bound is on it.
 constexpr double on_circle = 1 - 1e-9;
 /// A force this close to the largest has no definite motion.
@@ -114,13 +118,13 @@ class CoulombContact::Sweeps {
     s_.tangential.motion = start.motion;
     if (contact_.is_coupled() && !start.shear.empty()) raise(start.shear, raised_);
     const bool coupled = contact_.is_coupled();
-    const double full = settings_.tol;
+    const double full = settings_.tol, least = std::min(full, rounding);
     Anderson anderson(anderson_depth);
     double tol = coupled ? std::max(loosest, safety * full) : full;
     for (;; ++s_.sweeps) {
       press(std::move(pressure), tol);
       if (!s_.normal.converged) return std::move(s_);
-      slide(tol);
+      slide(coupled || rolls_ || full > fine ? tol : std::max(shear_share * full, least));
       const Field change = coupled ? lift_gap() : Field{};
       s_.normal.converged = std::max(s_.normal.error, s_.tangential.error) <= full;
       if (s_.normal.converged || !coupled) break;
