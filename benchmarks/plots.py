@@ -22,6 +22,7 @@ LABELS = {
     "contact_iterations": "conjugate-gradient iterations [-]",
     "surface_applications": "applications of the surface operator [-]",
     "volume_applications": "applications of the volume operator [-]",
+    "shear_work": "work of the shear, in its applications [-]",
     "box_cells": "cells of the plastic box [-]",
     "us_per_cell_and_application": "time per cell and application [µs]",
     "bytes_per_cell": "peak memory per cell [bytes]",

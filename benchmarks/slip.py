@@ -23,6 +23,7 @@ SERIES = ("case", "method")
 MU = 0.3
 METHODS = {"pressure alone": None, "tol 1e-4": 1e-4, "tol 1e-6": 1e-6, "tol 1e-8": 1e-8}
 BASE = "pressure alone"
+AXES = ("time_s", "memory_MB", "shear_work"), ("error: shift", "error: stick radius")
 RADIUS = 0.4  # of the contact, on 1 m x 1 m
 NU = 0.3
 WHEEL_ON_RAIL = 287, 323  # cells of the finest of CONTACT's wheel-on-rail examples

@@ -59,3 +59,42 @@ class Hierarchical(Contact):
 
     tolerances = (1e-5, 1e-6)
     settings: ClassVar = {"backend": "h2", "active_set": True}
+
+
+class Slip:
+    """`FrictionSolver` with its preconditioner. Its tolerance is one of the residuals of stick and
+    slip; where it says that it has not converged, it has no result."""
+
+    tolerances = (1e-1, 1e-2, 1e-3, 1e-4)
+
+    def __init__(self, problem: problems.Slipping, tol: float) -> None:
+        self.problem, self.tol = problem, tol
+
+    def solve(self) -> Outcome:
+        problem = self.problem
+        solver = aspher.FrictionSolver(
+            grid_size=problem.n,
+            domain_size=problem.side,
+            E_star=problems.E_STAR,
+            nu=problems.NU,
+            model=aspher.CoulombFriction(mu=problems.FRICTION),
+        )
+        solver.set_gap(problem.gap)
+        area = problem.side**2
+        drive: dict[str, Any] = {}
+        if problem.force is not None:
+            drive["q_bar"] = (problem.force / area, 0.0)
+        if problem.shift is not None:
+            drive["delta_t"] = (problem.shift, 0.0)
+        found = solver.step(
+            p_bar=problem.load / area,
+            tol_normal=min(self.tol, 1e-6),
+            tol_tangential=self.tol,
+            **drive,
+        )
+        if not found.converged:
+            raise RuntimeError(f"ASPHER: {found.status_reason}")
+        shape = problem.gap.shape
+        shear = np.stack([np.reshape(found.qx, shape), np.reshape(found.qy, shape)])
+        pressure = np.reshape(solver.pressure, shape)
+        return Outcome(pressure, {"iterations": found.tangential_iters}, shear=shear)

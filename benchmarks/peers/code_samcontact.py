@@ -37,6 +37,33 @@ class Contact:
         return Outcome(found.pressure, counts, approach=found.approach)
 
 
+class Slip:
+    """Stick and slip of two like bodies, each twice as stiff: pressure and shear do not act on each
+    other, as in ASPHER."""
+
+    tolerances = (1e-1, 1e-2, 1e-4, 1e-6, 1e-8)
+
+    def __init__(self, problem: problems.Slipping, tol: float) -> None:
+        self.problem = problem
+        half = sc.Material.elastic(2 * problems.E, problems.NU)
+        law = sc.Coulomb(problems.FRICTION)
+        self.solver = sc.ContactSolver(problem.grid, half, half, law, tol=tol)
+
+    def solve(self) -> Outcome:
+        problem, drive = self.problem, {}
+        if problem.force is not None:
+            drive["tangential_load"] = (problem.force, 0.0)
+        if problem.shift is not None:
+            drive["shift"] = (problem.shift, 0.0)
+        found = self.solver.solve(problem.gap, load=problem.load, **drive)
+        assert isinstance(found, sc.StickSlipSolution)
+        counts = {
+            "iterations": found.tangential_iterations,
+            "applications": found.tangential_applications,
+        }
+        return Outcome(found.pressure, counts, shear=found.shear)
+
+
 class Plasticity:
     """Elastic-plastic contact, the load in equal increments."""
 

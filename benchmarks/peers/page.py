@@ -18,8 +18,11 @@ OURS = "samcontact"
 # The error that is made equal, and at which values.
 ELASTIC = ("hertz", "rough", "periodic")
 MEASURE = dict.fromkeys(ELASTIC, "pressure") | dict.fromkeys(PLASTIC, "plastic strain")
+MEASURE["slip"] = "shear"
 TARGETS = dict.fromkeys(ELASTIC, (1e-4, 1e-6, 1e-8)) | dict.fromkeys(PLASTIC, (1e-2, 1e-3, 1e-4))
+TARGETS["slip"] = (1e-1, 1e-2, 1e-4)
 COUNTED_AT = dict.fromkeys(ELASTIC, 1e-6) | dict.fromkeys(PLASTIC, 1e-3)
+COUNTED_AT["slip"] = 1e-2
 TITLES = {
     "hertz": "Hertz contact",
     "rough": "Elastic rough contact",
@@ -27,6 +30,7 @@ TITLES = {
     "stress": "Stress under a Hertz pressure",
     "periodic": "Periodic rough contact",
     "periodic_plastic": "Periodic elastic-plastic contact",
+    "slip": "Partial slip",
 }
 KINDS = {
     "hertz": "elastic",
@@ -34,6 +38,7 @@ KINDS = {
     "plastic": "elastic-plastic",
     "periodic": "periodic elastic",
     "periodic_plastic": "periodic elastic-plastic",
+    "slip": "partly slipping",
 }
 PERIODIC = ("periodic", "periodic_plastic")
 FINE, AREA = "pressure, finest", "contact area, finest"

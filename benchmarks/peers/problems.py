@@ -29,6 +29,8 @@ INCREMENTS = 2
 WAVES = 32
 PERIODIC_CASES = {"light": 165.0, "half": 1060.0, "nearly full": 4500.0}
 PLASTIC = ("plastic", "periodic_plastic")
+FRICTION, PULL = 0.3, 0.5  # coefficient, and the part of the largest force
+PULLED = ("force given", "shift given")
 
 
 @dataclass(frozen=True)
@@ -52,6 +54,14 @@ class Elastic:
     @property
     def grid(self) -> sc.Grid:
         return sc.Grid(self.n, self.n, self.cell, self.cell, periodic=self.periodic)
+
+
+@dataclass(frozen=True)
+class Slipping(Elastic):
+    """The same without what pressure does along the surface, then pulled along x."""
+
+    force: float | None = None
+    shift: float | None = None
 
 
 @dataclass(frozen=True)
@@ -89,6 +99,17 @@ def hertz(n: int) -> Elastic:
     return Elastic(sc.surfaces.paraboloid(grid, RADIUS), side, HERTZ_LOAD)
 
 
+def slipping(n: int, case: str) -> Slipping:
+    """The Hertz contact, pulled by half of what friction holds, or shifted as far as that does."""
+    given, theory = hertz(n), hertz_theory()
+    most = FRICTION * HERTZ_LOAD
+    if case == "force given":
+        return Slipping(given.gap, given.side, given.load, force=PULL * most)
+    softness = 2 * (2 - NU) * (1 + NU) / E  # (2 - nu)/G; Mindlin (1949)
+    shift = 3 * most * softness / (16 * theory.a) * (1 - (1 - PULL) ** (2 / 3))
+    return Slipping(given.gap, given.side, given.load, shift=shift)
+
+
 def rough(n: int, case: str) -> Elastic:
     """Self-affine, Hurst exponent 0.8, the shortest wave of eight cells: every grid has a surface
     of its own, as rough as it can carry."""
@@ -111,6 +132,8 @@ def periodic(n: int, case: str) -> Elastic:
 def elastic(problem: str, case: str, n: int) -> Elastic:
     if problem == "periodic":
         return periodic(n, case)
+    if problem == "slip":
+        return slipping(n, case)
     return hertz(n) if problem == "hertz" else rough(n, case)
 
 

@@ -38,6 +38,7 @@ REPEATS = 20
 # Tolerances of the references: of one code where all solve the same discrete problem, else of each.
 TIGHT = {"samcontact": 1e-12}
 TIGHT_PERIODIC = {"samcontact": 1e-12, "tamaas": 1e-12}
+TIGHT_SLIP = {"samcontact": 1e-11}
 TIGHT_PLASTIC = {"samcontact": 1e-9, "tamaas": 1e-7}
 # Cells across of a grid of samcontact that shows the errors of the others.
 LEAST_REFINEMENT = 3
@@ -63,6 +64,7 @@ class Outcome:
     approach: float | None = None
     plastic_strain: np.ndarray | None = None
     stress: np.ndarray | None = None
+    shear: np.ndarray | None = None
     setup_share: float = 0.0
     """Part of the time of the solve that the code reports as its set-up."""
 
@@ -89,7 +91,7 @@ class Task:
 def code_class(code: str, problem: str) -> Any:
     """The class of a code for a problem; raises ImportError where the code is missing."""
     module, contact = CODES[code]
-    kinds = dict.fromkeys(problems.PLASTIC, "Plasticity") | {"stress": "Stress"}
+    kinds = dict.fromkeys(problems.PLASTIC, "Plasticity") | {"stress": "Stress", "slip": "Slip"}
     return getattr(
         importlib.import_module(f"benchmarks.peers.{module}"), kinds.get(problem, contact)
     )
@@ -99,6 +101,8 @@ def tight(problem: str) -> dict[str, float]:
     """Tolerance of the reference by code."""
     if problem in problems.PLASTIC:
         return TIGHT_PLASTIC
+    if problem == "slip":
+        return TIGHT_SLIP
     return TIGHT_PERIODIC if problem == "periodic" else TIGHT
 
 
@@ -134,6 +138,8 @@ def elastic_errors(task: Task, problem: problems.Elastic, found: Outcome) -> dic
     if file.exists():
         with np.load(file) as converged:
             errors["pressure"] = rms_error(found.pressure, converged["pressure"])
+            if found.shear is not None:
+                errors["shear"] = rms_error(found.shear, converged["shear"])
     if task.problem == "hertz":
         theory, grid = problems.hertz_theory(), problem.grid
         exact = theory.pressure(grid.x[:, None], grid.y[None, :])
@@ -217,6 +223,7 @@ def run_here(task: Task) -> dict[str, Any]:
     again = [] if task.problem in problems.PLASTIC else solve_again(code, first, clock)
     if task.tol == tight(task.problem).get(task.code):
         fields = {"pressure": found.pressure, "plastic_strain": found.plastic_strain}
+        fields["shear"] = found.shear
         np.savez(
             reference_file(task, task.code), **{k: v for k, v in fields.items() if v is not None}
         )

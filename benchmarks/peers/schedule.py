@@ -22,9 +22,10 @@ SIZES = {
     "stress": (48, 96, 192),
     "periodic": (128, 256, 512, 1024),
     "periodic_plastic": (24, 40),
+    "slip": (32, 64, 128),
 }
 QUICK_SIZES = {"hertz": (64, 128), "rough": (64, 128), "plastic": (12,), "stress": (48,)}
-QUICK_SIZES |= {"periodic": (128,), "periodic_plastic": (12,)}
+QUICK_SIZES |= {"periodic": (128,), "periodic_plastic": (12,), "slip": (32,)}
 PROBLEMS = tuple(SIZES)
 BOTH = ("samcontact", "tamaas")  # where there is a volume, or a period
 LONG = 3.0  # s: what takes longer is measured once
@@ -33,6 +34,7 @@ GROWTH = 4.0  # least factor of time from a size to the next
 
 def cases(problem: str) -> tuple[str, ...]:
     named = {"rough": problems.ROUGH_CASES, "periodic": problems.PERIODIC_CASES}
+    named["slip"] = dict.fromkeys(problems.PULLED)
     return tuple(named.get(problem, ("",)))
 
 
@@ -51,6 +53,8 @@ def installed(codes: tuple[str, ...] = tuple(CODES)) -> dict[str, str]:
 def codes_for(problem: str, available: dict[str, str]) -> list[str]:
     """Hierarchical matrices are for large rough contacts, the others for free boundaries."""
     wanted = tuple(CODES) if problem in ("hertz", "rough") else BOTH
+    if problem == "slip":
+        wanted = ("samcontact", "ASPHER")
     if problem == "hertz":
         wanted = tuple(code for code in wanted if code != "ASPHER, H2")
     return [code for code in wanted if code in available]

@@ -173,6 +173,23 @@ def test_peers_find_the_same_pressure(code):
     np.testing.assert_allclose(found.pressure, ours.pressure, atol=1e-3 * largest)
 
 
+@pytest.mark.parametrize("case", problems.PULLED)
+def test_partial_slip_is_that_of_cattaneo_and_mindlin(case):
+    given = problems.elastic("slip", case, 64)
+    found = code_samcontact.Slip(given, 1e-8).solve()
+    pulled = found.shear.sum(axis=(1, 2)) * given.cell**2
+    half = problems.PULL * problems.FRICTION * given.load
+    assert pulled == pytest.approx([half, 0.0], rel=2e-3, abs=1e-6 * half)
+
+
+def test_aspher_comes_to_the_same_shear():
+    pytest.importorskip("aspher")
+    peer = importlib.import_module("benchmarks.peers.code_aspher")
+    given = problems.elastic("slip", "force given", 32)
+    ours, theirs = code_samcontact.Slip(given, 1e-8).solve(), peer.Slip(given, 1e-2).solve()
+    assert running.rms_error(theirs.shear, ours.shear) < 0.1
+
+
 def test_tamaas_finds_the_same_plastic_contact_and_stress():
     pytest.importorskip("tamaas")
     peer = importlib.import_module("benchmarks.peers.code_tamaas")
