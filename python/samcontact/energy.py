@@ -124,7 +124,7 @@ def residual_energy(track: Track) -> float:
 
 @dataclass(frozen=True)
 class EnergyBalance(Shown):
-    """What loads and motions did on two bodies, and where it went; all since the start.
+    """What loads and motions did on two bodies, and where it went.
 
     Attributes
     ----------
@@ -164,14 +164,14 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
 
     The work between two increments is that of the mean force on the motion. The mean load is that
     of one which grows as the power 3/2 of the approach, so that pressing elastic balls has no
-    error. What is missing falls with the increments.
+    error. What is missing falls with the increments. What the first state has counts as put in.
 
     Parameters
     ----------
     simulation : Simulation
-        With friction=`Coulomb`, from the undeformed bodies on.
+        With friction=`Coulomb`.
     states : sequence of State
-        All of its increments.
+        Successive increments.
 
     Returns
     -------
@@ -182,30 +182,36 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     ValueError
         Friction as a number, bodies that moved on or soften, prescribed tractions; no states.
     """
-    bodies = simulation.body1, simulation.body2
     why = no_balance(simulation, states)
     if why:
         raise ValueError(why)
-    last = states[-1]
-    work = _work(states, float(np.min(states[0]._window.initial_gap)))
-    homogeneous = [(n, b) for n, b in enumerate(bodies, 1) if isinstance(b, Material)]
-    plastic = [(n, body) for n, body in homogeneous if body.is_plastic]
-    return EnergyBalance(
-        put_in=float(work[work > 0].sum()),
-        net=float(work.sum()),
-        elastic=_elastic_energy(simulation, last),
-        residual=float(sum(residual_energy(last.track(n, margin=0)) for n, _ in plastic)),
-        friction=last.friction_work,
-        plastic=float(sum(_plastic_work_of(body, n, states) for n, body in plastic)),
-    )
+    first, last = (_found(simulation, states[:n]) for n in (1, len(states)))
+    before, work = sum(first.values()), _work(states)
+    given_back = float(work[work < 0].sum())
+    net = before + float(work.sum())
+    return EnergyBalance(put_in=net - given_back, net=net, **last)
+
+
+def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
+    """What the last state has, by the names of `EnergyBalance`."""
+    residual = plastic = 0.0
+    for number, body in enumerate((simulation.body1, simulation.body2), 1):
+        if not isinstance(body, Material) or not body.is_plastic:
+            continue
+        if states[-1].max_plastic_strain(number) > 0:
+            residual += residual_energy(states[-1].track(number, margin=0))
+            plastic += _plastic_work_of(body, number, states)
+    elastic, friction = _elastic_energy(simulation, states[-1]), states[-1].friction_work
+    return {"elastic": elastic, "residual": residual, "friction": friction, "plastic": plastic}
 
 
 def _plastic_work_of(material: Material, body: int, states: Sequence[State]) -> float:
     """Of the last state, or with backstresses of all increments that flow."""
     if not material.kinematic:
         return plastic_work(material, states[-1].track(body, margin=0))
-    total, before = 0.0, None
-    for state in states:
+    before = states[0].track(body, margin=0)
+    total = plastic_work(material, before)
+    for state in states[1:]:
         if state.iterations > 0:
             after = state.track(body, margin=0)
             total += plastic_work(material, after, before)
@@ -234,10 +240,10 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
     return ""
 
 
-def _work(states: Sequence[State], touch: float) -> FloatArray:
-    """Of loads and motions in each increment [J]; the bodies touch at this approach."""
+def _work(states: Sequence[State]) -> FloatArray:
+    """Of loads and motions in each increment after the first [J]."""
     rows = [(s.load, s.approach, *s.tangential_load, s.torque, *s.shift, s.twist) for s in states]
-    values = np.array([(0.0, touch, *[0.0] * 6), *rows])
+    values = np.array(rows)
     load, approach = values[:, 0], values[:, 1]
     forces, motions = values[:, 2:5], values[:, 5:]
     along: FloatArray = np.sum(0.5 * (forces[1:] + forces[:-1]) * np.diff(motions, axis=0), axis=1)

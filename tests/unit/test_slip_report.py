@@ -77,11 +77,30 @@ def test_pressing_elastic_balls_has_no_error():
     simulation = sc.Simulation(
         grid, body, body, sc.surfaces.paraboloid(grid, 7.5e-3), sc.Coulomb(0.3)
     )
-    found = energy.balance(simulation, simulation.run([{"load": 300.0}], progress=False))
+    states = [simulation.state, *simulation.run([{"load": 300.0}], progress=False)]
+    found = energy.balance(simulation, states)
     hertz = sc.hertz.point(7.5e-3, 210e9 / 1.82, load=300.0)
     assert found.put_in == pytest.approx(0.4 * 300.0 * hertz.approach, rel=2e-3)
     assert abs(found.missing) < 2e-3
     assert (found.friction, found.plastic, found.residual) == (0.0, 0.0, 0.0)
+
+
+def test_what_was_there_before_the_first_state_is_not_missing():
+    """A run that went on, over a body with a strain of its own."""
+    grid = sc.Grid(21, 21, 34e-6, 34e-6, dz=34e-6, nz=12)
+    simulation = sc.Simulation(
+        grid, sc.Material.elastic(210e9, 0.3), KINEMATIC, sc.surfaces.paraboloid(grid, 7.5e-3),
+        sc.Coulomb(0.3),
+    )  # fmt: skip
+    strain = np.zeros((6, *grid.volume_shape))
+    strain[:3, 8:13, 8:13, 2:5] = np.array([1e-3, 1e-3, -2e-3])[:, None, None, None]
+    simulation.set_plastic_strain(2, strain)
+    pulled = {"load": 300.0, "tangential_load": (60.0, 0.0)}
+    simulation.run([{"load": 300.0}, pulled], progress=False)
+    path = [{"load": 300.0, "tangential_load": (60.0 - 12.0 * n, 0.0)} for n in range(6)]
+    found = energy.balance(simulation, simulation.run(path, progress=False))
+    assert abs(found.missing) < 0.002
+    assert min(found.residual, found.friction, found.plastic) > 5e-4 * found.put_in
 
 
 def test_balances_that_are_not_known_are_refused():
