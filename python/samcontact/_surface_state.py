@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._checks import FloatArray
+from ._repr import Rows, quantity
 from .checkpoint import Standing
 from .friction import Coulomb
 from .grid import Grid
+from .solution import both
 
 
 class SurfaceState:
@@ -81,6 +83,22 @@ class SurfaceState:
         """Turned into heat by slip since the start [J]; ValueError as `shift`."""
         self._require_stick_and_slip("friction_work")
         return float(self._core.friction_work)
+
+    def _along_rows(self) -> Rows:
+        """Forces and motions along the surface; none where friction is a number."""
+        if not isinstance(self._simulation.friction, Coulomb):
+            return []
+        touching = int(np.count_nonzero(self.pressure))
+        rows = [
+            ("tangential load", both(self.tangential_load, "N")),
+            ("shift", both(self.shift, "m")),
+            ("friction work", quantity(self.friction_work, "J")),
+            ("cells that stick", f"{np.count_nonzero(self.sticking)} of {touching} in contact"),
+        ]
+        if self.twist != 0.0:
+            turned = [("torque", self.torque, "N m"), ("twist", self.twist, "rad")]
+            rows[2:2] = [(name, quantity(value, unit)) for name, value, unit in turned]
+        return rows
 
     def _require_stick_and_slip(self, name: str) -> None:
         if not isinstance(friction := self._simulation.friction, Coulomb):

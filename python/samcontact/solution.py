@@ -88,7 +88,7 @@ class ShearedSolution(ContactSolution):
     def _rows(self) -> Rows:
         return [
             *super()._rows(),
-            ("tangential load", _pair(self.tangential_load, "N")),
+            ("tangential load", both(self.tangential_load, "N")),
             ("torque", quantity(self.torque, "N m")),
             *self._motion(),
             ("cells that stick", str(np.count_nonzero(self.sticking))),
@@ -147,7 +147,7 @@ class StickSlipSolution(ShearedSolution):
 
     def _motion(self) -> Rows:
         return [
-            ("shift", _pair(self.shift, "m")),
+            ("shift", both(self.shift, "m")),
             ("twist", quantity(self.twist, "rad")),
             ("friction work", quantity(self.friction_work, "J")),
         ]
@@ -180,13 +180,13 @@ class RollingSolution(ShearedSolution):
 
     def _motion(self) -> Rows:
         return [
-            ("creepage", _pair(self.creepage, "")),
+            ("creepage", both(self.creepage, "")),
             ("spin", quantity(self.spin, "1/m")),
             ("friction work per way", quantity(self.work_per_way, "J/m")),
         ]
 
 
-def _pair(values: FloatArray, unit: str) -> str:
+def both(values: FloatArray, unit: str) -> str:
     """Two numbers, rounding beside the other as zero."""
     small = 1e-9 * float(np.abs(values).max())
     return ", ".join(quantity(float(v) if abs(v) > small else 0.0, unit) for v in values)

@@ -343,6 +343,7 @@ class State(SurfaceState, Fixed, Shown):
             if strain > 0:
                 name = f"maximum equivalent plastic strain, body {body}"
                 rows.append((name, f"{100 * strain:.4g} %"))
+        rows += self._along_rows()
         if any(self.travel):
             rows += [(f"travel, body {n}", quantity(self.travel[n - 1], "m")) for n in (1, 2)]
         if self.time > 0:

@@ -146,6 +146,21 @@ def test_contact_solution():
     assert float(rows["error"]) == pytest.approx(solution.error, rel=1e-3)
 
 
+def test_state_that_sticks_and_slips():
+    grid = sc.Grid(16, 16, 40e-6, 40e-6)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    simulation = sc.Simulation(grid, BALL, BALL, gap, sc.Coulomb(0.3))
+    state = simulation.step(load=300.0, tangential_load=(45.0, 0.0))
+    _, rows = parsed(state)
+    assert rows["tangential load"] == "45 N, 0 N"
+    assert rows["shift"] == f"{state.shift[0] * 1e6:.4g} µm, 0 m"
+    told = f"{state.sticking.sum()} of {np.count_nonzero(state.pressure)} in contact"
+    assert rows["cells that stick"] == told
+    assert "twist" not in rows
+    _, rows = parsed(simulation.step(load=300.0, twist=1e-4))
+    assert rows["twist"] == "100 µrad"
+
+
 def test_stick_slip_solution():
     grid = sc.Grid(16, 16, 40e-6, 40e-6)
     solver = sc.ContactSolver(grid, BALL, BALL, sc.Coulomb(0.3))
