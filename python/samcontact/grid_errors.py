@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _certified, half_resolution
+from ._along import ROUNDING, along_surface, not_rounding
 from ._checks import FloatArray
 from ._peak import peak
 from ._quantities import described
 from ._repr import Rows, Shown, quantity
+from .friction import Coulomb
 from .resolution import ROUND_SPOT, area_uncertainty
 
 if TYPE_CHECKING:
@@ -148,6 +150,9 @@ def estimate_errors(
         difference = _differences(fine, _certified.values(found[which[at]], known), state)
         for name in known:
             values[name][at], errors[name][at] = fine[name], difference[name]
+    if isinstance(run.friction, Coulomb):
+        for name, (value, error) in _of_slip(states, [found[n] for n in which]).items():
+            values[name], errors[name] = value, error
     beyond = np.nan
     if not callable(run._surfaces.gap):
         beyond = half_resolution.slope_beyond(run.initial_gap, run.grid.dx, run.grid.dy)
@@ -183,6 +188,25 @@ def _differences(
         share = area_uncertainty(state.pressure, state.grid.periodic)
         of_area = _OF_AREA * (2 * share / ROUND_SPOT) ** 1.5
         found["contact_area"] = max(found["contact_area"], of_area * fine["contact_area"])
+    return found
+
+
+def _of_slip(
+    states: Sequence[State], coarse: Sequence[State]
+) -> dict[str, tuple[FloatArray, FloatArray]]:
+    """Forces, motions and friction work with their errors, without what was given or is rounding.
+
+    At each increment the error is a part of the largest so far at least: where a quantity turns
+    round, both grids agree by chance.
+    """
+    found = {}
+    mine, other = along_surface(states), along_surface(coarse)
+    sizes = ([getattr(s, name) for s in states] for name in ("load", "approach", "contact_area"))
+    for name in [*not_rounding(mine, *map(np.array, sizes)), "friction_work"]:
+        value = mine[name]
+        error = np.abs(value - other[name])
+        if error.max() > ROUNDING * np.abs(value).max():
+            found[name] = value, np.maximum(error, _LEAST * np.maximum.accumulate(error))
     return found
 
 

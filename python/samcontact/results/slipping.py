@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 
 from .. import energy
+from .._along import ALONG, along_surface, not_rounding
 from .._quantities import CONTACT
 from ..friction import Coulomb
 from .motion import add
@@ -22,9 +23,7 @@ _BALANCE = {
     "put_in": "work_put_in", "net": "net_work", "elastic": "elastic_energy",
     "residual": "residual_energy", "plastic": "plastic_work",
 }  # fmt: skip
-_ROUNDING = 1e-8
 _SURFACE = ("increment", "x", "y")
-ALONG = ("tangential_load_x", "tangential_load_y", "torque", "shift_x", "shift_y", "twist")
 
 
 def add_slipping(
@@ -38,13 +37,10 @@ def add_slipping(
     """
     if not isinstance(simulation.friction, Coulomb):
         return
+    for name, values in along_surface(states).items():
+        add(dataset, name, "increment", values)
     for number, direction in enumerate("xy"):
-        force = [state.tangential_load[number] for state in states]
-        add(dataset, f"tangential_load_{direction}", "increment", force)
-        add(dataset, f"shift_{direction}", "increment", [s.shift[number] for s in states])
         add(dataset, f"slip_{direction}", _SURFACE, np.stack([s.slip[number] for s in states]))
-    for name in ("torque", "twist", "friction_work"):
-        add(dataset, name, "increment", [getattr(state, name) for state in states])
     add(dataset, "sticking_share", "increment", [_share(state) for state in states])
     add(dataset, "sticking", _SURFACE, np.stack([s.sticking for s in states]).astype(np.int8))
     inelastic = simulation.body1.is_plastic or simulation.body2.is_plastic
@@ -74,15 +70,6 @@ def moved_along(dataset: xr.Dataset) -> list[str]:
     """Names of what tells of each increment along the surface, without what is but rounding."""
     if "friction_work" not in dataset:
         return []
-    load, approach, area = (
-        float(np.nanmax(np.abs(dataset[name].values), initial=0.0))
-        for name in ("load", "approach", "contact_area")
-    )
-    size = area**0.5
-    scales = (load, load, load * size, approach, approach, approach / size if size > 0 else 0.0)
-    names = [
-        name
-        for name, scale in zip(ALONG, scales, strict=True)
-        if float(np.max(np.abs(dataset[name].values))) > _ROUNDING * scale
-    ]
-    return [*names, "friction_work", "sticking_share"]
+    values = {name: dataset[name].values for name in ALONG}
+    sizes = (dataset[name].values for name in ("load", "approach", "contact_area"))
+    return [*not_rounding(values, *sizes), "friction_work", "sticking_share"]

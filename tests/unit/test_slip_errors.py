@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Errors by the cells of forces, motions and friction work against closed forms and finer cells."""
+
+import numpy as np
+
+import samcontact as sc
+
+MU, R, LOAD = 0.4, 7.5e-3, 300.0
+E = 210e9
+
+
+def run(nu, cells, path):
+    """On cells of the contact radius over a number."""
+    body = sc.Material.elastic(E, nu)
+    radius = sc.hertz.point(R, sc.hertz.effective_modulus(body, body), load=LOAD).a
+    grid = sc.Grid(2 * cells + 9, 2 * cells + 9, radius / cells, radius / cells)
+    gap = sc.surfaces.paraboloid(grid, R)
+    simulation = sc.Simulation(grid, body, body, gap, sc.Coulomb(MU))
+    steps = path(grid)
+    states = simulation.run(steps, progress=False)
+    return states, sc.estimate_errors(simulation, steps, states), radius
+
+
+def fretting(_):
+    force = (0.6 * MU * LOAD, 0.0)
+    return [{"load": LOAD}, *sc.paths.fretting_loop(load=LOAD, force=force, increments=3)]
+
+
+def test_fretting_against_mindlin_and_deresiewicz():
+    """Exact for nu = 0; what is missed is no more than the estimate, within a factor of two."""
+    states, found, a = run(0.0, 12, fretting)
+    soft = 2 * 2 / (E / 2)
+    shift = 3 * MU * LOAD * soft / (16 * a) * (1 - 0.4 ** (2 / 3))
+    loop = 1 - 0.4 ** (5 / 3) - 0.5 * (1 + 0.4 ** (2 / 3))
+    work = 9 * MU**2 * LOAD**2 * soft / (10 * a) * loop
+    value, error = found.values["shift_x"], found.errors["shift_x"]
+    np.testing.assert_array_equal(value, [state.shift[0] for state in states])
+    assert 0.5 * error[3] < 5e-3 * shift
+    assert abs(value[3] - shift) < 2 * error[3]
+    value, error = found.values["friction_work"], found.errors["friction_work"]
+    assert abs(value[-1] - value[3] - work) < 2 * error[-1] < 0.1 * work
+    # what was given has none, and what is rounding is not told
+    assert not {"tangential_load_x", "tangential_load_y", "shift_y", "twist"} & set(found.errors)
+    # where the shift passes through zero both grids agree by chance
+    assert error.min() >= 0
+    assert np.all(found.errors["shift_x"][4:] >= 0.2 * found.errors["shift_x"][3])
+    assert {"shift along x", "friction work"} <= set(dict(found._rows()))
+
+
+def test_rolling_against_finer_cells():
+    def rolls(grid):
+        ways = (-grid.dx * 0.999, -grid.dx * 1.001)
+        return [{"load": LOAD}] + [{"load": LOAD, "advance": ways}] * (5 * (grid.nx - 9) // 2)
+
+    states, found, a = run(0.3, 12, rolls)
+    body = sc.Material.elastic(E, 0.3)
+    fine = sc.Grid(129, 129, a / 60, a / 60)
+    exact = sc.rolling.steady(
+        fine, body, body, sc.surfaces.paraboloid(fine, R), load=LOAD, friction=sc.Coulomb(MU),
+        creepage=(2e-3, 0.0),
+    ).tangential_load[0]  # fmt: skip
+    error = found.errors["tangential_load_x"][-1]
+    assert abs(states[-1].tangential_load[0] - exact) < 2 * error < 0.1 * exact
+
+
+def test_results_have_them():
+    states, found, _ = run(0.3, 8, fretting)
+    body = sc.Material.elastic(E, 0.3)
+    simulation = sc.Simulation(
+        states[0].grid, body, body, sc.surfaces.paraboloid(states[0].grid, R), sc.Coulomb(MU)
+    )
+    dataset = sc.results.to_dataset(simulation, states)
+    found.add_to(dataset)
+    np.testing.assert_array_equal(dataset["shift_x_error"], found.errors["shift_x"])
+    assert dataset["friction_work_error"].attrs["units"] == "J"
+
+
+def test_gross_sliding_has_none():
+    body = sc.Material.elastic(E, 0.3)
+    grid = sc.Grid(33, 33, 20e-6, 20e-6)
+    simulation = sc.Simulation(grid, body, body, sc.surfaces.paraboloid(grid, R), MU)
+    path = [{"load": LOAD}]
+    found = sc.estimate_errors(simulation, path, simulation.run(path, progress=False))
+    assert set(found.errors) == {"load", "approach", "max_pressure", "contact_area"}
