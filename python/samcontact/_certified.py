@@ -8,6 +8,7 @@ largest cell and the number of cells do.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -81,7 +82,18 @@ def parts(state: State, name: str) -> tuple[float, ...]:
         fields = [getattr(state, field)(body) if own is None else own]
     found = [_below_and_at_surface(f if f.ndim == 3 else von_mises(f)) for f in fields]
     below, surface = (max(values) for values in zip(*found, strict=True))
-    return below, surface
+    most = _largest_yield_stress(state, body) if kind == "max_von_mises" else math.inf
+    return min(below, most), min(surface, most)
+
+
+def _largest_yield_stress(state: State, body: int) -> float:
+    """Which no stress of the body exceeds, whatever a parabola does; inf where it is not known."""
+    material = (state._simulation.body1, state._simulation.body2)[body - 1]
+    others = (material.kinematic, material.softening, getattr(material, "yield_profile", None))
+    if not material.is_plastic or any(others) or state.max_plastic_strain(body) == 0:
+        return math.inf
+    strain = value(state, f"max_equivalent_plastic_strain_body{body}")
+    return float(material.yield_stress(max(strain, state.max_equivalent_plastic_strain(body))))
 
 
 def has_parts(name: str) -> int:

@@ -76,3 +76,19 @@ def test_fields_of_the_plastic_zone_hold_the_largest_of_the_grid(shift):
             value = _certified.value(state, f"{kind.get(name, 'print_depth')}_body2")
             field = whole if whole.ndim == 2 else von_mises(whole)
             assert value > 0.999 * field.max()
+
+
+def test_flow_at_the_surface_is_not_continued_beyond_the_yield_stress():
+    """A first layer that flows over one that hardly does: a parabola would go on rising."""
+    cell = 24e-6
+    grid = sc.Grid(27, 27, cell, cell, dz=cell)
+    steel = sc.Material.linear_hardening(210e9, 0.3, 1.2e9, 20e9)
+    simulation = sc.Simulation(
+        grid, sc.Material.elastic(210e9, 0.3), steel, sc.surfaces.paraboloid(grid, 7.5e-3),
+        sc.Coulomb(0.5),
+    )  # fmt: skip
+    path = [{"load": 300.0}, {"load": 300.0, "tangential_load": (90.0, 0.0)}]
+    state = simulation.run(path, progress=False)[-1]
+    strain = _certified.value(state, "max_equivalent_plastic_strain_body2")
+    found = _certified.value(state, "max_von_mises_body2")
+    assert state.von_mises(2).max() <= found <= steel.yield_stress(strain) * (1 + 1e-6)
