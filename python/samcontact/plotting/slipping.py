@@ -77,7 +77,7 @@ def stick_slip_map(
     largest = _arrows(ax, np.where(slips, moved, 0.0), touching, grid)
     handles = [Patch(color=colour, label=label) for colour, label in zip(
         COLOURS, ("sticks", "slips"), strict=True)]  # fmt: skip
-    ax.legend(handles=handles, loc="upper right", frameon=False)
+    ax.legend(handles=handles, loc="upper right", fontsize="small", framealpha=0.85, borderpad=0.3)
     factor, name = prefixed(largest, "m") if unit == "m" else (1.0, "of the way")
     title = f"slip up to {largest * factor:.3g} {name}" if largest > 0 else "no slip"
     ax.set_title(title, fontsize="medium")

@@ -40,7 +40,8 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Verdi
         name = "shear beyond friction times pressure, over the largest of that"
         yield Verdict(name, float(beyond.max()) / largest if largest > 0 else 0.0, tol)
     steps = case.steps() if case is not None else []
-    if len(steps) == dataset.sizes["increment"] and 0 < most < np.inf:
+    pulled = any("tangential_load" in step for step in steps)
+    if pulled and len(steps) == dataset.sizes["increment"] and 0 < most < np.inf:
         name = "forces along the surface: sum of s dA against those given, over the largest"
         yield Verdict(name, _missed(dataset, shear, steps) / most, tol)
     work = np.diff(dataset["friction_work"].values, prepend=0.0)
