@@ -8,6 +8,8 @@ import pytest
 from pydantic import TypeAdapter, ValidationError
 
 import samcontact as sc
+from samcontact import plotting, results
+from samcontact.results.reading import graded_of
 
 E, NU, Y = 210e9, 0.3, 1e9
 ELASTIC, RIGID = sc.Material.elastic(E, NU), sc.Material.rigid()
@@ -121,3 +123,22 @@ def test_a_case_file_gives_the_same_material():
     assert body == expected.with_residual_stress([0.0, 1e-4], [-2e8, 0.0], sxy=[1e7, 0.0])
     with pytest.raises(ValidationError, match="must be at most the yield stress there"):
         read(given | {"residual_stress": {"z": [0.0], "sxx": [2e9]}})
+
+
+@pytest.mark.parametrize("profile", [WEAK, ([0.0], [2.0])], ids=["several", "one"])
+def test_results_tell_it_and_figures_show_it(profile, tmp_path):
+    body = sc.Material.tabulated(E, NU, [0.0, 1e-3], [Y, 2 * Y]).with_yield_profile(*profile)
+    body = body.with_residual_stress([0.0, 1e-4], [-2e8, 0.0], [-1e8, 0.0])
+    grid = sc.Grid(9, 9, 60e-6, 60e-6, 6, 40e-6)
+    sim = sc.Simulation(grid, RIGID, body, sc.surfaces.paraboloid(grid, 7.5e-3))
+    state = sim.step(load=20.0)
+    results.save(results.to_dataset(sim, [state]), tmp_path / "results.nc")
+    with results.open_results(tmp_path / "results.nc") as dataset:
+        assert graded_of(dataset, 2) == body
+        assert graded_of(dataset, 1) is None
+    ax = plotting.axis_profile(state.stress(), grid, body=body)
+    lines = {line.get_label(): line.get_xydata() for line in ax.lines}
+    limit = lines["yield stress at first"]
+    np.testing.assert_allclose(limit[:, 0], 1e-6 * Y * np.interp(limit[:, 1] * 1e-6, *profile))
+    for name, at_surface in ((r"$\sigma_{xx}$", -200.0), (r"$\sigma_{yy}$", -100.0)):
+        assert lines[f"{name} at first"][0] == pytest.approx([at_surface, 0.0])

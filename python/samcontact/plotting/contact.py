@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
-from .._checks import choice, finite, finite_array
+from .._checks import FloatArray, choice, finite, finite_array
 from .._quantities import CONTACT
 from .._tensors import von_mises
 from ..hertz import EllipticContact, PointContact
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from ..grid import Grid
+    from ..material import Material
 
 HertzContact = PointContact | EllipticContact
 
@@ -286,6 +287,7 @@ def axis_profile(
     ax: Axes | None = None,
     *,
     components: Sequence[str] = ("von_mises", "hydrostatic", "xx", "zz"),
+    body: Material | None = None,
 ) -> Axes:
     """Stresses under the centre of the grid against depth.
 
@@ -299,6 +301,8 @@ def axis_profile(
         Where to draw.
     components : sequence of str
         From "von_mises", "hydrostatic", "xx", "yy", "zz", "yz", "xz", "xy".
+    body : Material, optional
+        Of the body: adds its yield stress before hardening, and the normal stresses of the start.
 
     Returns
     -------
@@ -321,6 +325,8 @@ def axis_profile(
         label = rf"$\sigma_{{{name}}}$" if name in COMPONENTS else CONTACT[name].heading
         values = lines[name] * CONTACT["stress"].factor
         ax.plot(values, depths * 1e6, linewidth=1.2, label=label)
+    if body is not None:
+        _add_strength(ax, body, depths)
     ax.set_ylim(float(depths[-1]) * 1e6, 0.0)
     ax.xaxis.set_major_locator(
         MaxNLocator(5, steps=[1, 2, 5, 10])
@@ -329,3 +335,18 @@ def axis_profile(
     ax.set_ylabel("depth z [µm]")
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
     return finish(ax)
+
+
+def _add_strength(ax: Axes, body: Material, depths: FloatArray) -> None:
+    """What a body bears over depth, and has from the start."""
+    z, factor = np.append(0.0, depths), CONTACT["stress"].factor
+    if body.is_plastic:
+        limit = factor * float(body.yield_stress(0.0)) * body.yield_factor(z)
+        ax.plot(limit, z * 1e6, "k--", linewidth=1.0, label="yield stress at first")
+    if body.residual_stress is not None:
+        along_x, along_y, _ = factor * body.residual_stress_at(z)
+        even = np.array_equal(along_x, along_y)
+        name = r"$\sigma_{xx}$" if not even else r"$\sigma_{xx} = \sigma_{yy}$"
+        ax.plot(along_x, z * 1e6, "k:", linewidth=1.0, label=f"{name} at first")
+        if not even:
+            ax.plot(along_y, z * 1e6, "k-.", linewidth=1.0, label=r"$\sigma_{yy}$ at first")

@@ -14,13 +14,15 @@ from .._peak import peak_of_dataset
 from .._tensors import von_mises
 from ..grid import Grid
 from ..results.motion import track_of
-from ..results.reading import grid_of
+from ..results.reading import graded_of, grid_of
 from ..results.zones import on_grid
 from .contact import HertzContact
 from .parts import row_of_interest, section_height
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from ..material import Material
 
 
 @dataclass
@@ -50,6 +52,11 @@ class Scene:
     def track(self) -> xr.Dataset | None:
         """Of an inelastic body that moved."""
         return track_of(self.dataset, self.body)
+
+    @cached_property
+    def graded(self) -> Material | None:
+        """Of a body with a yield profile or residual stress."""
+        return graded_of(self.dataset, self.body)
 
     def number(self, position: int) -> int:
         """Of an increment, from 1."""

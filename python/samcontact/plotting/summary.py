@@ -124,7 +124,8 @@ def _of_the_peak(scene: Scene) -> dict[str, Figure]:
         surface_map(field, grid, ax, quantity=name, contact=pressure > 0)
     if scene.has("stress", number):
         figures["axis_stress"] = _panel(4.6, 4.2)
-        axis_profile(scene.field("stress", number), grid, figures["axis_stress"].axes[0])
+        ax, stress = figures["axis_stress"].axes[0], scene.field("stress", number)
+        axis_profile(stress, grid, ax, body=scene.graded)
     if any(scene.has(name, number) for name in _SECTIONS):
         figures["sections"] = _sections(scene, number)
     return figures

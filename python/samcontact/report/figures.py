@@ -12,8 +12,10 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .. import plotting
+from .._checks import FloatArray
 from .._peak import peak_of_dataset
 from .._quantities import CONTACT
+from .._tensors import von_mises
 from ..plotting.contact import HertzContact
 from ..plotting.parts import (
     add_to_title,
@@ -106,13 +108,26 @@ def _volume(scene: Scene) -> Iterator[Made]:
     stored = data["volume_increment"].values
     number = int(stored[peak_of_dataset(data.sel(increment=stored))])
     if scene.has("stress", number):
-        figure = new_figure(4.6, 4.2)
-        plotting.axis_profile(scene.field("stress", number), scene.grid, figure.subplots())
+        figure, stress = new_figure(4.6, 4.2), scene.field("stress", number)
+        plotting.axis_profile(stress, scene.grid, figure.subplots(), body=scene.graded)
         when = f"body {scene.body}, {_moment(scene, number)}"
-        yield f"Stress under the middle, {when}", "Stresses on the axis against depth.", figure
+        text = f"Stresses on the axis against depth.{_utilisation(scene, stress)}"
+        yield f"Stress under the middle, {when}", text, figure
     for name in ("von_mises", "hydrostatic", "equivalent_plastic_strain"):
         if scene.has(name, number):
             yield _section(scene, name, number)
+
+
+def _utilisation(scene: Scene, stress: FloatArray) -> str:
+    """Where a body whose strength changes with depth is closest to yield, or furthest above."""
+    body, grid = scene.graded, scene.grid
+    if body is None or not body.is_plastic:
+        return ""
+    ratio = von_mises(stress) / (float(body.yield_stress(0.0)) * body.yield_factor(grid.z))
+    n = np.unravel_index(int(np.argmax(ratio)), ratio.shape)
+    centres = zip("xyz", (grid.x, grid.y, grid.z), n, strict=True)
+    where = ", ".join(f"{axis} = {at[i] * 1e6:.4g} µm" for axis, at, i in centres)
+    return f" Of the yield stress at first there is at most {ratio.max():.4g}, at {where}."
 
 
 def _section(scene: Scene, quantity: str, number: int) -> Made:

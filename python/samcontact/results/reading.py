@@ -5,9 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from .._graded import PARTS
+from .._laws import LAWS
 from ..grid import Grid
+from ..material import Material
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -44,3 +49,23 @@ def grid_of(dataset: xr.Dataset) -> Grid:
     if "z" not in axes:
         return Grid(cells[0], cells[1], sizes[0], sizes[1])
     return Grid(cells[0], cells[1], sizes[0], sizes[1], cells[2], sizes[2])
+
+
+def graded_of(dataset: xr.Dataset, body: int) -> Material | None:
+    """The material of a body with a yield profile or residual stress, without other extras."""
+    prefix = f"body{body}_"
+    kinds = [kind for kind in PARTS if f"{prefix}{kind}_z" in dataset.attrs]
+    law = str(dataset.attrs.get(f"{prefix}law"))
+    if not kinds or law not in LAWS:
+        return None
+
+    def given(name: str, many: bool) -> Any:
+        value = np.atleast_1d(dataset.attrs[prefix + name])  # files have lists of one as numbers
+        return value if many else float(value[0])
+
+    constants = LAWS[law].constants
+    parameters = {name: given(name, constant.many) for name, constant in constants.items()}
+    profiles: dict[str, Any] = {
+        kind: [given(f"{kind}_{part}", True) for part in PARTS[kind]] for kind in kinds
+    }
+    return Material(law, parameters, **profiles)
