@@ -201,13 +201,13 @@ CONTACT = {
         "1", "equivalent plastic strain", "%", "equivalent plastic strain", colours="magma_r"
     ),
     "plastic_strain": Q("1", "plastic strain tensor"),
-    "residual_stress": Q("Pa", "stress due to plastic strain alone"),
+    "residual_stress": Q("Pa", "stress without tractions and heat"),
     "residual_von_mises": Q(
-        "Pa", "von Mises stress due to plastic strain alone", "MPa", "residual von Mises stress",
+        "Pa", "von Mises stress without tractions and heat", "MPa", "residual von Mises stress",
         colours="viridis",
     ),
     "residual_hydrostatic": Q(
-        "Pa", "mean normal stress due to plastic strain alone", "MPa",
+        "Pa", "mean normal stress without tractions and heat", "MPa",
         "residual hydrostatic stress", colours="RdBu_r",
     ),
     "temperature": Q(
@@ -220,7 +220,7 @@ TRACK = {
     "residual_displacement": Q(
         "m", f"normal surface displacement by plastic strain, into the body, {_TRACK}"
     ),
-    "residual_stress": Q("Pa", f"stress due to plastic strain {_TRACK}"),
+    "residual_stress": Q("Pa", f"residual stress {_TRACK}"),
     "residual_von_mises": Q("Pa", f"von Mises stress {_TRACK}"),
     "residual_hydrostatic": Q("Pa", f"mean normal stress {_TRACK}"),
     "plastic_strain": Q("1", f"plastic strain tensor {_TRACK}"),

@@ -282,7 +282,7 @@ class ContactSolver(Configured):
         *,
         shear: ArrayLike | None = None,
     ) -> FloatArray:
-        """Elastic and thermal stress in a body at any depths.
+        """Elastic and thermal stress in a body at any depths, without that of the start.
 
         Parameters
         ----------

@@ -76,7 +76,7 @@ class Zone(Fixed):
         return read_only(self._core.equivalent_plastic_strain_in(self.body - 1, self._box))
 
     def residual_stress(self) -> FloatArray:
-        """Stress of all plastic strain of the body [Pa], shape (6, nx, ny, nz).
+        """Stress of all plastic strain of the body, and from the start [Pa], shape (6, nx, ny, nz).
 
         Of several zones, by the operators that their strain was solved with: see the theory.
         """
