@@ -30,6 +30,8 @@ TABULATED = {
     "law": "tabulated", "E": 210e9, "nu": 0.3, "plastic_strain": [0.0, 1e-3], "stress": [1e9, 2e9],
     "thermal": SWIFT["thermal"],
 }  # fmt: skip
+LAYER = {"E": 420e9, "nu": 0.22, "thickness": 2e-6}
+COATED = {"law": "elastic", "E": 210e9, "nu": 0.3, "layers": [LAYER, LAYER | {"E": 70e9}]}
 COLD = {name: value for name, value in SWIFT.items() if name not in ("thermal", "softening")}
 GRID = {"nx": 16, "ny": 14, "dx": 5e-6, "dy": 6e-6, "nz": 4, "dz": 5e-6}
 ROUGH = {
@@ -88,6 +90,7 @@ KINDS = {
     "file": BASE
     | {"surface": {"shape": "file", "Rx": 1e-3, "Ry": 2e-3} | MEASURED,
        "relief2": {"kind": "file", "periodic": True} | MEASURED},
+    "coated": BASE | {"body1": COLD, "body2": COATED, "heat": None, "path": [{"load": 2.0}]},
     "Voce": BASE | {"body1": VOCE},
     "tabulated": BASE | {"body2": TABULATED},
     "rolling": BASE
@@ -166,7 +169,8 @@ UNSET = {
     "width": 1.7, "depth": 1.5, "approach": 1e-7, "load": 1.0, "image_tol": 1e-2, "floor": 0.2,
     "thermal": SWIFT["thermal"], "softening": SWIFT["softening"], "kinematic": SWIFT["kinematic"],
     "yield_profile": SWIFT["yield_profile"], "residual_stress": SWIFT["residual_stress"],
-    "wear": WEAR, "relief1": DENT, "relief2": DENT, "roughness": ROUGH, "grid": GRID,
+    "layers": [LAYER], "wear": WEAR, "relief1": DENT, "relief2": DENT, "roughness": ROUGH,
+    "grid": GRID,
 }  # fmt: skip
 
 
@@ -304,6 +308,7 @@ def test_every_field_of_every_section_is_tried():
     sections_in = {
         "kinematic",
         "yield_profile",
+        "layers",
         "surface",
         "path",
         "body1",
@@ -346,6 +351,8 @@ def test_every_field_of_every_section_is_tried():
             r"output\.volume = 'all' needs a \[grid\] with dz",
         ),
         ({"heat": None, "path": [{"load": 1.0}]}, r"body1\.thermal is of frictional"),
+        ({"body2": COATED, "wear": WEAR}, r"body2\.layers: \[wear\] knows homogeneous"),
+        ({"body2": SWIFT | {"layers": [LAYER]}}, r"layers\s+Extra inputs are not permitted"),
         (
             {"contact": CONTACT | {"residual_stress": "exact"}},
             r"contact\.image_tol is of residual_stress",

@@ -91,6 +91,10 @@ nz = 4
 dz = 1e-4
 [body1]
 law = "rigid"
+[[body1.layers]]
+E = 3e9
+nu = 0.4
+thickness = 20e-6
 [body2]
 law = "linear_hardening"
 E = 210e9
@@ -120,6 +124,8 @@ WITH_UNITS = [
     ("dy = 50e-6", 'dy = "0.05 mm"'),
     ("E = 210e9", 'E = "210 GPa"'),
     ("1.2e9", '"1200 MPa"'),
+    ("E = 3e9", 'E = "3 GPa"'),
+    ("thickness = 20e-6", 'thickness = "20 um"'),
     ("50.2", '"50.2 W/(m K)"'),
     ("[1e9, 2e9]", '["1 GPa", 2e9]'),
     ("Rx = 7.5e-3", 'Rx = "7.5 mm"'),

@@ -15,6 +15,7 @@ import numpy as np
 
 from .. import _certified, _memory, hertz
 from .._checks import FloatArray
+from ..layered import softest
 from ..runs.identity import Identity, identity
 from ..runs.solves import Solves
 from ..zone import strained_extent
@@ -154,7 +155,7 @@ class Refinable:
         """Of the elastic contact of the smooth surfaces along x and y at the largest target [m]."""
         radii = self.case.surface.radii()
         assert radii is not None
-        E_star = hertz.effective_modulus(*self.bodies)
+        E_star = hertz.effective_modulus(*map(softest, self.bodies))
         steps = self.case.steps()
         sizes = []
         for name in ("load", "approach"):
@@ -313,6 +314,9 @@ def require_refinable(case: Case) -> None:
         raise ValueError("wear: accuracy is of one contact, not of cycles of wear: give [grid]")
     if case.grid is not None and case.grid.periodic:
         raise ValueError("grid.periodic: accuracy chooses the window, so it cannot repeat itself")
+    for name in ("body1", "body2"):
+        if getattr(case, name).coating:
+            raise ValueError(f"{name}.layers: accuracy is of homogeneous bodies: give [grid]")
     surface: Any = case.surface
     if surface.shape == "file":
         raise ValueError(f"surface.shape = 'file' is known in points of its file only: {remedy}")

@@ -13,6 +13,7 @@ from .._laws import LAWS, Constant, Law
 from .base import Finite, NonNegative, Positive, Section, in_unit
 
 if TYPE_CHECKING:
+    from ..layered import Body
     from ..material import Material
 
 
@@ -62,6 +63,14 @@ class JohnsonCookSoftening(Section):
         return self
 
 
+class LayerSection(Section):
+    """An elastic layer on a body, see `Layered`."""
+
+    E: Annotated[Positive, in_unit("Pa")]
+    nu: Annotated[Finite, Field(ge=0.0, lt=0.5)]
+    thickness: Annotated[Positive, in_unit("m")]
+
+
 Depths = Annotated[list[NonNegative], Field(min_length=1), in_unit("m")]
 Stresses = Annotated[list[Finite], in_unit("Pa")]
 
@@ -99,11 +108,31 @@ class _Body(Section):
         self.build()
         return self
 
-    def build(self) -> Material:
+    @property
+    def coating(self) -> list[LayerSection]:
+        """Layers on it, from the surface down."""
+        return getattr(self, "layers", None) or []
+
+    @property
+    def is_rigid(self) -> bool:
+        return self.law == "rigid" and not self.coating
+
+    def build(self) -> Body:
+        """The material, below its layers."""
+        from ..layered import Layered
+        from ..material import Material
+
+        material = self._material()
+        if not self.coating:
+            return material
+        layers = [(Material.elastic(part.E, part.nu), part.thickness) for part in self.coating]
+        return Layered(tuple(layers), material)
+
+    def _material(self) -> Material:
         from ..material import Material
         from ..softening import JohnsonCook
 
-        parameters = self.model_dump()
+        parameters = self.model_dump(exclude={"layers"})
         extra = {name: parameters.pop(name, None) for name in _BESIDE}
         material: Material = getattr(Material, parameters.pop("law"))(**parameters)
         if extra["kinematic"] is not None:
@@ -120,9 +149,17 @@ class _Body(Section):
         return material
 
 
+class _CoatableBody(_Body):
+    layers: Annotated[list[LayerSection], Field(min_length=1)] | None = None
+
+
 class _ElasticBody(_Body):
     thermal: ThermalConstants | None = None
     residual_stress: InitialStress | None = None
+
+
+class _CoatableElasticBody(_ElasticBody, _CoatableBody):
+    pass
 
 
 class _PlasticBody(_ElasticBody):
@@ -143,7 +180,7 @@ def _field(constant: Constant) -> Any:
 
 def _model(name: str, law: Law) -> type[_Body]:
     """The section of a law, e.g. `SwiftBody`."""
-    base = _PlasticBody if law.yields else _ElasticBody if law.constants else _Body
+    base = _PlasticBody if law.yields else _CoatableElasticBody if law.constants else _CoatableBody
     fields: dict[str, Any] = {"law": (Literal[name], ...)}
     fields |= {constant: (_field(law.constants[constant]), ...) for constant in law.constants}
     title = "".join(word.capitalize() for word in name.split("_"))

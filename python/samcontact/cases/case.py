@@ -16,6 +16,7 @@ from .. import _memory, paths
 from .. import hertz as _hertz
 from .._heating import COLD, heating
 from .._repr import in_short
+from ..layered import softest
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
 from .errors import explain
@@ -92,7 +93,7 @@ class Case(CaseFile):
         if self.grid is None and self.accuracy is None:
             raise ValueError("grid: required section is missing; or give accuracy, e.g. 0.01")
         bodies = (self.body1, self.body2)
-        if all(body.law == "rigid" for body in bodies):
+        if all(body.is_rigid for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
         for name, body in zip(("body1", "body2"), bodies, strict=True):
             if body.is_plastic and not self.has_volume:
@@ -106,7 +107,7 @@ class Case(CaseFile):
                 )
         selected = self.output.body
         stored = self.has_volume and self.wear is None
-        if stored and bodies[selected - 1].law == "rigid":
+        if stored and bodies[selected - 1].is_rigid:
             raise ValueError(
                 f"output.body = {selected} is rigid and has no stresses: set it to {3 - selected}"
             )
@@ -175,15 +176,17 @@ class Case(CaseFile):
     def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
         """Hertz contact of this case at a load [N] > 0; None when there is none.
 
-        There is one for smooth paraboloids and spheres with finite radii.
+        There is one for smooth paraboloids and spheres with finite radii, of bodies without layers.
         """
         radii = self.surface.radii()
         periodic = self.grid is not None and self.grid.periodic
+        if self.body1.coating or self.body2.coating:
+            return None
         if self.relief1 is not None or self.relief2 is not None or periodic:
             return None
         if radii is None or self.surface.roughness is not None or not np.all(np.isfinite(radii)):
             return None
-        E_star = _hertz.effective_modulus(self.body1.build(), self.body2.build())
+        E_star = _hertz.effective_modulus(*map(softest, (self.body1.build(), self.body2.build())))
         if radii[0] == radii[1]:
             return _hertz.point(radii[0], E_star, load=load)
         return _hertz.elliptic(radii[0], radii[1], E_star, load=load)

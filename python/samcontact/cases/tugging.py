@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 from pydantic import Field, model_validator
 
@@ -53,6 +53,8 @@ class TuggingSection(Section):
 
 
 if TYPE_CHECKING:
+    from ..material import Material
+
     TuggingSolver = Section
 else:
     # the spheres are smooth; without a tol it is that of `tug`
@@ -104,8 +106,8 @@ class TuggingCase(CaseFile):
             raise CaseError(f"{self.source}: [{section}] {error}") from error
         return tug(
             collision,
-            self.body1.build(),
-            self.body2.build(),
+            cast("Material", self.body1.build()),
+            cast("Material", self.body2.build()),
             grid,
             passes=self.tugging.passes,
             back_and_forth=self.tugging.back_and_forth,

@@ -21,6 +21,8 @@ def require_all_used(case: Case) -> None:
     # a factor of 0 is a source that is off, on purpose
     if case.heat is None and all(segment.heat_factor is None for segment in case.path):
         _require_cold((("body1", case.body1), ("body2", case.body2)), "give [heat] too")
+    if case.wear is not None:
+        _require_no_layers(case, "[wear]")
     _require_image_tol(case.contact)
     _require_law_of_friction(case)
     given = changed(case.output, ("body", "volume"))
@@ -80,7 +82,14 @@ def require_all_used_in_tugging(case: TuggingCase) -> None:
     """The same of two asperities, which know no heat."""
     bodies = (("body1", case.body1), ("body2", case.body2))
     _require_cold(bodies, "leave it out, [tugging] knows no heat")
+    _require_no_layers(case, "[tugging]")
     _require_image_tol(case.contact)
+
+
+def _require_no_layers(case: Case | TuggingCase, section: str) -> None:
+    for name in ("body1", "body2"):
+        if getattr(case, name).coating:
+            raise ValueError(f"{name}.layers: {section} knows homogeneous bodies only")
 
 
 def _require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
