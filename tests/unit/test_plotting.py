@@ -10,7 +10,7 @@ import pytest
 from core_fakes import FakeState, make_grid, make_simulation
 from matplotlib.figure import Figure
 
-from samcontact import hertz, plotting
+from samcontact import Grid, hertz, plotting
 from samcontact._tensors import von_mises
 from samcontact.plotting.parts import new_figure, save
 from samcontact.results import to_dataset
@@ -264,3 +264,19 @@ def test_latex_that_is_not_installed_is_told(tmp_path, monkeypatch):
         figure.suptitle(f"of {tmp_path.name}")
         with pytest.raises(OSError, match=r"cannot draw a figure: .* latex could not be found"):
             save(figure, tmp_path / "f.png")
+
+
+def test_stresses_are_not_joined_across_an_interface(ax):
+    grid = Grid(3, 3, 1e-6, 1e-6, nz=6, dz=1e-6)
+    stress = np.zeros((6, 3, 3, 6))
+    stress[0, :, :, 2:] = 1e9
+    plotting.axis_profile(stress, grid, ax, components=["xx"], interfaces=[2e-6, 9e-6])
+    values, depths = ax.lines[0].get_data()
+    assert np.isnan(values[2])
+    assert list(values[:2]) == [0.0, 0.0]
+    assert list(values[3:]) == [1000.0] * 4
+    assert depths == pytest.approx([0.5, 1.5, 2.0, 2.5, 3.5, 4.5, 5.5])
+    assert ax.lines[1].get_ydata() == pytest.approx([2.0, 2.0])
+    ax = ax.figure.add_subplot()
+    plotting.section(stress[0], grid, ax, quantity="stress", interfaces=[2e-6, 9e-6])
+    assert [line.get_ydata()[0] for line in ax.lines] == pytest.approx([2.0])

@@ -17,6 +17,7 @@ from .._tensors import von_mises
 from ..hertz import EllipticContact, PointContact
 from .parts import (
     COMPONENTS,
+    INTERFACE,
     SECTIONS,
     axes_or_new,
     depths_of,
@@ -120,6 +121,7 @@ def section(
     plane: str = "y",
     position: float = 0.0,
     label: str | None = None,
+    interfaces: ArrayLike = (),
 ) -> Axes:
     """Cross-section of a volume field with a colour bar, depth downward.
 
@@ -140,6 +142,8 @@ def section(
         Its value [m]; the nearest row of cells is shown.
     label : str, optional
         Instead of the name of the quantity.
+    interfaces : array_like, shape (n,), optional
+        Depths between layers [m], as `Layered.interfaces` has them: lines.
 
     Returns
     -------
@@ -162,7 +166,11 @@ def section(
     else:
         values = values[nearest(grid.x, position), :, :]
         across, name = edges(grid.y, grid.dy), "y"
-    return show_section(ax, across, edges(depths, grid.dz), values, quantity, name, label)
+    between = finite_array("interfaces", interfaces, np.shape(interfaces))
+    ax = show_section(ax, across, edges(depths, grid.dz), values, quantity, name, label)
+    for depth in between[between < edges(depths, grid.dz)[-1]]:
+        ax.axhline(depth * 1e6, **INTERFACE)
+    return ax
 
 
 def load_approach(
@@ -288,6 +296,7 @@ def axis_profile(
     *,
     components: Sequence[str] = ("von_mises", "hydrostatic", "xx", "zz"),
     body: Material | None = None,
+    interfaces: ArrayLike = (),
 ) -> Axes:
     """Stresses under the centre of the grid against depth.
 
@@ -303,6 +312,8 @@ def axis_profile(
         From "von_mises", "hydrostatic", "xx", "yy", "zz", "yz", "xz", "xy".
     body : Material, optional
         Of the body: adds its yield stress before hardening, and the normal stresses of the start.
+    interfaces : array_like, shape (n,), optional
+        Depths between layers [m], as `Layered.interfaces` has them, where stresses jump.
 
     Returns
     -------
@@ -320,11 +331,16 @@ def axis_profile(
     tensor = tensor[:, nearest(grid.x, 0.0), nearest(grid.y, 0.0)]
     lines = dict(zip(COMPONENTS, tensor, strict=True))
     lines |= {"von_mises": von_mises(tensor), "hydrostatic": tensor[:3].mean(axis=0)}
+    between = finite_array("interfaces", interfaces, np.shape(interfaces))
+    between = between[between < depths[-1]]
+    first = np.searchsorted(depths, between)  # layers of cells are not joined across
     ax = axes_or_new(ax)
     for name in components:
         label = rf"$\sigma_{{{name}}}$" if name in COMPONENTS else CONTACT[name].heading
-        values = lines[name] * CONTACT["stress"].factor
-        ax.plot(values, depths * 1e6, linewidth=1.2, label=label)
+        values = np.insert(lines[name] * CONTACT["stress"].factor, first, np.nan)
+        ax.plot(values, np.insert(depths * 1e6, first, between * 1e6), linewidth=1.2, label=label)
+    for depth in between:
+        ax.axhline(depth * 1e6, **INTERFACE)
     if body is not None:
         _add_strength(ax, body, depths)
     ax.set_ylim(float(depths[-1]) * 1e6, 0.0)

@@ -30,6 +30,7 @@ SURFACES = {"pressure": "pressure", "gap": "gap", "print": "residual_displacemen
 _FROM_ZERO = ("equivalent_plastic_strain", "temperature", "pressure", "gap")
 _FLAT = 0.45  # depth over width: a label beside such a section would be longer than it
 _SHORT = 0.22  # here so would the whole label of the depth
+INTERFACE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
 COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
 
 

@@ -93,6 +93,11 @@ class Scene:
         return float(centres[row_of_interest(np.abs(field).max(axis=others), centres)])
 
     @property
+    def interfaces(self) -> FloatArray:
+        """Depths between layers of the body [m]."""
+        return np.cumsum(self.dataset.attrs.get(f"body{self.body}_thickness", ()))
+
+    @property
     def section_height(self) -> float:
         """Of the figure of a section of the grid [in], 5 in wide."""
         grid = self.grid

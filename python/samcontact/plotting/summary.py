@@ -125,7 +125,7 @@ def _of_the_peak(scene: Scene) -> dict[str, Figure]:
     if scene.has("stress", number):
         figures["axis_stress"] = _panel(4.6, 4.2)
         ax, stress = figures["axis_stress"].axes[0], scene.field("stress", number)
-        axis_profile(stress, grid, ax, body=scene.graded)
+        axis_profile(stress, grid, ax, body=scene.graded, interfaces=scene.interfaces)
     if any(scene.has(name, number) for name in _SECTIONS):
         figures["sections"] = _sections(scene, number)
     return figures
@@ -137,7 +137,7 @@ def _sections(scene: Scene, number: int) -> Figure:
     figure = new_figure(_WIDTH, scene.section_height * len(fields))
     panels = np.ravel(figure.subplots(len(fields), 1))
     for ax, (name, field) in zip(panels, fields.items(), strict=True):
-        section(field, scene.grid, ax, quantity=name, position=y)
+        section(field, scene.grid, ax, quantity=name, position=y, interfaces=scene.interfaces)
         add_to_title(ax, elsewhere("y", y, scene.grid.dy))
     return figure
 
