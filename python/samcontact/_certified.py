@@ -90,9 +90,9 @@ def parts(state: State, name: str) -> tuple[float, ...]:
 def _largest_yield_stress(state: State, body: int) -> float:
     """Which no stress of the body exceeds, whatever a parabola does; inf where it is not known."""
     material = (state._simulation.body1, state._simulation.body2)[body - 1]
-    others = (material.kinematic, material.softening, material.yield_profile)
-    homogeneous = isinstance(material, Material) and material.is_plastic
-    if not homogeneous or any(others) or state.max_plastic_strain(body) == 0:
+    if not isinstance(material, Material) or state.max_plastic_strain(body) == 0:
+        return math.inf
+    if any((material.kinematic, material.softening, material.yield_profile)):
         return math.inf
     strain = value(state, f"max_equivalent_plastic_strain_body{body}")
     return float(material.yield_stress(max(strain, state.max_equivalent_plastic_strain(body))))
