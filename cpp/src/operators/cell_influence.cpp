@@ -36,6 +36,10 @@ Field pressure_sums(const CellOffsets& offsets, double aspect) {
   return sums;
 }
 
+/// Places of xx, yy, zz, yz, xz, xy where x and y are exchanged, and of xx, yy, yz, xz, xy.
+constexpr std::array<std::size_t, 6> exchanged_full{1, 0, 2, 4, 3, 5},
+    exchanged_deviator{1, 0, 3, 2, 4, 5};
+
 /// Components xx, yy, zz, yz, xz, xy with x and y exchanged.
 std::array<double, 6> turned(const std::array<double, 6>& s) {
   return {s[1], s[0], s[2], s[4], s[3], s[5]};
@@ -228,11 +232,14 @@ Field cell_stress(double nu, Traction traction, const Grid& grid, int nx, int ny
 
 Field cell_stress(double nu, Traction traction, const Grid& grid, const CellOffsets& offsets,
                   double z, Tensor tensor) {
-  return corner_sums<6>(offsets, grid.dy / grid.dx, count(tensor), [&](double x, double y) {
+  const auto corner = [&](double x, double y) {
     auto s = select(stress_corner(traction, x, y, z / grid.dx, nu), tensor);
     for (double& v : s) v /= 2 * pi;
     return s;
-  });
+  };
+  const auto& exchanged = tensor == Tensor::full ? exchanged_full : exchanged_deviator;
+  return corner_sums<6>(offsets, grid.dy / grid.dx, count(tensor), corner,
+                        traction == Traction::pressure ? &exchanged : nullptr);
 }
 
 CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, double z) {
@@ -259,13 +266,15 @@ std::array<double, 6> residual_corner(Axis axis, double x, double y, double z, d
 
 Field cell_residual_displacement(double nu, Axis axis, const Grid& grid, const CellOffsets& offsets,
                                  int layer) {
-  return corner_sums<6>(offsets, grid.dy / grid.dx, 6, [&](double x, double y) {
+  const auto corner = [&](double x, double y) {
     const double dz = grid.dz / grid.dx;
     auto u = residual_corner(axis, x, y, (layer + 1) * dz, nu);
     const auto upper = residual_corner(axis, x, y, layer * dz, nu);
     for (int c = 0; c < 6; ++c) u[c] = (u[c] - upper[c]) * grid.dx / (2 * pi);
     return u;
-  });
+  };
+  return corner_sums<6>(offsets, grid.dy / grid.dx, 6, corner,
+                        axis == Axis::z ? &exchanged_full : nullptr);
 }
 
 CellInfluence residual_of_cell(double nu, Axis axis, const Grid& grid, int layer) {

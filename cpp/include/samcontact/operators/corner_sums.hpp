@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "samcontact/operators/periodic_sums.hpp"
@@ -19,21 +20,45 @@ inline std::vector<int> edges_of(const std::vector<int>& offsets) {
   return edges;
 }
 
-/// Corner sums of a cell of 1 by `aspect`, each corner evaluated once however many cells share it:
-/// [component][j][i] of the first `count` components.
-template <std::size_t N, class Corner>
-Field corner_sums(const CellOffsets& offsets, double aspect, int count, const Corner& corner) {
-  const std::vector<int> at_x = edges_of(offsets.x), at_y = edges_of(offsets.y);
-  const std::size_t corners_size = at_x.size() * at_y.size();
-  Field corners(N * corners_size);
+/// A function of x and y at edges, [component][y][x]. exchanged: its components' places where x and
+/// y change places; then half of the values of square cells do.
+template <std::size_t N, class Function>
+Field values_at(const std::vector<int>& at_x, const std::vector<int>& at_y, double aspect,
+                const std::array<std::size_t, N>* exchanged, const Function& function) {
+  const std::size_t size = at_x.size() * at_y.size();
+  const auto place_in = [](const std::vector<int>& edges, int edge) {
+    const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
+    return found != edges.end() && *found == edge ? found - edges.begin() : std::ptrdiff_t{-1};
+  };
+  Field values(N * size);
   std::size_t at = 0;
   for (const int y : at_y) {
+    const std::ptrdiff_t i = exchanged != nullptr && aspect == 1 ? place_in(at_x, y) : -1;
     for (const int x : at_x) {
-      const std::array<double, N> f = corner(0.5 * x, 0.5 * y * aspect);
-      for (std::size_t c = 0; c < N; ++c) corners[c * corners_size + at] = f[c];
+      const std::ptrdiff_t j = i >= 0 && x < y ? place_in(at_y, x) : -1;
+      if (j >= 0) {
+        const std::size_t known = j * at_x.size() + i;
+        for (std::size_t c = 0; c < N; ++c) {
+          values[c * size + at] = values[(*exchanged)[c] * size + known];
+        }
+      } else {
+        const std::array<double, N> f = function(0.5 * x, 0.5 * y * aspect);
+        for (std::size_t c = 0; c < N; ++c) values[c * size + at] = f[c];
+      }
       ++at;
     }
   }
+  return values;
+}
+
+/// Corner sums of a cell of 1 by `aspect`, each corner evaluated once however many cells share it:
+/// [component][j][i] of the first `count` components. exchanged: see values_at.
+template <std::size_t N, class Corner>
+Field corner_sums(const CellOffsets& offsets, double aspect, int count, const Corner& corner,
+                  const std::array<std::size_t, N>* exchanged = nullptr) {
+  const std::vector<int> at_x = edges_of(offsets.x), at_y = edges_of(offsets.y);
+  const std::size_t corners_size = at_x.size() * at_y.size();
+  const Field corners = values_at<N>(at_x, at_y, aspect, exchanged, corner);
   // The upper edge follows the lower one.
   const auto lower_edges = [](const std::vector<int>& cells, const std::vector<int>& edges) {
     std::vector<std::size_t> places;
