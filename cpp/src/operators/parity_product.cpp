@@ -2,29 +2,51 @@
 #include "samcontact/operators/parity_product.hpp"
 
 #include <algorithm>
+#include <cstddef>
+
+#include "samcontact/base/multiversion.hpp"
 
 namespace samcontact::operators {
 namespace {
 
-template <int Turns>
-Complex times_minus_i(Complex z) {
-  if constexpr (Turns == 0) return z;
-  if constexpr (Turns == 1) return {z.imag(), -z.real()};
-  return -z;
+/// out += scale quarter in, complex numbers interleaved, and the same times -i; quarters go up or
+/// down from the one given.
+SAMCONTACT_MULTIVERSION
+void add_product(const double* quarter, double scale, const double* in, double* out, int count) {
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    const double factor = scale * quarter[k];
+    out[2 * k] += factor * in[2 * k];
+    out[2 * k + 1] += factor * in[2 * k + 1];
+  }
 }
 
-template <int Turns>
-void add_product(const double* quarter, double scale, const Complex* in, Complex* out, int count) {
-  for (int k = 0; k < count; ++k) out[k] += scale * quarter[k] * times_minus_i<Turns>(in[k]);
+SAMCONTACT_MULTIVERSION
+void add_turned_product(const double* quarter, double scale, const double* in, double* out,
+                        int count) {
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    const double factor = scale * quarter[k];
+    out[2 * k] += factor * in[2 * k + 1];
+    out[2 * k + 1] -= factor * in[2 * k];
+  }
 }
 
-template <int Turns>
-void add_mirrored_product(const double* quarter, double scale, double mirrored, const Complex* in,
-                          Complex* out, int mx) {
-  add_product<Turns>(quarter, scale, in, out, mx / 2 + 1);
-  const double s = scale * mirrored;
-  for (int k = mx / 2 + 1; k < mx; ++k) {
-    out[k] += s * quarter[mx - k] * times_minus_i<Turns>(in[k]);
+SAMCONTACT_MULTIVERSION
+void add_product_down(const double* quarter, double scale, const double* in, double* out,
+                      int count) {
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    const double factor = scale * quarter[-k];
+    out[2 * k] += factor * in[2 * k];
+    out[2 * k + 1] += factor * in[2 * k + 1];
+  }
+}
+
+SAMCONTACT_MULTIVERSION
+void add_turned_product_down(const double* quarter, double scale, const double* in, double* out,
+                             int count) {
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    const double factor = scale * quarter[-k];
+    out[2 * k] += factor * in[2 * k + 1];
+    out[2 * k + 1] -= factor * in[2 * k];
   }
 }
 
@@ -32,28 +54,29 @@ void add_mirrored_product(const double* quarter, double scale, double mirrored, 
 
 void add_parity_product(const double* quarter, kernels::Parity parity, double scale,
                         const Complex* in, Complex* out, int mx) {
-  const double mirrored = parity.odd_x ? -1.0 : 1.0;
-  switch (parity.odd_x + parity.odd_y) {
-    case 0:
-      return add_mirrored_product<0>(quarter, scale, mirrored, in, out, mx);
-    case 1:
-      return add_mirrored_product<1>(quarter, scale, mirrored, in, out, mx);
-    default:
-      return add_mirrored_product<2>(quarter, scale, mirrored, in, out, mx);
-  }
+  const bool turned = parity.odd_x != parity.odd_y;
+  if (parity.odd_x && parity.odd_y) scale = -scale;
+  const double mirrored = parity.odd_x ? -scale : scale;
+  const auto* from = reinterpret_cast<const double*>(in);
+  auto* to = reinterpret_cast<double*>(out);
+  const int first = mx / 2 + 1, rest = mx - first;
+  const std::ptrdiff_t mirror = 2 * static_cast<std::ptrdiff_t>(first);
+  const auto up = turned ? add_turned_product : add_product;
+  const auto down = turned ? add_turned_product_down : add_product_down;
+  up(quarter, scale, from, to, first);
+  down(quarter + rest, mirrored, from + mirror, to + mirror, rest);
 }
 
 void add_parity_product(const double* quarter, kernels::Parity parity, double scale,
                         const double* in, double* out, const VolumeTransform& transform) {
   const int modes = transform.modes();
-  const auto* from = reinterpret_cast<const Complex*>(in);
-  auto* to = reinterpret_cast<Complex*>(out);
   switch (transform.symmetry()) {
     case Symmetry::none:
-      return add_parity_product(quarter, parity, scale, from, to, transform.mx());
+      return add_parity_product(quarter, parity, scale, reinterpret_cast<const Complex*>(in),
+                                reinterpret_cast<Complex*>(out), transform.mx());
     case Symmetry::y:
-      return parity.odd_x ? add_product<1>(quarter, scale, from, to, modes)
-                          : add_product<0>(quarter, scale, from, to, modes);
+      return parity.odd_x ? add_turned_product(quarter, scale, in, out, modes)
+                          : add_product(quarter, scale, in, out, modes);
     default:
       for (int k = 0; k < modes; ++k) out[k] += scale * quarter[k] * in[k];
   }
