@@ -16,7 +16,7 @@ from rough_scenes import simulation as rough_simulation
 from samcontact import wear
 from samcontact.runs.file import DAMAGED, CheckpointError
 from samcontact.wear import checkpoint as wear_checkpoint
-from samcontact.wear import cycles
+from samcontact.wear import repeating
 
 STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 HARD = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9).with_kinematic_hardening(3e10, 50.0)
@@ -164,7 +164,7 @@ def worn(tmp_path_factory):
         kept.append(scene)
         return latest(path, scene)
 
-    cycles.latest = spy
+    repeating.latest = spy
     try:
         grid = sc.Grid(15, 13, 60e-6, 60e-6, 12, 40e-6)
         gap = sc.surfaces.paraboloid(grid, 7.5e-3)
@@ -174,7 +174,7 @@ def worn(tmp_path_factory):
             threshold=3e-3, cycles=3, window=3, checkpoint=file, progress=False, tol=1e-4,
         )  # fmt: skip
     finally:
-        cycles.latest = latest
+        repeating.latest = latest
     standing = latest(file, kept[0])
     assert len(standing.cycles) == 2
     return file.read_bytes(), kept[0], standing_digest(standing)

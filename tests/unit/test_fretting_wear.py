@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Wear by slip: its volume, its laws, where it ends, checkpoints, refusals."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -92,12 +94,18 @@ def test_the_scar_ends_where_all_is_carried_by_what_sticks():
     np.testing.assert_allclose(pressure, only.pressure, atol=1e-6 * pressure.max())
 
 
-def test_parts_do_not_depend_on_how_cycles_are_divided():
-    whole, halves = frets(repeats=400, cycles=2), frets(repeats=800, cycles=1)
-    assert halves.cycles[0].parts == 1
-    np.testing.assert_allclose(
-        whole.profile(), halves.profile(), atol=0.02 * np.abs(whole.profile()).max()
-    )
+def test_error_of_the_parts_is_in_proportion(monkeypatch):
+    """And small: of first order, below 2 % of the depth."""
+    scars = []
+    for part in (1.0, 0.5, 0.25):
+        monkeypatch.setattr("samcontact.wear.by_slip._STABLE", part)
+        scars.append(frets(repeats=120_000, cycles=1))
+    counts = [scar.cycles[0].parts for scar in scars]
+    coarse, fine = (np.linalg.norm(a.profile() - b.profile()) for a, b in pairwise(scars))
+    assert counts[0] > 4
+    assert counts[2] == pytest.approx(4 * counts[0], abs=4)
+    assert coarse / fine == pytest.approx(2.0, rel=0.1)
+    assert coarse < 1.5e-2 * np.linalg.norm(scars[2].profile())
 
 
 def test_going_on_from_a_checkpoint_gives_the_same(worn, tmp_path):

@@ -2,6 +2,7 @@
 """Tables of the commands: whatever the width, every number is there and whole."""
 
 import io
+import math
 from dataclasses import fields
 from types import SimpleNamespace
 
@@ -16,7 +17,7 @@ from samcontact import hertz
 from samcontact.asperities.series import BY_INCREMENT, BY_PASS
 from samcontact.commands import solve_contact, solve_study, solve_sweep, tables
 from samcontact.commands.tables import NARROWEST, UNLIMITED, Sheet, new_console, numbers
-from samcontact.wear.results import Cycle, FrettingCycle
+from samcontact.wear import Cycle, FrettingCycle
 
 SIZES = (1e-12, 1e-6, 1.0, 1e6, 1e12)
 CASE = SimpleNamespace(output=SimpleNamespace(body=2))
@@ -49,11 +50,12 @@ def tugging(generator, count=4):
     return xr.Dataset(data, {"pass": np.arange(1, count + 1), "body": [1, 2]})
 
 
-def wear(generator, record, count=5):
-    shape = (count, 2)
-    data = {n: (("cycle", "body"), values(10, generator).reshape(shape)) for n in record.PER_BODY}
-    others = {item.name for item in fields(record)} - {"number", *record.PER_BODY}
-    data |= {name: ("cycle", values(count, generator)) for name in sorted(others)}
+def wear(generator, count=5, record=Cycle):
+    data = {}
+    for name in (item.name for item in fields(record) if item.name != "number"):
+        shape = (count, 2) if name in record.PER_BODY else (count,)
+        given = values(math.prod(shape), generator).reshape(shape)
+        data[name] = ("cycle", "body")[: len(shape)], given
     return xr.Dataset(data, {"cycle": np.arange(1, count + 1), "body": [1, 2]})
 
 
@@ -73,8 +75,8 @@ def all_tables(seed):
         solve_contact._summary(contact(generator), 2),
         solve_contact._comparison(contact(generator), 3, reference, 2),
         solve_study._passes_sheet(tugging(generator)),
-        solve_study._cycles_sheet(wear(generator, Cycle)),
-        solve_study._cycles_sheet(wear(generator, FrettingCycle)),
+        solve_study._cycles_sheet(wear(generator)),
+        solve_study._cycles_sheet(wear(generator, record=FrettingCycle)),
         sweep(generator),
     ]
 
