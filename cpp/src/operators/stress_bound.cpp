@@ -116,8 +116,8 @@ Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& g
 Field StressBound::near_part(double depth, const Tractions& tractions) const {
   const Grid& grid = tables_->grid();
   constexpr int reach = near_range;
+  if (depth >= near_ends * std::min(grid.dx, grid.dy)) return {};
   Field sum(grid.surface_size(), 0.0);
-  if (depth >= near_ends * std::min(grid.dx, grid.dy)) return sum;
   Grid around(2 * reach, 2 * reach, grid.dx, grid.dy);
   around.period = {2 * reach, 2 * reach, 0.0};
   const KernelOffsets offsets(around, 2 * reach, 2 * reach);
@@ -190,7 +190,7 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
       const double* row = corners.data() + static_cast<std::size_t>(i) * (ny + 1);
       for (int j = 0; j < ny; ++j) {
         double most = 0.0;
-        for (int x = i * block; x < std::min(grid.nx, (i + 1) * block); ++x) {
+        for (int x = i * block; !near.empty() && x < std::min(grid.nx, (i + 1) * block); ++x) {
           for (int y = j * block; y < std::min(grid.ny, (j + 1) * block); ++y) {
             most = std::max(most, near[static_cast<std::size_t>(x) * grid.ny + y]);
           }

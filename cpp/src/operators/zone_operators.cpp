@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "samcontact/base/interrupt.hpp"
@@ -45,19 +44,6 @@ std::vector<fft::RowRun> rows_of(const std::vector<Box>& boxes, const Box& plane
   return fft::runs_of(used);
 }
 
-/// For a spectrum around a zone, of one thread, between uses.
-Field& spectrum_memory() {
-  static thread_local Field memory;
-  return memory;
-}
-
-VolumeSpectrum without_strain(const VolumeOperators& operators, int layers) {
-  VolumeSpectrum spectrum(operators.transform(), layers, operators.tensor(),
-                          std::move(spectrum_memory()));
-  std::fill(spectrum.data.begin(), spectrum.data.end(), 0.0);
-  return spectrum;
-}
-
 }  // namespace
 
 struct ZoneOperators::Around {
@@ -67,10 +53,7 @@ struct ZoneOperators::Around {
   ZoneTables::Operators operators;
   Field fade_x, fade_y;               // weights of the strain in it
   std::array<Field, 3> displacement;  // by axis, [i][j] of the plane, of the zone's own strain
-  // Of the strain, where the zone is alone: then one transform serves displacement and stress.
-  std::optional<VolumeSpectrum> spectrum;
-  Field memory;  // for it
-  bool is_alone() const { return zones.size() == 1; }
+  VolumeSpectrum spectrum;            // of that strain
 };
 
 /// The nodes of a band, with the strain's spectrum.
@@ -134,8 +117,15 @@ void ZoneOperators::add_ring(const Box& zone) {
   Grid plane(mx, my, grid_.dx, grid_.dy, box.nz, grid_.dz);
   plane.period = {mx, my, 0.0};
   const auto operators = tables_->of(Band::near, plane);
-  around_.push_back(
-      {box, mx, my, std::move(inside), operators, fades(zone.nx), fades(zone.ny), {}, {}, {}});
+  around_.push_back({box,
+                     mx,
+                     my,
+                     std::move(inside),
+                     operators,
+                     fades(zone.nx),
+                     fades(zone.ny),
+                     {},
+                     VolumeSpectrum(operators->transform(), box.nz, tensor_)});
 }
 
 void ZoneOperators::make_lattices() {
@@ -208,23 +198,22 @@ void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
-    Around& around = around_[z];
-    const VolumeOperators& near = *around.operators;
-    const int strained = near.residual_displacement(axes.front()).layers();  // of each axis
-    const int layers = around.is_alone() ? around.box.nz : std::min(around.box.nz, strained);
-    Field& memory = around.is_alone() ? around.memory : spectrum_memory();
-    VolumeSpectrum own =
-        spectrum_around(around, {static_cast<int>(z)}, layers, strain, std::move(memory));
-    for (const Axis axis : axes) {
-      Field& displacement = around.displacement[static_cast<int>(axis)];
-      displacement.resize(near.grid().surface_size());
-      near.residual_displacement(axis).apply(own, displacement.data());
-    }
-    if (around.is_alone()) {
-      around.spectrum = std::move(own);
-    } else {
-      memory = std::move(own.data);
-    }
+    transform_zone(static_cast<int>(z), strain, axes);
+  }
+}
+
+void ZoneOperators::transform_zone(int zone, const Field& strain, std::span<const Axis> axes) {
+  Around& around = around_[zone];
+  const VolumeOperators& near = *around.operators;
+  for (int k = 0; k < around.box.nz; ++k) {
+    around.spectrum.used[k] = k < zones_[zone].nz;
+    if (!around.spectrum.used[k]) continue;
+    forward(near.transform(), strain_around(around, {&zone, 1}, k, strain), around.spectrum, k);
+  }
+  for (const Axis axis : axes) {
+    Field& displacement = around.displacement[static_cast<int>(axis)];
+    displacement.resize(near.grid().surface_size());
+    near.residual_displacement(axis).apply(around.spectrum, displacement.data());
   }
 }
 
@@ -294,21 +283,40 @@ void ZoneOperators::find_low_stress(bool strained, const Tractions& tractions, d
       layers_, [&](int k) { return std::span<const fft::RowRun>(middle_->rows[k]); });
 }
 
-VolumeSpectrum ZoneOperators::spectrum_around(const Around& around, const std::vector<int>& zones,
-                                              int layers, const Field& strain, Field memory) const {
-  const VolumeTransform& transform = around.operators->transform();
-  VolumeSpectrum spectrum(transform, layers, tensor_, std::move(memory));
-  for (int k = 0; k < layers; ++k) {
-    const auto is_in = [&](int z) { return k < zones_[z].nz; };
-    spectrum.used[k] = std::any_of(zones.begin(), zones.end(), is_in);
-    if (!spectrum.used[k]) continue;
-    forward(transform, strain_around(around, zones, k, strain), spectrum, k);
+bool ZoneOperators::has_strain(int zone, int k, const Field& strain, const Box& box) const {
+  const Box& own = zones_[zone];
+  const Box common = own.intersected(box);
+  if (k >= own.nz || common.empty()) return false;
+  for (int c = 0; c < count(tensor_); ++c) {
+    for (int i = common.i0; i < common.i0 + common.nx; ++i) {
+      const double* row = strain.data() + c * cells_ + first_[zone] +
+                          (static_cast<std::size_t>(k) * own.nx + i - own.i0) * own.ny + common.j0 -
+                          own.j0;
+      if (std::any_of(row, row + common.ny, [](double v) { return v != 0; })) return true;
+    }
   }
-  return spectrum;
+  return false;
 }
 
-const double* ZoneOperators::strain_around(const Around& around, const std::vector<int>& zones,
-                                           int k, const Field& strain) const {
+void ZoneOperators::add_others(std::size_t zone, const Field* strain) {
+  Around& around = around_[zone];
+  if (strain == nullptr) {
+    std::fill(around.spectrum.data.begin(), around.spectrum.data.end(), 0.0);
+    return;
+  }
+  for (int k = 0; k < around.box.nz; ++k) {
+    const auto reaches = [&](int other) {
+      return other != static_cast<int>(zone) && has_strain(other, k, *strain, around.box);
+    };
+    if (std::none_of(around.zones.begin(), around.zones.end(), reaches)) continue;
+    around.spectrum.used[k] = 1;
+    forward(around.operators->transform(), strain_around(around, around.zones, k, *strain),
+            around.spectrum, k);
+  }
+}
+
+const double* ZoneOperators::strain_around(const Around& around, std::span<const int> zones, int k,
+                                           const Field& strain) const {
   const int parts = count(tensor_);
   const Box& own = around.box;
   const std::size_t plane = static_cast<std::size_t>(around.mx) * around.my;
@@ -354,13 +362,7 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   cut(tractions.pressure, here.pressure);
   cut(tractions.shear_x, here.shear_x);
   cut(tractions.shear_y, here.shear_y);
-  VolumeSpectrum spectrum = strain == nullptr ? without_strain(near, around.box.nz)
-                            : around.spectrum
-                                ? std::move(*around.spectrum)
-                                : spectrum_around(around, around.zones, around.box.nz, *strain,
-                                                  std::move(spectrum_memory()));
-  Field& memory = around.spectrum ? around.memory : spectrum_memory();
-  around.spectrum.reset();
+  add_others(zone, strain);
   const fft::RowRun rows{ring, box.nx};
   // A plane with a period has no images to be found from the strain.
   const double unused = 0.0;
@@ -374,10 +376,9 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
     }
     use(zone, k, sum.data());
   };
-  near.for_each_layer(spectrum, strain != nullptr ? &unused : nullptr, any ? &here : nullptr,
+  near.for_each_layer(around.spectrum, strain != nullptr ? &unused : nullptr, any ? &here : nullptr,
                       shear_sign, with_low, box.nz,
                       [&rows](int) { return std::span<const fft::RowRun>(&rows, 1); });
-  memory = std::move(spectrum.data);
 }
 
 void ZoneOperators::for_each_layer(const Field* strain, const Tractions& tractions,

@@ -48,11 +48,15 @@ class ZoneOperators {
   /// Of the lattices' planes, which ones zones read.
   void find_rows();
   void add_ring(const Box& zone);
-  /// Of the first layers of the strain in some zones, on the plane around one.
-  VolumeSpectrum spectrum_around(const Around& around, const std::vector<int>& zones, int layers,
-                                 const Field& strain, Field memory) const;
-  /// A layer of that strain; of this thread, until it asks again.
-  const double* strain_around(const Around& around, const std::vector<int>& zones, int k,
+  /// Takes the strain of a zone, without that of others.
+  void transform_zone(int zone, const Field& strain, std::span<const Axis> axes);
+  /// To what was taken of a zone, the strain of others in its ring; null: none at all.
+  void add_others(std::size_t zone, const Field* strain);
+  /// Whether a layer of a zone has strain in a box.
+  bool has_strain(int zone, int k, const Field& strain, const Box& box) const;
+  /// A layer of the strain in some zones, on the plane around one; of this thread, until it asks
+  /// again.
+  const double* strain_around(const Around& around, std::span<const int> zones, int k,
                               const Field& strain) const;
   void stress_of_zone(std::size_t zone, const Field* strain, const Tractions& tractions,
                       double shear_sign, const Use& use);
