@@ -231,7 +231,8 @@ def run_here(task: Task) -> dict[str, Any]:
         "clock": task.clock,
         "with_setup_s": first,
         "setup_s": built - start + found.setup_share * first,
-        "without_setup_s": min(again, default=(first - (built - start)) * (1 - found.setup_share)),
+        "without_setup_s": typical(again, task.clock)
+        or (first - (built - start)) * (1 - found.setup_share),
         "memory_MB": (memory - before) / 1e6,
         "peak_MB": memory / 1e6,
         "contact_fraction": float(np.mean(found.pressure > 0)),
@@ -242,6 +243,13 @@ def run_here(task: Task) -> dict[str, Any]:
     if found.plastic_strain is not None:
         row["largest_plastic_strain"] = float(found.plastic_strain.max())
     return row
+
+
+def typical(times: list[float], clock: str) -> float:
+    """The least, or their mean of the processor's clock, which may tick a few times a solve only."""
+    if not times:
+        return 0.0
+    return min(times) if clock == "perf_counter" else sum(times) / len(times)
 
 
 def solve_again(code: Any, first: float, clock: Callable[[], float]) -> list[float]:

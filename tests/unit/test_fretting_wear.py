@@ -108,6 +108,17 @@ def test_error_of_the_parts_is_in_proportion(monkeypatch):
     assert coarse < 1.5e-2 * np.linalg.norm(scars[2].profile())
 
 
+def test_a_contact_that_is_worn_through_ends():
+    """Bodies at a given distance touch no more at last."""
+    grid = sc.Grid(12, 1, 8e-6, 8e-6, periodic="y")
+    gap = sc.surfaces.paraboloid(grid, RADIUS, np.inf)
+    cycle = [{"approach": 5e-8, "shift": (d * 1e-6, 0.0)} for d in (0, 1, -2, 2)]
+    result = frets(gap, grid, cycle=cycle, repeats=1_000_000, cycles=20)
+    assert result.stopped
+    assert not result.last[-1].pressure.any()
+    np.testing.assert_allclose(-result.profile()[gap < 4e-8], (5e-8 - gap)[gap < 4e-8], rtol=0.05)
+
+
 def test_going_on_from_a_checkpoint_gives_the_same(worn, tmp_path):
     more = {"energy": (1e-14, 3e-14), "repeats": 10000, "checkpoint": tmp_path / "scar.h5"}
     frets(**more, cycles=2)
@@ -144,6 +155,7 @@ def test_dataset_and_report(worn, tmp_path):
         ({"repeats": 0}, "repeats must be"),
         ({"cycle": to_and_fro(8.0, 2.0)[:2]}, "must end where it has been"),
         ({"cycle": []}, "at least one step"),
+        ({"cycle": [{"load": 0.0}]}, "must bring the bodies into contact"),
         ({"cycle": [{"load": 8.0, "shift": (0.0, 0.0), "tangential_load": (1.0, 0.0)}]}, "both"),
     ],
 )

@@ -172,6 +172,8 @@ def _advance(scene: FrettingScene, standing: Standing) -> tuple[tuple[State, ...
     heights = {body: [*before, before[-1]] for body, before in standing.heights.items()}
     left, parts, work, removed = float(scene.repeats), 0, 0.0, np.zeros(scene.grid.surface_shape)
     first = _gone_through(scene, heights)
+    if not standing.cycles and not any(state.pressure.any() for state in first.states):
+        raise ValueError("cycle must bring the bodies into contact where it repeats, got none")
     while left > 0:
         now = _gone_through(scene, heights) if parts else first
         count = min(left, _most_repeats(scene, now))
