@@ -246,7 +246,7 @@ def run_here(task: Task) -> dict[str, Any]:
 
 
 def typical(times: list[float], clock: str) -> float:
-    """The least, or their mean of the processor's clock, which may tick a few times a solve only."""
+    """The least; of the processor's clock the mean, as it may tick only once in several solves."""
     if not times:
         return 0.0
     return min(times) if clock == "perf_counter" else sum(times) / len(times)
