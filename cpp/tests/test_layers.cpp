@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include "samcontact/kernels/gauss.hpp"
@@ -13,6 +14,8 @@
 #include "samcontact/operators/half_space.hpp"
 #include "samcontact/operators/layered_half_space.hpp"
 #include "samcontact/operators/layered_influence.hpp"
+#include "samcontact/operators/stack_residual_stress.hpp"
+#include "samcontact/operators/volume_operators.hpp"
 
 using namespace samcontact;
 using namespace samcontact::operators;
@@ -59,6 +62,25 @@ std::array<double, 2> rest_of_force(const Stack& stack, double r,
     u[1] += weight / (2 * pi) * (own.coupling - near.coupling) * std::cyl_bessel_j(1, q * r);
   }
   return u;
+}
+
+/// Numbers in [-1, 1], those of a deviator where it is one.
+Field random_strain(std::size_t size, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  Field strain(size);
+  for (double& value : strain) value = number(generator);
+  return strain;
+}
+
+Field residual_of(const ResidualStress& operation, const VolumeTransform& transform,
+                  const Grid& grid, Tensor tensor, const Field& strain) {
+  VolumeSpectrum spectrum(transform, grid.nz, tensor);
+  forward(transform, strain.data(), spectrum);
+  operation.apply(spectrum);
+  Field stress(strain.size());
+  inverse(transform, spectrum, stress.data());
+  return stress;
 }
 
 }  // namespace
@@ -149,4 +171,77 @@ TEST_CASE("stress of layers is in equilibrium, bonded and what the surface is lo
     }
     CHECK(total == doctest::Approx(-1.0).epsilon(1e-4));
   }
+}
+
+TEST_CASE("the stress of eigenstrain in layers that are alike is that of a half-space") {
+  const Grid grid(10, 8, 1.0, 1.3, 7, 0.4);
+  const Stack alike = Stack::of({{stiff, 0.8}, {stiff, 0.4}}, stiff);
+  for (const Symmetry symmetry : {Symmetry::none, Symmetry::y, Symmetry::xy}) {
+    for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
+      const VolumeTransform transform(grid, symmetry);
+      const Field strain = random_strain(count(tensor) * grid.nz * transform.plane_size(),
+                                         3 + static_cast<unsigned>(symmetry));
+      const ResidualSettings settings{.method = ResidualMethod::fast};
+      const LayerResidualStress plain(grid, transform, stiff, settings);
+      const StackResidualStress layered(grid, transform, alike, settings);
+      const Field exact = residual_of(plain, transform, grid, tensor, strain);
+      const Field found = residual_of(layered, transform, grid, tensor, strain);
+      CHECK(difference(found, exact) < 1e-12 * largest(exact));
+    }
+  }
+}
+
+TEST_CASE("eigenstrain in layers: symmetric, never feeding energy, and in reach of its limits") {
+  const Grid grid(6, 6, 1.0, 1.0, 6, 0.5);
+  const VolumeTransform transform(grid, Symmetry::none);
+  const ResidualSettings settings{.method = ResidualMethod::fast};
+  const auto stress_of = [&](const Stack& stack, const Field& strain) {
+    return residual_of(StackResidualStress(grid, transform, stack, settings), transform, grid,
+                       Tensor::full, strain);
+  };
+  const auto work = [&](const Field& strain, const Field& stress) {
+    double sum = 0.0;
+    const std::size_t component = grid.nz * transform.plane_size();
+    for (std::size_t n = 0; n < strain.size(); ++n) {
+      sum += (n < 3 * component ? 1 : 2) * strain[n] * stress[n];
+    }
+    return sum;
+  };
+  const Field one = random_strain(6 * grid.nz * transform.plane_size(), 1);
+  const Field two = random_strain(one.size(), 2);
+  for (const Stack& stack : {Stack::of({{stiff, 1.0}, {soft, 0.5}}, {9.0, 0.1}),
+                             Stack::of({{soft, 1.5}, {stiff, 4.0}}, Elastic::rigid())}) {
+    const Field s1 = stress_of(stack, one), s2 = stress_of(stack, two);
+    const double scale = work(one, s1);
+    CHECK(scale < 0);
+    CHECK(work(one, s2) == doctest::Approx(work(two, s1)).epsilon(1e-11));
+  }
+  // Under a coating that is nearly nothing the substrate is a half-space of its own.
+  const Stack bare = Stack::of({{{1e-9, 0.3}, 1.0}}, stiff);
+  Field below = one;
+  const std::size_t plane = transform.plane_size();
+  for (std::size_t n = 0; n < one.size(); ++n) {
+    if (n / plane % grid.nz < 2) below[n] = 0.0;
+  }
+  const Grid rest(6, 6, 1.0, 1.0, 4, 0.5);
+  Field moved(6 * rest.nz * plane);
+  for (int c = 0; c < 6; ++c) {
+    for (std::size_t n = 0; n < rest.nz * plane; ++n) {
+      moved[c * rest.nz * plane + n] = below[(c * grid.nz + 2) * plane + n];
+    }
+  }
+  const Field found = stress_of(bare, below);
+  const Field exact = residual_of(LayerResidualStress(rest, transform, stiff, settings), transform,
+                                  rest, Tensor::full, moved);
+  double worst = 0.0;
+  for (int c = 0; c < 6; ++c) {
+    for (std::size_t n = 0; n < rest.nz * plane; ++n) {
+      worst = std::max(
+          worst, std::fabs(found[(c * grid.nz + 2) * plane + n] - exact[c * rest.nz * plane + n]));
+    }
+  }
+  CHECK(worst < 1e-7 * largest(exact));
+  CHECK_THROWS_WITH_AS(
+      StackResidualStress(grid, transform, Stack::of({{stiff, 0.7}}, soft), settings),
+      doctest::Contains("bottom of layers[0]"), std::invalid_argument);
 }

@@ -43,8 +43,7 @@ LayeredWave::LayeredWave(const Stack& stack) : on_rigid_(stack.substrate.is_rigi
     const double softness = 1 / elastic.shear_modulus(), half = 0.5 * softness, nu = elastic.nu;
     layers_.push_back({rows(1, -1, 1, 0), rows(-1, 1, 1, 0),
                        half * rows(-1, 2 * (1 - nu), -1, -(1 - 2 * nu)),
-                       half * rows(-1, 2 * (1 - nu), 1, 1 - 2 * nu), softness, thickness, top});
-    poisson_.push_back(nu);
+                       half * rows(-1, 2 * (1 - nu), 1, 1 - 2 * nu), nu, softness, thickness, top});
     top += thickness;
   };
   for (const auto& [elastic, thickness] : stack.layers) add(elastic, thickness);
@@ -55,23 +54,26 @@ void LayeredWave::set_wavenumber(double q) {
   q_ = q;
   Matrix below = Matrix::Zero();  // displacement over traction at the top of what lies below
   double across = 0.0;
-  for (LayerWaves& own : std::views::reverse(layers_)) {
+  for (Layer& own : std::views::reverse(layers_)) {
     Matrix reflected = Matrix::Zero();  // the wave from the bottom over that from the top
     double across_reflected = 0.0;
     if (std::isfinite(own.thickness)) {
       const double y = q * own.thickness, e = std::exp(-y);
       own.decay = rows(e, y * e, 0, e);
-      own.reflection = (below * own.traction_up - own.displacement_up).inverse() *
-                       (own.displacement_down - below * own.traction_down);
+      own.of_below = (below * own.traction_up - own.displacement_up).inverse();
+      own.reflection = own.of_below * (own.displacement_down - below * own.traction_down);
       reflected = own.decay * own.reflection * own.decay;
       own.across_decay = e;
-      own.across_reflection = (own.softness + across) / (across - own.softness);
+      own.across_of_below = 1 / (across - own.softness);
+      own.across_reflection = (own.softness + across) * own.across_of_below;
       across_reflected = e * e * own.across_reflection;
     }
     own.to_amplitude = (own.traction_down + own.traction_up * reflected).inverse();
     own.across_to_amplitude = 1 / (1 - across_reflected);
     below = (own.displacement_down + own.displacement_up * reflected) * own.to_amplitude;
     across = -own.softness * (1 + across_reflected) * own.across_to_amplitude;
+    own.compliance = below;
+    own.across_compliance = across;
   }
   compliance_ = {-below(0, 0), 0.5 * (below(0, 1) + below(1, 0)), -below(1, 1), -across};
 }
@@ -80,7 +82,7 @@ WaveCompliance LayeredWave::compliance() const { return compliance_; }
 
 LayeredWave::Amplitudes LayeredWave::amplitudes(int layer, Vector traction, double across) const {
   for (int n = 0;; ++n) {
-    const LayerWaves& own = layers_[n];
+    const Layer& own = layers_[n];
     Amplitudes found{own.to_amplitude * traction, Vector::Zero(), own.across_to_amplitude * across,
                      0.0};
     if (std::isfinite(own.thickness)) {
@@ -116,8 +118,8 @@ LayeredWave::Turned LayeredWave::turned(int layer, const Decays& decays, const V
                                         double across) const {
   const Amplitudes waves = amplitudes(layer, traction, across);
   Turned stress;
-  stress.add(waves.a, waves.across_a, decays.down, poisson_[layer], 1.0);
-  stress.add(waves.b, waves.across_b, decays.up, poisson_[layer], -1.0);
+  stress.add(waves.a, waves.across_a, decays.down, layers_[layer].nu, 1.0);
+  stress.add(waves.b, waves.across_b, decays.up, layers_[layer].nu, -1.0);
   return stress;
 }
 

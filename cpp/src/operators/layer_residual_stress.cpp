@@ -2,28 +2,19 @@
 #include "samcontact/operators/layer_residual_stress.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "samcontact/base/flush_denormals.hpp"
-#include "samcontact/base/smooth_step.hpp"
 #include "samcontact/base/threads.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/operators/image_correction.hpp"
 #include "samcontact/operators/layer_sweep.hpp"
 #include "samcontact/operators/line_images.hpp"
+#include "samcontact/operators/wave_aliases.hpp"
 
 namespace samcontact::operators {
 namespace {
 
 using layers::width;
-
-/// Wavenumbers from here on, of the highest one, share their place with their aliases.
-constexpr double blended_from = 0.85;
-
-/// Share of a wavenumber, relative to the highest; with that of its alias 1. Three derivatives are
-/// continuous.
-double blended(double k) { return rising((2 - blended_from - k) / (2 * (1 - blended_from))); }
 
 /// With yz and xz multiplied by i all is real; what is stored lacks (-i) for each mirrored
 /// direction in which the component is odd.
@@ -80,13 +71,13 @@ std::vector<LayerResidualStress::Pass> LayerResidualStress::passes(const Grid& g
                                                                    int ky, const Share& share,
                                                                    bool blends) {
   if (!blends) {
-    return {pass(grid, transform, ky, false, false, share, [](double) { return 1.0; })};
+    return {pass(grid, transform, ky, false, false, share, blends)};
   }
   std::vector<Pass> found;
   for (const bool alias_y : {false, true}) {
     if (alias_y && 2 * ky <= blended_from * transform.my()) continue;
     for (const bool alias_x : {false, true}) {
-      found.push_back(pass(grid, transform, ky, alias_x, alias_y, share, blended));
+      found.push_back(pass(grid, transform, ky, alias_x, alias_y, share, blends));
     }
   }
   return found;
@@ -95,16 +86,10 @@ std::vector<LayerResidualStress::Pass> LayerResidualStress::passes(const Grid& g
 LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
                                                     const VolumeTransform& transform, int ky,
                                                     bool alias_x, bool alias_y, const Share& share,
-                                                    Weight weight_of) {
-  // mx and my are even
-  const int mx = transform.mx(), my = transform.my();
-  const auto wavenumber = [&](int i) { return i <= mx / 2 ? i : i - mx; };
-  // A single cell that repeats itself knows uniform fields only.
-  const bool varies_x = grid.period.x != 1, varies_y = grid.period.y != 1;
-  if ((alias_x && !varies_x) || (alias_y && !varies_y)) return {};
+                                                    bool blends) {
   int first = transform.modes(), last = 0;
   for (int i = 0; i < transform.modes(); ++i) {
-    if (alias_x && 2 * std::abs(wavenumber(i)) <= blended_from * mx) continue;
+    if (!wave_alias(grid, transform, i, ky, alias_x, alias_y, {}, blends)) continue;
     first = std::min(first, i);
     last = i + 1;
   }
@@ -112,20 +97,12 @@ LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
   if (found.last <= found.first) return {};
   const int step = found.last - found.first;
   found.modes.assign(static_cast<std::size_t>(step) * layers::coefficients, 0.0);
-  const double two_pi = 2 * std::numbers::pi;
   for (int i = found.first; i < std::min(found.last, transform.modes()); ++i) {
-    const int own = varies_x ? wavenumber(i) : 0;
-    const int x = alias_x ? own - (own > 0 ? mx : -mx) : own;
-    const int y = !varies_y ? 0 : alias_y ? ky - my : ky;
-    double* mode = found.modes.data() + (i - found.first);
-    double weight = weight_of(std::abs(2.0 * x / mx)) * weight_of(std::abs(2.0 * y / my));
-    if (share) {
-      // That of the wave that is stored, also for its alias.
-      const int stored_y = varies_y ? ky : 0;
-      weight *= share(two_pi * own / (mx * grid.dx), two_pi * stored_y / (my * grid.dy));
-    }
-    layers::fill_mode(two_pi * x / (mx * grid.dx), two_pi * y / (my * grid.dy), grid.dz, weight,
-                      mode, step);
+    // Places of a block beside the first and the last have a share of 0.
+    const auto wave = wave_alias(grid, transform, i, ky, alias_x, alias_y, share, blends);
+    if (!wave) continue;
+    layers::fill_mode(wave->kx, wave->ky, grid.dz, wave->share,
+                      found.modes.data() + i - found.first, step);
   }
   return found;
 }

@@ -7,6 +7,7 @@
 #include "samcontact/kernels/layered_wave.hpp"
 #include "samcontact/operators/half_space.hpp"
 #include "samcontact/operators/layered_influence.hpp"
+#include "samcontact/operators/stack_residual_stress.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -65,9 +66,10 @@ class LayeredHalfSpace : public Medium {
     return layered_residual_displacement(stack_, axis, grid, offsets, layer);
   }
 
-  std::unique_ptr<ResidualStress> residual_stress(const Grid&, const VolumeTransform&,
-                                                  const ResidualSettings&) const override {
-    refuse("stress of plastic strain");
+  std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
+                                                  const VolumeTransform& transform,
+                                                  const ResidualSettings& settings) const override {
+    return std::make_unique<StackResidualStress>(grid, transform, stack_, settings);
   }
   std::unique_ptr<ResidualDisplacement> residual_displacement(
       Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,

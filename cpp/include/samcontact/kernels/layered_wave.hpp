@@ -32,6 +32,26 @@ class LayeredWave {
  public:
   explicit LayeredWave(const Stack& stack);
 
+  using Matrix = Eigen::Matrix2d;
+  using Vector = Eigen::Vector2d;
+  /// What the waves of one layer are made of: (T, N) and (q U, q W) of amplitudes (P, F) at the top
+  /// of those that decay downwards, and at the bottom of those that decay upwards.
+  struct Layer {
+    Matrix traction_down, traction_up, displacement_down, displacement_up;
+    double nu, softness, thickness, top;
+    // Of the wavenumber: through the layer, up-waves at the bottom of down-waves there, and of a
+    // unit displacement that what lies below has of itself; down-waves of tractions at the top,
+    // and displacement there.
+    Matrix decay = Matrix::Zero(), reflection = Matrix::Zero(), of_below = Matrix::Zero(),
+           to_amplitude = Matrix::Zero(), compliance = Matrix::Zero();
+    // The same of waves across.
+    double across_decay = 0.0, across_reflection = 0.0, across_of_below = 0.0,
+           across_to_amplitude = 0.0, across_compliance = 0.0;
+  };
+
+  /// From the surface down, the substrate last where it is not rigid.
+  const std::vector<Layer>& layers() const { return layers_; }
+
   /// q > 0 [1/m].
   void set_wavenumber(double q);
   WaveCompliance compliance() const;
@@ -49,20 +69,10 @@ class LayeredWave {
   Stress under_shear_x(int layer, const Decays& decays, double cos, double sin) const;
 
  private:
-  using Matrix = Eigen::Matrix2d;
-  using Vector = Eigen::Vector2d;
-
   /// Waves that decay from the top (a) and from the bottom (b) of a layer, in the plane and across.
   struct Amplitudes {
     Vector a, b;
     double across_a, across_b;
-  };
-  struct LayerWaves {
-    Matrix traction_down, traction_up, displacement_down, displacement_up;  // of amplitudes
-    double softness, thickness, top;
-    // Of the wavenumber.
-    Matrix decay = Matrix::Zero(), reflection = Matrix::Zero(), to_amplitude = Matrix::Zero();
-    double across_decay = 0.0, across_reflection = 0.0, across_to_amplitude = 0.0;
   };
   /// Under tractions (T, N) and T_2 on the surface.
   Amplitudes amplitudes(int layer, Vector traction, double across) const;
@@ -70,8 +80,7 @@ class LayeredWave {
   struct Turned;
   Turned turned(int layer, const Decays& decays, const Vector& traction, double across) const;
 
-  std::vector<LayerWaves> layers_;
-  std::vector<double> poisson_;
+  std::vector<Layer> layers_;
   bool on_rigid_;
   double q_ = 0.0;
   WaveCompliance compliance_{};

@@ -61,10 +61,8 @@ class LayerResidualStress : public ResidualStress {
   /// Of one row ky.
   static std::vector<Pass> passes(const Grid& grid, const VolumeTransform& transform, int ky,
                                   const Share& share, bool blends);
-  /// weight: of a wavenumber relative to the highest, along one axis.
-  using Weight = double (*)(double);
   static Pass pass(const Grid& grid, const VolumeTransform& transform, int ky, bool alias_x,
-                   bool alias_y, const Share& share, Weight weight);
+                   bool alias_y, const Share& share, bool blends);
 
   double nu_, lame_, shear_modulus_;
   std::vector<std::vector<Pass>> passes_;  // of each ky, first its own wavenumbers

@@ -8,7 +8,7 @@
 namespace samcontact::operators {
 
 /// Neighbours that are alike are one; a half_space() where only the substrate is left. What layers
-/// do not serve throws std::invalid_argument: heat and the stress of eigenstrain.
+/// do not serve throws std::invalid_argument: heat.
 SharedMedium medium_of(const Stack& stack);
 
 }  // namespace samcontact::operators
