@@ -113,6 +113,25 @@ void fold(const double* columns, std::size_t stride, int h, const Complex* turn,
   }
 }
 
+/// Room for a block of rows, of one thread: what it has once taken stays with it.
+struct Room {
+  ComplexField samples, halves, columns;
+  Field rows;
+};
+
+/// rest: rows of n numbers that are no whole block.
+Room& room_for(int h, std::ptrdiff_t rest, int n) {
+  static thread_local Room room;
+  const auto at_least = [](auto& field, std::size_t size) {
+    if (field.size() < size) field.resize(size);
+  };
+  at_least(room.samples, static_cast<std::size_t>(block) * h);
+  at_least(room.halves, static_cast<std::size_t>(block) * h);
+  if (rest > 0) at_least(room.rows, static_cast<std::size_t>(block) * n);
+  if (rest > 0) at_least(room.columns, static_cast<std::size_t>(block) * (h + 1));
+  return room;
+}
+
 double* parts(Complex* z) { return reinterpret_cast<double*>(z); }
 const double* parts(const Complex* z) { return reinterpret_cast<const double*>(z); }
 
@@ -145,9 +164,10 @@ Rows::Rows(int n, int m)
 
 void Rows::forward(const double* plane, int count, Complex* columns, std::size_t stride) const {
   const int h = m_ / 2;
-  ComplexField samples(static_cast<std::size_t>(block) * h), halves(samples.size());
-  Field rest(count % block ? static_cast<std::size_t>(block) * n_ : 0);
-  ComplexField rest_columns(count % block ? static_cast<std::size_t>(block) * (h + 1) : 0);
+  Room& room = room_for(h, count % block, n_);
+  ComplexField &samples = room.samples, &halves = room.halves, &rest_columns = room.columns;
+  Field& rest = room.rows;
+  std::fill_n(samples.begin() + block * ((n_ + 1) / 2), block * (h - (n_ + 1) / 2), Complex{});
 #pragma omp for schedule(static)
   for (int i0 = 0; i0 < count; i0 += block) {
     const std::ptrdiff_t rows = std::min<std::ptrdiff_t>(block, count - i0);
@@ -169,9 +189,9 @@ void Rows::forward(const double* plane, int count, Complex* columns, std::size_t
 
 void Rows::inverse(const Complex* columns, std::size_t stride, int count, double* plane) const {
   const int h = m_ / 2;
-  ComplexField samples(static_cast<std::size_t>(block) * h), halves(samples.size());
-  Field rest(count % block ? static_cast<std::size_t>(block) * n_ : 0);
-  ComplexField rest_columns(count % block ? static_cast<std::size_t>(block) * (h + 1) : 0);
+  Room& room = room_for(h, count % block, n_);
+  ComplexField &samples = room.samples, &halves = room.halves, &rest_columns = room.columns;
+  Field& rest = room.rows;
 #pragma omp for schedule(static)
   for (int i0 = 0; i0 < count; i0 += block) {
     const std::ptrdiff_t rows = std::min<std::ptrdiff_t>(block, count - i0);
