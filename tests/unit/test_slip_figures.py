@@ -11,7 +11,8 @@ from matplotlib.quiver import Quiver
 import samcontact as sc
 from samcontact import plotting
 from samcontact.plotting.slip_animation import course_of
-from samcontact.plotting.slipping import COLOURS, chosen, creepages
+from samcontact.plotting.slip_summary import chosen
+from samcontact.plotting.slipping import COLOURS, creepages
 from samcontact.results import to_dataset
 
 GRID = sc.Grid(21, 19, 40e-6, 44e-6)
@@ -107,6 +108,14 @@ def test_creepages_are_those_that_were_given(rolling):
     assert set(bound.get_ydata()) == {MU * LOAD}
 
 
+def test_forces_along_the_way(rolling):
+    ax = plotting.rolling_force(rolling[1])
+    curve, bound = ax.lines
+    np.testing.assert_allclose(curve.get_xdata(), np.arange(9) * GRID.dx * 1e6, atol=1e-9)
+    np.testing.assert_allclose(curve.get_ydata(), rolling[1]["tangential_load_x"])
+    assert bound.get_ydata() == pytest.approx([MU * LOAD] * 2)
+
+
 def test_the_map_is_that_of_the_largest_force(fretting, rolling):
     assert chosen(fretting[1]) == 40
     force = abs(rolling[1]["tangential_load_x"].values)
@@ -118,12 +127,17 @@ def test_runs_write_them(fretting, rolling, tmp_path):
     names = [path.name for path in plotting.summary_figures(fretting[1], tmp_path)]
     assert names[-2:] == ["stick_slip.png", "fretting_loop.png"]
     names = [path.name for path in plotting.summary_figures(rolling[1], tmp_path)]
-    assert names[-2:] == ["stick_slip.png", "creep_curve.png"]
+    assert names[-3:] == ["stick_slip.png", "rolling_force.png", "creep_curve.png"]
+    steady = rolling[1].isel(increment=slice(0, 5))  # of one creepage, which is no curve
+    names = [path.name for path in plotting.summary_figures(steady, tmp_path)]
+    assert names[-2:] == ["stick_slip.png", "rolling_force.png"]
     _, slides = run([], friction=0.3)
     written = plotting.summary_figures(slides, tmp_path)
     assert not {"stick_slip.png", "fretting_loop.png"} & {path.name for path in written}
     with pytest.raises(ValueError, match="dataset must be of bodies that stick and slip"):
         plotting.fretting_loop(slides)
+    with pytest.raises(ValueError, match="dataset must be of bodies that roll"):
+        plotting.rolling_force(fretting[1])
 
 
 def test_an_animation_shows_each_increment(fretting, rolling, tmp_path):

@@ -16,7 +16,7 @@ from samcontact.cases import CaseError, load_case, parse_case
 from samcontact.commands.folder import is_own
 from samcontact.commands.solve_contact import solve_contact
 from samcontact.results import open_results
-from samcontact.results.slipping import moved_along
+from samcontact.results.slipping import moved_along, without_rounding
 
 CASES = Path(__file__).parents[2] / "cases"
 LAW = "friction = {coulomb = 0.3}"
@@ -255,6 +255,7 @@ def test_results_tell_forces_motions_and_what_sticks(capsys, tmp_path):
         np.testing.assert_allclose(share[:-1], (stick[:-1] / cells[:-1]))
         assert share[0] == 1 > share[2] > share[3] > 0
         assert np.isnan(share[-1])
+    np.testing.assert_array_equal(without_rounding(np.array([4e-9, -270.0])), [0.0, -270.0])
     told = capsys.readouterr().out
     for heading in ("force", "shift", "friction", "sticks"):
         assert heading in told

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _FIGURES = (
-    "stick_slip", "fretting_loop", "creep_curve",
+    "stick_slip", "fretting_loop", "rolling_force", "creep_curve",
     "pressure", "pressure_map", "gap_map", "load_approach", "axis_stress", "sections", "print",
     "print_map", "residual",
     "flash_temperature", "temperature", "track_print", "track_sections", "force_x", "force_z",

@@ -20,7 +20,7 @@ from ..accuracy.asked import searched
 from ..grid_errors import GridErrors, error_rows, estimate_errors, said_of_slope
 from ..results.against_hertz import hertz_rows
 from ..results.dataset import completeness
-from ..results.slipping import moved_along
+from ..results.slipping import moved_along, without_rounding
 from ..runs.journal import Journal, describe
 from ..state import in_one_window
 from .errors import StoppedEarlyError, tell_partial, to_try_on
@@ -211,7 +211,11 @@ def _summary(dataset: xr.Dataset, body: int) -> Sheet:
     along = moved_along(dataset)
     names = (*CONTACT_COLUMNS, "print_depth", "travel", *along, "iterations")
     shown = of_contact(dataset, names, body)
-    columns = [(quantity, dataset[name].values, None) for name, quantity in shown.items()]
+    columns = [
+        (quantity, without_rounding(dataset[name].values) if name in along
+         else dataset[name].values, None)
+        for name, quantity in shown.items()
+    ]  # fmt: skip
     finest = ", as solved on the finest grid" if "accuracy_reached" in dataset.attrs else ""
     return values_sheet(f"Increments{finest}", dataset["increment"].values, columns)
 

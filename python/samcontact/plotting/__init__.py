@@ -18,7 +18,13 @@ from .contact import (
 )
 from .maps import surface_map, track_map
 from .slip_animation import stick_slip_animation
-from .slipping import creep_curve, fretting_loop, shear_profile, stick_slip_map
+from .slipping import (
+    creep_curve,
+    fretting_loop,
+    rolling_force,
+    shear_profile,
+    stick_slip_map,
+)
 from .summary import summary_figures
 from .track import loaded_section, track_print, track_section
 
@@ -31,6 +37,7 @@ __all__ = [
     "pressure_profile",
     "print_profile",
     "rolling_animation",
+    "rolling_force",
     "save_animation",
     "section",
     "shear_profile",

@@ -11,14 +11,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
-from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, finite_array, non_negative
 from .._quantities import CONTACT
-from .parts import axes_or_new, edges, finish, new_figure, prefixed, surface_line
-from .scene import Scene
+from .parts import axes_or_new, edges, finish, prefixed, surface_line
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -29,9 +27,8 @@ COLOURS = "#9ecae1", "#fdae6b"
 """Of what sticks and of what slips."""
 _ARROWS = 15  # along the longer side of the contact
 _LONGEST = 0.95  # times their distance
-_DIRECTIONS = {"x": ("tangential_load_x", "shift_x"), "y": ("tangential_load_y", "shift_y"),
+DIRECTIONS = {"x": ("tangential_load_x", "shift_x"), "y": ("tangential_load_y", "shift_y"),
                "z": ("torque", "twist")}  # fmt: skip
-_ROUNDING = 1e-8
 
 
 def stick_slip_map(
@@ -201,7 +198,7 @@ def fretting_loop(
     ValueError
         An unknown direction, or results of gross sliding.
     """
-    force, motion = _DIRECTIONS[choice("direction", direction, tuple(_DIRECTIONS))]
+    force, motion = DIRECTIONS[choice("direction", direction, tuple(DIRECTIONS))]
     require_slip(dataset)
     ax = axes_or_new(ax)
     way, pull = (np.append(0.0, dataset[n].values) * CONTACT[n].factor for n in (motion, force))
@@ -257,16 +254,59 @@ def creep_curve(
     ax = axes_or_new(ax)
     ax.plot(xi * 100, pulls, "o-", markersize=3, linewidth=1.2, label=label)
     if largest is not None:
-        sides = [side for side in (-1, 1) if np.any(side * pulls > 0)]
-        for side in sides:
-            text = "friction times load" if side == sides[0] else "_other side"
-            ax.axhline(side * non_negative("largest", largest), color="k", linestyle="--",
-                       linewidth=0.8, label=text)  # fmt: skip
+        _bounds(ax, pulls, non_negative("largest", largest))
     if largest is not None or label is not None:
         ax.legend(frameon=False)
-    ax.margins(y=0.08)
     ax.set_xlabel("creepage [%]")
     ax.set_ylabel("force [N]")
+    return finish(ax)
+
+
+def _bounds(ax: Axes, forces: FloatArray, largest: float) -> None:
+    """Lines of the largest force, on each side where there are forces."""
+    small = 1e-6 * np.abs(forces).max(initial=0.0)
+    sides = [side for side in (-1, 1) if np.any(side * forces > small)]
+    for side in sides:
+        text = "friction times load" if side == sides[0] else "_other side"
+        ax.axhline(side * largest, color="k", linestyle="--", linewidth=0.8, label=text)
+    ax.margins(y=0.08)
+
+
+def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str = "x") -> Axes:
+    """Force along the surface over the way that a contact has rolled under load.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Results of bodies that stick and slip while they roll.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw. Way there and back, and of each pass, are lines of their own.
+    direction : {"x", "y"}
+        Of the force.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        An unknown direction, or results of gross sliding or without a way.
+    """
+    require_slip(dataset)
+    choice("direction", direction, ("x", "y"))
+    if "travel_body1" not in dataset:
+        raise ValueError("dataset must be of bodies that roll, got one without a way")
+    force = CONTACT[DIRECTIONS[direction][0]]
+    way = -0.5 * sum(dataset[f"travel_body{body}"].values for body in (1, 2))
+    pull = np.where(dataset["load"].values > 0, dataset[DIRECTIONS[direction][0]].values, np.nan)
+    ax = axes_or_new(ax)
+    ax.plot(way * 1e6, pull, "o-", markersize=3, linewidth=1.0)
+    if (largest := largest_force(dataset)) is not None:
+        _bounds(ax, np.nan_to_num(pull), largest)
+        ax.legend(frameon=False)
+    ax.set_xlabel("way rolled [µm]")
+    ax.set_ylabel(force.label)
     return finish(ax)
 
 
@@ -278,7 +318,7 @@ def require_slip(dataset: xr.Dataset) -> None:
 
 def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArray]:
     """Of increments that roll under load: slip per way rolled, and the force at their end [N]."""
-    force, motion = _DIRECTIONS[direction]
+    force, motion = DIRECTIONS[direction]
     ways = [np.diff(dataset[f"travel_body{body}"].values, prepend=0.0) for body in (1, 2)]
     way = -0.5 * (ways[0] + ways[1])
     rolls = (np.abs(way) > 1e-3 * float(dataset.attrs["dx"])) & (dataset["load"].values > 0)
@@ -286,53 +326,7 @@ def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArr
     return slip[rolls] / way[rolls], dataset[force].values[rolls]
 
 
-def slip_figures(scene: Scene) -> dict[str, Figure]:
-    """Of a run whose bodies stick and slip, by name of the figure; none of gross sliding."""
-    data = scene.dataset
-    if "friction_work" not in data or not np.any(data["pressure"].values[chosen(data)] > 0):
-        return {}
-    figures = {"stick_slip": new_figure()}
-    slip = np.stack([data[f"slip_{axis}"].values[chosen(data)] for axis in "xy"])
-    pressure = data["pressure"].values[chosen(data)]
-    stick_slip_map(pressure, slip, scene.grid, figures["stick_slip"].subplots())
-    along = driven(data)
-    if along and "travel_body1" in data:
-        turns = [direction for direction in along if direction != "z"]
-        for direction in turns[:1]:
-            figures["creep_curve"] = new_figure()
-            ax = figures["creep_curve"].subplots()
-            largest = _largest(data)
-            creep_curve(*creepages(data, direction), ax, largest=largest)
-            ax.set_ylabel(CONTACT[_DIRECTIONS[direction][0]].label)
-    elif along:
-        figures["fretting_loop"] = new_figure()
-        fretting_loop(data, figures["fretting_loop"].subplots(), direction=along[0])
-    return figures
-
-
-def _largest(dataset: xr.Dataset) -> float | None:
+def largest_force(dataset: xr.Dataset) -> float | None:
+    """Friction times the largest load [N]; None without slip."""
     mu = float(dataset.attrs.get("friction", np.inf))
     return mu * float(dataset["load"].max()) if np.isfinite(mu) else None
-
-
-def chosen(dataset: xr.Dataset) -> int:
-    """Position of the increment whose slip is shown: of the largest force, of these the last."""
-    pulls = np.hypot(*(dataset[f"tangential_load_{axis}"].values for axis in "xy"))
-    if not pulls.max() > _ROUNDING * float(dataset["load"].max()):
-        pulls = np.abs(dataset["torque"].values)
-    if not pulls.any():
-        pulls = dataset["load"].values
-    return int(np.flatnonzero(pulls >= (1 - 1e-3) * pulls.max())[-1])
-
-
-def driven(dataset: xr.Dataset) -> list[str]:
-    """Directions in which there is force and motion, the largest force first."""
-    from ..results.slipping import moved_along
-
-    moved = moved_along(dataset)
-    found = [
-        name for name, (force, motion) in _DIRECTIONS.items() if force in moved and motion in moved
-    ]
-    plain = [name for name in found if name != "z"]
-    plain.sort(key=lambda name: -float(np.abs(dataset[_DIRECTIONS[name][0]]).max()))
-    return [*plain, *(name for name in found if name == "z")]

@@ -23,7 +23,7 @@ from .contact import (
 from .maps import surface_map, track_map
 from .parts import add_to_title, elsewhere, new_figure, row_of_interest, save, section_height
 from .scene import Scene
-from .slipping import slip_figures
+from .slip_summary import slip_figures
 from .track import print_along, track_section, track_summary
 
 if TYPE_CHECKING:
@@ -62,7 +62,8 @@ def summary_figures(
     list of Path
         pressure.png, pressure_map.png, gap_map.png and load_approach.png; with a volume
         axis_stress.png and sections.png; of bodies that stick and slip stick_slip.png (of the
-        largest force) and fretting_loop.png or, where they roll, creep_curve.png; for a heated body
+        largest force) and fretting_loop.png or, where they roll, rolling_force.png and, where the
+        creepage changes, creep_curve.png; for a heated body
         flash_temperature.png and, with a
         volume, temperature.png (hottest increment); for an inelastic body print.png, print_map.png
         and residual.png (last increment; all of its track when it moved) and, when it moved,

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from .._checks import FloatArray
 from .._verdict import Verdict
-from ..plotting.slipping import chosen, slip_figures
+from ..plotting.slip_summary import chosen, slip_figures
 from ..results.reading import cell_size
 from ..results.slipping import balance_of
 
@@ -82,5 +82,6 @@ def figures(scene: Scene) -> Iterator[tuple[str, str, Figure]]:
         elif name == "fretting_loop":
             yield "Force over motion", f"Force along the surface over the motion; {title}.", figure
         else:
-            text = "Force along the surface over the creepage of each increment under load."
-            yield "Force over creepage", text, figure
+            over = "way rolled" if name == "rolling_force" else "creepage of each increment"
+            text = f"Force along the surface over the {over}, under load."
+            yield f"Force over {over.split()[0]}", text, figure

@@ -10,7 +10,8 @@ import numpy as np
 import xarray as xr
 
 from .. import energy
-from .._along import ALONG, along_surface, not_rounding
+from .._along import ALONG, ROUNDING, along_surface, not_rounding
+from .._checks import FloatArray
 from .._quantities import CONTACT
 from ..friction import Coulomb
 from .motion import add
@@ -73,3 +74,9 @@ def moved_along(dataset: xr.Dataset) -> list[str]:
     values = {name: dataset[name].values for name in ALONG}
     sizes = (dataset[name].values for name in ("load", "approach", "contact_area"))
     return [*not_rounding(values, *sizes), "friction_work", "sticking_share"]
+
+
+def without_rounding(values: FloatArray) -> FloatArray:
+    """For tables: zero instead of what the tolerances leave of a force that vanishes."""
+    small = ROUNDING * np.nanmax(np.abs(values), initial=0.0)
+    return np.where(np.abs(values) < small, 0.0, values)

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which figures of stick and slip a run has."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from .._along import ROUNDING
+from .._quantities import CONTACT
+from ..results.slipping import moved_along
+from .parts import new_figure
+from .scene import Scene
+from .slipping import (
+    DIRECTIONS,
+    creep_curve,
+    creepages,
+    fretting_loop,
+    largest_force,
+    rolling_force,
+    stick_slip_map,
+)
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def slip_figures(scene: Scene) -> dict[str, Figure]:
+    """Of a run whose bodies stick and slip, by name of the figure; none of gross sliding."""
+    data = scene.dataset
+    if "friction_work" not in data or not np.any(data["pressure"].values[chosen(data)] > 0):
+        return {}
+    figures = {"stick_slip": new_figure()}
+    slip = np.stack([data[f"slip_{axis}"].values[chosen(data)] for axis in "xy"])
+    pressure = data["pressure"].values[chosen(data)]
+    stick_slip_map(pressure, slip, scene.grid, figures["stick_slip"].subplots())
+    along = driven(data)
+    if along and "travel_body1" in data:
+        if along[0] != "z":
+            figures |= _of_rolling(data, along[0])
+    elif along:
+        figures["fretting_loop"] = new_figure()
+        fretting_loop(data, figures["fretting_loop"].subplots(), direction=along[0])
+    return figures
+
+
+def _of_rolling(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
+    """The force over the way, and over the creepage where that changes."""
+    figures = {"rolling_force": new_figure()}
+    rolling_force(dataset, figures["rolling_force"].subplots(), direction=direction)
+    xi, force = creepages(dataset, direction)
+    if np.ptp(xi) > 1e-3 * np.abs(xi).max():
+        figures["creep_curve"] = new_figure()
+        ax = creep_curve(
+            xi, force, figures["creep_curve"].subplots(), largest=largest_force(dataset)
+        )
+        ax.set_ylabel(CONTACT[DIRECTIONS[direction][0]].label)
+    return figures
+
+
+def chosen(dataset: xr.Dataset) -> int:
+    """Position of the increment whose slip is shown: of the largest force, of these the last."""
+    pulls = np.hypot(*(dataset[f"tangential_load_{axis}"].values for axis in "xy"))
+    if not pulls.max() > ROUNDING * float(dataset["load"].max()):
+        pulls = np.abs(dataset["torque"].values)
+    if not pulls.any():
+        pulls = dataset["load"].values
+    return int(np.flatnonzero(pulls >= (1 - 1e-3) * pulls.max())[-1])
+
+
+def driven(dataset: xr.Dataset) -> list[str]:
+    """Directions in which there is force and motion, the largest force first."""
+    moved = moved_along(dataset)
+    found = [
+        name for name, (force, motion) in DIRECTIONS.items() if force in moved and motion in moved
+    ]
+    plain = [name for name in found if name != "z"]
+    plain.sort(key=lambda name: -float(np.abs(dataset[DIRECTIONS[name][0]]).max()))
+    return [*plain, *(name for name in found if name == "z")]
