@@ -26,9 +26,11 @@ from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
 _STABLE = 1.0
-"""Of a part: pressure that its wear takes off the shortest wave, over that of the wave. From 2 on
-the shortest waves would grow from part to part."""
+"""Of a part: pressure that its wear takes off the shortest wave, over that of the wave.
 
+From 2 on the shortest waves would grow from part to part.
+"""
+_MOST_PARTS = 10_000
 _CLOSED = 1e-2
 """Of the largest mu p: by how much the shear at both ends of a repeat may differ.
 
@@ -92,7 +94,8 @@ def fretting(
     Raises
     ------
     ValueError, TypeError
-        An argument outside its range, before the first cycle; a contact that grows to the border of
+        An argument outside its range, before the first cycle; wear that takes more than 10 000 parts
+        of a cycle, or that does not come to repeat itself; a contact that grows to the border of
         the grid; a checkpoint of other arguments. An error of a later cycle has the result of those
         before in its attribute `result`.
     """
@@ -176,7 +179,14 @@ def _advance(scene: FrettingScene, standing: Standing) -> tuple[tuple[State, ...
         raise ValueError("cycle must bring the bodies into contact where it repeats, got none")
     while left > 0:
         now = _gone_through(scene, heights) if parts else first
-        count = min(left, _most_repeats(scene, now))
+        most = _most_repeats(scene, now)
+        if left > (_MOST_PARTS - parts) * most:
+            raise ValueError(
+                f"{scene.law} and repeats must wear a cycle in at most {_MOST_PARTS} parts of "
+                f"{most:.3g} repeats, got {max(scene.coefficients)!r} 1/Pa and {scene.repeats}: "
+                "take fewer repeats; is the coefficient in SI units?"
+            )
+        count = min(left, most)
         removed += count * now.worn
         work += count * _integral(scene.grid, now.work)
         for body in scene.worn:
@@ -193,7 +203,9 @@ def _most_repeats(scene: FrettingScene, now: _Repeat) -> float:
 
     Wear of depth c p changes the pressure of a wave k by -c E* k/2 of it.
     """
-    shortest = math.pi * math.hypot(1 / scene.grid.dx, 1 / scene.grid.dy)
+    grid = scene.grid
+    steps = [1 / step for n, step in ((grid.nx, grid.dx), (grid.ny, grid.dy)) if n > 1]
+    shortest = math.pi * math.hypot(*steps)
     stiffness = 0.5 * hertz.effective_modulus(*scene.bodies) * shortest
     change = sum(scene.coefficients) * float(now.per_pressure.max()) * stiffness
     return _STABLE / change if change > 0 else math.inf
