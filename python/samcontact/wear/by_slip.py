@@ -94,10 +94,10 @@ def fretting(
     Raises
     ------
     ValueError, TypeError
-        An argument outside its range, before the first cycle; wear that takes more than 10 000 parts
-        of a cycle, or that does not come to repeat itself; a contact that grows to the border of
-        the grid; a checkpoint of other arguments. An error of a later cycle has the result of those
-        before in its attribute `result`.
+        An argument outside its range, before the first cycle; a cycle that takes more than 10 000
+        parts, or does not come to repeat itself; a contact that grows to the border of the grid; a
+        checkpoint of other arguments. An error of a later cycle has the result of those before in
+        its attribute `result`.
     """
     count = integer("cycles", cycles, 1)
     scene = make_scene(
