@@ -16,12 +16,11 @@ namespace {
 
 using operators::Tensor;
 
-/// Elastic stress above this part of the yield stress belongs into the box. Of a body whose
-/// strength changes, more: where a weak layer lies below what flows, and apart from it, no rim says
-/// that flow above has brought it to yield.
-constexpr double near = 0.9, graded_near = 0.7;
-/// The same where zones or layers below the grid are to hold what yields.
-constexpr double graded_beyond = 0.8;
+/// Elastic stress above this part of the yield stress belongs into the box. More where a weak layer
+/// lies below what flows and apart from it: no rim says that flow above has brought it to yield.
+constexpr double near = 0.9, near_weak = 0.7;
+/// The same where zones, or layers below the grid, are to hold what yields.
+constexpr double beyond_weak = 0.8;
 
 /// Cells of a surface beyond which a bound of the stress says where a body may yield.
 constexpr std::size_t large_surface = 65000;
@@ -82,36 +81,32 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
   strained_ = true;
 }
 
-YieldLimit PlasticBody::limit(double softening, double share, double graded_share) const {
-  return {strength_, softening, strength_.is_graded() ? graded_share : share};
-}
-
 Box PlasticBody::near_yield(const YieldScan& scan, HeatOfIncrement& heat) const {
-  const YieldLimit beyond = limit(weakest_, near, graded_near);
+  const YieldLimit limit{strength_, weakest_, near, near_weak};
   const bool has_past = heat.has_past(index_);
-  const Box hot = has_past ? heat.above(index_, tractions(), method_, beyond) : Box{};
-  // Strength may change further down than past heat is looked at.
-  if (has_past && !strength_.is_graded()) return hot;
-  return scan.box(tractions(), sign(), beyond).united(hot);
+  const Box hot = has_past ? heat.above(index_, tractions(), method_, limit) : Box{};
+  // It may be weak further down than past heat is looked at.
+  if (has_past && !strength_.weakens()) return hot;
+  return scan.box(tractions(), sign(), limit).united(hot);
 }
 
 Box PlasticBody::yield_below(const YieldScan& scan) const {
-  const YieldLimit beyond = limit(1.0, 1.0, graded_beyond);
-  const Box below = scan.box_below(tractions(), sign(), beyond);
-  // Here flow above may reach a weak layer as well.
-  return strength_.is_graded() ? below.united(scan.box(tractions(), sign(), beyond)) : below;
+  const YieldLimit limit{strength_, 1.0, 1.0, beyond_weak};
+  const Box below = scan.box_below(tractions(), sign(), limit);
+  // Flow above may have brought a weak layer to yield in the grid as well.
+  return strength_.weakens() ? below.united(scan.box(tractions(), sign(), limit)) : below;
 }
 
 bool PlasticBody::yields_everywhere(const YieldScan& scan) const {
-  return scan.is_beyond_everywhere(tractions(), sign(), limit(1.0, 1.0, 1.0));
+  return scan.is_beyond_everywhere(tractions(), sign(), {strength_, 1.0, 1.0, 1.0});
 }
 
 const Columns& PlasticBody::yielding_columns(const YieldScan& scan) {
   const bool known =
       yielding_ && yielding_->softening == weakest_ && yielding_->tractions == tractions();
   if (!known) {
-    const YieldLimit beyond = limit(weakest_, 1.0, graded_beyond);
-    yielding_ = Yielding{tractions(), weakest_, columns_beyond(beyond, scan)};
+    const YieldLimit limit{strength_, weakest_, 1.0, beyond_weak};
+    yielding_ = Yielding{tractions(), weakest_, columns_beyond(limit, scan)};
   }
   return yielding_->columns;
 }

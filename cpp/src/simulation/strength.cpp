@@ -16,6 +16,9 @@ constexpr double most_layers = 1e6;
 /// many looks.
 constexpr double smallest_step = 0.05, most_steps = 40.0;
 
+/// What bears less than this part of what lies above is weak.
+constexpr double weak = 0.9;
+
 double von_mises(const std::array<double, 3>& s) {
   return std::sqrt(3 * second_invariant(s[0], s[1], 0.0, 0.0, s[2]));
 }
@@ -69,6 +72,23 @@ Strength::Strength(const plasticity::Material& material, const Grid& grid, const
     worn_layers_ = static_cast<int>(std::ceil(worn / dz));
   }
   variation_ = std::move(variation);
+  double most = 0.0;
+  for (const double z : variation_->depth) {
+    most = std::max(most, bearing_at(z));
+    most_above_.depth.push_back(z);
+    most_above_.value.push_back(most);
+    weakens_ = weakens_ || is_weak_at(z);
+  }
+}
+
+double Strength::bearing_at(double z) const {
+  const double yield_stress = material_.hardening.yield_stress(0.0) * factor_at(z);
+  const auto& stress = material_.initial_stress;
+  return stress ? yield_stress - 0.5 * (stress->xx.at(z) + stress->yy.at(z)) : yield_stress;
+}
+
+bool Strength::is_weak_at(double z) const {
+  return !most_above_.depth.empty() && bearing_at(z) < weak * most_above_.at(z);
 }
 
 bool Strength::differs(int above, int below) const {
@@ -133,21 +153,26 @@ void Strength::add_stress(const Box& box, operators::Tensor tensor, Field& sum) 
 }
 
 std::vector<LayerLimit> Strength::limits(const std::vector<LayerRange>& ranges, double softening,
-                                         double share) const {
-  const double yield_stress = share * softening * material_.hardening.yield_stress(0.0);
+                                         double share, double share_of_weak) const {
   std::vector<LayerLimit> limits;
   limits.reserve(ranges.size());
   for (const auto& [layer, first, end] : ranges) {
     const double z = mid_depth(layer);
+    const int last = std::min(end + worn_layers_, layers_ + 1);
+    double part = is_weak_at(z) ? share_of_weak : share;
+    for (int k = first; k < last && weakens_; ++k) {
+      if (is_weak_at(mid_depth(k))) part = std::min(share, share_of_weak);
+    }
+    const double yield_stress = part * softening * material_.hardening.yield_stress(0.0);
     LayerLimit limit{yield_stress * factor_at(z), start_at(z)};
     // Worn cells are as strong as deeper ones; far down they are alike.
-    for (int k = first; k < std::min(end + worn_layers_, layers_ + 1); ++k) {
+    for (int k = first; k < last; ++k) {
       auto other = start_at(mid_depth(k));
-      for (int c = 0; c < 3; ++c) other[c] = share * (other[c] - limit.start[c]);
+      for (int c = 0; c < 3; ++c) other[c] = part * (other[c] - limit.start[c]);
       limit.stress =
           std::min(limit.stress, yield_stress * factor_at(mid_depth(k)) - von_mises(other));
     }
-    for (double& s : limit.start) s *= share;
+    for (double& s : limit.start) s *= part;
     limits.push_back(limit);
   }
   return limits;

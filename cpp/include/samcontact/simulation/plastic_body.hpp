@@ -47,7 +47,7 @@ class PlasticBody {
   /// The columns of those that yield. Without heat of the past.
   const Columns& yielding_columns(const YieldScan& scan);
   /// The box of all cells below those of the grid where the tractions alone make it yield; of a
-  /// body whose strength changes, of all cells where they come near.
+  /// body that is weak somewhere below, of all cells where they come near.
   Box yield_below(const YieldScan& scan) const;
   /// Whether it yields down to any depth.
   bool yields_everywhere(const YieldScan& scan) const;
@@ -119,8 +119,6 @@ class PlasticBody {
   };
 
   const plasticity::Material& material() const { return scene_.materials[index_]; }
-  /// A share of what it bears; a smaller one where its strength changes.
-  YieldLimit limit(double softening, double share, double graded_share) const;
   Columns columns_beyond(const YieldLimit& limit, const YieldScan& scan) const;
   /// Axes along which its residual displacement matters.
   std::span<const operators::Axis> axes() const;

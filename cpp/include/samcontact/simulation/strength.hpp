@@ -34,6 +34,8 @@ class Strength {
 
   /// Whether it depends on depth.
   bool is_graded() const { return variation_.has_value(); }
+  /// Whether it is much less somewhere than above.
+  bool weakens() const { return weakens_; }
   /// Layers below which nothing changes any more.
   int layers() const { return layers_; }
   /// Whether so much changes between two layers that both are to be looked at.
@@ -44,15 +46,19 @@ class Strength {
   /// Adds the stress of the start in a box [component][k][i][j]; an empty field is 0.
   void add_stress(const Box& box, operators::Tensor tensor, Field& sum) const;
 
-  /// The least of what the layers of each range bear of a share of all stresses: a cell whose
-  /// stress is within it yields nowhere in the range. softening: factor of the yield stress.
+  /// The least of what the layers of each range bear of a share of all stresses, another one where
+  /// they are much weaker than what lies above: a cell whose stress is within it yields nowhere in
+  /// the range. softening: factor of the yield stress.
   std::vector<LayerLimit> limits(const std::vector<LayerRange>& ranges, double softening,
-                                 double share) const;
+                                 double share, double share_of_weak) const;
 
  private:
   double factor_at(double z) const {
     return material_.yield_profile ? material_.yield_profile->at(z) : 1.0;
   }
+  /// About how much pressure its axis bears: compression along the surface helps.
+  double bearing_at(double z) const;
+  bool is_weak_at(double z) const;
   /// Deviator of the stress of the start: xx, yy, xy.
   std::array<double, 3> start_at(double z) const;
   double mid_depth(int k) const { return (k + 0.5) * dz_; }
@@ -66,8 +72,10 @@ class Strength {
   int first_, ny_;
   double dz_;
   int layers_ = 0, worn_layers_ = 0;
+  bool weakens_ = false;
   /// Sum of all changes from the surface on, parts of the yield stress; none: nothing changes.
   std::optional<OverDepth> variation_;
+  OverDepth most_above_;  // largest bearing down to a depth, at kinks
 };
 
 }  // namespace samcontact::simulation

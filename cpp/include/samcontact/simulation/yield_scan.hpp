@@ -13,13 +13,14 @@
 
 namespace samcontact::simulation {
 
-/// What to compare stress with: a share of what a body bears, softened by a factor.
+/// What to compare stress with: a share of what a body bears, softened by a factor; of layers that
+/// are weaker than others above another one.
 struct YieldLimit {
   const Strength& strength;
-  double softening = 1.0, share = 1.0;
+  double softening, share, share_of_weak;
 
   std::vector<LayerLimit> of(const std::vector<LayerRange>& ranges) const {
-    return strength.limits(ranges, softening, share);
+    return strength.limits(ranges, softening, share, share_of_weak);
   }
 };
 
