@@ -292,7 +292,7 @@ def test_equal_bodies_share_what_unequal_ones_do_not():
     )
 
 
-def test_kinematic_hardening_and_heat_know_of_it():
+def test_kinematic_hardening_knows_of_it():
     """Purely kinematic hardening loads like isotropic hardening, at each depth."""
     kinematic = PLAIN.with_kinematic_hardening(E / 9)  # E Et/(E - Et) of Et = 0.1 E
     states = [
@@ -308,3 +308,31 @@ def test_kinematic_hardening_and_heat_know_of_it():
     assert factor == pytest.approx(0.5, abs=1e-9)
     strain = [s.equivalent_plastic_strain()[0, 0, k] for s in (states[0], weakest)]
     assert strain[0] == pytest.approx(strain[1], rel=1e-6)
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
+@pytest.mark.parametrize("hot", ["past heat", "softening"])
+@pytest.mark.parametrize("nz", [0, 8])
+def test_a_weak_layer_below_a_heated_surface_is_found(hot, nz):
+    """Below the layers in which past heat is looked at, and where the surface softens."""
+    z, factor = [0.0, 100e-6, 105e-6, 160e-6, 165e-6], [2.0, 2.0, 0.6, 0.6, 2.0]
+    body = SOFT.with_thermal(45.0, 12e-6, 12e-6).with_yield_profile(z, factor)
+    body = body.with_residual_stress([0.0, 200e-6], [-3e8, 0.0])
+    step, heat = {}, sc.Heat([0.0, 0.05])
+    if hot == "softening":
+        body = body.with_softening(sc.softening.JohnsonCook(1800.0, 1.0))
+    else:
+        step, heat = {"duration": 1e-3}, sc.Heat([0.0, 2e-3], history=(1e-4, 1e-2))
+    grid = sc.Grid(25, 25, 30e-6, 30e-6, nz=nz, dz=15e-6)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    sim = sc.Simulation(grid, ELASTIC, body, gap, friction=0.1, heat=heat)
+    for load in (60.0, 120.0, 180.0):
+        state = sim.step(load=load, **step)
+    depth = (np.arange(25) + 0.5) * 15e-6
+    strain = state._core.equivalent_plastic_strain(1, 25)
+    flown = (strain > 0).any(axis=(0, 1))
+    assert strain.max() > 1e-3
+    assert (np.interp(depth[flown], z, factor) < 1).all()
+    # No cell is above what it bears without softening.
+    limit = SOFT.yield_stress(strain) * np.interp(depth, z, factor)
+    assert (von_mises(state._core.stress(1, 25)) <= limit * (1 + 1e-5)).all()
