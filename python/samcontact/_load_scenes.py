@@ -51,6 +51,12 @@ def resolved(name: str, simulation: Simulation) -> str:
             raise ValueError('quantity = "yield" needs a body that yields')
         if any(body.softening for body in bodies):
             raise ValueError('quantity = "yield" is not for bodies that soften by heat')
+        if any(body.yield_profile or body.residual_stress for body in bodies):
+            raise ValueError(
+                'quantity = "yield" is of one yield stress, not for bodies with a '
+                "yield profile or residual stress: find max_plastic_strain of a small value, e.g. "
+                "1e-6, or take critical.onset_over_depth"
+            )
         if not simulation.grid.has_volume:
             raise ValueError('quantity = "yield" needs a grid with dz')
         return name
