@@ -29,7 +29,6 @@ HEATED = {
     "heat": sc.Heat((0.01, 0.02), ((0.1, 0.0), (0.2, 0.1)), time=1.0, reference=1.0),
 }
 BODIES = {"grid": GRID, "body1": STEEL, "body2": SOFT}
-RUBBED = {**BODIES, "body2": STEEL}
 SOLVER = sc.ContactSolver(GRID, HOT, HOT, heat=sc.Heat((0.0, 0.01), time=1.0, reference=1.0))
 FRETTING = sc.Simulation(GRID, STEEL, STEEL, GAP, sc.Coulomb(0.3))
 PULLED = sc.Simulation(GRID, STEEL, STEEL, GAP, sc.Coulomb(0.3))
@@ -104,25 +103,6 @@ TRACK_FIELDS = (
 )  # fmt: skip
 ZONE_FIELDS = ("stress", "residual_stress", "plastic_strain", "equivalent_plastic_strain")
 
-
-def last_wear():
-    """One cycle of wear that removes nothing."""
-    return sc.wear.run(
-        **BODIES, gap=GAP, cycle=[{"load": LOAD}, {"load": 0.0}], threshold=0.04, cycles=1,
-        window=1, order=0, progress=False, tol=1e-4,
-    )  # fmt: skip
-
-
-def last_scar():
-    """One cycle of fretting that wears next to nothing."""
-    return sc.wear.fretting(
-        **RUBBED, gap=GAP, cycle=SCAR, friction=sc.Coulomb(0.3), energy=1e-20, cycles=1,
-        progress=False, tol=1e-4,
-    )  # fmt: skip
-
-
-SCAR = [{"load": LOAD, "tangential_load": (q * LOAD, 0.0)} for q in (0.0, 0.1, -0.1, 0.1)]
-WORN, FRETTED = last_wear(), last_scar()
 
 CALLS = [
     ("Grid.depths", GRID.depths, {"layers": 3}),
@@ -368,48 +348,4 @@ CALLS = [
         },
     ),
     ("Accurate.to_dataset", ACCURATE.to_dataset, {"volume": "none"}),
-    ("wear.depth", sc.wear.depth, {"equivalent": STRAIN[0], "dz": 5e-5, "threshold": 0.04}),
-    (
-        "wear.run",
-        sc.wear.run,
-        {
-            **BODIES, "gap": GAP, "cycle": [{"load": LOAD}, {"load": 0.0}], "threshold": 0.04,
-            "cycles": 1, "worn": (2,), "window": 1, "order": 0, "strain_depth": "exact",
-            "friction": 0.0, "relief1": None, "relief2": None, "checkpoint": None,
-            "progress": False, "tol": 1e-4,
-        },
-    ),
-    (
-        "wear.run",
-        sc.wear.run,
-        {
-            **BODIES, "gap": GAP, "cycle": [{"load": LOAD}, {"load": 0.0}], "threshold": 0.04,
-            "cycles": 1, "smoothing_length": 5e-5, "progress": False, "tol": 1e-4,
-        },
-    ),
-    (
-        "wear.fretting",
-        sc.wear.fretting,
-        {
-            **RUBBED, "gap": GAP, "cycle": SCAR, "friction": sc.Coulomb(0.3), "energy": 1e-20,
-            "cycles": 1, "repeats": 1, "relief1": None, "relief2": None, "checkpoint": None,
-            "progress": False, "tol": 1e-4,
-        },
-    ),
-    (
-        "wear.fretting",
-        sc.wear.fretting,
-        {
-            **RUBBED, "gap": GAP, "cycle": SCAR, "friction": sc.Coulomb(0.3), "archard": 1e-20,
-            "cycles": 1, "progress": False, "tol": 1e-4,
-        },
-    ),
-    ("wear.shift", sc.wear.shift, {"field": STRAIN, "depth": NOTHING, "dz": 5e-5}),
-    ("wear.smooth", sc.wear.smooth, {"depth": NOTHING, "window": (3, 3), "order": 2}),
-    ("wear.WearResult.x", WORN.x, {"body": 2}),
-    ("wear.WearResult.profile", WORN.profile, {"cycle": 1, "body": 2}),
-    ("wear.WearResult.to_dataset", WORN.to_dataset, {}),
-    ("wear.FrettingResult.x", FRETTED.x, {"body": 2}),
-    ("wear.FrettingResult.profile", FRETTED.profile, {"cycle": 1, "body": 2}),
-    ("wear.FrettingResult.to_dataset", FRETTED.to_dataset, {}),
 ]  # fmt: skip

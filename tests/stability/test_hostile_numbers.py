@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 from calls_of_contact import CALLS as ON_GRIDS
 from calls_of_formulas import CALLS as FORMULAS
+from calls_of_wear import CALLS as OF_WEAR
 
 import samcontact as sc
 
-CALLS = FORMULAS + ON_GRIDS
+CALLS = FORMULAS + ON_GRIDS + OF_WEAR
 HOSTILE = (math.nan, math.inf, -math.inf)
 
 MADE_BY_THE_PACKAGE = {
