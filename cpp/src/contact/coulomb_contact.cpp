@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "samcontact/contact/anderson.hpp"
+#include "samcontact/contact/first_touch.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -81,6 +82,7 @@ CoulombContact::CoulombContact(const Grid& grid, const operators::SharedMedium& 
                                const operators::SharedMedium& body2, double friction)
     : grid_(grid),
       friction_(friction),
+      crosswise_(crosswise_compliance(grid, {body1, body2})),
       normal_(grid, frictionless(body1, body2)),
       shear_(grid, {body1, body2}),
       coupling_(grid, {body1, body2}) {
@@ -211,22 +213,29 @@ class CoulombContact::Sweeps {
     return shear;
   }
 
-  /// Of each cell that touches for the first time, the share of the increment from when it does:
-  /// rigid bodies that approach steadily close its gap until then, and the elastic displacement
-  /// changes what they slip and what they close in the same proportion. Empty where there is none,
-  /// and before the first contact: it is pressed, then sheared.
+  /// What cells slip in touch where some touch for the first time; empty where there are none, and
+  /// before the first contact: it is pressed, then sheared.
   Field in_touch() {
-    Field shares;
     const double closer = s_.normal.motion.approach - before_.approach;
-    if (before_.pressure.empty() || before_.has_moved || !(closer > 0)) return shares;
+    if (before_.pressure.empty() || before_.has_moved || !(closer > 0)) return {};
     if (gap_before_.empty()) gap_before_ = find_gap_before();
-    for (std::size_t i = 0; i < n_; ++i) {
-      if (!(s_.normal.tractions.pressure[i] > 0) || before_.pressure[i] > 0) continue;
-      if (!(gap_before_[i] > 0)) continue;
-      if (shares.empty()) shares.assign(n_, 1.0);
-      shares[i] = std::max(1 - gap_before_[i] / closer, 0.0);
-    }
-    return shares;
+    // Shear that is mu p slides round contacts so far.
+    const double most = 0.5 * (1 + contact_.crosswise_) * contact_.friction_ * closer;
+    return slip_in_touch(
+        contact_.grid_,
+        {before_.pressure, s_.normal.tractions.pressure, gap_before_, closer, given_motion(), most},
+        contact_.crosswise_);
+  }
+
+  /// The largest given slip, about [m].
+  double given_motion() const {
+    const auto given = [this](int k) {
+      return tangential_[k].is_force() ? 0.0 : tangential_[k].value;
+    };
+    const Field& p = s_.normal.tractions.pressure;
+    const auto cells = std::count_if(p.begin(), p.end(), [](double v) { return v > 0; });
+    const double size = std::sqrt(static_cast<double>(cells) * contact_.grid_.cell_area());
+    return std::hypot(given(0), given(1)) + 0.5 * size * std::fabs(given(2));
   }
 
   /// Of the undeformed surfaces as they are now.

@@ -68,10 +68,12 @@ void add_scaled(double factor, const Field& x, Field& y) {
 }
 
 void keep_in_touch(const ShearProblem& problem, Field& slip) {
-  const std::size_t m = problem.in_touch.size();
+  const Field& share = problem.in_touch;
+  const std::size_t m = share.size() / 3;
   for (std::size_t i = 0; i < m; ++i) {
-    slip[i] *= problem.in_touch[i];
-    slip[m + i] *= problem.in_touch[i];
+    const double x = slip[i], y = slip[m + i];
+    slip[i] = share[i] * x + share[m + i] * y;
+    slip[m + i] = share[m + i] * x + share[2 * m + i] * y;
   }
 }
 

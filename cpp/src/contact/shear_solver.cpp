@@ -24,7 +24,7 @@ constexpr int coarse_steps = 30;
 /// Field over all cells of a box, and vectors [2][i][j] there.
 struct BoxTask {
   Field pressure, free_slip;
-  Field in_touch;  // empty: 1
+  Field in_touch;  // three of them, empty: none
   double x0, y0;   // of the first cell
   bool rolls;
 };
@@ -35,20 +35,16 @@ struct BoxStart {
   std::vector<double> motion;
 };
 
-/// A component of a vector field.
-Field part(const Field& vector, int component) {
-  const std::size_t n = vector.size() / 2;
-  return {vector.begin() + component * n, vector.begin() + (component + 1) * n};
-}
-
-Field joined(Field x, const Field& y) {
-  x.insert(x.end(), y.begin(), y.end());
-  return x;
-}
-
+/// The components of a vector field, or of one of symmetric matrices.
 template <class Change>
-Field by_component(const Field& vector, const Change& change) {
-  return joined(change(part(vector, 0)), change(part(vector, 1)));
+Field by_component(const Field& field, const Change& change, int components = 2) {
+  const auto n = static_cast<std::ptrdiff_t>(field.size()) / components;
+  Field changed;
+  for (int c = 0; c < components; ++c) {
+    const Field part = change(Field(field.begin() + c * n, field.begin() + (c + 1) * n));
+    changed.insert(changed.end(), part.begin(), part.end());
+  }
+  return changed;
 }
 
 }  // namespace
@@ -127,11 +123,13 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction
     problem.free_slip[c] = task.free_slip[at];
     problem.free_slip[m + c] = task.free_slip[task.pressure.size() + at];
     directions[0][c] = directions[1][m + c] = 1.0;
-    if (!task.in_touch.empty()) problem.in_touch.push_back(task.in_touch[at]);
     const std::size_t i = at / box_.ny, j = at % box_.ny;
     directions[2][c] = -(task.y0 + static_cast<double>(j) * box_.dy);
     directions[2][m + c] =
         task.x0 + (static_cast<double>(i) + (task.rolls ? spin_lead : 0.0)) * box_.dx;
+  }
+  for (std::size_t from = 0; from < task.in_touch.size(); from += task.pressure.size()) {
+    for (const std::size_t at : problem.cells) problem.in_touch.push_back(task.in_touch[from + at]);
   }
   for (int k = 0; k < 3; ++k) {
     if (drive[k].is_force()) {
@@ -162,7 +160,7 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, double friction,
   const auto coarsen = [&](const Field& field) { return coarsened(box_, field); };
   const BoxTask coarse{coarsen(task.pressure),
                        by_component(task.free_slip, coarsen),
-                       task.in_touch.empty() ? Field{} : coarsen(task.in_touch),
+                       task.in_touch.empty() ? Field{} : by_component(task.in_touch, coarsen, 3),
                        task.x0 + 0.5 * box_.dx,
                        task.y0 + 0.5 * box_.dy,
                        task.rolls};
@@ -328,7 +326,7 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   const auto boxed = [&](const Field& field) { return over(grid_, box, field); };
   BoxTask part{boxed(task.pressure),
                Field(2 * box.surface_size(), 0.0),
-               task.in_touch != nullptr ? boxed(*task.in_touch) : Field{},
+               task.in_touch != nullptr ? by_component(*task.in_touch, boxed, 3) : Field{},
                grid_.x()[box.i0],
                grid_.y()[box.j0],
                task.rolls};

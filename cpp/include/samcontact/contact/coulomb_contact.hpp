@@ -81,6 +81,7 @@ class CoulombContact {
 
   Grid grid_;
   double friction_;
+  double crosswise_;  // compliance
   Multilevel normal_;
   ShearSolver shear_;
   operators::NormalTangentialCoupling coupling_;

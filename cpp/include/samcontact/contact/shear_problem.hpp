@@ -36,7 +36,8 @@ struct ShearProblem {
   Field bound;      // mu p > 0 [Pa], may be infinite
   Field free_slip;  // b [m]
   std::vector<Mode> modes;
-  /// Share of the increment that each cell touches: it slips that share of the motions; empty: 1.
+  /// What each cell slips in touch of a rigid motion: a symmetric matrix, [xx, xy, yy][cell];
+  /// empty: all of it.
   Field in_touch;
   /// A slip of one scale of the contact times this is its scale of shear [Pa/m].
   double stiffness = 0.0;

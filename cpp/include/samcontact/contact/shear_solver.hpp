@@ -40,8 +40,7 @@ struct ShearTask {
   /// Motions of this increment [m, m, rad], or total forces at its end [N, N, N m].
   TangentialDrive drive = held;
   SlidBefore* slid = nullptr;  // kept by the caller of several solves
-  /// [i][j] Share of the increment that a cell touches, of whose rigid motion it slips as much;
-  /// without, all of it.
+  /// [xx, xy, yy][i][j] What a cell slips in touch of the rigid motion; without, all of it.
   const Field* in_touch = nullptr;
   /// Cells [i][j] of the start; without, those below their bound.
   const std::vector<unsigned char>* sticking = nullptr;
