@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "samcontact/contact/polonsky_keer.hpp"
 #include "samcontact/kernels/gauss.hpp"
@@ -95,6 +97,31 @@ TEST_CASE("nine cells move their middle as one cell of three times their size do
       const double both_x = parity.odd_x ? 0 : 2, both_y = parity.odd_y ? 0 : 2;
       const double nine = c[0] + both_x * c[1] + both_y * c[2] + both_x * both_y * c[3];
       CHECK(std::fabs(nine - one) < 1e-13 * dx / G);
+    }
+  }
+}
+
+TEST_CASE("tables of square cells are what each offset has alone") {
+  const Grid square(4, 4, 1e-6, 1e-6, 3, 0.7e-6);
+  const auto steel = half_space({E, nu});
+  const CellOffsets offsets{{0, 1, 4, 9}, {0, 3, 5, 9, 12}};
+  for (const auto& table : std::vector<std::function<Field(const CellOffsets&)>>{
+           [&](const CellOffsets& at) {
+             return steel->stress(Traction::pressure, square, at, 0.6e-6, Tensor::deviator);
+           },
+           [&](const CellOffsets& at) {
+             return steel->stress(Traction::pressure, square, at, 0.6e-6, Tensor::full);
+           },
+           [&](const CellOffsets& at) {
+             return steel->residual_displacement(Axis::z, square, at, 1);
+           }}) {
+    const Field together = table(offsets);
+    const double scale = std::fabs(together[0]);
+    const std::size_t nx = offsets.x.size(), ny = offsets.y.size();
+    for (std::size_t n = 0; n < together.size(); ++n) {
+      const std::size_t c = n / (nx * ny), j = n / nx % ny, i = n % nx;
+      const Field alone = table({{offsets.x[i]}, {offsets.y[j]}});
+      REQUIRE(std::fabs(together[n] - alone[c]) < 1e-13 * scale);
     }
   }
 }
