@@ -180,7 +180,8 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     Raises
     ------
     ValueError
-        Friction as a number, bodies that moved on or soften, prescribed tractions; no states.
+        Friction as a number; bodies that moved on, soften or are heated; prescribed tractions; no
+        states.
     """
     why = no_balance(simulation, states)
     if why:
@@ -232,6 +233,8 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
         return "states must be of bodies that stay in their place, but they have moved on"
     if not all(np.isfinite(state.approach) for state in states):
         return "states must be of loads or approaches, got one of prescribed tractions"
+    if any(any(state.heat_factor) for state in states):
+        return "states must be cold: what expands by heat does work too"
     for body in (simulation.body1, simulation.body2):
         if body.softening is not None:
             return f"bodies must be without softening, got {body!r}"

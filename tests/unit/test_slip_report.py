@@ -3,6 +3,7 @@
 
 import math
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -118,6 +119,9 @@ def test_balances_that_are_not_known_are_refused():
     with pytest.raises(ValueError, match="they have moved on"):
         energy.balance(rolls, states)
     assert "work_put_in" not in results.to_dataset(rolls, states)
+    warm = SimpleNamespace(travel=(0.0, 0.0), approach=1e-6, heat_factor=(0.0, 1.0))
+    with pytest.raises(ValueError, match="states must be cold"):
+        energy.balance(rolls, [warm])
 
 
 def named(verdicts, start):
