@@ -233,9 +233,9 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
         return "states must be of bodies that stay in their place, but they have moved on"
     if not all(np.isfinite(state.approach) for state in states):
         return "states must be of loads or approaches, got one of prescribed tractions"
-    if any(any(state.heat_factor) for state in states):
-        return "states must be cold: what expands by heat does work too"
-    for body in (simulation.body1, simulation.body2):
+    for number, body in enumerate((simulation.body1, simulation.body2), 1):
+        if body.thermal is not None and any(np.any(s.surface_temperature(number)) for s in states):
+            return f"states must be cold, but body {number} is heated: what expands does work too"
         if body.softening is not None:
             return f"bodies must be without softening, got {body!r}"
         if body.is_plastic and not isinstance(body, Material):
