@@ -58,7 +58,7 @@ def si(value: Any, unit: str) -> Any:
 
     Parameters
     ----------
-    value : str, pint.Quantity, number or array_like of numbers
+    value : str, pint.Quantity, float or array_like
         "1.5 GPa", "25 um", "120 degC"; or a quantity of any registry, also of an array. Numbers
         without a unit are returned as they are: they are SI already.
     unit : str
