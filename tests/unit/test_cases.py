@@ -338,15 +338,17 @@ def test_heat(write, tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("duration = 4e-3\n", "", r"path\[0\]: duration and heat.history go together"),
-        ("history = [1e-3, 1.0]", "", r"path\[0\]: duration and heat.history go together"),
+        ("duration = 4e-3\n", "", r"path\[0\]: duration goes together with heat\.hist"),
+        ("history = [1e-3, 1.0]", "", r"path\[0\]: duration goes together with heat\.hist"),
         ("history = [1e-3, 1.0]", "history = [1e-3]", "heat.history"),
         (
             "factor = 0.02",
             "factor = -0.02",
             r"heat\.factor",
         ),
-        ("factor = 0.02", "", "heat.factor: required field is missing"),
+        ("factor = 0.02", "", "heat: give exactly one of factor, partition"),
+        ("factor = 0.02", "factor = 0.02\npartition = 0.5", "give exactly one of factor, part"),
+        ("factor = 0.02", "partition = 1.5", "heat.partition"),
         ("velocity = [0.1, 0.0]", "velocity = [0.1]", "heat.velocity"),
         ("velocity", "time = 1.0\nvelocity", "heat: give history or time of heat, not both"),
         (

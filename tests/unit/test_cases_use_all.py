@@ -75,6 +75,7 @@ TUGGING = {
                                         "image_tol", "max_iterations", "reach")},
 }  # fmt: skip
 WEAR = {"threshold": 2e-3, "cycles": 3, "worn": [2], "window": [3, 5], "order": 1}
+WARM = COLD | {"thermal": SWIFT["thermal"]}
 STICKS = {
     "title": "t", "grid": GRID, "body1": COLD, "body2": COLD, "surface": FLAT,
     "contact": {"friction": {"coulomb": 0.3}},
@@ -119,6 +120,10 @@ KINDS = {
     | {"path": [{"load": 2.0, "increments": 2},
                 {"load": 2.0, "fret": {"tangential_load_x": 0.1, "tangential_load_y": 0.05,
                                        "cycles": 2}}]},
+    "fretting heat": STICKS
+    | {"body1": WARM, "body2": WARM, "heat": {"partition": 0.4, "time": 1e-3},
+       "path": [{"load": 2.0, "increments": 2, "duration": 1e-3},
+                {"load": 2.0, "duration": 1e-2, "fret": {"shift_x": 1e-8}}]},
     "fretting by motion": STICKS
     | {"path": [{"load": 2.0, "increments": 2},
                 {"load": 2.0, "fret": {"shift_x": 1e-8, "shift_y": 1e-9}}]},

@@ -260,3 +260,32 @@ def test_results_tell_forces_motions_and_what_sticks(capsys, tmp_path):
     for heading in ("force", "shift", "friction", "sticks"):
         assert heading in told
     assert "torque" not in told
+
+
+HEAT = "[heat]\npartition = 0.4\ntime = 1e-3\n"
+THERMAL = """[body2.thermal]
+conductivity = 50.2
+expansion = 1.1e-5
+diffusivity = 1.4e-5
+[body1.thermal]
+conductivity = 50.2
+expansion = 1.1e-5
+diffusivity = 1.4e-5
+"""
+
+
+def test_slip_heats_for_as_long_as_it_lasts():
+    timed = PRESSED + "duration = 2e-3\n[[path]]\nload = 600.0\nincrements = 2\nduration = 1e-2\n"
+    text = f'title = "t"\n{GRID}\n{BODIES}\n{THERMAL}[contact]\n{LAW}\n{HEAT}{timed}'
+    simulation, steps = parse_case(text + "fret = {shift_x = 2e-6}\n").build()
+    assert simulation.heat.partition == 0.4
+    assert [step["duration"] for step in steps] == [1e-3] * 2 + [1e-3] * 10
+    state = simulation.run(steps, progress=False)[-1]
+    # body 1 and 2 are alike but for the share that enters them
+    warm = [state.surface_temperature(body).max() for body in (1, 2)]
+    assert warm[0] > 0
+    assert warm[1] / warm[0] == pytest.approx(0.4 / 0.6, rel=1e-9)
+    told = {"duration = 1e-2\n": "duration goes together", "partition = 0.4\n": "exactly one of"}
+    for old, message in told.items():
+        with pytest.raises(CaseError, match=message):
+            parse_case(text.replace(old, "") + "fret = {shift_x = 2e-6}\n")

@@ -98,12 +98,13 @@ class Case(CaseFile):
         for name, body in zip(("body1", "body2"), bodies, strict=True):
             if body.is_plastic and not self.has_volume:
                 raise ValueError(f"{name} is inelastic ({body.law}): [grid] needs dz")
-        marches = self.heat is not None and self.heat.history is not None
+        timed = self.heat is not None and self.heat.is_timed
         for index, segment in enumerate(self.path):
-            if segment.is_timed != marches:
+            if segment.is_timed != timed:
                 name = "duration" if segment.passes is None else "speed"
                 raise ValueError(
-                    f"path[{index}]: {name} and heat.history go together: give both or neither"
+                    f"path[{index}]: {name} goes together with heat.history or heat.partition: "
+                    "give both or neither"
                 )
         selected = self.output.body
         stored = self.has_volume and self.wear is None
@@ -164,7 +165,7 @@ class Case(CaseFile):
                     "friction = 0"
                 )
             for body in (1, 2):
-                if "duration" in step and heat.factor[body - 1] > 0:
+                if "duration" in step and heat.shares[body - 1] > 0:
                     speed = step["advance"][body - 1] / step["duration"]
                     given = heat.velocity[body - 1][0]
                     if abs(speed - given) > 1e-6 * max(abs(speed), abs(given)):

@@ -116,13 +116,11 @@ class Segment(Along):
         if self.spacing == "linear" and changed(self, ["exponent"]):
             raise ValueError('exponent is of spacing = "power": give that too')
         if kinds:
-            others = {"start", "spacing", "exponent", "advance", "duration", *ALONG}
-            if self.fret is not None:
-                others.add("heat_factor")
+            others = {"start", "spacing", "exponent", "advance", *ALONG}
+            others.add("duration" if self.fret is None else "heat_factor")
             given = sorted(changed(self, others))
             if given:
-                timed = "duration" in given and self.fret is None
-                hint = "; give it speed instead" if timed else ""
+                hint = "; give it speed instead" if "duration" in given else ""
                 raise ValueError(f"{kinds[0]} goes without {', '.join(given)}{hint}")
         if self.torque is not None and self.advance is not None:
             raise ValueError("torque goes without advance: give the twist, spin times the way")
@@ -164,6 +162,9 @@ class Segment(Along):
         name, target = self.quantity, getattr(self, self.quantity)
         if self.fret is not None:
             fretting = self.fret.steps(name, target, self.increments, reached)
+            if self.duration is not None:
+                each = self.duration / len(fretting)
+                fretting = [step | {"duration": each} for step in fretting]
             return fretting, self.fret.reached(reached)
         if self.passes is not None:
             if reached[1] != 0.0:

@@ -242,7 +242,8 @@ def settings_of(section: ContactSection) -> dict[str, Any]:
 class HeatSection(Section):
     """[heat]: frictional heat, see `Heat`."""
 
-    factor: HeatFactor
+    factor: HeatFactor | None = None
+    partition: Annotated[Finite, Field(ge=0.0, le=1.0)] | None = None
     velocity: Velocity | None = None
     time: Annotated[Positive, in_unit("s")] | None = None
     history: Annotated[list[Positive], Field(min_length=2, max_length=2), in_unit("s")] | None = (
@@ -252,11 +253,18 @@ class HeatSection(Section):
 
     @model_validator(mode="after")
     def _go_together(self) -> HeatSection:
+        if (self.factor is None) == (self.partition is None):
+            raise ValueError("give exactly one of factor, partition")
         self.build()
         return self
 
+    @property
+    def is_timed(self) -> bool:
+        """Whether increments need a duration."""
+        return self.history is not None or self.partition is not None
+
     def build(self) -> Heat:
-        return Heat(**self.model_dump())
+        return Heat(**self.model_dump(exclude_none=True))
 
 
 class OutputSection(OutputPlace):
