@@ -15,7 +15,11 @@ from numpy.typing import ArrayLike
 from ._checks import FloatArray, finite, positive, real_array, require_type
 from ._frozen import FrozenDict
 from ._repr import Rows, Shown, material_in_short, quantity
+from .grid import Grid
 from .material import Material
+
+_UNYIELDING = 1e6
+"""Yield stress of an elastic layer over that of the substrate."""
 
 
 def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
@@ -96,7 +100,12 @@ class Layered(Shown):
     @cached_property
     def _core(self) -> Any:
         layers = [(material._core.elastic_constants, h) for material, h in self.layers]
-        return self.substrate._core.with_coating(layers)
+        below = self.substrate._core
+        if self.substrate.is_plastic:
+            # Flow is the substrate's; layers, which are elastic, bear what there is.
+            depth = float(self.interfaces[-1])
+            below = below.with_yield_profile([depth * (1 - 1e-9), depth], [_UNYIELDING, 1.0])
+        return below.with_coating(layers)
 
     @property
     def parameters(self) -> Mapping[str, tuple[float, ...]]:
@@ -180,21 +189,46 @@ class Layered(Shown):
 Body = Material | Layered
 
 
-def require_bodies(*bodies: Any, elastic: bool = False) -> None:
-    """Raise TypeError for what is neither a material nor layers of them.
-
-    elastic: ValueError for layered bodies that yield.
-    """
+def require_bodies(*bodies: Any) -> None:
+    """Raise TypeError for what is neither a material nor layers of them."""
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Body):
             raise TypeError(
                 f"body{n} must be a samcontact.Material or samcontact.Layered, got {body!r}"
             )
-        if elastic and isinstance(body, Layered) and body.is_plastic:
+
+
+def require_flow_below_layers(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
+    """Raise ValueError for plastic flow that layers do not serve; whether there is any."""
+    flows = False
+    for n, body in enumerate(bodies, 1):
+        if not isinstance(body, Layered) or not body.is_plastic:
+            continue
+        flows = True
+        for place, (material, _) in enumerate(body.layers):
+            if material.is_plastic:
+                raise ValueError(
+                    f"layers[{place}] of body{n} must be elastic, got {material!r}: only the "
+                    "substrate may yield"
+                )
+        if residual_stress == "exact":
             raise ValueError(
-                f"body{n} must not yield where it has layers, got {body!r}: give layers and "
-                "substrate of Material.elastic"
+                f'residual_stress must be "fast" where body{n} has layers, got "exact": there are '
+                "no closed forms"
             )
+        if len(grid.periodic) == 1:
+            raise ValueError(
+                f"body{n} must not yield below its layers where one direction alone is periodic, "
+                f"got grid.periodic = {grid.periodic!r}"
+            )
+        for place, depth in enumerate(body.interfaces if grid.dz is not None else ()):
+            cells = depth / grid.dz
+            if abs(cells - round(cells)) > 1e-6:
+                raise ValueError(
+                    f"the bottom of layers[{place}] of body{n}, {depth!r} m deep, must lie between "
+                    f"layers of cells, got grid.dz = {grid.dz!r}: take a part of the thickness"
+                )
+    return flows
 
 
 def materials_of(body: Body) -> list[Material]:

@@ -25,7 +25,7 @@ from .checkpoint import loaded, reduced, snapshot, stand_at, write_checkpoint
 from .friction import Coulomb, require_heat_of
 from .grid import Grid
 from .heat import Heat
-from .layered import Body, require_bodies
+from .layered import Body, require_bodies, require_flow_below_layers
 from .relief import Relief, relief_rows
 from .state import State
 
@@ -130,7 +130,8 @@ class Simulation(Running, Windowed, Shown):
         reach: float | None = Settings.reach,
     ) -> None:
         require_type("grid", grid, Grid)
-        require_bodies(body1, body2, elastic=True)
+        require_bodies(body1, body2)
+        layered = require_flow_below_layers(grid, residual_stress, body1, body2)
         self.body1, self.body2 = body1, body2
         self._configure(
             Settings(
@@ -141,7 +142,7 @@ class Simulation(Running, Windowed, Shown):
                 max_iterations=max_iterations,
                 residual_stress=residual_stress,
                 image_tol=image_tol,
-                zones=zones,
+                zones="one" if layered else zones,
                 reach=grid.nx * grid.dx if reach is None else reach,
             )
         )

@@ -248,8 +248,69 @@ def test_results_of_a_run_have_its_layers():
     assert "stress_body2" in dataset
 
 
-def test_bodies_with_layers_that_yield_are_refused_where_they_would():
-    soft = sc.Layered([(STEEL, 1e-6)], sc.Material.perfect_plastic(210e9, 0.3, 1e9))
+SOFT = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
+
+
+@pytest.mark.parametrize(
+    ("body", "more", "text"),
+    [
+        (sc.Layered([(SOFT, 1e-6)], STEEL), {}, r"layers\[0\] of body2 must be elastic"),
+        (
+            sc.Layered([(STEEL, 1e-6)], SOFT),
+            {"residual_stress": "exact"},
+            'residual_stress must be "fast" where body2 has layers',
+        ),
+        (sc.Layered([(NITRIDE, 1.5e-6)], SOFT), {}, r"the bottom of layers\[0\] of body2"),
+    ],
+)
+def test_flow_that_layers_do_not_serve_is_refused(body, more, text):
     grid = sc.Grid(8, 8, 1e-6, 1e-6, nz=2, dz=1e-6)
-    with pytest.raises(ValueError, match="body2 must not yield where it has layers"):
-        sc.Simulation(grid, RIGID, soft, np.zeros((8, 8)))
+    with pytest.raises(ValueError, match=text):
+        sc.Simulation(grid, RIGID, body, np.zeros((8, 8)), **more)
+
+
+def plastic_run(layers):
+    grid = sc.Grid(26, 26, 4e-6, 4e-6, nz=14, dz=3e-6)
+    steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+    body = sc.Layered(layers, steel) if layers else steel
+    gap = sc.surfaces.paraboloid(grid, 1e-3)
+    run = sc.Simulation(grid, RIGID, body, gap, zones="one")
+    return grid, [run.step(load=load) for load in (2.0, 4.0, 6.0, 0.0)]
+
+
+def test_flow_below_a_layer_of_the_same_stiffness_stays_below_it():
+    grid, below = plastic_run([(STEEL, 6e-6)])
+    _, free = plastic_run([])
+    for state, without in zip(below, free, strict=True):
+        gamma = state.equivalent_plastic_strain()
+        assert gamma[:, :, :2].max() == 0
+        assert gamma[:, :, 2:].max() > 0 or state is below[0]
+        assert state.approach >= 0 or state.load == 0
+        assert without.equivalent_plastic_strain().shape == gamma.shape
+    # Elastic steel above: no more flow than without it, and its residual stress is in balance.
+    assert (
+        0
+        < below[-1].max_equivalent_plastic_strain()
+        < 1.2 * free[-1].max_equivalent_plastic_strain()
+    )
+    sums = below[-1].residual_stress()[2].sum(axis=(0, 1)) * grid.cell_area
+    assert np.abs(sums).max() < 2e-2 * 6.0
+
+
+def test_flow_below_a_nearly_absent_layer_is_that_of_the_substrate():
+    """The print of a substrate below what bears nothing, pressed by prescribed tractions."""
+    nothing = sc.Material.elastic(1e-3, 0.0)
+    steel = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
+    grid = sc.Grid(20, 20, 4e-6, 4e-6, nz=12, dz=4e-6)
+    strain = np.zeros((6, *grid.volume_shape))
+    strain[:, 7:13, 8:12, 4:7] = np.random.default_rng(3).standard_normal((6, 6, 4, 3)) * 1e-3
+    strain[2] = -(strain[0] + strain[1])
+    gap = sc.surfaces.paraboloid(grid, 1e-3)
+    coated = sc.Simulation(grid, RIGID, sc.Layered([(nothing, 8e-6)], steel), gap)
+    coated.set_plastic_strain(2, strain)
+    bare = sc.Simulation(grid, RIGID, steel, gap, zones="one")
+    bare.set_plastic_strain(2, np.pad(strain[..., 2:], [(0, 0)] * 3 + [(0, 2)]))
+    found = coated.state.residual_stress()[..., 2:8]
+    exact = bare.state.residual_stress()[..., :6]
+    # Images count as if the surface were that of the layer.
+    assert np.abs(found - exact).max() < 1e-2 * np.abs(exact).max()

@@ -76,3 +76,31 @@ def test_wave_on_a_coating_closes_at_its_own_pressure(layers):
     assert found.pressure[:, 0] == pytest.approx(exact, abs=1e-3 * full)
     touching = solver.solve(gap, load=0.98 * full * WAVE * grid.dy).pressure
     assert touching.min() == 0
+
+
+def test_substrate_that_yields_below_a_coating():
+    """Finite elements, reference/layers/yielding; 12 cells per Hertz radius, 3 in the coating."""
+    folder = Path(__file__).parents[2] / "reference" / "layers" / "yielding"
+    case = json.loads((folder / "case.json").read_text())
+    summary, h, load = case["summary"], case["coating"]["thickness_m"], case["W_N"]
+    dx = summary["hertz_substrate"]["a_m"] / 12
+    grid = sc.Grid(33, 33, dx, dx, dz=h / 3)
+    steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+    body = sc.Layered([(sc.Material.elastic(400e9, 0.25), h)], steel)
+    gap = sc.surfaces.paraboloid(grid, case["R_m"])
+    run = sc.Simulation(grid, sc.Material.rigid(), body, gap)
+    for part in range(1, 17):
+        loaded = run.step(load=load * part / 16)
+    unloaded = run.step(load=0.0)
+    assert loaded.pressure[16, 16] == pytest.approx(summary["p_center_Pa"], rel=5e-3)
+    assert loaded.approach == pytest.approx(summary["approach_max_m"], rel=2e-3)
+    largest = summary["gamma_p_max_anywhere"]
+    assert loaded.max_equivalent_plastic_strain() == pytest.approx(largest, rel=1e-2)
+    left = unloaded.residual_displacement()[16, 16]
+    assert left == pytest.approx(summary["uz_center_residual_m"], rel=1e-2)
+    axis = np.genfromtxt(folder / "axis_unloaded.csv", delimiter=",", names=True)
+    z, stress = unloaded.depths, unloaded.residual_stress()[0, 16, 16]
+    for own, exact in ((z < h, axis["z_m"] < h), ((z > h) & (z < 8 * h), axis["z_m"] > h)):
+        s_rr = np.interp(z[own], axis["z_m"][exact], axis["srr_Pa"][exact])
+        rms = np.sqrt(np.mean((stress[own] - s_rr) ** 2))
+        assert rms < 0.02 * np.abs(axis["srr_Pa"][exact]).max()
