@@ -24,7 +24,8 @@ struct Growth {
 /// displaced over the whole increment. Rigid bodies that approach steadily close a gap after its
 /// share of the increment; elastic displacement changes what they close and what they slip before
 /// in one proportion across the edge of the contact and in another along it, those of a round
-/// contact as it grows. Motions beyond what shear displaces do not change that. Empty where nothing touches for the first time.
+/// contact as it grows. Motions beyond what shear displaces do not change that. Empty where nothing
+/// touches for the first time.
 Field slip_in_touch(const Grid& grid, const Growth& growth, double crosswise);
 
 }  // namespace samcontact::contact
