@@ -149,7 +149,7 @@ class Graded:
         return initial if self.yield_profile is None else initial * min(self.yield_profile[1])
 
     def residual_stress_at(self, z: ArrayLike) -> FloatArray:
-        """sxx, syy and sxy of the stress of the start at depths z [m], shape (3, *z.shape) [Pa].
+        """Stress of the start at depths z [m]: sxx, syy and sxy [Pa], one array of z's shape each.
 
         0 without. Raises ValueError where z is negative or not finite.
         """
