@@ -51,8 +51,7 @@ void bind_stack(py::module_& m) {
             return each(wavenumbers, [&](double q) { return medium->wave_compliance(q); });
           },
           py::arg("wavenumbers"))
-      .def(py::self == py::self)
-      .def(py::self != py::self);
+      .def(py::self == py::self);
 }
 
 using plasticity::Material;
@@ -62,6 +61,13 @@ Material with_backstresses(const Material& s, const std::vector<std::pair<double
   backstresses.reserve(terms.size());
   for (const auto& [modulus, recovery] : terms) backstresses.push_back({modulus, recovery});
   return s.with_backstresses(backstresses);
+}
+
+Material with_coating(const Material& s, const std::vector<std::pair<Elastic, double>>& layers) {
+  std::vector<ElasticLayer> coating;
+  coating.reserve(layers.size());
+  for (const auto& [elastic, h] : layers) coating.push_back({elastic, h});
+  return s.with_coating(std::move(coating));
 }
 
 py::tuple radial_return(const Material& s, const plasticity::Tensor& stress, double g,
@@ -103,15 +109,7 @@ void bind_material(py::module_& m) {
             return s.with_initial_stress({{z, sxx}, {z, syy}, {z, sxy}});
           },
           py::arg("z"), py::arg("sxx"), py::arg("syy"), py::arg("sxy"))
-      .def(
-          "with_coating",
-          [](const Material& s, const std::vector<std::pair<Elastic, double>>& layers) {
-            std::vector<ElasticLayer> coating;
-            coating.reserve(layers.size());
-            for (const auto& [elastic, h] : layers) coating.push_back({elastic, h});
-            return s.with_coating(std::move(coating));
-          },
-          py::arg("layers"))
+      .def("with_coating", &with_coating, py::arg("layers"))
       .def_property_readonly("stack", &Material::stack)
       .def_property_readonly("elastic_constants", [](const Material& s) { return s.elastic; })
       .def_property_readonly("is_plastic", &Material::is_plastic)

@@ -3,7 +3,6 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <ranges>
 
 namespace samcontact::kernels {
 namespace {
@@ -54,7 +53,8 @@ void LayeredWave::set_wavenumber(double q) {
   q_ = q;
   Matrix below = Matrix::Zero();  // displacement over traction at the top of what lies below
   double across = 0.0;
-  for (Layer& own : std::views::reverse(layers_)) {
+  for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {
+    Layer& own = *layer;
     Matrix reflected = Matrix::Zero();  // the wave from the bottom over that from the top
     double across_reflected = 0.0;
     if (std::isfinite(own.thickness)) {
