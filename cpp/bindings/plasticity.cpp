@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -51,7 +50,9 @@ void bind_stack(py::module_& m) {
             return each(wavenumbers, [&](double q) { return medium->wave_compliance(q); });
           },
           py::arg("wavenumbers"))
-      .def(py::self == py::self);
+      .def(
+          "__eq__", [](const Stack& one, const Stack& other) { return one == other; },
+          py::is_operator());
 }
 
 using plasticity::Material;

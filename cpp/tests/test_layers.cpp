@@ -15,7 +15,6 @@
 #include "samcontact/operators/layered_half_space.hpp"
 #include "samcontact/operators/layered_influence.hpp"
 #include "samcontact/operators/stack_residual_stress.hpp"
-#include "samcontact/operators/volume_operators.hpp"
 
 using namespace samcontact;
 using namespace samcontact::operators;
@@ -119,7 +118,7 @@ TEST_CASE("layers that are alike are a half-space") {
   const Stack alike = Stack::of({{stiff, 0.3}, {stiff, 2.0}}, stiff);
   CHECK(*medium_of(alike) == *half_space(stiff));
   const auto steel = half_space(stiff);
-  Grid grid(1, 1, 1.0, 0.7, 4, 0.25);
+  const Grid grid(1, 1, 1.0, 0.7, 4, 0.25);
   const auto offsets = CellOffsets::lattice(9, 7);
   for (const Traction traction : all_tractions) {
     for (const Axis axis : all_axes) {

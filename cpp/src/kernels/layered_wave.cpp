@@ -53,8 +53,8 @@ void LayeredWave::set_wavenumber(double q) {
   q_ = q;
   Matrix below = Matrix::Zero();  // displacement over traction at the top of what lies below
   double across = 0.0;
-  for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {
-    Layer& own = *layer;
+  for (std::size_t n = layers_.size(); n-- > 0;) {
+    Layer& own = layers_[n];
     Matrix reflected = Matrix::Zero();  // the wave from the bottom over that from the top
     double across_reflected = 0.0;
     if (std::isfinite(own.thickness)) {

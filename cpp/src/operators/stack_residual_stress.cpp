@@ -31,6 +31,7 @@ std::vector<int> layers_of_cells(const Grid& grid, const Stack& stack) {
                                 to_text(grid.dz) + " m: take a part of the thickness");
   }
   std::vector<int> found;
+  found.reserve(grid.nz);
   for (int k = 0; k < grid.nz; ++k) found.push_back(stack.layer_at((k + 0.5) * grid.dz));
   return found;
 }
