@@ -133,8 +133,16 @@ class TestBadInput:
         ("arguments", "error", "text"),
         [
             ({"grid": 5}, TypeError, "grid must be a samcontact.Grid, got 5"),
-            ({"body1": "steel"}, TypeError, "body1 must be a samcontact.Material, got 'steel'"),
-            ({"body2": None}, TypeError, "body2 must be a samcontact.Material, got None"),
+            (
+                {"body1": "steel"},
+                TypeError,
+                "body1 must be a samcontact.Material or samcontact.Layered, got 'steel'",
+            ),
+            (
+                {"body2": None},
+                TypeError,
+                "body2 must be a samcontact.Material or samcontact.Layered, got None",
+            ),
             ({"body2": RIGID}, ValueError, "body1 and body2 are both rigid"),
             ({"friction": -0.1}, ValueError, "friction must be a finite number >= 0, got -0.1"),
             ({"friction": math.nan}, ValueError, "friction must be a finite number >= 0, got nan"),

@@ -89,7 +89,7 @@ def test_it_runs_and_follows_the_bodies(write):
         ("passes = 2", "passes = 0", r"path\[0\]\.roll\.passes: input should be greater than or"),
         ("passes = 2", "slider = 2", r"path\[0\]\.roll\.slider: unknown field; allowed here: dist"),
         ("passes = 2", "slide_to_roll = 3", r"roll\.slide_to_roll: input should be less than or"),
-        ("passes = 2", "speed = 1.0", r"path\[0\]: speed and heat.history go together"),
+        ("passes = 2", "speed = 1.0", r"path\[0\]: speed goes together with heat.hist"),
         ("load = 600.0", "load = 0.0", r"path\[0\]: load must be > 0, got 0\.0"),
         (ROLL, ROLL + "\nstart = 1.0", r"path\[0\]: roll goes without start"),
         (
@@ -161,7 +161,7 @@ def test_heat_moves_with_the_body(write):
     assert all(step["duration"] == pytest.approx(120e-6) for step in steps[:5])
     assert steps[6]["duration"] == pytest.approx(360e-6)  # the way back
     case.build()
-    with pytest.raises(CaseError, match=r"path\[0\]: speed and heat.history go together"):
+    with pytest.raises(CaseError, match=r"path\[0\]: speed goes together with heat.hist"):
         load_case(write(*heated))
     with pytest.raises(
         CaseError, match=r"heated body 2 moves at -0\.5 m/s along x, but .* it 0\.5 m/s"

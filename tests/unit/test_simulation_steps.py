@@ -194,8 +194,16 @@ class TestBadInput:
         ("arguments", "error", "text"),
         [
             ({"grid": (19, 21)}, TypeError, "grid must be a samcontact.Grid, got (19, 21)"),
-            ({"body1": 210e9}, TypeError, "body1 must be a samcontact.Material, got 2"),
-            ({"body2": None}, TypeError, "body2 must be a samcontact.Material, got None"),
+            (
+                {"body1": 210e9},
+                TypeError,
+                "body1 must be a samcontact.Material or samcontact.Layered, got 2",
+            ),
+            (
+                {"body2": None},
+                TypeError,
+                "body2 must be a samcontact.Material or samcontact.Layered, got None",
+            ),
             ({"body1": RIGID, "body2": RIGID}, ValueError, "body1 and body2 are both rigid"),
             ({"gap": BALL[1:]}, ValueError, "gap must have shape (19, 21), got (18, 21)"),
             ({"gap": BALL * np.nan}, ValueError, "gap must be finite everywhere, got nan at index"),
