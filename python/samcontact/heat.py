@@ -106,7 +106,7 @@ class Heat:
 
     @property
     def shares(self) -> Pair:
-        """Of both bodies: the factors, or the shares of the power of friction."""
+        """Factors of both bodies, or their shares of the power of friction."""
         return self.factor if self.partition is None else (1.0 - self.partition, self.partition)
 
     def __repr__(self) -> str:
