@@ -194,6 +194,10 @@ CALLS = [
         sc.dents.spherical,
         {"grid": SURFACE_GRID, "depth": 1e-6, "radius": 3e-5, "x": 1e-5, "y": 1e-5},
     ),
+    *(
+        (f"hardness.{name}", getattr(sc.hardness, name), {"HV": [300.0, 450.0]})
+        for name in ("flow_stress_from_vickers", "yield_from_vickers")
+    ),
     ("heat.factors", sc.heat.factors, {"friction": 0.2, "speed": 1.0, "partition": 0.4}),
     (
         "heat.partition",
