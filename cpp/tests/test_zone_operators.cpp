@@ -19,6 +19,9 @@ namespace {
 
 const Grid grid(72, 64, 1e-6, 1.25e-6, 8, 0.9e-6);
 const Elastic steel{210e9, 0.3};
+/// That stress steel about as much as the pressure that brings it.
+const Heating at_rest{0.5, {45.0, 12e-6, 1.2e-5}},
+    moving{5.0, {45.0, 12e-6, 1.2e-5}, -20.0, 35.0, 1e-6};
 /// Apart, within each other's ring, and touching.
 const std::vector<Box> zones{
     {4, 6, 14, 11, 5}, {22, 9, 9, 12, 8}, {31, 9, 7, 6, 3}, {40, 40, 20, 18, 6}, {64, 4, 8, 8, 2}};
@@ -155,16 +158,46 @@ TEST_CASE("strain and tractions in zones do what they do in the whole box") {
   }
 }
 
+TEST_CASE("heat that goes with the pressure does in zones what it does in the whole box") {
+  const auto medium = half_space(steel);
+  for (const Heating& heating : {at_rest, moving}) {
+    for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
+      const int parts = count(tensor);
+      const auto tables = std::make_shared<const ZoneTables>(grid, medium, tensor, 1e-5, heating);
+      ZoneOperators operators(tables, zones);
+      const auto heat = std::make_shared<const HeatStress>(grid, medium, heating);
+      const VolumeOperators whole(grid, medium,
+                                  {tensor, Symmetry::none, ResidualMethod::fast, 1e-5, heat});
+      const VolumeOperators cold(grid, medium,
+                                 {tensor, Symmetry::none, ResidualMethod::fast, 1e-5, {}});
+      const Tractions loads{spots(1.0), spots(0.3), spots(-0.2)};
+      const Field hot = whole.stress(nullptr, &loads, -1.0);
+      const Error error =
+          against(stress_in_zones(operators, nullptr, loads, parts), hot, parts, operators.cells());
+      // At rest it falls off as 1/r.
+      CHECK(error.rms() < 1e-3);
+      CHECK(error.max() < 1.5e-3);
+      const Field without = cold.stress(nullptr, &loads, -1.0);
+      Error heated;
+      for (std::size_t n = 0; n < hot.size(); ++n) heated.add(hot[n], without[n]);
+      CHECK(heated.rms() > 0.1);
+    }
+  }
+}
+
 TEST_CASE("the von Mises stress of tractions is within its bound") {
   const auto medium = half_space(steel);
-  const VolumeOperators whole(grid, medium,
-                              {Tensor::deviator, Symmetry::none, ResidualMethod::fast, 1e-5, {}});
-  const auto tables = std::make_shared<const ZoneTables>(grid, medium, Tensor::deviator, 1e-5);
   std::vector<double> depths;
   depths.reserve(grid.nz);
   for (int k = 0; k < grid.nz; ++k) depths.push_back((k + 0.5) * grid.dz);
-  const StressBound bound(tables, depths);
-  for (const double friction : {0.0, 0.3}) {
+  for (const auto& [friction, heating] :
+       {std::pair{0.0, Heating{}}, {0.3, Heating{}}, {0.0, at_rest}, {0.3, moving}}) {
+    const auto heat =
+        heating.is_on() ? std::make_shared<const HeatStress>(grid, medium, heating) : nullptr;
+    const VolumeOperators whole(
+        grid, medium, {Tensor::deviator, Symmetry::none, ResidualMethod::fast, 1e-5, heat});
+    const StressBound bound(
+        std::make_shared<const ZoneTables>(grid, medium, Tensor::deviator, 1e-5, heating), depths);
     const Tractions loads{spots(1.0), friction > 0 ? spots(friction) : Field{},
                           friction > 0 ? spots(-0.5 * friction) : Field{}};
     const Field s = whole.stress(nullptr, &loads, 1.0);

@@ -48,7 +48,7 @@ Field FluxHeat::stress(const Field& flux, std::span<const double> depths) const 
   Field out(6 * count * plane, 0.0);
   ComplexField work;
   for (std::size_t d = 0; d < count; ++d) {
-    HeatStress::Tables tables = stress_.at(depths[d], grid_);
+    HeatStress::Tables tables = stress_.at(depths[d], grid_, {grid_.nx, grid_.ny});
     for (std::size_t c = 0; c < 6; ++c) {
       const auto here = kernels_of(std::move(tables[c]),
                                    kernels::component_parity(static_cast<int>(c)), convolution_);

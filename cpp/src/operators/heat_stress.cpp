@@ -12,14 +12,15 @@ constexpr double most_kept = 64e6;
 /// Of a volume without bottom.
 constexpr int usual_layers = 64;
 
-ParityParts cropped(const ParityParts& from, int from_nx, const Grid& grid) {
+ParityParts cropped(const ParityParts& from, int from_nx, const KernelOffsets& offsets) {
+  const auto [nx, ny] = offsets;
   ParityParts to;
   for (int part = 0; part < 4; ++part) {
     if (from[part].empty()) continue;
-    to[part].resize(grid.surface_size());
-    for (int j = 0; j < grid.ny; ++j) {
-      std::copy_n(from[part].data() + static_cast<std::size_t>(j) * from_nx, grid.nx,
-                  to[part].data() + static_cast<std::size_t>(j) * grid.nx);
+    to[part].resize(static_cast<std::size_t>(nx) * ny);
+    for (int j = 0; j < ny; ++j) {
+      std::copy_n(from[part].data() + static_cast<std::size_t>(j) * from_nx, nx,
+                  to[part].data() + static_cast<std::size_t>(j) * nx);
     }
   }
   return to;
@@ -44,34 +45,40 @@ std::vector<ParityParts> parts_of(std::array<ParityParts, 6> stress, Tensor tens
   return parts;
 }
 
+HeatStress::HeatStress(SharedMedium medium, const Heating& heating)
+    : medium_(std::move(medium)), heating_(heating) {}
+
 HeatStress::HeatStress(const Grid& widest, SharedMedium medium, const Heating& heating)
-    : widest_(widest), medium_(std::move(medium)), heating_(heating) {
+    : HeatStress(std::move(medium), heating) {
   const double parts = (heating.speed_x != 0 ? 2 : 1) * (heating.speed_y != 0 ? 2 : 1);
   const int layers = widest.nz > 0 ? widest.nz : usual_layers;
   const double numbers = 6 * parts * widest.surface_size() * layers;
   // Closed forms are as fast as a copy.
-  keeps_ = !heating.is_steady_at_rest() && numbers <= most_kept;
+  if (!heating.is_steady_at_rest() && numbers <= most_kept) widest_ = widest;
 }
 
-HeatStress::Tables HeatStress::compute(double z, const Grid& grid) const {
+HeatStress::Tables HeatStress::compute(double z, const Grid& grid,
+                                       const KernelOffsets& offsets) const {
   return medium_->heat_stress(heating_, grid.dx, grid.dy, z,
-                              Offsets::lattice(grid.dx, grid.dy, grid.nx, grid.ny));
+                              Offsets::lattice(grid.dx, grid.dy, offsets.nx, offsets.ny));
 }
 
-HeatStress::Tables HeatStress::at(double z, const Grid& grid) const {
-  const bool same_cells = grid.dx == widest_.dx && grid.dy == widest_.dy;
-  if (!keeps_ || !same_cells || grid.nx > widest_.nx || grid.ny > widest_.ny) {
-    return compute(z, grid);
-  }
+HeatStress::Tables HeatStress::at(double z, const Grid& grid, const KernelOffsets& offsets) const {
+  const bool fits = widest_ && grid.dx == widest_->dx && grid.dy == widest_->dy &&
+                    offsets.nx <= widest_->nx && offsets.ny <= widest_->ny;
+  if (!fits) return compute(z, grid, offsets);
   std::shared_ptr<const Tables> tables;
   {
     const std::lock_guard lock(mutex_);
     auto& kept = kept_[z];
-    if (!kept) kept = std::make_shared<const Tables>(compute(z, widest_));
+    if (!kept) {
+      const KernelOffsets all(widest_->nx, widest_->ny);
+      kept = std::make_shared<const Tables>(compute(z, *widest_, all));
+    }
     tables = kept;
   }
   Tables parts;
-  for (int c = 0; c < 6; ++c) parts[c] = cropped((*tables)[c], widest_.nx, grid);
+  for (int c = 0; c < 6; ++c) parts[c] = cropped((*tables)[c], widest_->nx, offsets);
   return parts;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/heating.hpp"
 
-#include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/kernels/heat_displacement.hpp"
 #include "samcontact/kernels/heat_steady.hpp"
 #include "samcontact/kernels/heat_stress.hpp"
@@ -74,6 +73,19 @@ ParityParts split(const Heating& heating, const Offsets& offsets, const double* 
 }
 
 }  // namespace
+
+std::vector<HeatPart> heat_stress_parts(const Heating& heating) {
+  std::vector<HeatPart> parts;
+  for (int c = 0; c < 6; ++c) {
+    const auto at_rest = kernels::component_parity(c);
+    for (int flip = 0; flip < 4; ++flip) {
+      const bool flip_x = flip & 1, flip_y = flip & 2;
+      if ((flip_x && heating.speed_x == 0) || (flip_y && heating.speed_y == 0)) continue;
+      parts.push_back({c, flip, {at_rest.odd_x != flip_x, at_rest.odd_y != flip_y, at_rest.odd_z}});
+    }
+  }
+  return parts;
+}
 
 Offsets Offsets::lattice(double dx, double dy, int nx, int ny) {
   Offsets offsets;

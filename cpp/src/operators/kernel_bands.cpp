@@ -78,23 +78,28 @@ class BandTables {
   /// [component][j][i] at nodes 0..offsets - 1 of the band.
   Field stress(Band band, Traction traction, const KernelOffsets& offsets, double z,
                Tensor tensor) const {
-    const Key key{false, traction, z, tensor};
+    const Key key{What::stress, traction, z, tensor};
     return tables(band, key, offsets, parities(traction, tensor), [&](const CellOffsets& at) {
       return medium_->stress(traction, cells_, at, z, tensor);
     });
   }
 
+  /// Of heat, as Medium::heat_stress gives it.
+  std::array<ParityParts, 6> heat_stress(Band band, const Heating& heating,
+                                         const KernelOffsets& offsets, double z) const;
+
   Field residual_displacement(Band band, Axis axis, const KernelOffsets& offsets, int layer) const {
     const Traction along = traction_along(axis);
-    const Key key{true, along, static_cast<double>(layer), Tensor::full};
+    const Key key{What::displacement, along, static_cast<double>(layer), Tensor::full};
     return tables(band, key, offsets, parities(along, Tensor::full), [&](const CellOffsets& at) {
       return medium_->residual_displacement(axis, cells_, at, layer);
     });
   }
 
  private:
-  /// Of displacement or stress, and the depth or layer.
-  using Key = std::tuple<bool, Traction, double, Tensor>;
+  /// And the depth or layer.
+  enum class What { stress, heat, displacement };
+  using Key = std::tuple<What, Traction, double, Tensor>;
   using Exact = std::function<Field(const CellOffsets& offsets)>;
   using Parities = std::vector<kernels::Parity>;
   static Parities parities(Traction traction, Tensor tensor) {
@@ -233,6 +238,36 @@ Field BandTables::tables(Band band, const Key& key, const KernelOffsets& offsets
   return out;
 }
 
+std::array<ParityParts, 6> BandTables::heat_stress(Band band, const Heating& heating,
+                                                   const KernelOffsets& offsets, double z) const {
+  const std::vector<HeatPart> places = heat_stress_parts(heating);
+  Parities parities;
+  for (const HeatPart& place : places) parities.push_back(place.parity);
+  const auto exact = [&](const CellOffsets& at) {
+    Offsets lengths;
+    for (const int i : at.x) lengths.x.push_back(i * cells_.dx);
+    for (const int j : at.y) lengths.y.push_back(j * cells_.dy);
+    const auto parts = medium_->heat_stress(heating, cells_.dx, cells_.dy, z, lengths);
+    const std::size_t plane = at.x.size() * at.y.size();
+    Field all(places.size() * plane, 0.0);
+    for (std::size_t n = 0; n < places.size(); ++n) {
+      const Field& table = parts[places[n].component][places[n].flip];
+      std::copy(table.begin(), table.end(), all.data() + n * plane);
+    }
+    return all;
+  };
+  const Key key{What::heat, Traction::pressure, z, Tensor::full};
+  const Field all = tables(band, key, offsets, parities, exact);
+  const auto plane = static_cast<std::ptrdiff_t>(offsets.nx) * offsets.ny;
+  std::array<ParityParts, 6> stress;
+  auto from = all.begin();
+  for (const HeatPart& place : places) {
+    stress[place.component][place.flip].assign(from, from + plane);
+    from += plane;
+  }
+  return stress;
+}
+
 Field BandTables::far_tables(const Split& split, const KernelOffsets& offsets,
                              const Parities& parities, const Exact& exact) const {
   constexpr int step = spacing(Band::far);
@@ -300,6 +335,12 @@ class BandMedium : public VolumeMedium {
   Field stress(Traction traction, const Grid&, const KernelOffsets& offsets, double z,
                Tensor tensor) const override {
     return tables_->stress(band_, traction, offsets, z, tensor);
+  }
+  std::array<ParityParts, 6> heat_stress(const Heating& heating, double, double, double z,
+                                         const Offsets& offsets) const override {
+    const KernelOffsets count(static_cast<int>(offsets.x.size()),
+                              static_cast<int>(offsets.y.size()));
+    return tables_->heat_stress(band_, heating, count, z);
   }
   std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
                                                   const VolumeTransform& transform,

@@ -24,6 +24,34 @@ double von_mises(const double* s, std::size_t step) {
   return std::sqrt(3 * second_invariant(xx, yy, yz, xz, xy));
 }
 
+/// Adds the von Mises stress of a table [component][j][i], as it is at each offset.
+void add_norm(const Field& table, Field& sum) {
+  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += von_mises(table.data() + n, sum.size());
+}
+
+/// Von Mises stress of what a unit traction does near its cell [j][i]: of all that is even or odd
+/// alike, and the sum of these.
+Field near_norm(const ZoneTables& tables, Traction kind, double depth, const Grid& around,
+                const KernelOffsets& offsets) {
+  Field table = tables.medium(Band::near)->stress(kind, around, offsets, depth, Tensor::deviator);
+  Field norm(static_cast<std::size_t>(offsets.nx) * offsets.ny, 0.0);
+  const auto& heat = tables.heat(Band::near);
+  if (heat && kind == Traction::pressure) {
+    const auto heated = parts_of(heat->at(depth, around, offsets), Tensor::deviator);
+    for (int part = 0; part < 4; ++part) {
+      Field of_part(table.size(), 0.0);
+      Field& sum = part == 0 ? table : of_part;
+      for (int c = 0; c < parts; ++c) {
+        const Field& more = heated[c][part];
+        for (std::size_t n = 0; n < more.size(); ++n) sum[c * norm.size() + n] += more[n];
+      }
+      if (part > 0) add_norm(of_part, norm);
+    }
+  }
+  add_norm(table, norm);
+  return norm;
+}
+
 NodeSpread middle_nodes(const Grid& grid) {
   // The corners of the last blocks lie one cell further.
   Box cells = Box::surface(grid);
@@ -45,9 +73,10 @@ struct StressBound::Group {
         depths(depths_),
         has_middle(has_middle_),
         middle(of.tables_->lattice(Band::middle, of.middle_, 0), of.middle_transform_,
-               of.tables_->medium(Band::middle), {}, depths, Tensor::deviator),
+               of.tables_->medium(Band::middle), of.tables_->heat(Band::middle), depths,
+               Tensor::deviator),
         far(of.tables_->lattice(Band::far, of.far_, 0), of.far_transform_,
-            of.tables_->medium(Band::far), {}, depths, Tensor::deviator) {}
+            of.tables_->medium(Band::far), of.tables_->heat(Band::far), depths, Tensor::deviator) {}
 };
 
 struct StressBound::Loads {
@@ -121,14 +150,10 @@ Field StressBound::near_part(double depth, const Tractions& tractions) const {
   Grid around(2 * reach, 2 * reach, grid.dx, grid.dy);
   around.period = {2 * reach, 2 * reach, 0.0};
   const KernelOffsets offsets(around, 2 * reach, 2 * reach);
-  const std::size_t step = static_cast<std::size_t>(offsets.nx) * offsets.ny;
   for (const Traction kind : all_tractions) {
     const Field& field = tractions.of(kind);
     if (field.empty()) continue;
-    const Field table =
-        tables_->medium(Band::near)->stress(kind, around, offsets, depth, Tensor::deviator);
-    Field norm(step);
-    for (std::size_t n = 0; n < step; ++n) norm[n] = von_mises(table.data() + n, step);
+    const Field norm = near_norm(*tables_, kind, depth, around, offsets);
     for (int i = 0; i < grid.nx; ++i) {
       for (int j = 0; j < grid.ny; ++j) {
         const double load = std::fabs(field[static_cast<std::size_t>(i) * grid.ny + j]);
@@ -166,6 +191,7 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
   const std::size_t middle_plane = middle_transform_.plane_size();
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < count; ++k) {
+    const Uninterrupted quiet;
     Field far_layer(parts * far_plane), nodes(parts * rows.surface_size(), 0.0);
     inverse(far_transform_, far, k, far_layer.data());
     if (group.has_middle) {

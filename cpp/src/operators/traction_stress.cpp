@@ -64,9 +64,10 @@ void TractionStress::prepare(Traction traction, const TractionStress* shallower)
   std::vector<std::vector<ParityParts>> heat;
   if (heat_ && traction == Traction::pressure) {
     heat.resize(first);
+    const KernelOffsets offsets(grid_, transform_->mx(), transform_->my());
     // Not in parallel: a table asks whether to stop, and may throw.
     for (int k = first; k < layers(); ++k) {
-      heat.push_back(parts_of(heat_->at(depths_[k], grid_), tensor_));
+      heat.push_back(parts_of(heat_->at(depths_[k], grid_, offsets), tensor_));
     }
   }
   std::array<Field, part_count> built;

@@ -29,8 +29,13 @@ Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodeSp
 }
 
 ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor,
-                       double image_tol)
-    : grid_(grid), tensor_(tensor), image_tol_(image_tol), media_(bands_of(medium, grid)) {}
+                       double image_tol, const Heating& heating)
+    : grid_(grid), tensor_(tensor), image_tol_(image_tol), media_(bands_of(medium, grid)) {
+  if (!heating.is_on()) return;
+  for (std::size_t band = 0; band < media_.size(); ++band) {
+    heat_[band] = std::make_shared<const HeatStress>(media_[band], heating);
+  }
+}
 
 Grid ZoneTables::lattice(Band band, const NodeSpread& nodes, int layers) const {
   const int step = spacing(band), nx = nodes.x().count(), ny = nodes.y().count();
@@ -51,7 +56,8 @@ ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {
       kept_.try_emplace({static_cast<int>(band), lattice.nx, lattice.ny, lattice.nz}).first;
   Operators& place = at->second;
   if (!place) {
-    const VolumeOptions options{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_, {}};
+    const VolumeOptions options{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_,
+                                heat(band)};
     // Those of fewer layers come just before.
     Operators shallower;
     if (at != kept_.begin()) {

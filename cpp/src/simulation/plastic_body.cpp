@@ -115,9 +115,7 @@ Columns PlasticBody::columns_beyond(const YieldLimit& limit, const YieldScan& sc
   if (scene_.grid.surface_size() <= large_surface) {
     return scan.columns(tractions(), sign(), limit);
   }
-  return scene_.zone_scan(index_, heating_)
-      ->columns(operators::tractions_on_heated(tractions(), heating_),
-                operators::shear_sign_on_heated(sign(), heating_), limit);
+  return scene_.zone_scan(index_, heating_)->columns(tractions(), sign(), limit);
 }
 
 std::vector<Box> PlasticBody::history_boxes() const {
@@ -155,7 +153,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
   split_ = split;
   const auto tables = split ? scene_.zone_tables(index_, tensor_, heating_) : nullptr;
   if (split) {
-    volume_ = std::make_unique<SplitVolume>(tables, zones_, heating_);
+    volume_ = std::make_unique<SplitVolume>(tables, zones_);
   } else if (!zones_.empty()) {
     volume_ =
         std::make_unique<BoxVolume>(scene_, index_, zones_, tensor_, method_, symmetry_, heating_);

@@ -49,13 +49,9 @@ bool holds_around(const Zones& zones, const Cell& cell) {
 }  // namespace
 
 bool PlasticIncrement::may_split(const PlasticBody& body) const {
-  const int b = body.index();
-  const operators::Heating& heat = target_.heating[b];
-  // The shear of prescribed tractions need not go with the pressure.
-  const bool separable = !heat.is_moving() || (heat.speed_y == 0 && !target_.is_prescribed());
   return !settings_.one_zone && symmetry_ == fft::Symmetry::none &&
          from_.method == operators::ResidualMethod::fast && !scene_.grid.period.is_on() &&
-         separable && !heat_.has_past(b);
+         !heat_.has_past(body.index());
 }
 
 bool PlasticIncrement::is_worth_splitting(const PlasticBody& body,

@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "samcontact/operators/heated_medium.hpp"
 #include "samcontact/operators/layered_half_space.hpp"
 #include "samcontact/simulation/yield_scan.hpp"
 
@@ -261,16 +260,18 @@ std::shared_ptr<const operators::ZoneTables> Scene::zone_tables(
     int body, operators::Tensor tensor, const operators::Heating& heating) const {
   require_volume(body);
   const std::lock_guard lock(mutex_);
-  const auto medium = operators::heated(media[body], heating, sliding.shear_over_pressure(body));
+  const operators::Heating heat = heating.is_on() ? heating : operators::Heating{};
   for (const KeptZones& kept : zone_tables_) {
-    if (kept.tables->tensor() == tensor && *kept.medium == *medium) return kept.tables;
+    const bool alike = kept.medium == media[body] && kept.heating == heat;
+    if (alike && kept.tables->tensor() == tensor) return kept.tables;
   }
   std::erase_if(zone_tables_, [&](const KeptZones& kept) {
-    return kept.body == body && kept.tables->tensor() == tensor && kept.medium != media[body] &&
-           heating.is_on();
+    return kept.body == body && kept.tables->tensor() == tensor && kept.heating.is_on() &&
+           heat.is_on();
   });
-  auto tables = std::make_shared<const operators::ZoneTables>(grid, medium, tensor, image_tol_);
-  zone_tables_.push_back({body, medium, std::move(tables)});
+  auto tables =
+      std::make_shared<const operators::ZoneTables>(grid, media[body], tensor, image_tol_, heat);
+  zone_tables_.push_back({body, media[body], heat, std::move(tables)});
   return zone_tables_.back().tables;
 }
 

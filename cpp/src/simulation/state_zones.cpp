@@ -17,8 +17,8 @@ bool State::is_in_zones(int body) const {
 }
 
 bool State::shows_zones(int body) const {
-  return is_in_zones(body) && travel == Travel{} && !heating[body].is_moving() &&
-         !given_heat(body).is_on() && !plastic[body]->reaches_beyond(Zones(flow_boxes[body]));
+  return is_in_zones(body) && travel == Travel{} && !given_heat(body).is_on() &&
+         !plastic[body]->reaches_beyond(Zones(flow_boxes[body]));
 }
 
 std::vector<Box> State::zones(int body) const {

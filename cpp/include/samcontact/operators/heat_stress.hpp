@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "samcontact/base/grid.hpp"
@@ -24,20 +25,21 @@ class HeatStress {
 
   /// For boxes of cells of `widest`.
   HeatStress(const Grid& widest, SharedMedium medium, const Heating& heating);
+  /// Keeps no table.
+  HeatStress(SharedMedium medium, const Heating& heating);
 
   const Heating& heating() const { return heating_; }
   const SharedMedium& medium() const { return medium_; }
-  /// At a depth, on the offsets of a grid; of other cells than the widest one's if need be.
-  Tables at(double z, const Grid& grid) const;
+  /// At a depth, on offsets of the cells of a grid; of others than the widest one's if need be.
+  Tables at(double z, const Grid& grid, const KernelOffsets& offsets) const;
   std::size_t bytes() const;
 
  private:
-  Tables compute(double z, const Grid& grid) const;
+  Tables compute(double z, const Grid& grid, const KernelOffsets& offsets) const;
 
-  Grid widest_;
   SharedMedium medium_;
   Heating heating_;
-  bool keeps_;
+  std::optional<Grid> widest_;  // none: no table is kept
   mutable std::mutex mutex_;
   mutable std::map<double, std::shared_ptr<const Tables>> kept_;
 };

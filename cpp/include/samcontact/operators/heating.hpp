@@ -9,6 +9,7 @@
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/elastic.hpp"
 #include "samcontact/base/thermal.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/kernels/heat_source.hpp"
 
 namespace samcontact::operators {
@@ -50,6 +51,14 @@ using HeatingPair = std::array<Heating, 2>;
 /// it is, odd in x where that is even (and the reverse), in y, in both. Each is a quarter [j][i] of
 /// offsets i dx >= 0, j dy >= 0; empty where there is none.
 using ParityParts = std::array<Field, 4>;
+
+/// One part of a kernel of stress, and its parity.
+struct HeatPart {
+  int component, flip;  // place in the six components, and among ParityParts
+  kernels::Parity parity;
+};
+/// Those that there may be.
+std::vector<HeatPart> heat_stress_parts(const Heating& heating);
 
 /// Offsets of a table, not negative, ascending [m].
 struct Offsets {

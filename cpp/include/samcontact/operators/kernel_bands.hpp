@@ -20,7 +20,7 @@ inline constexpr int fading_nodes = 6;
 
 /// The media of the bands of a medium, near, middle and far, on lattices of their nodes: those of
 /// near and middle ones are periodic. cells: what nodes stand for, a grid without a period;
-/// NodeSpread spreads from them to nodes and gathers.
+/// NodeSpread spreads from them to nodes and gathers. Of heat they know the stress, of one heating.
 std::array<SharedMedium, 3> bands_of(const SharedMedium& medium, const Grid& cells);
 
 }  // namespace samcontact::operators

@@ -16,6 +16,7 @@ struct KernelOffsets {
   int nx, ny;
   /// For planes of a grid, transformed on mx x my points.
   KernelOffsets(const Grid& grid, int mx, int my);
+  KernelOffsets(int nx_, int ny_) : nx(nx_), ny(ny_) {}
 };
 
 /// A kernel that is even or odd in x and in y: table [j][i] of offsets >= 0, or its spectrum.

@@ -21,14 +21,14 @@ class VolumeMedium : public Medium {
       const ResidualDisplacement*) const override {
     fail();
   }
+  std::array<ParityParts, 6> heat_stress(const Heating&, double, double, double,
+                                         const Offsets&) const override {
+    fail();
+  }
 
   Field compliance(Traction, Axis, const Grid&, const CellOffsets&) const final { fail(); }
   double wave_compliance(double) const final { fail(); }
   ParityParts heat_displacement(const Heating&, double, double, const Offsets&) const final {
-    fail();
-  }
-  std::array<ParityParts, 6> heat_stress(const Heating&, double, double, double,
-                                         const Offsets&) const final {
     fail();
   }
   HeatHistory heat_history(const Grid&, const Heating&, const HeatHistorySettings&) const final {

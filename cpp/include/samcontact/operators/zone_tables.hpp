@@ -20,11 +20,17 @@ class ZoneTables {
  public:
   using Operators = std::shared_ptr<const VolumeOperators>;
 
-  ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor, double image_tol);
+  /// heating: that goes with the pressure.
+  ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor, double image_tol,
+             const Heating& heating = {});
 
   const Grid& grid() const { return grid_; }
   Tensor tensor() const { return tensor_; }
   const SharedMedium& medium(Band band) const { return media_[static_cast<int>(band)]; }
+  /// Null: none.
+  const std::shared_ptr<const HeatStress>& heat(Band band) const {
+    return heat_[static_cast<int>(band)];
+  }
   /// The planes of some nodes of a band, and so many layers.
   Grid lattice(Band band, const NodeSpread& nodes, int layers) const;
   /// On a lattice; of some layers more than it has.
@@ -43,6 +49,7 @@ class ZoneTables {
   Tensor tensor_;
   double image_tol_;
   std::array<SharedMedium, 3> media_;
+  std::array<std::shared_ptr<const HeatStress>, 3> heat_;
   mutable std::mutex mutex_;
   mutable std::map<std::array<int, 4>, Operators> kept_;
   mutable std::vector<Field> spare_;  // the smallest first

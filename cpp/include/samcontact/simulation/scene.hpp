@@ -82,8 +82,7 @@ class Scene {
                    operators::ResidualMethod method, fft::Symmetry symmetry,
                    const operators::Heating& heating) const;
 
-  /// Tables of a body's zones, which see tractions_on_heated(); the last ones with and without heat
-  /// are kept. Thread-safe.
+  /// Tables of a body's zones; the last ones with and without heat are kept. Thread-safe.
   std::shared_ptr<const operators::ZoneTables> zone_tables(int body, operators::Tensor tensor,
                                                            const operators::Heating& heating) const;
 
@@ -116,6 +115,7 @@ class Scene {
   struct KeptZones {
     int body;  // that made them
     operators::SharedMedium medium;
+    operators::Heating heating;  // that is on, else none
     std::shared_ptr<const operators::ZoneTables> tables;
   };
   mutable std::vector<KeptZones> zone_tables_;

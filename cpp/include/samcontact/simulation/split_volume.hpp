@@ -4,7 +4,6 @@
 
 #include <memory>
 
-#include "samcontact/operators/heated_medium.hpp"
 #include "samcontact/operators/zone_operators.hpp"
 #include "samcontact/simulation/zone_volume.hpp"
 #include "samcontact/simulation/zones.hpp"
@@ -14,12 +13,8 @@ namespace samcontact::simulation {
 /// Without mirror planes; knows the displacement of all of the grid.
 class SplitVolume : public ZoneVolume {
  public:
-  /// heating: of the tables.
-  SplitVolume(std::shared_ptr<const operators::ZoneTables> tables, const Zones& zones,
-              const operators::Heating& heating)
-      : surface_(Box::surface(tables->grid())),
-        heating_(heating),
-        operators_(std::move(tables), zones.boxes()) {}
+  SplitVolume(std::shared_ptr<const operators::ZoneTables> tables, const Zones& zones)
+      : surface_(Box::surface(tables->grid())), operators_(std::move(tables), zones.boxes()) {}
 
   void transform(const Field& strain, std::span<const operators::Axis> axes) override {
     operators_.transform(strain, axes);
@@ -30,14 +25,11 @@ class SplitVolume : public ZoneVolume {
   }
   void for_each_layer(bool strained, const Field& strain, const operators::Tractions& tractions,
                       double sign, const Use& use) override {
-    operators_.for_each_layer(strained ? &strain : nullptr,
-                              operators::tractions_on_heated(tractions, heating_),
-                              operators::shear_sign_on_heated(sign, heating_), use);
+    operators_.for_each_layer(strained ? &strain : nullptr, tractions, sign, use);
   }
 
  private:
   Box surface_;
-  operators::Heating heating_;
   operators::ZoneOperators operators_;
 };
 
