@@ -34,7 +34,7 @@ const Grid box(64, 64, 1e-6, 1e-6, 32, 1e-6);
 std::function<double()> layer_sweep() {
   const operators::VolumeTransform transform(box, operators::Symmetry::none);
   const operators::ResidualSettings settings{operators::ResidualMethod::fast, 0.1, {}};
-  const operators::LayerResidualStress stress(box, transform, Elastic::isotropic(210e9, 0.3),
+  const operators::LayerResidualStress stress(box, transform, {{}, Elastic::isotropic(210e9, 0.3)},
                                               settings);
   operators::VolumeSpectrum spectrum(transform, box.nz, operators::Tensor::deviator);
   for (std::size_t n = 0; n < spectrum.data.size(); ++n) {

@@ -79,7 +79,7 @@ class HalfSpace : public Medium {
       }
       return std::make_unique<CuboidResidualStress>(grid, transform, elastic_);
     }
-    return std::make_unique<LayerResidualStress>(grid, transform, elastic_, settings);
+    return std::make_unique<LayerResidualStress>(grid, transform, Stack{{}, elastic_}, settings);
   }
   std::unique_ptr<ResidualDisplacement> residual_displacement(
       Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,

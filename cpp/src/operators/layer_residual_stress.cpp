@@ -19,8 +19,7 @@ using layers::width;
 /// With yz and xz multiplied by i all is real; what is stored lacks (-i) for each mirrored
 /// direction in which the component is odd.
 layers::Layout make_layout(const VolumeSpectrum& spectrum) {
-  layers::Layout at{spectrum.nz,
-                    spectrum.tensor == Tensor::deviator,
+  layers::Layout at{spectrum.tensor == Tensor::deviator,
                     {},
                     spectrum.nz * spectrum.row_size(),
                     spectrum.row_size()};
@@ -41,26 +40,30 @@ layers::Layout block_layout(const layers::Layout& of, int parts) {
   return at;
 }
 
+/// Images are those of the substrate, or of the lowest layer on a rigid one.
+const Elastic& elastic_of_images(const Stack& body) {
+  return body.substrate.is_rigid() ? body.layers.back().elastic : body.substrate;
+}
+
 }  // namespace
 
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
-                                         const Elastic& elastic, const ResidualSettings& settings)
-    : LayerResidualStress(grid, transform, elastic, settings.share, settings.blends) {
+                                         const Stack& body, const ResidualSettings& settings)
+    : LayerResidualStress(grid, transform, body, settings.share, settings.blends) {
   const double image_tol = settings.image_tol;
   const bool along_x = grid.period.x > 0, along_y = grid.period.y > 0;
   if (along_x && along_y) return;
   if (along_x || along_y) {
-    images_ = std::make_shared<LineImages>(grid, transform, elastic, image_tol);
+    images_ = std::make_shared<LineImages>(grid, transform, body, image_tol);
   } else {
-    images_ = std::make_shared<ImageCorrection>(grid, transform, elastic, image_tol);
+    images_ =
+        std::make_shared<ImageCorrection>(grid, transform, elastic_of_images(body), image_tol);
   }
 }
 
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
-                                         const Elastic& elastic, const Share& share, bool blends)
-    : nu_(elastic.nu),
-      lame_(2 * elastic.shear_modulus() * elastic.nu / (1 - 2 * elastic.nu)),
-      shear_modulus_(elastic.shear_modulus()) {
+                                         const Stack& body, const Share& share, bool blends)
+    : stack_(layers::SweptStack::of(body, grid.nz, grid.dz)) {
   for (int ky = 0; ky < transform.mh(); ++ky) {
     passes_.push_back(passes(grid, transform, ky, share, blends));
   }
@@ -69,7 +72,7 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
 std::vector<LayerResidualStress::Pass> LayerResidualStress::passes(const Grid& grid,
                                                                    const VolumeTransform& transform,
                                                                    int ky, const Share& share,
-                                                                   bool blends) {
+                                                                   bool blends) const {
   if (!blends) {
     return {pass(grid, transform, ky, false, false, share, blends)};
   }
@@ -86,7 +89,7 @@ std::vector<LayerResidualStress::Pass> LayerResidualStress::passes(const Grid& g
 LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
                                                     const VolumeTransform& transform, int ky,
                                                     bool alias_x, bool alias_y, const Share& share,
-                                                    bool blends) {
+                                                    bool blends) const {
   int first = transform.modes(), last = 0;
   for (int i = 0; i < transform.modes(); ++i) {
     if (!wave_alias(grid, transform, i, ky, alias_x, alias_y, {}, blends)) continue;
@@ -96,27 +99,25 @@ LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
   Pass found{first / width * width, (last + width - 1) / width * width, {}};
   if (found.last <= found.first) return {};
   const int step = found.last - found.first;
-  found.modes.assign(static_cast<std::size_t>(step) * layers::coefficients, 0.0);
+  found.modes.assign(static_cast<std::size_t>(step) * stack_.numbers(), 0.0);
+  // The transform is not normalised.
+  const double unit_cell = 1.0 / (static_cast<double>(transform.mx()) * transform.my());
   for (int i = found.first; i < std::min(found.last, transform.modes()); ++i) {
     // Places of a block beside the first and the last have a share of 0.
     const auto wave = wave_alias(grid, transform, i, ky, alias_x, alias_y, share, blends);
     if (!wave) continue;
-    layers::fill_mode(wave->kx, wave->ky, grid.dz, wave->share,
-                      found.modes.data() + i - found.first, step);
+    stack_.fill_mode(wave->kx, wave->ky, wave->share * unit_cell,
+                     found.modes.data() + i - found.first, step);
   }
   return found;
 }
 
 void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
   const layers::Layout layout = make_layout(spectrum), block = block_layout(layout, spectrum.parts);
-  // The transform is not normalised.
-  const double unit_cell = 1.0 / (static_cast<double>(spectrum.mx) * spectrum.my);
-  const layers::Constants constants{nu_, 1 / (2 * (1 - nu_)), nu_ / (1 - nu_), lame_ * unit_cell,
-                                    2 * shear_modulus_ * unit_cell};
 #pragma omp parallel if (per_number * spectrum.data.size() > worth_threads)
   {
     const FlushDenormals flush;
-    layers::Scratch scratch(spectrum.nz, spectrum.parts);
+    layers::Scratch scratch(stack_, spectrum.parts);
     Field aliases(spectrum.nz * block.layer_step);
 #pragma omp for schedule(dynamic)
     for (int ky = 0; ky < spectrum.mh; ++ky) {
@@ -129,9 +130,9 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
           const bool is_own = std::next(pass) == passes_[ky].rend();
           const layers::Target target{is_own ? layout : block, is_own ? values : aliases.data(),
                                       block, added};
-          layers::sweep(spectrum.parts, layout, spectrum.used.data(),
-                        pass->modes.data() + (kx - pass->first), pass->last - pass->first,
-                        constants, values, target, scratch);
+          layers::sweep(stack_, spectrum.parts, layout, spectrum.used.data(),
+                        pass->modes.data() + (kx - pass->first), pass->last - pass->first, values,
+                        target, scratch);
           added = aliases.data();
         }
       }

@@ -1,344 +1,200 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/layer_sweep.hpp"
 
-#include <cmath>
-
 #include "samcontact/base/multiversion.hpp"
+#include "samcontact/operators/interface_waves.hpp"
+#include "samcontact/operators/sweep_lanes.hpp"
 
 namespace samcontact::operators::layers {
 namespace {
 
-#define SAMCONTACT_INLINE [[gnu::always_inline]] inline
+/// Keeps the wave of wavenumber 0, which has no amplitude, from a division by 0.
+constexpr double tiny = 1e-30;
 
-using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = double;
-using Loose [[gnu::vector_size(width * sizeof(double)), gnu::may_alias, gnu::aligned(8)]] = double;
-
-/// What a wavenumber q needs, x = q h with the layer thickness h, all means over a layer.
-enum Coefficient {
-  direction_x,     // kx / q
-  direction_y,     // ky / q
-  thickness,       // x
-  decay,           // exp(-x)
-  own,             // (q/2) exp(-q r) over the half of the own layer above or below
-  own_linear,      // the same of q r exp(-q r)
-  other,           // (q/2) exp(-q r) over a neighbouring layer
-  other_shift,     // what q r exp(-q r) lacks of distance in layers times x, in units of other
-  surface,         // exp(-q z) in the first layer
-  surface_linear,  // q z exp(-q z) in the first layer
-  share,           // share of an alias in the operator
-  coefficient_count
-};
-static_assert(coefficient_count == coefficients);
-
-/// One block of wavenumbers.
-struct Mode {
-  Lanes of[coefficient_count];
-
-  SAMCONTACT_INLINE Mode(const double* row, int step) {
-    for (int n = 0; n < coefficient_count; ++n) {
-      of[n] = *reinterpret_cast<const Loose*>(row + static_cast<std::ptrdiff_t>(n) * step);
-    }
-  }
-  SAMCONTACT_INLINE const Lanes& operator[](Coefficient c) const { return of[c]; }
-};
-
-/// A symmetric tensor in the frame turned along the wavevector (1 along it, 2 across), with 13 and
-/// 23 multiplied by i: then everything is real.
-struct Turned {
-  Lanes t11, t22, t33, t12, t13, t23;
-};
-
-/// v: xx, yy, zz, yz, xz, xy of the strain.
-SAMCONTACT_INLINE void eigenstress(const Mode& mode, const Constants& k, const Lanes* v,
-                                   Turned& t) {
-  const Lanes c = mode[direction_x], s = mode[direction_y];
-  const Lanes twice_mu = k.twice_mu * mode[share];
-  const Lanes trace = k.lame * mode[share] * (v[0] + v[1] + v[2]);
-  const Lanes xx = c * v[0] + s * v[5], xy = c * v[5] + s * v[1];
-  const Lanes yx = c * v[5] - s * v[0], yy = c * v[1] - s * v[5];
-  t.t11 = trace + twice_mu * (c * xx + s * xy);
-  t.t22 = trace + twice_mu * (c * yy - s * yx);
-  t.t33 = trace + twice_mu * v[2];
-  t.t12 = twice_mu * (c * xy - s * xx);
-  t.t13 = twice_mu * (c * v[4] + s * v[3]);
-  t.t23 = twice_mu * (c * v[3] - s * v[4]);
+/// The wave that the sums over all cells of a layer, as seen from the next one, send out of it.
+SAMCONTACT_INLINE Wave left_by(const Mode& mode, const Constants& k, const Sums& r) {
+  const Lanes step = r.d - r.c;
+  const Lanes w = mode[thickness] * (r.w - step) + mode[leaving_shift] * step;
+  const Lanes g = mode[leaving];
+  return {{-g * ((1 - k.kappa) * (r.c + r.d) + k.kappa * w), -g * k.kappa * step}, -g * r.o};
 }
 
-/// Back to xx, yy, zz, yz, xz, xy.
-SAMCONTACT_INLINE void turn_back(const Mode& mode, const Turned& t, bool deviator, Lanes* v) {
-  const Lanes c = mode[direction_x], s = mode[direction_y];
-  const Lanes ax = c * t.t11 - s * t.t12, ay = c * t.t12 - s * t.t22;
-  const Lanes bx = s * t.t11 + c * t.t12, by = s * t.t12 + c * t.t22;
-  v[0] = c * ax - s * ay;
-  v[1] = s * bx + c * by;
-  v[2] = t.t33;
-  v[3] = s * t.t13 + c * t.t23;
-  v[4] = c * t.t13 - s * t.t23;
-  v[5] = s * ax + c * ay;
-  if (deviator) {
-    const Lanes mean = (t.t11 + t.t22 + t.t33) * (1.0 / 3);
-    v[0] -= mean;
-    v[1] -= mean;
-  }
+/// Sums over cells that would send a wave into a layer.
+SAMCONTACT_INLINE Sums that_send(const Mode& mode, const Constants& k, const Wave& wave) {
+  const Lanes over = 1.0 / (mode[leaving] + tiny);
+  Sums r;
+  r.c = (0.5 / k.kappa) * wave.plane.f * over;
+  r.d = -r.c;
+  const Lanes step = -2.0 * r.c, w = (-1 / k.kappa) * wave.plane.p * over;
+  r.w = step + (w - mode[leaving_shift] * step) / (mode[thickness] + tiny);
+  r.o = -wave.across * over;
+  return r;
 }
 
-/// The sums over the layers on one side: c, d and o act through exp(-q r), w through q r exp(-q r).
-struct Sums {
-  Lanes c{}, d{}, w{}, o{};
-
-  /// All layers are one further away.
-  SAMCONTACT_INLINE void recede(const Lanes& decay_) {
-    c *= decay_;
-    d *= decay_;
-    w *= decay_;
-    o *= decay_;
-    w += d - c;
-  }
-  /// One more layer next to the receiver, above it (sign 1) or below (-1).
-  SAMCONTACT_INLINE void add(const Turned& t, double sign) {
-    c += t.t11 + sign * t.t13;
-    d += t.t33 - sign * t.t13;
-    w += t.t33 - t.t11 - 2 * sign * t.t13;
-    o += t.t12 + sign * t.t23;
-  }
-  /// Their integrals, eq. (25) of docs/theory.md, as means over the receiving layer.
-  SAMCONTACT_INLINE Sums integrals(const Mode& mode) const {
-    const Lanes g = mode[other];
-    Sums i;
-    i.c = g * c;
-    i.d = g * d;
-    i.w = g * (mode[thickness] * w - mode[other_shift] * (d - c));
-    i.o = g * o;
-    return i;
-  }
-  /// Adds the half of the receiving layer itself that lies on this side.
-  SAMCONTACT_INLINE void add_own(const Mode& mode, const Turned& t, double sign) {
-    const Lanes g0 = mode[own], g1 = mode[own_linear];
-    c += g0 * (t.t11 + sign * t.t13);
-    d += g0 * (t.t33 - sign * t.t13);
-    w += g1 * (t.t33 - t.t11 - 2 * sign * t.t13);
-    o += g0 * (t.t12 + sign * t.t23);
-  }
-};
-
-/// Stress of the infinite space from the integrals above and below, eq. (24).
-SAMCONTACT_INLINE void infinite_space(const Constants& k, const Sums& above, const Sums& below,
-                                      const Turned& t, Turned& s) {
-  const Lanes c = above.c + below.c, d = above.d + below.d;
-  const Lanes trace = k.ratio * (d - c - t.t33);
-  const Lanes bulk = k.kappa * (above.w + below.w - c - d);
-  s.t11 = 2.0 * c - trace + bulk - t.t11;
-  s.t22 = -trace - t.t22;
-  s.t33 = -c - d - bulk;
-  s.t13 = (below.c + below.d) - (above.c + above.d) +
-          k.kappa * ((2.0 * above.d - above.w) - (2.0 * below.d - below.w));
-  s.t12 = above.o + below.o - t.t12;
-  s.t23 = below.o - above.o;
-}
-
-/// The traction that frees the surface: normal, along and across.
-struct Traction {
-  Lanes normal{}, along{}, across{};
-
-  /// Opposite to that of the infinite space; r: sums over all layers as seen from one layer above
-  /// the surface.
-  SAMCONTACT_INLINE void cancel(const Mode& mode, const Constants& k, const Sums& r) {
-    const Lanes x = mode[thickness], gone = 1.0 - mode[decay];
-    const Lanes c = 0.5 * gone * r.c, d = 0.5 * gone * r.d, step = r.d - r.c;
-    const Lanes w = 0.5 * (x * gone * (r.w - step) + (gone - x * mode[decay]) * step);
-    normal = (1 - k.kappa) * (c + d) + k.kappa * w;
-    along = -(c + d) + k.kappa * (2.0 * d - w);
-    across = -0.5 * gone * r.o;
-  }
-  /// Adds the stress of the half-space under it, eq. (25); mean over a layer of exp(-q z) and of
-  /// q z exp(-q z).
-  SAMCONTACT_INLINE void add(const Constants& k, const Lanes& e, const Lanes& linear,
-                             Turned& s) const {
-    const Lanes f = normal - along, deep = f * linear;
-    s.t11 += (normal - 2.0 * along) * e - deep;
-    s.t22 += 2 * k.nu * f * e;
-    s.t33 += normal * e + deep;
-    s.t13 += along * e + deep;
-    s.t12 -= across * e;
-    s.t23 += across * e;
-  }
-};
-
-/// Place of component m in the spectrum; a deviator has no zz.
-template <typename Value>
-SAMCONTACT_INLINE Value* at(const Layout& layout, Value* values, int m, int layer) {
-  const int place = layout.deviator && m > 2 ? m - 1 : m;
-  return values + place * layout.component_step + layer * layout.layer_step;
-}
-
-/// parts numbers (re + i im, or a real one) times i^turns.
+/// One block and all that its sweep works on.
 template <int parts>
-SAMCONTACT_INLINE void rotate(Lanes* v, int turns) {
-  if (turns & 2) {
-    for (int p = 0; p < parts; ++p) v[p] = -v[p];
-  }
-  if constexpr (parts == 2) {
-    if (turns & 1) {
-      const Lanes re = v[0];
-      v[0] = -v[1];
-      v[1] = re;
-    }
-  }
-}
+struct Block {
+  const SweptStack& stack;
+  const Layout& layout;
+  const char* used;
+  const double* row;
+  int step;
+  const double* values;
+  Turned* turned;
+  Sums* below;
+  LayerWaves* waves;
 
-/// Components of one layer, v[part][component], from the spectrum (complex numbers interleaved).
-template <int parts>
-SAMCONTACT_INLINE void load(const Layout& layout, const double* values, int layer, Lanes v[][6]) {
-  for (int m = 0; m < 6; ++m) {
-    if (layout.deviator && m == 2) continue;
-    const double* from = at(layout, values, m, layer);
-    Lanes number[parts];
-    const Loose a = *reinterpret_cast<const Loose*>(from);
-    if constexpr (parts == 1) {
-      number[0] = a;
-    } else {
-      const Loose b = *reinterpret_cast<const Loose*>(from + width);
-      number[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
-      number[1] = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
-    }
-    rotate<parts>(number, layout.turns[m]);
-    for (int p = 0; p < parts; ++p) v[p][m] = number[p];
+  SAMCONTACT_INLINE Mode mode(const SweptStack::Layer& layer) const {
+    return {row + static_cast<std::ptrdiff_t>(layer.mode) * step, step};
   }
-  if (layout.deviator) {
-    for (int p = 0; p < parts; ++p) v[p][2] = -(v[p][0] + v[p][1]);
-  }
-}
 
-SAMCONTACT_INLINE void put(double* to, const double* more, const Lanes& value) {
-  *reinterpret_cast<Loose*>(to) =
-      more == nullptr ? value : value + *reinterpret_cast<const Loose*>(more);
-}
-
-/// The reverse.
-template <int parts>
-SAMCONTACT_INLINE void store(const Target& target, const Lanes v[][6], int layer) {
-  const Layout& layout = target.layout;
-  for (int m = 0; m < 6; ++m) {
-    if (layout.deviator && m == 2) continue;
-    double* to = at(layout, target.values, m, layer);
-    const double* more =
-        target.more == nullptr ? nullptr : at(target.more_layout, target.more, m, layer);
-    Lanes number[parts];
-    for (int p = 0; p < parts; ++p) number[p] = v[p][m];
-    rotate<parts>(number, 4 - layout.turns[m]);
-    if constexpr (parts == 1) {
-      put(to, more, number[0]);
-    } else {
-      put(to, more, __builtin_shufflevector(number[0], number[1], 0, 8, 1, 9, 2, 10, 3, 11));
-      put(to + width, more == nullptr ? nullptr : more + width,
-          __builtin_shufflevector(number[0], number[1], 4, 12, 5, 13, 6, 14, 7, 15));
-    }
-  }
-}
-
-template <int parts>
-SAMCONTACT_INLINE void sweep_block(const Layout& layout, const char* used, const double* row,
-                                   int step, const Constants& constants, const double* values,
-                                   const Target& target, Turned* turned, Sums* below) {
-  const Mode mode(row, step);
-  Lanes v[parts][6];
-
-  // Upwards: eigenstress of each layer, and the integrals over the layers below it.
-  Sums sums[parts];
-  for (int k = layout.nz - 1; k >= 0; --k) {
-    for (int p = 0; p < parts; ++p) {
-      below[k * parts + p] = sums[p].integrals(mode);
-      sums[p].recede(mode[decay]);
-    }
-    if (used[k]) load<parts>(layout, values, k, v);
-    for (int p = 0; p < parts; ++p) {
-      Turned& t = turned[k * parts + p];
-      if (used[k]) {
-        eigenstress(mode, constants, v[p], t);
+  /// Eigenstress of the cells of a layer, and the wave that leaves it at its top. Of the layer
+  /// without end also the integrals over the cells below, as nothing comes back from there.
+  SAMCONTACT_INLINE void rise(int n) const {
+    const auto& layer = stack.layers()[n];
+    const Mode at = mode(layer);
+    const Constants constants(layer);
+    const bool endless = layer.is_endless();
+    Lanes v[parts][6];
+    Sums sums[parts];
+    for (int k = layer.last - 1; k >= layer.first; --k) {
+      for (int p = 0; p < parts; ++p) {
+        if (endless) below[k * parts + p] = sums[p].integrals(at);
+        sums[p].recede(at[decay]);
+      }
+      if (!used[k]) {
+        for (int p = 0; p < parts; ++p) turned[k * parts + p] = Turned{};
+        continue;
+      }
+      load<parts>(layout, values, k, v);
+      for (int p = 0; p < parts; ++p) {
+        Turned& t = turned[k * parts + p];
+        eigenstress(at, constants, v[p], t);
         sums[p].add(t, -1.0);
-      } else {
-        t = Turned{};
+      }
+    }
+    for (int p = 0; p < parts; ++p) {
+      waves[n * parts + p].up = left_by(at, constants, sums[p]);
+      waves[n * parts + p].b = Wave{};
+    }
+  }
+
+  /// The wave that leaves a layer at its bottom.
+  SAMCONTACT_INLINE void sink(int n) const {
+    const auto& layer = stack.layers()[n];
+    const Mode at = mode(layer);
+    Sums sums[parts];
+    for (int k = layer.first; k < layer.last; ++k) {
+      for (int p = 0; p < parts; ++p) {
+        sums[p].recede(at[decay]);
+        sums[p].add(turned[k * parts + p], 1.0);
+      }
+    }
+    const Constants constants(layer);
+    for (int p = 0; p < parts; ++p) {
+      waves[n * parts + p].down = left_by(at, constants, sums[p]);
+    }
+  }
+
+  /// The integrals over what lies below each cell of a layer, with the wave from its bottom.
+  SAMCONTACT_INLINE void integrate_below(int n) const {
+    const auto& layer = stack.layers()[n];
+    const Mode at = mode(layer);
+    const Constants constants(layer);
+    Sums sums[parts];
+    for (int p = 0; p < parts; ++p) {
+      sums[p] = that_send(at, constants, waves[n * parts + p].b);
+    }
+    for (int k = layer.last - 1; k >= layer.first; --k) {
+      for (int p = 0; p < parts; ++p) {
+        below[k * parts + p] = sums[p].integrals(at);
+        sums[p].recede(at[decay]);
+        sums[p].add(turned[k * parts + p], -1.0);
       }
     }
   }
 
-  // Downwards: the integrals over the layers above, and the stress.
-  Lanes depth{}, e0 = mode[surface], e1 = mode[surface_linear];  // depth: q z at the layer's top
-  Sums above[parts];
-  Traction free[parts];
-  for (int p = 0; p < parts; ++p) free[p].cancel(mode, constants, sums[p]);
-  for (int k = 0; k < layout.nz; ++k) {
+  /// Downwards: the integrals over what lies above, with the wave from the layer's top, and the
+  /// stress.
+  SAMCONTACT_INLINE void finish(int n, const Target& target) const {
+    const auto& layer = stack.layers()[n];
+    const Mode at = mode(layer);
+    const Constants constants(layer);
+    Lanes v[parts][6];
+    Sums above[parts];
     for (int p = 0; p < parts; ++p) {
-      const Turned& t = turned[k * parts + p];
-      Sums up = above[p].integrals(mode), down = below[k * parts + p];
-      up.add_own(mode, t, 1.0);
-      down.add_own(mode, t, -1.0);
-      Turned stress;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled at once
-      infinite_space(constants, up, down, t, stress);
-      free[p].add(constants, e0, depth * e0 + e1, stress);
-      turn_back(mode, stress, layout.deviator, v[p]);
-      above[p].recede(mode[decay]);
-      above[p].add(t, 1.0);
+      above[p] = that_send(at, constants, waves[n * parts + p].a);
     }
-    depth += mode[thickness];
-    e0 *= mode[decay];
-    e1 *= mode[decay];
-    store<parts>(target, v, k);
+    for (int k = layer.first; k < layer.last; ++k) {
+      for (int p = 0; p < parts; ++p) {
+        const Turned& t = turned[k * parts + p];
+        Sums up = above[p].integrals(at), down = below[k * parts + p];
+        up.add_own(at, t, 1.0);
+        down.add_own(at, t, -1.0);
+        Turned stress;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled at once
+        infinite_space(constants, up, down, t, stress);
+        turn_back(at, stress, layout.deviator, v[p]);
+        above[p].recede(at[decay]);
+        above[p].add(t, 1.0);
+      }
+      store<parts>(target, v, k);
+    }
+  }
+};
+
+template <int parts>
+SAMCONTACT_INLINE void sweep_block(const Block<parts>& block, Interfaces* interfaces,
+                                   const Target& target) {
+  const auto& layers = block.stack.layers();
+  const int count = static_cast<int>(layers.size());
+  fill_interfaces(block.stack, block.row, block.step, interfaces);
+  for (int n = count - 1; n >= 0; --n) {
+    block.rise(n);
+    if (!layers[n].is_endless()) block.sink(n);
+  }
+  reflect(block.stack, interfaces, parts, block.waves);
+  for (int n = 0; n < count; ++n) {
+    if (!layers[n].is_endless()) block.integrate_below(n);
+    block.finish(n, target);
   }
 }
 
 SAMCONTACT_MULTIVERSION
-void sweep_complex(const Layout& layout, const char* used, const double* row, int step,
-                   const Constants& constants, const double* values, const Target& target,
-                   Turned* turned, Sums* below) {
-  sweep_block<2>(layout, used, row, step, constants, values, target, turned, below);
+void sweep_complex(const Block<2>& block, Interfaces* interfaces, const Target& target) {
+  sweep_block<2>(block, interfaces, target);
 }
 
 SAMCONTACT_MULTIVERSION
-void sweep_real(const Layout& layout, const char* used, const double* row, int step,
-                const Constants& constants, const double* values, const Target& target,
-                Turned* turned, Sums* below) {
-  sweep_block<1>(layout, used, row, step, constants, values, target, turned, below);
+void sweep_real(const Block<1>& block, Interfaces* interfaces, const Target& target) {
+  sweep_block<1>(block, interfaces, target);
 }
+
+template <class T>
+constexpr std::size_t numbers = sizeof(T) / sizeof(double);
 
 }  // namespace
 
-void fill_mode(double kx, double ky, double h, double weight, double* mode, int step) {
-  const double q = std::hypot(kx, ky), x = q * h;
-  const auto set = [&](Coefficient c, double value) {
-    mode[static_cast<std::ptrdiff_t>(c) * step] = value;
-  };
-  set(share, weight);
-  if (q == 0) {
-    set(direction_x, 1.0);
-    set(decay, 1.0);
-    set(surface, 1.0);
-    return;
-  }
-  const double e = std::exp(-x), gone = -std::expm1(-x);
-  set(direction_x, kx / q);
-  set(direction_y, ky / q);
-  set(thickness, x);
-  set(decay, e);
-  set(own, 0.5 * (1 - gone / x));
-  set(own_linear, 0.5 * (1 - (2 * gone - x * e) / x));
-  set(other, 0.5 * gone * gone / x);
-  set(other_shift, x * (1 + e) / gone - 2);
-  set(surface, gone / x);
-  set(surface_linear, (gone - x * e) / x);
+Scratch::Scratch(const SweptStack& stack, int parts) {
+  const auto cells = static_cast<std::size_t>(stack.cells()), layers = stack.layers().size();
+  turned.resize(cells * parts * numbers<Turned>);
+  below.resize(cells * parts * numbers<Sums>);
+  interfaces.resize(layers * numbers<Interfaces>);
+  waves.resize(layers * parts * numbers<LayerWaves>);
 }
 
-Scratch::Scratch(int nz, int parts)
-    : turned(static_cast<std::size_t>(nz) * parts * (sizeof(Turned) / sizeof(double))),
-      below(static_cast<std::size_t>(nz) * parts * (sizeof(Sums) / sizeof(double))) {}
-
-void sweep(int parts, const Layout& layout, const char* used, const double* row, int step,
-           const Constants& constants, const double* values, const Target& target,
+void sweep(const SweptStack& stack, int parts, const Layout& layout, const char* used,
+           const double* row, int step, const double* values, const Target& target,
            Scratch& scratch) {
-  const auto run = parts == 2 ? sweep_complex : sweep_real;
-  run(layout, used, row, step, constants, values, target,
-      reinterpret_cast<Turned*>(scratch.turned.data()),
-      reinterpret_cast<Sums*>(scratch.below.data()));
+  auto* turned = reinterpret_cast<Turned*>(scratch.turned.data());
+  auto* below = reinterpret_cast<Sums*>(scratch.below.data());
+  auto* interfaces = reinterpret_cast<Interfaces*>(scratch.interfaces.data());
+  auto* waves = reinterpret_cast<LayerWaves*>(scratch.waves.data());
+  if (parts == 2) {
+    sweep_complex({stack, layout, used, row, step, values, turned, below, waves}, interfaces,
+                  target);
+  } else {
+    sweep_real({stack, layout, used, row, step, values, turned, below, waves}, interfaces, target);
+  }
 }
 
 }  // namespace samcontact::operators::layers

@@ -6,8 +6,8 @@
 
 #include "samcontact/kernels/layered_wave.hpp"
 #include "samcontact/operators/half_space.hpp"
+#include "samcontact/operators/layer_residual_stress.hpp"
 #include "samcontact/operators/layered_influence.hpp"
-#include "samcontact/operators/stack_residual_stress.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -69,7 +69,7 @@ class LayeredHalfSpace : public Medium {
   std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
                                                   const VolumeTransform& transform,
                                                   const ResidualSettings& settings) const override {
-    return std::make_unique<StackResidualStress>(grid, transform, stack_, settings);
+    return std::make_unique<LayerResidualStress>(grid, transform, stack_, settings);
   }
   std::unique_ptr<ResidualDisplacement> residual_displacement(
       Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,

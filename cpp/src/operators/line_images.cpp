@@ -39,7 +39,7 @@ Field stress_of(const LayerResidualStress& residual, const VolumeTransform& tran
 
 }  // namespace
 
-LineImages::LineImages(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
+LineImages::LineImages(const Grid& grid, const VolumeTransform& transform, const Stack& body,
                        double tol)
     : along_x_(grid.period.x == 0),
       whole_(along_x_ ? grid.ny : grid.nx),
@@ -51,8 +51,8 @@ LineImages::LineImages(const Grid& grid, const VolumeTransform& transform, const
       line_(line_of(grid)),
       short_transform_(transform_of(line_, transform, 1)),
       long_transform_(transform_of(line_, transform, longer(tol))),
-      short_(line_, short_transform_, elastic),
-      long_(line_, long_transform_, elastic) {}
+      short_(line_, short_transform_, body),
+      long_(line_, long_transform_, body) {}
 
 Field LineImages::mean(Tensor tensor, const double* strain) const {
   const auto places = components(tensor);

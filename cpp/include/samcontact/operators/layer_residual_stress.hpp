@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Residual stress of eigenstrain (plastic strain) in a layered box, by sweeps over the layers: per
-// wavenumber the Green operator of the half-space is exp(-q |z - z'|) times a polynomial plus the
-// response to the traction that frees the surface, so that one pass upwards and one downwards sum
-// all layers. Time and memory are proportional to the number of cells; no coefficients are stored.
+// Residual stress of eigenstrain (plastic strain) in a box of layers of cells, by sweeps over them:
+// per wavenumber the Green operator of an infinite space is exp(-q |z - z'|) times a polynomial, so
+// that one pass upwards and one downwards sum all layers of cells; what the surface, and interfaces
+// of a layered body, send back are waves. Time and memory are proportional to the number of cells;
+// no coefficients are stored.
 //
 // The eigenstrain is band-limited in the plane and constant in each layer; the stress is its mean
 // over each layer. Near the highest wavenumber a mode and its alias go over into each other, so
@@ -14,9 +15,10 @@
 #include <memory>
 #include <vector>
 
-#include "samcontact/base/elastic.hpp"
 #include "samcontact/base/grid.hpp"
+#include "samcontact/base/stack.hpp"
 #include "samcontact/operators/residual_stress.hpp"
+#include "samcontact/operators/swept_stack.hpp"
 
 namespace samcontact::operators {
 
@@ -35,12 +37,13 @@ class Images {
 
 class LayerResidualStress : public ResidualStress {
  public:
-  /// The grid's layers start at the surface. settings: of the fast method.
-  LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
+  /// The grid's layers start at the surface. settings: of the fast method. Throws
+  /// std::invalid_argument where an interface of the body lies inside one of them.
+  LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Stack& body,
                       const ResidualSettings& settings);
   /// With all images of the transform's period.
-  LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic)
-      : LayerResidualStress(grid, transform, elastic, Share{}, true) {}
+  LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Stack& body)
+      : LayerResidualStress(grid, transform, body, Share{}, true) {}
 
   void apply(VolumeSpectrum& spectrum) const override;
   Field far_field(Tensor tensor, const double* strain) const override;
@@ -53,18 +56,18 @@ class LayerResidualStress : public ResidualStress {
   /// them.
   struct Pass {
     int first = 0, last = 0;
-    Field modes;  // [coefficient][kx]
+    Field modes;  // [number][kx]
   };
   using Share = decltype(ResidualSettings::share);
-  LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
+  LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Stack& body,
                       const Share& share, bool blends);
   /// Of one row ky.
-  static std::vector<Pass> passes(const Grid& grid, const VolumeTransform& transform, int ky,
-                                  const Share& share, bool blends);
-  static Pass pass(const Grid& grid, const VolumeTransform& transform, int ky, bool alias_x,
-                   bool alias_y, const Share& share, bool blends);
+  std::vector<Pass> passes(const Grid& grid, const VolumeTransform& transform, int ky,
+                           const Share& share, bool blends) const;
+  Pass pass(const Grid& grid, const VolumeTransform& transform, int ky, bool alias_x, bool alias_y,
+            const Share& share, bool blends) const;
 
-  double nu_, lame_, shear_modulus_;
+  layers::SweptStack stack_;
   std::vector<std::vector<Pass>> passes_;  // of each ky, first its own wavenumbers
   std::shared_ptr<const Images> images_;   // null where the surface has all of them
 };

@@ -13,8 +13,7 @@ class LineImages : public Images {
  public:
   /// transform: of the grid, periodic in one direction. tol: the error that is allowed, relative to
   /// the largest stress.
-  LineImages(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
-             double tol);
+  LineImages(const Grid& grid, const VolumeTransform& transform, const Stack& body, double tol);
 
   Field stress(Tensor tensor, const double* strain) const override;
   void subtract(Tensor tensor, const Field& images, int layer, double* stress) const override;
