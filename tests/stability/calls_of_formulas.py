@@ -259,6 +259,11 @@ CALLS = [
     ("hertz.EllipticContact.pressure", ELLIPSE.pressure, {"x": X, "y": Y}),
     ("hertz.LineContact.pressure", LINE.pressure, {"x": X}),
     ("hertz.LineContact.axis_stress", LINE.axis_stress, {"z": Z, "nu": NU}),
+    (
+        "hertz.LineContact.stress",
+        LINE.stress,
+        {"x": X, "z": Z, "nu": NU, "friction": 0.1},
+    ),
     ("hertz.LineContact.max_von_mises", LINE.max_von_mises, {"nu": NU}),
     *(
         (f"kernels.{name}", getattr(sc.kernels, name), {**RECTANGLE, **rest})

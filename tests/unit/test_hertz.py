@@ -172,6 +172,48 @@ def test_axis_stress_far_below_keeps_its_digits():
         assert computed == pytest.approx(series, rel=1e-9, abs=0)
 
 
+@pytest.mark.parametrize("friction", [0.0, 0.35])
+@pytest.mark.parametrize(("x", "z"), [(0.0, 0.5), (-0.87, 0.5), (1.0, 0.05), (0.3, 0.02), (40, 3)])
+def test_line_stress_against_line_forces(x, z, friction):
+    contact, nu = hertz.line(R=2.0, E_star=3.0, p0=5.0), 0.3
+    b = contact.b
+
+    def sheared(t, component):
+        """Flamant's radial stress of the forces at s = b sin t, Johnson (2.18) and (2.22)."""
+        distance, depth = x * b - b * math.sin(t), z * b
+        force = 5.0 * math.cos(t) * b * math.cos(t)
+        radial = (
+            -2.0 * force * (depth + friction * distance) / math.pi / math.hypot(distance, depth)
+        )
+        direction = np.array([distance, depth]) / math.hypot(distance, depth)
+        one, other = {"xx": (0, 0), "zz": (1, 1), "xz": (0, 1)}[component]
+        return radial * direction[one] * direction[other] / math.hypot(distance, depth)
+
+    near = [math.asin(min(max(x, -1.0), 1.0))]
+    stress = contact.stress(x * b, z * b, nu, friction)
+    for component, index in (("xx", 0), ("zz", 2), ("xz", 4)):
+        expected = quad(
+            sheared, -0.5 * math.pi, 0.5 * math.pi, component, epsabs=1e-13, points=near, limit=200
+        )[0]
+        assert stress[index] == pytest.approx(expected, rel=1e-9, abs=1e-12), component
+    assert stress[1] == pytest.approx(nu * (stress[0] + stress[2]), rel=1e-14)
+    assert not stress[[3, 5]].any()
+
+
+def test_line_stress_at_the_surface_and_below_the_middle():
+    contact = hertz.line(R=2.0, E_star=3.0, p0=5.0)
+    b = contact.b
+    x = np.array([-3.0, -1.0, -0.4, 0.0, 0.9, 1.0, 1.5]) * b
+    stress = contact.stress(x, 0.0, 0.3, 0.2)
+    np.testing.assert_allclose(stress[2], -contact.pressure(x), atol=1e-15)
+    np.testing.assert_allclose(stress[4], -0.2 * contact.pressure(x), atol=1e-15)
+    z = np.array([0.0, 1e-3, 0.5, 2.0, 1e4]) * b
+    for computed, expected in zip(
+        contact.stress(0.0, z, 0.3)[:3], contact.axis_stress(z, 0.3), strict=True
+    ):
+        np.testing.assert_allclose(computed, expected, rtol=1e-12, atol=1e-16)
+
+
 @pytest.mark.parametrize(("ratio", "k"), [(2, 1.585802), (5, 2.890181), (10, 4.499447)])
 def test_elliptic_axis_ratio(ratio, k):
     assert hertz.elliptic(1.0, ratio, 1.0, load=1.0).k == pytest.approx(k, abs=6e-7)

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Line contact: size, pressure and stress under the middle."""
+"""Line contact: size, pressure and stress."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
 
+import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, exactly_one, poisson_ratio, positive
+from .._checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive
 from .._repr import Shown
 from .axis import line_axis, line_max_von_mises
+from .plane_field import plane_field
 from .points import coordinates, depth_ratio, require_range, semi_ellipsoid
 
 
@@ -47,6 +49,39 @@ class LineContact(Shown):
         s = depth_ratio(z, self.b)
         sxx, syy, szz = line_axis(s, poisson_ratio("nu", nu))
         return self.p0 * sxx, self.p0 * syy, self.p0 * szz
+
+    def stress(self, x: ArrayLike, z: ArrayLike, nu: float, friction: float = 0.0) -> FloatArray:
+        """Elastic stress anywhere in a half-space under this pressure, at rest or sliding.
+
+        Parameters
+        ----------
+        x, z : array_like
+            Points [m], broadcast; z is the depth, >= 0.
+        nu : float
+            Poisson's ratio of the loaded body, in [0, 0.5].
+        friction : float, optional
+            Coefficient mu >= 0: the shear mu p acts on the body along +x [-].
+
+        Returns
+        -------
+        ndarray, shape (6, ...)
+            xx, yy, zz, yz, xz, xy [Pa], tension positive; at z = 0 the limit from below.
+
+        Raises
+        ------
+        ValueError
+            An argument is outside its range.
+
+        Notes
+        -----
+        Closed form, from the complex potential of the pressure (Johnson 1985, section 2.5;
+        Muskhelishvili 1953), as that of McEwen (1949). The shear's share in the normal
+        displacement, zero for bodies of equal elastic constants, is left out.
+        """
+        depths = depth_ratio(z, self.b)
+        points = np.broadcast_arrays(coordinates(x=x)[0] / self.b, depths)
+        nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+        return self.p0 * plane_field(points[0], points[1], nu, friction)
 
     def max_von_mises(self, nu: float) -> tuple[float, float]:
         """Largest von Mises stress on the axis [Pa] and its depth [m]."""
