@@ -265,6 +265,19 @@ CALLS = [
         {"x": X, "z": Z, "nu": NU, "friction": 0.1},
     ),
     ("hertz.LineContact.max_von_mises", LINE.max_von_mises, {"nu": NU}),
+    ("shakedown.elliptic", sc.shakedown.elliptic, {"k": 2.0, "friction": 0.1}),
+    *(
+        (f"shakedown.{name}", getattr(sc.shakedown, name), {"friction": 0.2, "nu": NU})
+        for name in ("line_kinematic", "point", "point_kinematic")
+    ),
+    *(
+        (
+            f"shakedown.{name}",
+            getattr(sc.shakedown, name),
+            {"friction": 0.2, "nu": NU, "criterion": "tresca"},
+        )
+        for name in ("first_yield", "line")
+    ),
     *(
         (f"kernels.{name}", getattr(sc.kernels, name), {**RECTANGLE, **rest})
         for name, rest in (

@@ -23,7 +23,8 @@ MADE_BY_THE_PACKAGE = {
     "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalPlace",
     "critical.CriticalSlidingSphere", "critical.CriticalSphere", "energy.EnergyBalance",
     "flattening.Flattening", "hertz.EllipticContact",
-    "hertz.LineContact", "hertz.PointContact", "RollingSolution", "StickSlipSolution", "wear.Cycle",
+    "hertz.LineContact", "hertz.PointContact", "RollingSolution",
+    "shakedown.Limit", "StickSlipSolution", "wear.Cycle",
     "wear.FrettingCycle", "wear.FrettingResult", "wear.WearResult", "Zone",
 }  # fmt: skip
 """Results: only their methods take arguments of the user."""

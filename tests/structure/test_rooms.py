@@ -44,6 +44,7 @@ FOLDERS = {
     "plotting": {"hertz", "results"},
     "asperities": {"runs"},
     "wear": {"runs", "hertz"},
+    "shakedown": {"hertz"},
     "cases": {"hertz", "paths", "measured", "asperities", "wear"},
     "accuracy": {"runs", "hertz", "cases", "results"},
     "sweeps": {"runs", "cases", "results", "accuracy"},

@@ -1,0 +1,309 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Closed limits: the Hertz pressure up to which a contact that rolls or slides shakes down."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+
+from .._checks import FloatArray, choice, non_negative, poisson_ratio, positive
+from .._repr import Rows, Shown
+from ..hertz.field import field
+from ..hertz.plane_field import plane_field
+from .enclosing import enclosing_radius
+
+_DEPTHS = np.concatenate([[0.0, 1e-3, 0.01], np.linspace(0.05, 1.2, 24)])
+_ALONG = np.concatenate(
+    [
+        [-1e4],
+        -np.cosh(np.linspace(3.5, 0.0, 100)),
+        -np.cos(np.linspace(0.0, math.pi, 601)[1:-1]),
+        np.cosh(np.linspace(0.0, 3.5, 100)),
+        [1e4],
+    ]
+)
+"""Where a point of the body passes the contact, over its half-width: denser at its edges."""
+
+
+@dataclass(frozen=True)
+class Limit(Shown):
+    """A limit of the Hertz pressure.
+
+    Attributes
+    ----------
+    ratio : float
+        Largest Hertz pressure p0 over the yield stress in shear k [-]. k is the uniaxial yield
+        stress over 2 (Tresca) or over the square root of 3 (von Mises).
+    depth : float
+        Where the body flows first beyond it, over the half-width or radius of the contact along
+        the direction of rolling [-]; 0 at the surface.
+    exact : bool
+        False: an upper bound, beyond which the contact certainly does not shake down.
+    """
+
+    ratio: float
+    depth: float
+    exact: bool
+
+    def _rows(self) -> Rows:
+        where = "surface" if self.depth == 0.0 else f"{self.depth:.4g} half-widths deep"
+        name = "p0/k" if self.exact else "p0/k, at most"
+        return [(name, f"{self.ratio:.5g}"), ("where", where)]
+
+
+def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
+    """Largest k over p0 that any depth asks for, and that depth."""
+    asked = [strength(depth) for depth in _DEPTHS]
+    worst = int(np.argmax(asked))
+    if worst == 0:
+        return asked[0], 0.0
+    bounds = (_DEPTHS[worst - 1], _DEPTHS[min(worst + 1, len(_DEPTHS) - 1)])
+    found = scipy.optimize.minimize_scalar(
+        lambda depth: -strength(depth), bounds=bounds, method="bounded", options={"xatol": 1e-7}
+    )
+    return max((-float(found.fun), float(found.x)), (asked[worst], float(_DEPTHS[worst])))
+
+
+def _deviator(stress: FloatArray) -> FloatArray:
+    """Points whose distance is the square root of J2, in the plane y = 0, shape (n, 3)."""
+    xx, yy, zz, _, xz, _ = stress
+    across = (yy - 0.5 * (xx + zz)) / math.sqrt(3.0)
+    return np.stack([0.5 * (xx - zz), across, xz], axis=-1)
+
+
+def _both_signs(deviator: FloatArray) -> FloatArray:
+    """What no residual shear can move to one side: the shear and its opposite."""
+    return np.concatenate([deviator, deviator * [1.0, 1.0, -1.0]])
+
+
+def _tresca(deviator: FloatArray) -> float:
+    """Least k of Tresca's criterion, with residual stresses xx and yy to choose."""
+    half, across, shear = deviator[:, 0], math.sqrt(3.0) * deviator[:, 1], deviator[:, 2]
+
+    def asked(shift: float) -> float:
+        # Stresses in the plane lie within the radius of their mean, yy `across` from it. The best
+        # residual yy leaves the mean of both ends of (across - radius, across + radius).
+        radius = np.hypot(half - shift, shear)
+        out_of_plane = 0.25 * (np.max(across + radius) - np.min(across - radius))
+        return float(max(radius.max(), out_of_plane))
+
+    found = scipy.optimize.minimize_scalar(
+        asked, bounds=(half.min(), half.max()), method="bounded", options={"xatol": 1e-10}
+    )
+    return float(found.fun)
+
+
+def _line_path(depth: float, nu: float, friction: float) -> FloatArray:
+    return _deviator(plane_field(_ALONG, np.full_like(_ALONG, depth), nu, friction))
+
+
+def _point_path(depth: float, nu: float, friction: float) -> FloatArray:
+    places = np.zeros_like(_ALONG), np.full_like(_ALONG, depth)
+    return _deviator(field(_ALONG, *places, nu, friction))
+
+
+def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> Limit:
+    """Elastic shakedown of a line contact on a perfectly plastic body, by Melan's theorem.
+
+    A body shakes down where some residual stress keeps the whole passage within the yield surface.
+    What repeated passages leave does not vary along the surface, so that equilibrium leaves only
+    sigma_xx and sigma_yy free, at each depth by themselves: this is the exact limit.
+
+    Parameters
+    ----------
+    friction : float, optional
+        Traction over pressure, of a contact that slides or rolls with full slip, >= 0 [-].
+    nu : float, optional
+        Poisson's ratio, in [0, 0.5]; it counts where sigma_yy does.
+    criterion : {"tresca", "von_mises"}, optional
+
+    Returns
+    -------
+    Limit
+        4.000 without friction, half a half-width deep, where the shear sigma_xz alternates. With
+        Tresca's criterion 1/friction from friction 0.367 on, at the surface.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+
+    Notes
+    -----
+    Johnson (1985), section 9.2; Melan (1938); Johnson and Jefferis (1963). The shear is as if the
+    whole contact slipped.
+    """
+    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+    if choice("criterion", criterion, ("tresca", "von_mises")) == "tresca":
+        asked, depth = _worst_depth(lambda z: _tresca(_line_path(z, nu, friction)))
+    else:
+        asked, depth = _worst_depth(
+            lambda z: enclosing_radius(_both_signs(_line_path(z, nu, friction)))
+        )
+    return Limit(1.0 / asked, depth, exact=True)
+
+
+def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
+    """Elastic shakedown of a line contact on a body with linear kinematic hardening.
+
+    The backstress may have any value anywhere: the body shakes down where the path of the stress
+    deviator of each point fits into the yield surface, wherever that is centred. Beyond, it
+    shakes down plastically, and never ratchets.
+
+    Parameters
+    ----------
+    friction, nu : float, optional
+        As for `line`.
+
+    Returns
+    -------
+    Limit
+        With von Mises' criterion.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+
+    Notes
+    -----
+    Melan (1938); Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362.
+    """
+    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+    asked, depth = _worst_depth(lambda z: enclosing_radius(_line_path(z, nu, friction)))
+    return Limit(1.0 / asked, depth, exact=True)
+
+
+def point(friction: float = 0.0, nu: float = 0.3) -> Limit:
+    """Upper bound of elastic shakedown of a circular contact on a perfectly plastic body.
+
+    No residual stress makes the path of the deviator of a point smaller: its smallest enclosing
+    ball is a bound, without friction by the largest orthogonal shear, 0.21389 p0. At the surface
+    no residual shear sigma_xz can be, which bounds it by 1/friction or less.
+
+    Parameters
+    ----------
+    friction, nu : float, optional
+        As for `line`.
+
+    Returns
+    -------
+    Limit
+        With von Mises' criterion, of points in the plane y = 0; 4.675 without friction.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+
+    Notes
+    -----
+    Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the surface residual
+    shear is allowed whatever it takes to be in equilibrium: with friction the limit may be lower.
+    """
+    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+
+    def asked(depth: float) -> float:
+        path = _point_path(depth, nu, friction)
+        return enclosing_radius(path if depth > 0.0 else _both_signs(path))
+
+    largest, depth = _worst_depth(asked)
+    return Limit(1.0 / largest, depth, exact=False)
+
+
+def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
+    """Elastic shakedown of a circular contact on a body with linear kinematic hardening.
+
+    Parameters
+    ----------
+    friction, nu : float, optional
+        As for `line`.
+
+    Returns
+    -------
+    Limit
+        As `line_kinematic`, of points in the plane y = 0, where it is smallest.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+    """
+    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+    asked, depth = _worst_depth(lambda z: enclosing_radius(_point_path(z, nu, friction)))
+    return Limit(1.0 / asked, depth, exact=True)
+
+
+def elliptic(k: float, friction: float = 0.0) -> Limit:
+    """Upper bound of elastic shakedown of an elliptic contact, by its largest orthogonal shear.
+
+    The shear sigma_xz alternates between +-tau_0 as the contact passes, which no residual stress
+    and no hardening that moves the yield surface can help: p0/k <= p0/tau_0. Friction adds to both
+    ends alike.
+
+    Parameters
+    ----------
+    k : float
+        Semi-axis across the direction of rolling over the one along it, > 0 [-], e.g. `k` of
+        `hertz.elliptic` for rolling along x.
+    friction : float, optional
+        Traction over pressure, >= 0 [-]; the surface of a perfectly plastic body flows beyond
+        1/friction, since no residual shear can be there.
+
+    Returns
+    -------
+    Limit
+        4.675 for a circle (k = 1), 4.000 for a line.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+
+    Notes
+    -----
+    Lundberg and Palmgren (1947): tau_0/p0 = sqrt(2t - 1)/(2t(t + 1)) in the depth
+    1/((t + 1) sqrt(2t - 1)) semi-axes, with 1/k^2 = (t^2 - 1)(2t - 1).
+    """
+    ratio, friction = positive("k", k), non_negative("friction", friction)
+    if not ratio > 1e-50:
+        raise ValueError(f"k must be > 1e-50, got {ratio!r}")
+    across = ratio**-2
+    # u = t - 1 keeps its digits for long contacts, where it is small
+    upper = 1.0 + across ** (1.0 / 3.0)
+    u = scipy.optimize.brentq(
+        lambda u: u * (u + 2.0) * (2.0 * u + 1.0) - across, 0.0, upper, xtol=1e-300, rtol=1e-15
+    )
+    shear = math.sqrt(2.0 * u + 1.0) / (2.0 * (u + 1.0) * (u + 2.0))
+    if friction > shear:
+        return Limit(1.0 / friction, 0.0, exact=False)
+    return Limit(1.0 / shear, 1.0 / ((u + 2.0) * math.sqrt(2.0 * u + 1.0)), exact=False)
+
+
+def first_yield(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> Limit:
+    """First yield of a line contact, the elastic limit below shakedown.
+
+    Parameters, errors as for `line`.
+
+    Returns
+    -------
+    Limit
+        From the largest stress anywhere (`hertz.LineContact.stress`).
+    """
+    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+    tresca = choice("criterion", criterion, ("tresca", "von_mises")) == "tresca"
+
+    def asked(depth: float) -> float:
+        half, across, shear = _line_path(depth, nu, friction).T
+        radius = np.hypot(half, shear)
+        if tresca:
+            beside = 0.5 * (np.abs(math.sqrt(3.0) * across) + radius)
+            return float(np.maximum(radius, beside).max())
+        return float(np.hypot(radius, across).max())
+
+    largest, depth = _worst_depth(asked)
+    return Limit(1.0 / largest, depth, exact=True)
