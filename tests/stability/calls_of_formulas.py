@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A valid call of every public closed form, with all of its arguments."""
 
+import math
+
 import numpy as np
 
 import samcontact as sc
@@ -22,6 +24,7 @@ MEASURED = sc.measured.MeasuredSurface(1e-6 * np.arange(48.0).reshape(8, 6) ** 0
 X, Y, Z = np.array([0.0, 1e-5]), np.array([2e-5, 1e-5]), np.array([1e-5, 3e-5])
 
 ELASTIC = {"E": E, "nu": NU}
+RACE = sc.bearings.RaceContact(3e-3, 4e-2)
 SPHERE = {"R": 1e-2, "E_star": E_STAR, "nu": NU, "yield_stress": 1e9}
 RECTANGLE = {"X": X, "Y": Y, "a": 1e-5, "b": 2e-5}
 HEAT = {"conductivity": 50.0, "diffusivity": 1.4e-5, "time": 1e-4, "velocity": (1.0, 0.5)}
@@ -152,11 +155,24 @@ CALLS = [
         },
     ),
     (
+        "bearings.palmgren_deformation",
+        sc.bearings.palmgren_deformation,
+        {"race": RACE, "load": 1e3, "ball_diameter": 8e-3},
+    ),
+    (
         "bearings.roller_on_race",
         sc.bearings.roller_on_race,
         {
             "roller_diameter": 8e-3, "pitch_diameter": 4e-2, "crown_radius": 0.5,
             "contact_angle": 0.3, "race": "inner",
+        },
+    ),
+    (
+        "bearings.static_load_rating",
+        sc.bearings.static_load_rating,
+        {
+            "races": [sc.bearings.RaceContact(3e-3, math.inf)], "balls": 8,
+            "contact_angle": 0.3, "pressure": 4e9, "length": 1e-2, "rows": 2, "E_star": 1.1e11,
         },
     ),
     ("bearings.sjovall", sc.bearings.sjovall, {"epsilon": 0.5, "exponent": 1.5}),

@@ -38,6 +38,7 @@ BELOW = {
 FOLDERS = {
     "runs": set(),
     "hertz": set(),
+    "bearings": {"hertz"},
     "paths": set(),
     "measured": set(),
     "results": {"runs", "hertz"},

@@ -143,9 +143,68 @@ def test_pure_thrust_loads_all_balls_alike():
     assert almost.max_load == pytest.approx(100.0, rel=1e-7)
 
 
+# ISO 76: f_0 of radial ball bearings by D cos(alpha)/d_m, with conformities of 0.52 and 0.53
+FACTORS = {0.01: 14.9, 0.05: 15.7, 0.08: 16.3, 0.09: 16.5, 0.1: 16.4, 0.15: 15.2, 0.2: 14.0}
+    0.01: 14.9,
+    0.05: 15.7,
+    0.08: 16.3,
+    0.09: 16.5,
+    0.1: 16.4,
+    0.15: 15.2,
+    0.2: 14.0,
+    0.3: 11.6,
+}
+
+
+def both_races(diameter, pitch):
+    return [
+        bearings.ball_on_race(diameter, pitch, conformity=f, race=race)
+        for race, f in (("inner", 0.52), ("outer", 0.53))
+    ]
+
+
+@pytest.mark.parametrize(("gamma", "factor"), FACTORS.items())
+def test_static_rating_has_the_factors_of_the_standard(gamma, factor):
+    D, balls, angle = 9e-3, 11, 0.3
+    races = both_races(D, D / gamma)
+    rating = bearings.static_load_rating(races, balls, angle)
+    f_0 = rating / (balls * (1e3 * D) ** 2 * math.cos(angle))
+    assert f_0 == pytest.approx(factor, abs=0.06)
+    assert bearings.static_load_rating(races, balls, angle, rows=2) == 2 * rating
+
+
+def test_static_rating_of_rollers_has_the_factor_of_the_standard():
+    D, length, rollers, gamma = 10e-3, 12e-3, 14, 0.15
+    races = [bearings.roller_on_race(D, D / gamma, race=race) for race in ("inner", "outer")]
+    rating = bearings.static_load_rating(races, rollers, pressure=4e9, length=length)
+    assert rating == pytest.approx(44 * (1 - gamma) * rollers * 12 * 10, rel=5e-3)
+
+
+def test_palmgren_and_the_rating_mean_the_same_deformation():
+    # 12.3 was the factor of 1e-4 of the diameter before pressures took its place
+    race = bearings.ball_on_race(D, PITCH, conformity=F)
+    before = bearings.palmgren_deformation(race, 5 * 12.3 * (1e3 * D) ** 2, D)
+    assert before == pytest.approx(1e-4 * D, rel=0.07)
+    now = 5 * bearings.static_load_rating([race], 1)
+    assert bearings.palmgren_deformation(race, now, D) == pytest.approx(1.2e-4 * D, rel=0.03)
+    # with N and mm
+    flat = bearings.RaceContact(D / 2, D / 2)
+    in_mm = 1.3e-7 * 500.0**2 / 12.7 * (2 / 12.7) ** 2
+    assert bearings.palmgren_deformation(flat, 500.0, D) == pytest.approx(1e-3 * in_mm)
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
+        (lambda: bearings.static_load_rating([], 8), "races must have one contact at least"),
+        (
+            lambda: bearings.static_load_rating(both_races(D, PITCH), 8, length=1e-2),
+            "length is of rollers without a crown only, got 0.01",
+        ),
+        (
+            lambda: bearings.static_load_rating([bearings.roller_on_race(D, PITCH)], 8),
+            "length must be given with a roller without a crown, got None",
+        ),
         (lambda: bearings.ball_on_race(D, PITCH), "exactly one of groove_radius, conformity"),
         (lambda: bearings.ball_on_race(D, PITCH, 6.3e-3), "must be > 0.5, got 0.49"),
         (lambda: bearings.ball_on_race(D, 0.01, conformity=F), "pitch_diameter must be >"),

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Radii, loads and static capacity of the contacts in rolling bearings.
+
+x is the rolling direction, y the direction across it. Symbols follow T. A. Harris, M. N.
+Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2006), chapters 2 and 7; radii as in B. J. Hamrock,
+D. E. Brewe, *J. Lubr. Technol.* 105 (1983) 171-177, doi:10.1115/1.3254558. Angles in radians.
+"""
+
+from .loads import LoadZone, ball_load, load_zone, sjovall, stribeck_load
+from .races import RaceContact, ball_on_race, roller_on_race
+from .rating import palmgren_deformation, static_load_rating
+
+__all__ = [
+    "LoadZone",
+    "RaceContact",
+    "ball_load",
+    "ball_on_race",
+    "load_zone",
+    "palmgren_deformation",
+    "roller_on_race",
+    "sjovall",
+    "static_load_rating",
+    "stribeck_load",
+]
