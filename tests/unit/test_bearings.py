@@ -145,15 +145,6 @@ def test_pure_thrust_loads_all_balls_alike():
 
 # ISO 76: f_0 of radial ball bearings by D cos(alpha)/d_m, with conformities of 0.52 and 0.53
 FACTORS = {0.01: 14.9, 0.05: 15.7, 0.08: 16.3, 0.09: 16.5, 0.1: 16.4, 0.15: 15.2, 0.2: 14.0}
-    0.01: 14.9,
-    0.05: 15.7,
-    0.08: 16.3,
-    0.09: 16.5,
-    0.1: 16.4,
-    0.15: 15.2,
-    0.2: 14.0,
-    0.3: 11.6,
-}
 
 
 def both_races(diameter, pitch):
