@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import _certified, half_resolution
+from ._quantities import described
 from .material import Material
 
 if TYPE_CHECKING:
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from .simulation import Simulation
 
 YIELD = "yield"
+PERMANENT = "permanent_deformation"
 SYNONYMS = {"max_plastic_strain": "max_equivalent_plastic_strain"}
 
 Built = tuple["Simulation", Sequence[Mapping[str, Any]]]
@@ -60,13 +62,33 @@ def resolved(name: str, simulation: Simulation) -> str:
         if not simulation.grid.has_volume:
             raise ValueError('quantity = "yield" needs a grid with dz')
         return name
+    if name == PERMANENT:
+        if not any(body.is_plastic for body in bodies):
+            raise ValueError(f'quantity = "{name}" needs a body that yields')
+        if not simulation.grid.has_volume:
+            raise ValueError(f'quantity = "{name}" needs a grid with dz')
+        return name
     name = SYNONYMS.get(name, name)
     known = _certified.names(bodies, volume=simulation.grid.has_volume)
     found = [one for one in known if one in (name, f"{name}_body1", f"{name}_body2")]
     if not found or name == "load":
         allowed = [one for one in known if one != "load"]
-        raise ValueError(f"quantity must be one of {', '.join(allowed)}, yield, got {name!r}")
+        raise ValueError(
+            f"quantity must be one of {', '.join(allowed)}, {PERMANENT}, yield, got {name!r}"
+        )
     return name if name in found else ",".join(found)
+
+
+def label_and_unit(name: str) -> tuple[str, str]:
+    """Of a quantity by its resolved name, for those who read it."""
+    if name == YIELD:
+        return "von Mises stress over yield stress", ""
+    if name == PERMANENT:
+        return "permanent deformation, both bodies", "m"
+    known, body = described(name.partition(",")[0])
+    body = None if "," in name else body
+    unit = {"m2": "m²", "1": ""}.get(known.unit, known.unit)
+    return known.heading if body is None else f"{known.heading}, body {body}", unit
 
 
 def elastic(simulation: Simulation) -> Simulation:

@@ -16,9 +16,17 @@ import scipy
 from . import _certified, half_resolution
 from ._checks import FloatArray, number, positive
 from ._core import ConvergenceError
-from ._load_scenes import YIELD, Built, Scaled, elastic, of_case, resolved
+from ._load_scenes import (
+    PERMANENT,
+    YIELD,
+    Built,
+    Scaled,
+    elastic,
+    label_and_unit,
+    of_case,
+    resolved,
+)
 from ._progress import tell
-from ._quantities import described
 from ._repr import Rows, Shown, quantity
 from .grid_errors import estimate_errors
 from .material import Material
@@ -44,7 +52,8 @@ class FoundLoad(Shown):
     Attributes
     ----------
     quantity : str
-        By its name in results files, or "yield"; by two names where it is the larger of both.
+        By its name in results files, "permanent_deformation" or "yield"; by two names where it is
+        the larger of both.
     load, load_error : float
         [N]; the error is that of the value over its slope.
     value, error : float
@@ -61,12 +70,7 @@ class FoundLoad(Shown):
     states: list[State]
 
     def _rows(self) -> Rows:
-        label, unit = "von Mises stress over yield stress", ""
-        if self.quantity != YIELD:
-            known, body = described(self.quantity.partition(",")[0])
-            body = None if "," in self.quantity else body
-            unit = {"m2": "m²", "1": ""}.get(known.unit, known.unit)
-            label = known.heading if body is None else f"{known.heading}, body {body}"
+        label, unit = label_and_unit(self.quantity)
         share = self.load_error / self.load
         return [
             ("load", f"{quantity(self.load, 'N', 5)} ± {100 * share:.2g} %"),
@@ -137,7 +141,8 @@ class Search:
     def _missing(self, name: str, where: str, load: float, make: Callable[[], Built]) -> float:
         if name not in self.solves.given:
             states = self._solve(name, make())
-            reached = max(self._reached(states[at]) for at in _marks(states))
+            marks = {len(states) - 1} if self.name == PERMANENT else _marks(states)
+            reached = max(self._reached(states[at]) for at in marks)
             self.solves.add(name, {"reached": reached})
             self.solves.forget_increments([name])
         reached = self.solves.given[name]["reached"]
@@ -149,11 +154,15 @@ class Search:
         return float(reached / self.target - 1.0)
 
     def _reached(self, state: State) -> float:
-        return max(_certified.value(state, name) / by for name, by in self.parts.items())
+        values = [_certified.value(state, name) / by for name, by in self.parts.items()]
+        return sum(values) if self.name == PERMANENT else max(values)
 
     @property
     def parts(self) -> dict[str, float]:
-        """What the quantity is the largest of, each divided by a number."""
+        """What the quantity is the largest (or the sum) of, each divided by a number."""
+        if self.name == PERMANENT:
+            bodies = enumerate(self.bodies, 1)
+            return {f"print_depth_body{n}": 1.0 for n, body in bodies if body.is_plastic}
         if self.name != YIELD:
             return dict.fromkeys(self.name.split(","), 1.0)
         return {
@@ -194,7 +203,8 @@ def find_load(
     quantity : str
         Of those with errors in results files, e.g. "max_pressure", "print_depth_body2"; without a
         body the larger of both. It is taken under the largest load and at the end of the path, the
-        larger of both. "yield": largest von Mises stress over yield stress of bodies that
+        larger of both. "permanent_deformation": the depths of the prints of both bodies together,
+        at the end of the path. "yield": largest von Mises stress over yield stress of bodies that
         stay elastic, 1 where the first one yields.
     value : float, optional
         To be reached, > 0, in SI units.
@@ -340,4 +350,4 @@ def _relative(values: FloatArray, errors: FloatArray) -> float:
     """Where the value is largest."""
     known = np.where(np.isfinite(errors), np.abs(values), -1.0)
     at = int(known.argmax())
-    return float(errors[at] / known[at])
+    return float(errors[at] / known[at]) if known[at] > 0 else 0.0

@@ -49,6 +49,33 @@ def test_a_run_with_the_load_reaches_the_strain():
     assert found.quantity == "max_equivalent_plastic_strain_body2"
 
 
+def test_permanent_deformation_is_of_both_bodies_after_the_load():
+    """As ISO 76 asks for it: of two bodies alike it is twice the print of one."""
+
+    def alike(load):
+        size = 24e-6
+        grid = sc.Grid(31, 31, size, size, dz=size)
+        simulation = sc.Simulation(grid, SOFT, SOFT, sc.surfaces.paraboloid(grid, R))
+        return simulation, sc.paths.load_unload(load=load, increments=4, unload_increments=1)
+
+    both = sc.find_load(alike, "permanent_deformation", 0.2e-6, largest_load=1000.0)
+    one = sc.find_load(alike, "print_depth_body1", 0.1e-6, largest_load=1000.0)
+    assert both.load == pytest.approx(one.load, rel=1e-3)
+    prints = [both.states[-1].residual_displacement(body).max() for body in (1, 2)]
+    assert sum(prints) == pytest.approx(0.2e-6, rel=5e-3)
+    assert 0 < both.error < 0.1 * both.value  # 10 cells across a contact that has just yielded
+    assert "permanent deformation, both bodies" in both._repr_html_()
+
+
+def test_permanent_deformation_needs_a_body_that_yields():
+    def elastic(load):
+        made, path = ball(load)
+        return sc.Simulation(made.grid, STEEL, STEEL, made.initial_gap), path
+
+    with pytest.raises(ValueError, match='"permanent_deformation" needs a body that yields'):
+        sc.find_load(elastic, "permanent_deformation", 1e-6, largest_load=300.0)
+
+
 def test_what_is_not_reached_is_refused_with_the_largest_value():
     hertz = sc.hertz.point(R, E_STAR, load=300.0)
     with pytest.raises(ValueError, match=r"is not reached: the largest is (\S+) at 300 N") as error:
@@ -90,6 +117,9 @@ def test_the_command_finds_and_refuses(tmp_path):
     outcome = invoke("find", file, "max_pressure=2 GPa")
     assert outcome.exit_code == 0
     assert "N ±" in outcome.stdout
+    outcome = invoke("find", file, "permanent_deformation=50 nm")
+    assert outcome.exit_code == 0
+    assert "permanent deformation" in outcome.stdout
     check_failure(invoke("find", file, "max_pressure"), 2, "must have a value")
     refused = invoke("find", file, "max_pressure=9e10", "--largest-load", "700", "--quiet")
     check_failure(refused, 2, "the largest is")
