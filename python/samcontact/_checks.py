@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
 MOST_COUNT = (1 << 31) - 1
 """The core counts with 32 bits."""
 MOST_CELLS = 1 << 24

@@ -20,6 +20,15 @@ _FACTORS = {
 }
 """From SI to the unit shown, where that is another one."""
 _SMALL_AREA = 1e-8  # [m^2]
+_COLOURS = {
+    "magnitude": "viridis",
+    "signed": "RdBu_r",
+    "strain": "magma_r",
+    "heat": "inferno",
+    "length": "cividis",
+    "height": "cividis",
+}
+"""Colour map of each kind of field."""
 
 
 class Quantity(NamedTuple):
@@ -37,13 +46,28 @@ class Quantity(NamedTuple):
     """Of its column on a terminal."""
     digits: int = 5
     """Of the largest value on a terminal."""
-    colours: str = ""
-    """Colour map; RdBu_r is for values of both signs."""
+    kind: str = ""
+    """Of a field: decides its colours. Only "signed" and "height" go below zero."""
 
     @property
     def factor(self) -> float:
         """From SI to the unit shown."""
         return _FACTORS.get(self.shown, 1.0)
+
+    @property
+    def colours(self) -> str:
+        """Colour map of its kind."""
+        return _COLOURS[self.kind]
+
+    @property
+    def signed(self) -> bool:
+        """Whether its colours are those of both signs, with white for zero."""
+        return self.kind == "signed"
+
+    @property
+    def from_zero(self) -> bool:
+        """Whether its colours begin at zero."""
+        return self.kind not in ("signed", "height")
 
     @property
     def label(self) -> str:
@@ -180,8 +204,8 @@ CONTACT = {
         "1", "layers from top to bottom of the plastic zone", "layers", "plastic zone"
     ),
     # of the surface
-    "pressure": Q("Pa", "contact pressure", "GPa", "pressure", colours="viridis"),
-    "gap": Q("m", "gap under load", "µm", "gap", colours="cividis"),
+    "pressure": Q("Pa", "contact pressure", "GPa", "pressure", kind="magnitude"),
+    "gap": Q("m", "gap under load", "µm", "gap", kind="length"),
     "shear_x": Q("Pa", "shear along +x on body 2", "MPa", "shear along x"),
     "shear_y": Q("Pa", "shear along +y on body 2", "MPa", "shear along y"),
     "slip_x": Q("m", "slip of body 1 over body 2 in the increment, along +x"),
@@ -189,29 +213,29 @@ CONTACT = {
     "sticking": Q("1", "whether a cell in contact sticks in the increment"),
     "residual_displacement": Q(
         "m", "normal surface displacement by plastic strain, body {body}, into the body", "µm",
-        "residual displacement", colours="RdBu_r",
+        "residual displacement", kind="signed",
     ),
     "initial_gap": Q("m", "gap of the unloaded bodies"),
     "surface_temperature": Q("K", "rise of temperature of the surface", "K", "rise of temperature"),
     # of the volume
-    "stress": Q("Pa", "stress, positive in tension", "MPa", "stress", colours="RdBu_r"),
-    "von_mises": Q("Pa", "von Mises stress", "MPa", "von Mises stress", colours="viridis"),
-    "hydrostatic": Q("Pa", "mean normal stress", "MPa", "hydrostatic stress", colours="RdBu_r"),
+    "stress": Q("Pa", "stress, positive in tension", "MPa", "stress", kind="signed"),
+    "von_mises": Q("Pa", "von Mises stress", "MPa", "von Mises stress", kind="magnitude"),
+    "hydrostatic": Q("Pa", "mean normal stress", "MPa", "hydrostatic stress", kind="signed"),
     "equivalent_plastic_strain": Q(
-        "1", "equivalent plastic strain", "%", "equivalent plastic strain", colours="magma_r"
+        "1", "equivalent plastic strain", "%", "equivalent plastic strain", kind="strain"
     ),
     "plastic_strain": Q("1", "plastic strain tensor"),
     "residual_stress": Q("Pa", "stress without tractions and heat"),
     "residual_von_mises": Q(
         "Pa", "von Mises stress without tractions and heat", "MPa", "residual von Mises stress",
-        colours="viridis",
+        kind="magnitude",
     ),
     "residual_hydrostatic": Q(
         "Pa", "mean normal stress without tractions and heat", "MPa",
-        "residual hydrostatic stress", colours="RdBu_r",
+        "residual hydrostatic stress", kind="signed",
     ),
     "temperature": Q(
-        "K", "rise of temperature", "K", "rise of temperature", colours="inferno"
+        "K", "rise of temperature", "K", "rise of temperature", kind="heat"
     ),
 }  # fmt: skip
 
@@ -314,7 +338,7 @@ WEAR = {
     "wear_rate": Q("m3", "worn volume per cycle", "µm³", "worn volume per cycle"),
     "worn_volume": Q("m3", "worn volume so far"),
     "x": Q("m", "positions on body {body}"),
-    "heights": Q("m", "heights of body {body}, outwards", "µm", "height", colours="viridis"),
+    "heights": Q("m", "heights of body {body}, outwards", "µm", "height", kind="height"),
 }  # fmt: skip
 
 

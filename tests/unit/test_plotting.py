@@ -7,10 +7,12 @@ import sys
 import matplotlib
 import numpy as np
 import pytest
-from core_fakes import FakeState, make_grid, make_simulation
+from core_fakes import ELASTIC, FakeState, make_grid, make_simulation
+from drawn_fields import drawn_values, shows
+from matplotlib.contour import QuadContourSet
 from matplotlib.figure import Figure
 
-from samcontact import Grid, hertz, plotting
+from samcontact import ContactSolver, Grid, hertz, plotting, surfaces
 from samcontact._tensors import von_mises
 from samcontact.plotting.parts import new_figure, save
 from samcontact.results import to_dataset
@@ -71,7 +73,7 @@ def test_hertz_follows_the_row_of_cells_of_an_even_grid(ax):
 def test_section_shows_the_plane_with_depth_downward(state, simulation, ax):
     grid = simulation.grid
     field = state.von_mises(body=2)
-    plotting.section(field, grid, ax)
+    plotting.section(field, grid, ax, cells=True)
     (mesh,) = ax.collections
     np.testing.assert_allclose(mesh.get_array(), field[:, 4, :].T * 1e-6)
     corners = mesh.get_coordinates()
@@ -85,17 +87,18 @@ def test_section_shows_the_plane_with_depth_downward(state, simulation, ax):
 def test_section_of_the_other_plane_and_signed_colours(state, simulation, ax):
     grid = simulation.grid
     field = state.hydrostatic(body=2)
-    plotting.section(field, grid, ax, quantity="hydrostatic", plane="x", position=grid.x[2])
+    plotting.section(
+        field, grid, ax, quantity="hydrostatic", plane="x", position=grid.x[2], cells=True
+    )
     (mesh,) = ax.collections
     np.testing.assert_allclose(mesh.get_array(), field[2].T * 1e-6)
-    assert mesh.norm.vcenter == 0.0
     assert mesh.norm.vmax == -mesh.norm.vmin == pytest.approx(np.abs(field[2]).max() * 1e-6)
     assert ax.get_xlabel() == "y [µm]"
 
 
 def test_strain_in_percent(state, simulation, ax):
     field = state.equivalent_plastic_strain(body=2)
-    plotting.section(field, simulation.grid, ax, quantity="equivalent_plastic_strain")
+    plotting.section(field, simulation.grid, ax, quantity="equivalent_plastic_strain", cells=True)
     np.testing.assert_allclose(ax.collections[0].get_array(), field[:, 4, :].T * 100)
     assert "[%]" in shown_label(ax)
 
@@ -141,7 +144,7 @@ def test_maps_of_the_surface(simulation, known):
     }
     for quantity, field in fields.items():
         contact = touching if known else None
-        ax = plotting.surface_map(field, grid, quantity=quantity, contact=contact)
+        ax = plotting.surface_map(field, grid, quantity=quantity, contact=contact, cells=True)
         (mesh,) = ax.collections
         shown = np.ma.filled(mesh.get_array().astype(float), np.nan)
         np.testing.assert_allclose(shown, expected[quantity].T)
@@ -194,7 +197,7 @@ def test_temperature_of_the_wrong_shape(simulation, ax):
 def test_section_of_temperature(simulation, ax):
     grid = simulation.grid
     field = np.arange(float(grid.nx * grid.ny * grid.nz)).reshape(grid.nx, grid.ny, grid.nz)
-    plotting.section(field, grid, ax, quantity="temperature")
+    plotting.section(field, grid, ax, quantity="temperature", cells=True)
     np.testing.assert_allclose(ax.collections[0].get_array(), field[:, 4, :].T)
     assert shown_label(ax) == "rise of temperature [K]"
 
@@ -280,3 +283,72 @@ def test_stresses_are_not_joined_across_an_interface(ax):
     ax = ax.figure.add_subplot()
     plotting.section(stress[0], grid, ax, quantity="stress", interfaces=[2e-6, 9e-6])
     assert [line.get_ydata()[0] for line in ax.lines] == pytest.approx([2.0])
+
+
+@pytest.mark.parametrize("quantity", ["von_mises", "hydrostatic", "equivalent_plastic_strain"])
+def test_smooth_colours_are_those_of_the_values(quantity):
+    """At the centres of the cells, of which there is one beside the other at the border too."""
+    grid = make_grid(nx=21, ny=9, nz=16, dz=1e-4)
+    x, z = grid.x[:, None, None] * 1e4, grid.z * 1e4
+    field = np.exp(-(x**2) / 40 - (z - 5) ** 2 / 20) * np.ones((1, 9, 1))
+    field *= {"von_mises": 1e9, "hydrostatic": -1e9}.get(quantity, 0.02)
+    ax = new_figure().subplots()
+    plotting.section(field, grid, ax, quantity=quantity)
+    factor = 100.0 if "strain" in quantity else 1e-6
+    assert shows(ax, grid.x, grid.z, field[:, 4] * factor)
+
+
+def test_colours_of_a_print_span_what_there_is():
+    """Of both signs, with white for zero, and no half of the scale for what does not occur."""
+    grid = make_grid(nx=31, ny=29)
+    x, y = grid.x[:, None] * 1e4, grid.y * 1e4
+    field = 1e-6 * np.exp(-(x**2 + y**2) / 20) - 3e-8
+    ax = plotting.surface_map(field, grid, new_figure().subplots(), quantity="print")
+    low, high = ax.figure.axes[1].get_ylim()
+    assert -0.1 < low < -0.03
+    assert high == pytest.approx(0.97)
+    assert shows(ax, grid.x, grid.y, field * 1e6)
+    assert ax.collections[0].norm(0.0) == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("cells", [31, 32, 45])
+def test_the_edge_of_a_contact_lies_between_cells(cells):
+    """It is Hertz' circle to a fraction of a cell, though only the pressure of cells is known."""
+    grid = make_grid(nx=cells, ny=cells, dx=2e-5, dy=2e-5)
+    pressure = (
+        ContactSolver(grid, ELASTIC, ELASTIC)
+        .solve(surfaces.paraboloid(grid, 7.5e-3), load=300.0)
+        .pressure
+    )
+    ax = plotting.surface_map(pressure, grid, contact=pressure)
+    edge = ax.collections[-1]
+    assert isinstance(edge, QuadContourSet)
+    (path,) = edge.get_paths()
+    radii = np.hypot(*path.vertices.T) * 1e-6
+    a = hertz.point(7.5e-3, E_STAR, load=300.0).a
+    assert abs(radii.mean() - a) < 0.1 * grid.dx
+    assert np.abs(radii - a).max() < 0.25 * grid.dx
+    assert np.isnan(drawn_values(ax, [a + grid.dx], [0.0])).all()
+    assert np.isfinite(drawn_values(ax, [a - grid.dx], [0.0])).all()
+
+
+def test_one_cell_in_contact_has_an_edge():
+    pressure = np.zeros((9, 7))
+    pressure[4, 3] = pressure[7, 1] = 1e9
+    ax = plotting.surface_map(pressure, Grid(9, 7, 1e-6, 1e-6))
+    rings = ax.collections[-1].get_paths()[0].to_polygons()
+    assert len(rings) == 2
+    assert np.mean(rings[0], axis=0) == pytest.approx([0.0, 0.0], abs=0.2) or np.mean(
+        rings[1], axis=0
+    ) == pytest.approx([0.0, 0.0], abs=0.2)
+
+
+def test_a_section_tells_where_the_bodies_touch(state, simulation, ax):
+    grid = simulation.grid
+    touching = np.zeros((grid.nx, grid.ny))
+    touching[[2, 3, 7], 4] = 1e9
+    plotting.section(state.von_mises(), grid, ax, contact=touching)
+    ends = [line.get_xdata() * 1e-6 for line in ax.lines]
+    sides = grid.x[[2, 3, 7, 7]] + grid.dx * np.array([-0.5, 0.5, -0.5, 0.5])
+    assert np.ravel(ends) == pytest.approx(sides)
+    assert all(np.all(line.get_ydata() == 0) for line in ax.lines)

@@ -15,6 +15,7 @@ from .._checks import FloatArray, choice, finite, finite_array
 from .._quantities import CONTACT
 from .._tensors import von_mises
 from ..hertz import EllipticContact, PointContact
+from .fields import Plane, show_section, touching_along
 from .parts import (
     COMPONENTS,
     INTERFACE,
@@ -24,7 +25,6 @@ from .parts import (
     edges,
     finish,
     nearest,
-    show_section,
     surface_line,
 )
 
@@ -122,8 +122,10 @@ def section(
     position: float = 0.0,
     label: str | None = None,
     interfaces: ArrayLike = (),
+    contact: ArrayLike | None = None,
+    cells: bool = False,
 ) -> Axes:
-    """Cross-section of a volume field with a colour bar, depth downward.
+    """Cross-section of a volume field with contour lines and a colour bar, depth downward.
 
     Parameters
     ----------
@@ -144,6 +146,10 @@ def section(
         Instead of the name of the quantity.
     interfaces : array_like, shape (n,), optional
         Depths between layers [m], as `Layered.interfaces` has them: lines.
+    contact : array_like, shape (nx, ny), optional
+        Above zero where the bodies touch, e.g. the pressure: a bar along the surface.
+    cells : bool, optional
+        Show each cell in its colour, instead of what is smooth through their centres.
 
     Returns
     -------
@@ -160,16 +166,21 @@ def section(
     values = finite_array("field", field, (grid.nx, grid.ny, len(depths)))
     assert grid.dz is not None
     finite("position", position)
+    row: Any
     if plane == "y":
-        values = values[:, nearest(grid.y, position), :]
+        row = np.s_[:, nearest(grid.y, position)]
         across, name = edges(grid.x, grid.dx), "x"
     else:
-        values = values[nearest(grid.x, position), :, :]
+        row = np.s_[nearest(grid.x, position), :]
         across, name = edges(grid.y, grid.dy), "y"
     between = finite_array("interfaces", interfaces, np.shape(interfaces))
-    ax = show_section(ax, across, edges(depths, grid.dz), values, quantity, name, label)
-    for depth in between[between < edges(depths, grid.dz)[-1]]:
+    touching = None if contact is None else finite_array("contact", contact, values.shape[:2])
+    sides = Plane(across, edges(depths, grid.dz))
+    ax = show_section(ax, sides, values[row], quantity, name, label, cells=cells)
+    for depth in between[between < sides.down[-1]]:
         ax.axhline(depth * 1e6, **INTERFACE)
+    if touching is not None:
+        touching_along(ax, across, touching[row] > 0)
     return ax
 
 

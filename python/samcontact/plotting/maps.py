@@ -10,8 +10,10 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from .._checks import choice, finite_array
+from .._quantities import CONTACT
 from ..results.reading import cell_size
-from .parts import SURFACES, edges, show_surface
+from .fields import Plane, inside_of_contact, outline, show_surface
+from .parts import SURFACES, edges
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -29,8 +31,9 @@ def surface_map(
     *,
     quantity: str = "pressure",
     contact: ArrayLike | None = None,
+    cells: bool = False,
 ) -> Axes:
-    """Pressure, gap or print from above, with a colour bar.
+    """Pressure, gap or print from above, with a colour bar and a line around the contact.
 
     Parameters
     ----------
@@ -42,9 +45,12 @@ def surface_map(
         Where to draw.
     quantity : {"pressure", "gap", "print"}
         What is shown. Where there is no pressure, or no gap, the map is white.
-    contact : array_like of bool, shape (nx, ny), optional
-        Where the bodies touch; default where there is pressure, or the gap is less than 1e-6 of its
-        maximum.
+    contact : array_like, shape (nx, ny), optional
+        Above zero where the bodies touch; the pressure tells where between two cells the contact
+        ends. Default where there is pressure, or the gap is less than 1e-6 of its maximum; a print
+        has a line around the contact if it is given here.
+    cells : bool, optional
+        Show each cell in its colour, instead of what is smooth through their centres.
 
     Returns
     -------
@@ -58,18 +64,26 @@ def surface_map(
     choice("quantity", quantity, tuple(SURFACES))
     values = finite_array(quantity, field, (grid.nx, grid.ny))
     if contact is not None:
-        touching = finite_array("contact", np.asarray(contact, dtype=float), values.shape) > 0
+        pressed = finite_array("contact", np.asarray(contact, dtype=float), values.shape)
+    elif quantity == "print":
+        pressed = np.zeros_like(values)
     else:  # a gap is closed but for the tolerance of the contact
-        touching = values > 0 if quantity == "pressure" else values <= _CLOSED * values.max()
-    note = ""
-    if quantity in _BLANK and np.any(touching) and not np.all(touching):
-        values = np.where(touching == (quantity == "pressure"), values, np.nan)
-        note = _BLANK[quantity]
-    x, y = edges(grid.x, grid.dx), edges(grid.y, grid.dy)
-    return show_surface(ax, x, y, values, quantity, "x", note)
+        closed = values <= _CLOSED * values.max()
+        pressed = values if quantity == "pressure" else closed.astype(np.float64)
+    plane = Plane(edges(grid.x, grid.dx), edges(grid.y, grid.dy))
+    inside, note = None, ""
+    edge = inside_of_contact(np.maximum(pressed, 0.0))
+    ends = bool(np.any(pressed > 0) and not np.all(pressed > 0))
+    if quantity in _BLANK and ends:
+        inside, note = edge if quantity == "pressure" else -edge, _BLANK[quantity]
+    shown = CONTACT[SURFACES[quantity]]
+    ax = show_surface(ax, plane, values, shown, "x", note, inside=inside, cells=cells)
+    if ends and not cells:
+        outline(ax, plane, edge, linestyles="dashed" if quantity == "print" else "solid")
+    return ax
 
 
-def track_map(track: xr.Dataset, ax: Axes | None = None) -> Axes:
+def track_map(track: xr.Dataset, ax: Axes | None = None, *, cells: bool = False) -> Axes:
     """The permanent print of a moving contact from above.
 
     Parameters
@@ -78,11 +92,13 @@ def track_map(track: xr.Dataset, ax: Axes | None = None) -> Axes:
         From `Track.to_dataset`.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
+    cells : bool, optional
+        Show each cell in its colour, instead of what is smooth through their centres.
 
     Returns
     -------
     matplotlib.axes.Axes
     """
-    x, y = (edges(track[axis], cell_size(track, axis)) for axis in "xy")
-    name = f"x on body {track.attrs['body']}"
-    return show_surface(ax, x, y, track["residual_displacement"].values, "print", name)
+    plane = Plane(*(edges(track[axis], cell_size(track, axis)) for axis in "xy"))
+    depth, name = track["residual_displacement"].values, f"x on body {track.attrs['body']}"
+    return show_surface(ax, plane, depth, CONTACT["residual_displacement"], name, cells=cells)

@@ -8,15 +8,12 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.colors import TwoSlopeNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, finite, finite_array
-from .._quantities import CONTACT, Quantity
 
 if TYPE_CHECKING:
     from ..grid import Grid
@@ -27,9 +24,6 @@ SECTIONS = (
 )  # fmt: skip
 SURFACES = {"pressure": "pressure", "gap": "gap", "print": "residual_displacement"}
 """What is shown of the surface, and which quantity it is."""
-_FROM_ZERO = ("equivalent_plastic_strain", "temperature", "pressure", "gap")
-_FLAT = 0.45  # depth over width: a label beside such a section would be longer than it
-_SHORT = 0.22  # here so would the whole label of the depth
 INTERFACE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
 COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
 
@@ -140,105 +134,3 @@ def surface_line(
     if axis == "x":
         return np.asarray(grid.x), values[:, nearest(grid.y, position)]
     return np.asarray(grid.y), values[nearest(grid.x, position), :]
-
-
-def show_section(
-    ax: Axes | None,
-    across: FloatArray,
-    depth: FloatArray,
-    values: FloatArray,
-    quantity: str,
-    name: str,
-    label: str | None,
-    *,
-    titled: bool = False,
-    equal: bool = True,
-) -> Axes:
-    """A plane of a volume field with a colour bar, depth downward.
-
-    `across` and `depth` are edges of cells [m], `values` the field on them in SI units, `name` that
-    of the coordinate, and `label`, if any, replaces that of the quantity. `titled`: the label is
-    the title, as it is of sections that are too flat for it beside them. `equal`: as long and deep
-    as it is.
-    """
-    ax = axes_or_new(ax)
-    flat = depth[-1] - depth[0] < _FLAT * (across[-1] - across[0])
-    shown = CONTACT[quantity]
-    if label is not None:
-        shown = shown._replace(heading=label)
-    _mesh(ax, across, depth, values, quantity, shown, titled=titled or flat, equal=equal)
-    ax.set_xlabel(f"{name} [µm]")
-    short = equal and depth[-1] - depth[0] < _SHORT * (across[-1] - across[0])
-    ax.set_ylabel("z [µm]" if short else "depth z [µm]")
-    ax.invert_yaxis()
-    return ax
-
-
-def show_surface(
-    ax: Axes | None,
-    x: FloatArray,
-    y: FloatArray,
-    values: FloatArray,
-    quantity: str,
-    name: str,
-    note: str = "",
-) -> Axes:
-    """A field of the surface from above with a colour bar; NaN is left white.
-
-    `x` and `y` are edges of cells [m], `name` that of the coordinate along x; a `note` follows the
-    name of the quantity.
-    """
-    ax = axes_or_new(ax)
-    _mesh(ax, x, y, values, quantity, CONTACT[SURFACES[quantity]], note, titled=True)
-    ax.set_xlabel(f"{name} [µm]")
-    ax.set_ylabel("y [µm]")
-    return ax
-
-
-def _mesh(
-    ax: Axes,
-    across: FloatArray,
-    down: FloatArray,
-    values: FloatArray,
-    name: str,
-    quantity: Quantity,
-    note: str = "",
-    *,
-    titled: bool,
-    equal: bool = True,
-) -> None:
-    """Cells in their colours; a field that is zero has none, and says so instead."""
-    shown, colours, label = values * quantity.factor, quantity.colours, quantity.label + note
-    zero = not np.any(np.nan_to_num(shown))
-    ratio = float((down[-1] - down[0]) / (across[-1] - across[0]))
-    options: dict[str, Any] = {}
-    if zero:
-        colours, options = "Greys", {"vmin": 0.0, "vmax": 1.0}
-    elif colours == "RdBu_r":
-        span = float(np.nanmax(np.abs(shown)))  # white is zero
-        options["norm"] = TwoSlopeNorm(0.0, -span, span)
-    elif name in _FROM_ZERO:
-        options["vmin"] = 0.0
-    ax.grid(False)  # settings may ask for one, which would lie over the colours
-    mesh = ax.pcolormesh(
-        across * 1e6, down * 1e6, shown.T, cmap=colours, rasterized=True, **options
-    )
-    if zero:
-        ax.text(0.5, 0.5, "zero\neverywhere", transform=ax.transAxes, ha="center", va="center")
-        titled = True
-    else:
-        bar = ax.figure.colorbar(mesh, ax=ax, label="" if titled else label)
-        if equal:
-            _fewer_ticks(bar.ax.yaxis, ratio, 14)
-    if titled:
-        ax.set_title(label, fontsize="medium")
-    if equal:
-        ax.set_aspect("equal")
-        _fewer_ticks(ax.yaxis, ratio, 14)
-        _fewer_ticks(ax.xaxis, 1.0 / ratio, 7)
-
-
-def _fewer_ticks(axis: Axis, ratio: float, most: int) -> None:
-    """Along a side that is this part of the other: labels must not run into each other."""
-    if most * ratio < 6:
-        axis.set_major_locator(MaxNLocator(max(int(most * ratio), 1)))

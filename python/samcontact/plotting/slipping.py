@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, finite_array, non_negative
 from .._quantities import CONTACT
+from .fields import Plane, clip, inside_of_contact, inside_of_slip, outline
 from .parts import axes_or_new, edges, finish, prefixed, surface_line
 
 if TYPE_CHECKING:
@@ -61,16 +61,14 @@ def stick_slip_map(
     """
     choice("unit", unit, ("m", "1"))
     shape = (grid.nx, grid.ny)
-    touching = finite_array("pressure", pressure, shape) > 0
+    pressed = finite_array("pressure", pressure, shape)
+    touching = pressed > 0
     moved = finite_array("slip", slip, (2, *shape))
     slips = touching & moved.any(axis=0)
-    kinds = np.where(slips, 1.0, 0.0)
-    kinds[~touching] = np.nan
     ax = axes_or_new(ax)
     ax.grid(False)
-    x, y = (edges(getattr(grid, axis), getattr(grid, f"d{axis}")) * 1e6 for axis in "xy")
-    colours = ListedColormap(COLOURS)
-    ax.pcolormesh(x, y, kinds.T, cmap=colours, vmin=0, vmax=1, rasterized=True)
+    if touching.any():
+        _kinds(ax, np.hypot(*moved), np.maximum(pressed, 0.0), grid)
     largest = _arrows(ax, np.where(slips, moved, 0.0), touching, grid)
     handles = [Patch(color=colour, label=label) for colour, label in zip(
         COLOURS, ("sticks", "slips"), strict=True)]  # fmt: skip
@@ -82,6 +80,16 @@ def stick_slip_map(
     ax.set_xlabel("x [µm]")
     ax.set_ylabel("y [µm]")
     return ax
+
+
+def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, grid: Grid) -> None:
+    """The parts of the contact in their colours, and its edge."""
+    plane = Plane(edges(grid.x, grid.dx), edges(grid.y, grid.dy))
+    inside, slips = inside_of_contact(pressure), inside_of_slip(slip, pressure > 0)
+    levels = [slips.min() - 1.0, 0.0, slips.max() + 1.0]
+    parts = ax.contourf(*plane.smooth(slips), levels=levels, colors=COLOURS)
+    clip(ax, [parts], plane, inside)
+    outline(ax, plane, inside)
 
 
 def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], grid: Grid) -> float:

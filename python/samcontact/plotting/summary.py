@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -122,7 +122,7 @@ def _of_the_peak(scene: Scene) -> dict[str, Figure]:
     add_to_title(ax, _moment(scene, scene.peak), elsewhere("y", y, grid.dy))
     for name in ("pressure", "gap"):
         ax, field = figures[f"{name}_map"].axes[0], scene.surface(name, scene.peak)
-        surface_map(field, grid, ax, quantity=name, contact=pressure > 0)
+        surface_map(field, grid, ax, quantity=name, contact=pressure)
     if scene.has("stress", number):
         figures["axis_stress"] = _panel(4.6, 4.2)
         ax, stress = figures["axis_stress"].axes[0], scene.field("stress", number)
@@ -138,7 +138,11 @@ def _sections(scene: Scene, number: int) -> Figure:
     figure = new_figure(_WIDTH, scene.section_height * len(fields))
     panels = np.ravel(figure.subplots(len(fields), 1))
     for ax, (name, field) in zip(panels, fields.items(), strict=True):
-        section(field, scene.grid, ax, quantity=name, position=y, interfaces=scene.interfaces)
+        lines: Any = {
+            "interfaces": scene.interfaces,
+            "contact": scene.surface("pressure", scene.peak),
+        }
+        section(field, scene.grid, ax, quantity=name, position=y, **lines)
         add_to_title(ax, elsewhere("y", y, scene.grid.dy))
     return figure
 
@@ -166,13 +170,21 @@ def _of_the_print(scene: Scene) -> dict[str, Figure]:
     y = scene.row(depth)
     ax = print_profile(depth, grid, figures["print"].axes[0], position=y)
     add_to_title(ax, _moment(scene, -1), elsewhere("y", y, grid.dy))
-    surface_map(depth, grid, figures["print_map"].axes[0], quantity="print")
+    pressed = scene.surface("pressure", scene.peak)
+    surface_map(depth, grid, figures["print_map"].axes[0], quantity="print", contact=pressed)
     if scene.has("residual_stress", number := scene.number(-1)):
         residual = scene.field("residual_von_mises", number)
         y = scene.row(residual)
         figures["residual"] = _panel(_WIDTH, scene.section_height)
         ax = figures["residual"].axes[0]
-        section(residual, grid, ax, quantity="residual_von_mises", position=y)
+        section(
+            residual,
+            grid,
+            ax,
+            quantity="residual_von_mises",
+            position=y,
+            interfaces=scene.interfaces,
+        )
         add_to_title(ax, elsewhere("y", y, grid.dy))
     return figures
 

@@ -16,6 +16,7 @@ from matplotlib.figure import Figure
 from .._checks import FloatArray, choice, finite
 from .._quantities import CONTACT
 from ..results.reading import grid_of
+from .fields import Plane, show_section
 from .parts import (
     COMPONENTS,
     add_to_title,
@@ -30,7 +31,6 @@ from .parts import (
     require_volume,
     row_of_interest,
     section_height,
-    show_section,
 )
 
 if TYPE_CHECKING:
@@ -107,6 +107,7 @@ def track_section(
     quantity: str = "residual_von_mises",
     plane: str = "y",
     position: float = 0.0,
+    cells: bool = False,
 ) -> Axes:
     """Section through what the contact left, along the track or across it.
 
@@ -122,6 +123,8 @@ def track_section(
         Coordinate that is constant on the section: "y" along the track, "x" across it.
     position : float
         Its value [m]; the nearest row of cells is shown.
+    cells : bool, optional
+        Show each cell in its colour, instead of what is smooth through their centres.
 
     Returns
     -------
@@ -141,7 +144,7 @@ def track_section(
     else:
         field, name, label = track[quantity].values, quantity, None
     along = f"x on body {track.attrs['body']}"
-    return _section(grid, track["x"].values, field, ax, name, plane, position, label, along)
+    return _section(grid, track["x"].values, field, ax, name, plane, position, label, along, cells)
 
 
 def loaded_section(
@@ -152,6 +155,7 @@ def loaded_section(
     quantity: str = "von_mises",
     plane: str = "y",
     position: float = 0.0,
+    cells: bool = False,
 ) -> Axes:
     """Section through a state of a moving contact, in the frame of the body.
 
@@ -165,7 +169,7 @@ def loaded_section(
         Whose field and frame.
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature"}
         Or a component "xx", "yy", "zz", "yz", "xz", "xy" of the stress.
-    plane, position
+    plane, position, cells
         As in `track_section`; with plane "x" a place on the body.
 
     Returns
@@ -186,7 +190,7 @@ def loaded_section(
     else:
         field, name, label = getattr(state, quantity)(body=body), quantity, None
     x, along = positions_on_body(state, body), f"x on body {body}"
-    return _section(state.grid, x, field, ax, name, plane, position, label, along)
+    return _section(state.grid, x, field, ax, name, plane, position, label, along, cells)
 
 
 def _section(
@@ -199,6 +203,7 @@ def _section(
     position: float,
     label: str | None,
     along: str,
+    cells: bool,
 ) -> Axes:
     choice("plane", plane, ("y", "x"))
     finite("position", position)
@@ -209,9 +214,8 @@ def _section(
         name = along
     else:
         values, across, name = field[nearest(x, position)], edges(grid.y, grid.dy), "y"
-    return show_section(
-        ax, across, edges(depths, grid.dz), values, quantity, name, label, titled=True
-    )
+    sides = Plane(across, edges(depths, grid.dz))
+    return show_section(ax, sides, values, quantity, name, label, titled=True, cells=cells)
 
 
 def print_along(track: xr.Dataset, ax: Axes) -> Axes:

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 from .._checks import FloatArray, choice, finite, integer
 from .._quantities import WEAR
 from ..results.reading import cell_size
+from .fields import Plane, show_section, show_surface
 from .parts import (
     axes_or_new,
     counted,
@@ -27,7 +28,6 @@ from .parts import (
     new_figure,
     place,
     row_of_interest,
-    show_section,
 )
 
 if TYPE_CHECKING:
@@ -133,7 +133,12 @@ def worn_profile(
 
 
 def surface_map(
-    dataset: xr.Dataset, ax: Axes | None = None, *, body: int | None = None, cycle: int = -1
+    dataset: xr.Dataset,
+    ax: Axes | None = None,
+    *,
+    body: int | None = None,
+    cycle: int = -1,
+    cells: bool = False,
 ) -> Axes:
     """Heights of a worn body after a cycle (0: before the first) as a map.
 
@@ -147,6 +152,8 @@ def surface_map(
         A worn body; default the last one.
     cycle : int
         Number of the cycle; default the last one.
+    cells : bool, optional
+        Show each cell in its colour, instead of what is smooth through their centres.
 
     Returns
     -------
@@ -158,21 +165,9 @@ def surface_map(
         A body that is not worn, or a cycle that was not computed.
     """
     heights, x = _heights(dataset, body)
-    y, shown = dataset["y"].values, WEAR["heights"]
-    ax = axes_or_new(ax)
-    ax.grid(False)
-    mesh = ax.pcolormesh(
-        edges(x, x[1] - x[0]) * 1e6,
-        edges(y, cell_size(dataset, "y")) * 1e6,
-        heights[_cycle(dataset, cycle)].T * shown.factor,
-        cmap=shown.colours,
-        rasterized=True,
-    )
-    ax.figure.colorbar(mesh, ax=ax, label=shown.label)
-    ax.set_aspect("equal")
-    ax.set_xlabel("x [µm]")
-    ax.set_ylabel("y [µm]")
-    return ax
+    plane = Plane(edges(x, x[1] - x[0]), edges(dataset["y"].values, cell_size(dataset, "y")))
+    values = heights[_cycle(dataset, cycle)]
+    return show_surface(ax, plane, values, WEAR["heights"], "x", cells=cells)
 
 
 def _heights(dataset: xr.Dataset, body: int | None) -> tuple[FloatArray, FloatArray]:
@@ -311,8 +306,8 @@ def cycle_panels(
     assert grid.dz is not None
     bottom = grid.dz * min(values.shape[-1] for _, values, _, _ in sections)
     for ax, values, quantity, label in sections:
-        across, down = edges(x, grid.dx), edges(depths_of(grid, values), grid.dz)
-        show_section(ax, across, down, values, quantity, "x", label, titled=True, equal=False)
+        plane = Plane(edges(x, grid.dx), edges(depths_of(grid, values), grid.dz))
+        show_section(ax, plane, values, quantity, "x", label, titled=True, equal=False)
         ax.set_ylim((bottom if depth is None else depth) * 1e6, 0)
     if width is not None:
         for ax in (first, second, third, fourth):

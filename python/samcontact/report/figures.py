@@ -91,7 +91,7 @@ def _contact(scene: Scene) -> Iterator[Made]:
     for name in ("pressure", "gap"):
         figure, field = new_figure(), scene.surface(name, scene.peak)
         ax = figure.subplots()
-        plotting.surface_map(field, scene.grid, ax, quantity=name, contact=pressure > 0)
+        plotting.surface_map(field, scene.grid, ax, quantity=name, contact=pressure)
         text = f"The {name} of the whole grid from above."
         yield f"Map of the {name}, {_moment(scene, number)}", text, figure
     if not np.any(np.isfinite(scene.dataset["approach"])):

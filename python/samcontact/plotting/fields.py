@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fields in colours: smooth, with contour lines, or cell by cell."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from matplotlib.ticker import MaxNLocator
+from scipy import ndimage
+
+from .._checks import BoolArray, FloatArray
+from .._quantities import CONTACT, Quantity
+from .parts import axes_or_new
+
+_FLAT = 0.45  # depth over width: a label beside such a section would be longer than it
+_SHORT = 0.22  # here so would the whole label of the depth
+_BANDS = 8  # of colour from one contour line to the next: more cannot be told apart
+_TRACE = 1e-2  # of the largest strain: below it there is none
+_LINE: dict[str, Any] = {"colors": "k", "linewidths": 0.4, "alpha": 0.35}
+EDGE: dict[str, Any] = {"colors": "k", "linewidths": 0.9}
+"""Of the line around a contact."""
+
+
+class Plane(NamedTuple):
+    """Where the values of a field lie [m]: edges of cells along both sides of the figure."""
+
+    across: FloatArray
+    down: FloatArray
+
+    @property
+    def ratio(self) -> float:
+        """Of height over width."""
+        return float((self.down[-1] - self.down[0]) / (self.across[-1] - self.across[0]))
+
+    def smooth(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Coordinates [µm] and values of centres, and of the border as in the cells next to it."""
+        sides = [
+            np.concatenate([side[:1], 0.5 * (side[1:] + side[:-1]), side[-1:]]) * 1e6
+            for side in (self.across, self.down)
+        ]
+        return sides[0], sides[1], np.pad(values, 1, mode="edge").T
+
+
+def show_section(
+    ax: Axes | None,
+    plane: Plane,
+    values: FloatArray,
+    quantity: str,
+    name: str,
+    label: str | None,
+    *,
+    titled: bool = False,
+    equal: bool = True,
+    cells: bool = False,
+) -> Axes:
+    """A plane of a volume field with a colour bar, depth downward.
+
+    `values` is the field in SI units, `name` that of the coordinate, and `label`, if any, replaces
+    that of the quantity. `titled`: the label is the title, as it is of sections that are too flat
+    for it beside them. `equal`: as long and deep as it is. `cells`: cell by cell.
+    """
+    ax = axes_or_new(ax)
+    shown = CONTACT[quantity]
+    if label is not None:
+        shown = shown._replace(heading=label)
+    titled = titled or plane.ratio < _FLAT
+    _show(ax, plane, values, shown, titled=titled, equal=equal, cells=cells)
+    ax.set_xlabel(f"{name} [µm]")
+    ax.set_ylabel("z [µm]" if equal and plane.ratio < _SHORT else "depth z [µm]")
+    ax.invert_yaxis()
+    return ax
+
+
+def show_surface(
+    ax: Axes | None,
+    plane: Plane,
+    values: FloatArray,
+    quantity: Quantity,
+    name: str,
+    note: str = "",
+    *,
+    inside: FloatArray | None = None,
+    cells: bool = False,
+) -> Axes:
+    """A field of the surface from above with a colour bar.
+
+    `name` is that of the coordinate along x; a `note` follows the name of the quantity. What is not
+    `inside`, where that is not above zero, is left white.
+    """
+    ax = axes_or_new(ax)
+    if inside is not None and cells:
+        values = np.where(inside > 0, values, np.nan)
+    drawn = _show(ax, plane, values, quantity, note, titled=True, cells=cells)
+    if inside is not None and not cells:
+        clip(ax, drawn, plane, inside)
+    ax.set_xlabel(f"{name} [µm]")
+    ax.set_ylabel("y [µm]")
+    return ax
+
+
+def clip(ax: Axes, drawn: list[Any], plane: Plane, inside: FloatArray) -> None:
+    """Show what is drawn only where a field is above zero."""
+    region = ax.contourf(*plane.smooth(inside), levels=[0.0, 1.0 + float(inside.max())])
+    path = region.get_paths()[0]
+    region.remove()
+    for artist in drawn:
+        artist.set_clip_path(path, ax.transData)
+
+
+def outline(ax: Axes, plane: Plane, inside: FloatArray, **style: Any) -> None:
+    """A line where a field is zero."""
+    ax.contour(*plane.smooth(inside), levels=[0.0], **(EDGE | style))
+
+
+def inside_of_contact(contact: FloatArray) -> FloatArray:
+    """A field that is above zero in the contact and crosses zero along its edge.
+
+    `contact` is the pressure, or 1, where the bodies touch, else 0. Near the edge of smooth bodies
+    the squared pressure is about linear in the distance from it.
+    """
+    return _crossing(np.square(contact))
+
+
+def inside_of_slip(slip: FloatArray, touching: BoolArray) -> FloatArray:
+    """The same of the size of the slip, which begins with the power 3/2 of that distance."""
+    return _crossing(np.cbrt(np.square(spread(slip, touching))))
+
+
+def _crossing(values: FloatArray) -> FloatArray:
+    """Values that are zero in some cells, taken beyond zero there.
+
+    In the cells next to others the line through the two nearest of these goes on, or falls with the
+    mean slope of all edges where they do not fall.
+    """
+    there = values > 0
+    cross = ndimage.generate_binary_structure(2, 1)
+    border = there & ~ndimage.binary_erosion(there, cross, border_value=1)
+    slope = 2.0 * float(values[border].mean()) if border.any() else 1.0
+    (nx, ny), padded = values.shape, np.pad(values, 2, mode="edge")
+    total, count = np.zeros_like(values), np.zeros_like(values)
+    for i, j in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+        near = padded[2 + i : 2 + i + nx, 2 + j : 2 + j + ny]
+        far = padded[2 + 2 * i : 2 + 2 * i + nx, 2 + 2 * j : 2 + 2 * j + ny]
+        line = np.where(far > near, 2.0 * near - far, near - slope)
+        total += np.where(near > 0, np.minimum(line, -0.05 * slope), 0.0)
+        count += near > 0
+    beyond = np.divide(total, count, out=np.full_like(total, -0.5 * slope), where=count > 0)
+    return np.where(there, values, beyond)
+
+
+def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
+    """Values of the contact, and beside it those of the nearest cell of it."""
+    nearest = ndimage.distance_transform_edt(~touching, return_distances=False, return_indices=True)
+    return np.asarray(kinds[tuple(nearest)], dtype=np.float64)
+
+
+def touching_along(ax: Axes, across: FloatArray, touching: BoolArray) -> None:
+    """A bar along the surface of a section over the cells that touch."""
+    for run in ndimage.find_objects(ndimage.label(touching)[0]):
+        ends = across[[run[0].start, run[0].stop]] * 1e6
+        ax.plot(
+            ends, [0.0, 0.0], "k-", linewidth=2.5, solid_capstyle="butt", clip_on=False, zorder=3
+        )
+
+
+def scale_of(values: FloatArray, quantity: Quantity) -> tuple[Normalize, FloatArray, FloatArray]:
+    """Colours of the values in the units shown, edges of the bands of colour, and contour lines."""
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    if quantity.signed:
+        span = max(abs(low), abs(high))
+        norm = Normalize(-span, span)  # white is zero
+    else:
+        low = 0.0 if quantity.from_zero else low
+        norm = Normalize(low, high)
+    lines = np.asarray(MaxNLocator(8, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
+    band = float(lines[1] - lines[0]) / _BANDS
+    first, last = np.floor(low / band), np.floor(high / band) + 2
+    bands = np.arange(first, last) * band
+    if quantity.signed:
+        bands = np.arange(first, last + 1) * band - 0.5 * band  # zero is in the middle of one
+    elif quantity.kind == "strain" and high > 0:
+        bands[0] = _TRACE * high
+    return norm, bands, lines[(lines > low) & (lines < high) & (np.abs(lines) > 1e-3 * band)]
+
+
+def _show(
+    ax: Axes,
+    plane: Plane,
+    values: FloatArray,
+    quantity: Quantity,
+    note: str = "",
+    *,
+    titled: bool,
+    equal: bool = True,
+    cells: bool = False,
+) -> list[Any]:
+    """What is drawn; a field that is zero has no colours and says so instead."""
+    shown, label = values * quantity.factor, quantity.label + note
+    ax.grid(False)  # settings may ask for one, which would lie over the colours
+    drawn: list[Any] = []
+    if zero := not np.any(np.nan_to_num(shown)):
+        ax.set(xlim=plane.across[[0, -1]] * 1e6, ylim=plane.down[[0, -1]] * 1e6)
+        ax.text(0.5, 0.5, "zero\neverywhere", transform=ax.transAxes, ha="center", va="center")
+    else:
+        norm, bands, lines = scale_of(shown, quantity)
+        look: dict[str, Any] = {"cmap": quantity.colours, "norm": norm}
+        if cells:
+            sides = plane.across * 1e6, plane.down * 1e6
+            drawn = [ax.pcolormesh(*sides, shown.T, rasterized=True, **look)]
+        else:
+            field = plane.smooth(shown)
+            drawn = [ax.contourf(*field, levels=bands, **look)]
+            drawn[0].set_rasterized(True)  # bands of vectors have seams between them
+            if len(lines):
+                drawn.append(ax.contour(*field, levels=lines, linestyles="solid", **_LINE))
+        bar = ax.figure.colorbar(ScalarMappable(**look), ax=ax, label="" if titled else label)
+        bar.ax.set_ylim(max(bands[0], norm.vmin), min(bands[-1], norm.vmax))
+        if equal:
+            _fewer_ticks(bar.ax.yaxis, plane.ratio, 14)
+    if titled or zero:
+        ax.set_title(label, fontsize="medium")
+    if equal:
+        ax.set_aspect("equal")
+        _fewer_ticks(ax.yaxis, plane.ratio, 14)
+        _fewer_ticks(ax.xaxis, 1.0 / plane.ratio, 7)
+    return drawn
+
+
+def _fewer_ticks(axis: Axis, ratio: float, most: int) -> None:
+    """Along a side that is this part of the other: labels must not run into each other."""
+    if most * ratio < 6:
+        axis.set_major_locator(MaxNLocator(max(int(most * ratio), 1)))
