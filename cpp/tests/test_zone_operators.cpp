@@ -117,44 +117,59 @@ Error against(const Field& own, const Field& whole, int parts, std::size_t cells
   return error;
 }
 
+/// Of zones against the whole box.
+struct Errors {
+  std::array<Error, 3> moved;  // by axis
+  Error residual, elastic;     // stress of strain, and of tractions
+};
+
+Errors errors_of(const BandSplit& split, Tensor tensor, double image_tol = 1e-5) {
+  const auto medium = half_space(steel);
+  const int parts = count(tensor);
+  ZoneOperators operators(
+      std::make_shared<const ZoneTables>(grid, medium, tensor, image_tol, split), zones);
+  const VolumeOperators whole(grid, medium,
+                              {tensor, Symmetry::none, ResidualMethod::fast, image_tol, {}});
+  const Field strain = zone_strain(tensor, operators.cells());
+  const Field everywhere = on_grid(strain, parts, operators.cells());
+  Errors errors;
+  Field displacement(grid.surface_size(), 0.0), reference(displacement.size());
+  operators.transform(strain, all_axes);
+  VolumeSpectrum spectrum = whole.make_spectrum();
+  forward(whole.transform(), everywhere.data(), spectrum);
+  for (const Axis axis : all_axes) {
+    operators.displacement(axis, displacement.data());
+    whole.residual_displacement(axis).apply(spectrum, reference.data());
+    for (std::size_t n = 0; n < reference.size(); ++n) {
+      errors.moved[static_cast<int>(axis)].add(displacement[n], reference[n]);
+    }
+  }
+  const Tractions none{Field(grid.surface_size(), 0.0), {}, {}};
+  errors.residual =
+      against(stress_in_zones(operators, &strain, none, parts),
+              whole.stress(everywhere.data(), nullptr, -1.0), parts, operators.cells());
+  const Tractions loads{spots(1.0), spots(0.3), spots(-0.2)};
+  errors.elastic = against(stress_in_zones(operators, nullptr, loads, parts),
+                           whole.stress(nullptr, &loads, -1.0), parts, operators.cells());
+  return errors;
+}
+
 }  // namespace
 
 TEST_CASE("strain and tractions in zones do what they do in the whole box") {
-  const auto medium = half_space(steel);
   for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
-    const int parts = count(tensor);
-    ZoneOperators operators(std::make_shared<const ZoneTables>(grid, medium, tensor, 1e-5), zones);
-    const VolumeOperators whole(grid, medium,
-                                {tensor, Symmetry::none, ResidualMethod::fast, 1e-5, {}});
-    const Field strain = zone_strain(tensor, operators.cells());
-    const Field everywhere = on_grid(strain, parts, operators.cells());
-
-    Field displacement(grid.surface_size(), 0.0), reference(displacement.size());
-    operators.transform(strain, all_axes);
-    VolumeSpectrum spectrum = whole.make_spectrum();
-    forward(whole.transform(), everywhere.data(), spectrum);
+    const Errors errors = errors_of({}, tensor);
     for (const Axis axis : all_axes) {
-      operators.displacement(axis, displacement.data());
-      whole.residual_displacement(axis).apply(spectrum, reference.data());
-      Error moved;
-      for (std::size_t n = 0; n < reference.size(); ++n) moved.add(displacement[n], reference[n]);
+      const Error& moved = errors.moved[static_cast<int>(axis)];
       // Along the surface the strains xx and yy act the most, whose tables fall off slowest.
       CHECK(moved.rms() < (axis == Axis::z ? 3e-4 : 1e-3));
       CHECK(moved.max() < (axis == Axis::z ? 3e-4 : 1e-3));
     }
-
-    const Tractions none{Field(grid.surface_size(), 0.0), {}, {}};
-    const Error residual =
-        against(stress_in_zones(operators, &strain, none, parts),
-                whole.stress(everywhere.data(), nullptr, -1.0), parts, operators.cells());
     // Harder than flow: weak strain beside a much stronger zone at the end of its ring.
-    CHECK(residual.rms() < 4e-3);
-    CHECK(residual.max() < 1e-2);
-    const Tractions loads{spots(1.0), spots(0.3), spots(-0.2)};
-    const Error elastic = against(stress_in_zones(operators, nullptr, loads, parts),
-                                  whole.stress(nullptr, &loads, -1.0), parts, operators.cells());
-    CHECK(elastic.rms() < 6e-4);
-    CHECK(elastic.max() < 6e-4);
+    CHECK(errors.residual.rms() < 4e-3);
+    CHECK(errors.residual.max() < 1e-2);
+    CHECK(errors.elastic.rms() < 6e-4);
+    CHECK(errors.elastic.max() < 6e-4);
   }
 }
 
@@ -163,7 +178,8 @@ TEST_CASE("heat that goes with the pressure does in zones what it does in the wh
   for (const Heating& heating : {at_rest, moving}) {
     for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
       const int parts = count(tensor);
-      const auto tables = std::make_shared<const ZoneTables>(grid, medium, tensor, 1e-5, heating);
+      const auto tables =
+          std::make_shared<const ZoneTables>(grid, medium, tensor, 1e-5, BandSplit{}, heating);
       ZoneOperators operators(tables, zones);
       const auto heat = std::make_shared<const HeatStress>(grid, medium, heating);
       const VolumeOperators whole(grid, medium,
@@ -196,8 +212,9 @@ TEST_CASE("the von Mises stress of tractions is within its bound") {
         heating.is_on() ? std::make_shared<const HeatStress>(grid, medium, heating) : nullptr;
     const VolumeOperators whole(
         grid, medium, {Tensor::deviator, Symmetry::none, ResidualMethod::fast, 1e-5, heat});
-    const StressBound bound(
-        std::make_shared<const ZoneTables>(grid, medium, Tensor::deviator, 1e-5, heating), depths);
+    const StressBound bound(std::make_shared<const ZoneTables>(grid, medium, Tensor::deviator, 1e-5,
+                                                               BandSplit{}, heating),
+                            depths);
     const Tractions loads{spots(1.0), friction > 0 ? spots(friction) : Field{},
                           friction > 0 ? spots(-0.5 * friction) : Field{}};
     const Field s = whole.stress(nullptr, &loads, 1.0);
@@ -214,8 +231,8 @@ TEST_CASE("the von Mises stress of tractions is within its bound") {
               const double stress =
                   std::sqrt(3 * (xx * xx + yy * yy + xx * yy + yz * yz + xz * xz + xy * xy));
               const double above =
-                  blocks[static_cast<std::size_t>(i / StressBound::block) * bound.blocks_y() +
-                         j / StressBound::block];
+                  blocks[static_cast<std::size_t>(i / bound.block()) * bound.blocks_y() +
+                         j / bound.block()];
 #pragma omp critical
               {
                 lowest = std::min(lowest, (above - stress) / most);
@@ -256,7 +273,7 @@ TEST_CASE("zones beside the grid act on it") {
 }
 
 TEST_CASE("what smooth continuation leaves, a coarse lattice holds") {
-  const SmoothContinuation split(4, 8);
+  const SmoothContinuation split(4, 8, 0.8);
   const int reach = split.reach();
   for (const auto& parity : {kernels::Parity{}, kernels::Parity{true, false, false},
                              kernels::Parity{true, true, false}}) {

@@ -21,57 +21,39 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Where a table is split: the near part ends at cells of the lattice, the middle one at nodes of
-/// the far one.
-constexpr int near_cells = near_range, middle_cells = 2 * spacing(Band::far);
-
-/// Low pass, 1 at q = 0 and gone at 0.9 of the highest wavenumber of nodes `factor` cells apart: a
-/// step smoothed by a Gaussian, even in q, so that the rest is of short range.
-double low_pass(double q, int factor, double sharpness) {
-  const double gone = 0.9 * pi / factor, a = sharpness, b = 2 * a / gone;
+/// Low pass, 1 at q = 0 and gone at a part of the highest wavenumber of nodes `factor` cells apart:
+/// a step smoothed by a Gaussian, even in q, so that the rest is of short range.
+double low_pass(double q, int factor, double gone_at, double sharpness) {
+  const double gone = gone_at * pi / factor, a = sharpness, b = 2 * a / gone;
   return (std::erf(a + b * q) + std::erf(a - b * q)) / (2 * std::erf(a));
-}
-
-/// What spreading and gathering make of a wave along one axis, wavenumber in 1/cell.
-double window_gain(Band band, double k) {
-  if (band == Band::near) return 1.0;
-  double gain = window_transform(k * spacing(Band::middle));
-  if (band == Band::far) gain *= window_transform(k * spacing(Band::far));
-  return gain * gain;
-}
-
-/// Share of a band in the residual stress of a wave, wavenumbers in 1/cell: the three add up to 1.
-double share(Band band, double kx, double ky) {
-  const double q = std::hypot(kx, ky);
-  const double middle = low_pass(q, spacing(Band::middle), 1.6);
-  const double far = low_pass(q, spacing(Band::far), 1.5);
-  switch (band) {
-    case Band::near:
-      return 1 - middle;
-    case Band::middle:
-      return middle - far;
-    default:
-      return far;
-  }
 }
 
 /// The tables of all bands of one medium. Thread-safe.
 class BandTables {
  public:
-  BandTables(SharedMedium medium, const Grid& cells)
+  BandTables(SharedMedium medium, const Grid& cells, const BandSplit& bands)
       : medium_(std::move(medium)),
         cells_(cells),
-        near_(spacing(Band::middle), near_cells),
-        middle_(spacing(Band::far), middle_cells) {
+        bands_(bands),
+        window_(bands.window_width),
+        near_(bands.middle_spacing, bands.near_range, bands.clear_band),
+        middle_(bands.far_spacing, bands.middle_range, bands.clear_band) {
     cells_.period = {};
   }
 
   const SharedMedium& medium() const { return medium_; }
+  const BandSplit& bands() const { return bands_; }
+  /// What spreading and gathering make of a wave along one axis, wavenumber in 1/cell.
+  double window_gain(Band band, double k) const;
+  /// Share of a band in the residual stress of a wave, wavenumbers in 1/cell: the three add up
+  /// to 1.
+  double share(Band band, double kx, double ky) const;
 
   /// Layers whose strain moves the surface by a band: below, that has fallen to 1e-4.
   int strained_layers(Band band, const Grid& grid) const {
     if (band == Band::far) return grid.nz;
-    const double depth = (band == Band::near ? 12 : 30) * std::max(cells_.dx, cells_.dy);
+    const double depth = (band == Band::near ? bands_.near_moves : bands_.middle_moves) *
+                         std::max(cells_.dx, cells_.dy);
     return static_cast<int>(std::min<double>(grid.nz, std::ceil(depth / grid.dz)));
   }
 
@@ -118,13 +100,44 @@ class BandTables {
                const Exact& exact) const;
   Field far_tables(const Split& split, const KernelOffsets& offsets, const Parities& parities,
                    const Exact& exact) const;
+  void sharpen(Band band, const KernelOffsets& offsets, int mx, int my, const Parities& parities,
+               Field& tables) const;
 
   SharedMedium medium_;
   Grid cells_;
+  BandSplit bands_;
+  WindowTransform window_;
   SmoothContinuation near_, middle_;
   mutable std::mutex mutex_;
   mutable std::map<Key, std::shared_ptr<const Split>> kept_;
 };
+
+double BandTables::window_gain(Band band, double k) const {
+  if (band == Band::near) return 1.0;
+  double gain = window_(k * bands_.middle_spacing);
+  if (band == Band::far) gain *= window_(k * bands_.far_spacing);
+  return gain * gain;
+}
+
+double BandTables::share(Band band, double kx, double ky) const {
+  const double q = std::hypot(kx, ky);
+  const auto pass = [&](int spacing, double sharpness) {
+    return low_pass(q, spacing, bands_.gone_at, sharpness);
+  };
+  const double middle = pass(bands_.middle_spacing, bands_.middle_sharpness);
+  const double far = pass(bands_.far_spacing, bands_.far_sharpness);
+  switch (band) {
+    case Band::near:
+      return 1 - middle;
+    case Band::middle:
+      return middle - far;
+    default:
+      return far;
+  }
+}
+
+/// Of some offsets in cells from 0 on, those between nodes.
+int nodes_in(int cells, int spacing) { return (cells + spacing - 1) / spacing; }
 
 /// Puts the inside [j][i] of a square into a table.
 void replace(const Field& inside, int cells, double* table, int width) {
@@ -146,6 +159,7 @@ std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const
     if (found != kept_.end()) return found->second;
   }
   const int wide = middle_.reach(), close = near_.reach();
+  const int near_cells = near_.cells(), middle_cells = middle_.cells();
   Field whole = exact(CellOffsets::lattice(wide, wide));
   auto split = std::make_shared<Split>();
   Field around(static_cast<std::size_t>(close) * close);
@@ -164,13 +178,13 @@ std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const
     replace(middle_.inside(table, parities[c]), middle_cells, table, wide);
     subtract(near_.rest(around.data(), parities[c]), around.data());
     subtract(middle_.rest(table, parities[c]), table);
-    for (int j = 0; j < close; j += spacing(Band::middle)) {
-      for (int i = 0; i < close; i += spacing(Band::middle)) {
+    for (int j = 0; j < close; j += bands_.middle_spacing) {
+      for (int i = 0; i < close; i += bands_.middle_spacing) {
         split->middle.push_back(around[j * close + i] - table[j * wide + i]);
       }
     }
-    for (int j = 0; j < wide; j += spacing(Band::far)) {
-      for (int i = 0; i < wide; i += spacing(Band::far)) {
+    for (int j = 0; j < wide; j += bands_.far_spacing) {
+      for (int i = 0; i < wide; i += bands_.far_spacing) {
         split->far.push_back(table[j * wide + i]);
       }
     }
@@ -181,17 +195,17 @@ std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const
 
 /// Divides tables [component][j][i] at nodes 0..nx - 1, 0..ny - 1 by what the window of a band
 /// makes of their waves. mx, my: period.
-void sharpen(Band band, const KernelOffsets& offsets, int mx, int my,
-             const std::vector<kernels::Parity>& parities, Field& tables) {
+void BandTables::sharpen(Band band, const KernelOffsets& offsets, int mx, int my,
+                         const Parities& parities, Field& tables) const {
   const auto [nx, ny] = offsets;
   const fft::ParitySpectrum spectrum(mx, my);
   const int hx = spectrum.hx(), hy = spectrum.hy();
-  const auto factors = [band](int count) {
+  const auto factors = [&](int count) {
     Field factor(count);
     for (int n = 0; n < count; ++n) {
       const double part = static_cast<double>(n) / (count - 1);
-      const double above = (part - clear_band) / (1 - clear_band);
-      factor[n] = rising(1 - above) / window_gain(band, part * pi / spacing(band));
+      const double above = (part - bands_.clear_band) / (1 - bands_.clear_band);
+      factor[n] = rising(1 - above) / window_gain(band, part * pi / bands_.spacing(band));
     }
     return factor;
   };
@@ -223,7 +237,8 @@ Field BandTables::tables(Band band, const Key& key, const KernelOffsets& offsets
   const auto parts = split(key, parities, exact);
   if (band == Band::far) return far_tables(*parts, offsets, parities, exact);
   const Field& from = band == Band::near ? parts->near : parts->middle;
-  const int size = band == Band::near ? near_cells : near_.reach() / spacing(Band::middle);
+  const int size =
+      band == Band::near ? near_.cells() : nodes_in(near_.reach(), bands_.middle_spacing);
   const std::size_t plane = static_cast<std::size_t>(offsets.nx) * offsets.ny;
   Field out(parities.size() * plane, 0.0);
   for (std::size_t c = 0; c < parities.size(); ++c) {
@@ -270,9 +285,8 @@ std::array<ParityParts, 6> BandTables::heat_stress(Band band, const Heating& hea
 
 Field BandTables::far_tables(const Split& split, const KernelOffsets& offsets,
                              const Parities& parities, const Exact& exact) const {
-  constexpr int step = spacing(Band::far);
-  const int inner = std::min({middle_.reach() / step, offsets.nx, offsets.ny});
-  const int kept = middle_.reach() / step;
+  const int step = bands_.far_spacing, kept = nodes_in(middle_.reach(), step);
+  const int inner = std::min({kept, offsets.nx, offsets.ny});
   const auto [nx, ny] = offsets;
   CellOffsets at;
   for (int i = 0; i < nx; ++i) at.x.push_back(i * step);
@@ -287,8 +301,8 @@ Field BandTables::far_tables(const Split& split, const KernelOffsets& offsets,
     // The last offsets occur to empty nodes only.
     for (int j = 0; j < ny; ++j) {
       for (int i = 0; i < nx; ++i) {
-        const auto fades = [](int n, int count) {
-          return rising(static_cast<double>(count - n) / fading_nodes);
+        const auto fades = [this](int n, int count) {
+          return rising(static_cast<double>(count - n) / bands_.fading_nodes);
         };
         table[static_cast<std::size_t>(j) * nx + i] *= fades(i, nx) * fades(j, ny);
       }
@@ -345,16 +359,16 @@ class BandMedium : public VolumeMedium {
   std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
                                                   const VolumeTransform& transform,
                                                   const ResidualSettings& settings) const override {
-    const double step = spacing(band_), dx = grid.dx / step, dy = grid.dy / step;
+    const double step = tables_->bands().spacing(band_), dx = grid.dx / step, dy = grid.dy / step;
     // A node has the strain of its cells.
-    const auto gain = [band = band_,
+    const auto gain = [tables = tables_, band = band_,
                        known = std::make_shared<std::unordered_map<double, double>>()](double k) {
       const auto [at, is_new] = known->try_emplace(k, 0.0);
-      if (is_new) at->second = window_gain(band, k);
+      if (is_new) at->second = tables->window_gain(band, k);
       return at->second;
     };
-    const auto own = [band = band_, gain, dx, dy, step](double kx, double ky) {
-      return share(band, kx * dx, ky * dy) / (gain(kx * dx) * gain(ky * dy) * step * step);
+    const auto own = [tables = tables_, band = band_, gain, dx, dy, step](double kx, double ky) {
+      return tables->share(band, kx * dx, ky * dy) / (gain(kx * dx) * gain(ky * dy) * step * step);
     };
     ResidualSettings of_band = settings;
     of_band.share = own;
@@ -381,8 +395,9 @@ class BandMedium : public VolumeMedium {
 
 }  // namespace
 
-std::array<SharedMedium, 3> bands_of(const SharedMedium& medium, const Grid& cells) {
-  const auto tables = std::make_shared<const BandTables>(medium, cells);
+std::array<SharedMedium, 3> bands_of(const SharedMedium& medium, const Grid& cells,
+                                     const BandSplit& split) {
+  const auto tables = std::make_shared<const BandTables>(medium, cells, split);
   return {std::make_shared<const BandMedium>(Band::near, tables),
           std::make_shared<const BandMedium>(Band::middle, tables),
           std::make_shared<const BandMedium>(Band::far, tables)};

@@ -18,7 +18,7 @@ constexpr int fades_from = 2, gone_at = 6;
 
 }  // namespace
 
-SmoothContinuation::SmoothContinuation(int factor, int cells)
+SmoothContinuation::SmoothContinuation(int factor, int cells, double clear_band)
     : cells_(cells), reach_(gone_at * cells), fade_(reach_) {
   for (int n = 0; n < reach_; ++n) {
     fade_[n] = rising(static_cast<double>(reach_ - n) / (reach_ - fades_from * cells));
@@ -26,7 +26,7 @@ SmoothContinuation::SmoothContinuation(int factor, int cells)
   const double cut = clear_band * std::numbers::pi / factor;
   for (const bool odd : {false, true}) {
     axes_[odd] = make_axis(cells, reach_, cut, odd);
-    axes_[odd].low = make_low(factor, reach_, odd);
+    axes_[odd].low = make_low(factor, reach_, clear_band, odd);
   }
 }
 
@@ -54,7 +54,7 @@ SmoothContinuation::Axis SmoothContinuation::make_axis(int cells, int reach, dou
   return axis;
 }
 
-Eigen::MatrixXd SmoothContinuation::make_low(int factor, int reach, bool odd) {
+Eigen::MatrixXd SmoothContinuation::make_low(int factor, int reach, double clear_band, bool odd) {
   constexpr int points = 4096;
   const double highest = std::numbers::pi / factor;
   Eigen::VectorXd filter = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(reach));

@@ -13,9 +13,6 @@ namespace {
 
 /// Depths whose spectra are taken together.
 constexpr std::size_t together = 8;
-/// Depth in cells from which on a band is below 1e-3 of the pressure.
-constexpr double near_ends = 10.0, middle_ends = 28.0;
-
 constexpr int parts = 5;
 
 /// From the five components of a deviator, `step` apart.
@@ -52,12 +49,12 @@ Field near_norm(const ZoneTables& tables, Traction kind, double depth, const Gri
   return norm;
 }
 
-NodeSpread middle_nodes(const Grid& grid) {
+NodeSpread middle_nodes(const ZoneTables& tables) {
   // The corners of the last blocks lie one cell further.
-  Box cells = Box::surface(grid);
-  cells.nx += 2;
-  cells.ny += 2;
-  return {spacing(Band::middle), cells};
+  Box cells = Box::surface(tables.grid());
+  cells.nx += tables.split().middle_spacing;
+  cells.ny += tables.split().middle_spacing;
+  return tables.middle_nodes(cells);
 }
 
 }  // namespace
@@ -87,16 +84,16 @@ struct StressBound::Loads {
 StressBound::StressBound(std::shared_ptr<const ZoneTables> tables,
                          const std::vector<double>& depths)
     : tables_(std::move(tables)),
-      middle_(middle_nodes(tables_->grid())),
-      far_(spacing(Band::far) / spacing(Band::middle), middle_.box()),
+      middle_(middle_nodes(*tables_)),
+      far_(tables_->far_nodes(middle_)),
       middle_transform_(tables_->lattice(Band::middle, middle_, 0), Symmetry::none),
       far_transform_(tables_->lattice(Band::far, far_, 0), Symmetry::none) {
   const Grid& grid = tables_->grid();
-  const double cell = std::min(grid.dx, grid.dy);
+  const double ends = tables_->split().middle_bound * std::min(grid.dx, grid.dy);
   for (std::size_t n = 0; n < depths.size();) {
     std::size_t end = std::min(n + together, depths.size());
-    const bool has_middle = depths[n] < middle_ends * cell;
-    while (has_middle && depths[end - 1] >= middle_ends * cell) --end;
+    const bool has_middle = depths[n] < ends;
+    while (has_middle && depths[end - 1] >= ends) --end;
     const std::vector<double> some(depths.begin() + static_cast<std::ptrdiff_t>(n),
                                    depths.begin() + static_cast<std::ptrdiff_t>(end));
     groups_.push_back(std::make_unique<const Group>(*this, static_cast<int>(n), some, has_middle));
@@ -106,15 +103,16 @@ StressBound::StressBound(std::shared_ptr<const ZoneTables> tables,
 
 StressBound::~StressBound() = default;
 
-int StressBound::blocks_x() const { return (tables_->grid().nx + block - 1) / block; }
-int StressBound::blocks_y() const { return (tables_->grid().ny + block - 1) / block; }
+int StressBound::blocks_x() const { return (tables_->grid().nx + block() - 1) / block(); }
+int StressBound::blocks_y() const { return (tables_->grid().ny + block() - 1) / block(); }
 
 Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& given) const {
   const Box rows = middle_.box();
   const int nx = blocks_x() + 1, ny = blocks_y() + 1;
   const std::size_t plane = static_cast<std::size_t>(nx) * ny;
   // First cells of blocks lie alike between the nodes.
-  const auto &wx = middle_.x().weights(0), &wy = middle_.y().weights(0);
+  const double *wx = middle_.x().weights(0), *wy = middle_.y().weights(0);
+  const int width = middle_.x().width();
   const int a0 = middle_.x().place(0), b0 = middle_.y().place(0);
   Field values(parts * plane), line(rows.ny);
   const std::array<double, parts> more{given[0], given[1], 0.0, 0.0, given[2]};
@@ -124,7 +122,7 @@ Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& g
           nodes.data() + (static_cast<std::size_t>(c) * rows.nx + a0 + i) * rows.ny;
       for (int b = 0; b < rows.ny; ++b) {
         double sum = 0.0;
-        for (int m = 0; m < window_width; ++m) {
+        for (int m = 0; m < width; ++m) {
           sum += wx[m] * from[static_cast<std::ptrdiff_t>(m) * rows.ny + b];
         }
         line[b] = sum;
@@ -132,7 +130,7 @@ Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& g
       double* to = values.data() + c * plane + static_cast<std::size_t>(i) * ny;
       for (int j = 0; j < ny; ++j) {
         double sum = 0.0;
-        for (int m = 0; m < window_width; ++m) sum += wy[m] * line[b0 + j + m];
+        for (int m = 0; m < width; ++m) sum += wy[m] * line[b0 + j + m];
         to[j] = sum + more[c];
       }
     }
@@ -144,8 +142,8 @@ Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& g
 
 Field StressBound::near_part(double depth, const Tractions& tractions) const {
   const Grid& grid = tables_->grid();
-  constexpr int reach = near_range;
-  if (depth >= near_ends * std::min(grid.dx, grid.dy)) return {};
+  const int reach = tables_->split().near_range;
+  if (depth >= tables_->split().near_bound * std::min(grid.dx, grid.dy)) return {};
   Field sum(grid.surface_size(), 0.0);
   Grid around(2 * reach, 2 * reach, grid.dx, grid.dy);
   around.period = {2 * reach, 2 * reach, 0.0};
@@ -210,7 +208,7 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
     }
     const Field corners = at_corners(nodes, given[group.first + k]);
     const Field near = near_part(group.depths[k], loads.cells);
-    const int nx = blocks_x(), ny = blocks_y();
+    const int nx = blocks_x(), ny = blocks_y(), block = this->block();
     Field bound(static_cast<std::size_t>(nx) * ny);
     for (int i = 0; i < nx; ++i) {
       const double* row = corners.data() + static_cast<std::size_t>(i) * (ny + 1);

@@ -12,11 +12,6 @@
 namespace samcontact::operators {
 namespace {
 
-/// Cells of the ring around a zone: the near band's range.
-constexpr int ring = near_range;
-/// The ring's strain fades out in its last part.
-constexpr double fades_from = 0.75;
-
 /// Numbers that are 0, of one thread: what it has once taken stays with it.
 double* zeros(std::size_t count) {
   static thread_local Field buffer;
@@ -25,8 +20,9 @@ double* zeros(std::size_t count) {
   return buffer.data();
 }
 
-/// Weights of the strain along one axis, of a zone of `count` cells and its ring.
-Field fades(int count) {
+/// Weights of the strain along one axis, of a zone of `count` cells and its ring, where it fades
+/// out from a part on.
+Field fades(int count, int ring, double fades_from) {
   Field weights(count + 2 * ring);
   for (int n = 0; n < count + 2 * ring; ++n) {
     const int outside = std::max({0, ring - n, n - (ring + count) + 1});
@@ -104,6 +100,8 @@ ZoneOperators::~ZoneOperators() {
 }
 
 void ZoneOperators::add_ring(const Box& zone) {
+  const int ring = tables_->split().near_range;
+  const double fades_from = tables_->split().ring_fades_from;
   Box box{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
   std::vector<int> inside;
   for (std::size_t z = 0; z < zones_.size(); ++z) {
@@ -122,8 +120,8 @@ void ZoneOperators::add_ring(const Box& zone) {
                      my,
                      std::move(inside),
                      operators,
-                     fades(zone.nx),
-                     fades(zone.ny),
+                     fades(zone.nx, ring, fades_from),
+                     fades(zone.ny, ring, fades_from),
                      {},
                      VolumeSpectrum(operators->transform(), box.nz, tensor_)});
 }
@@ -131,12 +129,12 @@ void ZoneOperators::add_ring(const Box& zone) {
 void ZoneOperators::make_lattices() {
   Box cells = Box::surface(grid_);
   for (const Box& zone : zones_) cells = cells.united(zone);
-  const NodeSpread middle(spacing(Band::middle), cells);
+  const NodeSpread middle = tables_->middle_nodes(cells);
   const auto operators = [&](Band band, const NodeSpread& nodes) {
     return tables_->of(band, tables_->lattice(band, nodes, layers_));
   };
   middle_ = std::make_unique<Lattice>(middle, operators(Band::middle, middle), layers_, *tables_);
-  const NodeSpread far(spacing(Band::far) / spacing(Band::middle), middle_->nodes.box());
+  const NodeSpread far = tables_->far_nodes(middle);
   const auto of_far = operators(Band::far, far);
   // Its images need the strain of all layers.
   far_ = std::make_unique<Lattice>(far, of_far, of_far->grid().nz, *tables_);
@@ -363,7 +361,7 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   cut(tractions.shear_x, here.shear_x);
   cut(tractions.shear_y, here.shear_y);
   add_others(zone, strain);
-  const fft::RowRun rows{ring, box.nx};
+  const fft::RowRun rows{tables_->split().near_range, box.nx};
   // A plane with a period has no images to be found from the strain.
   const double unused = 0.0;
   Field sum(parts * size);

@@ -9,8 +9,6 @@
 namespace samcontact::operators {
 namespace {
 
-/// Nodes between the ends of the middle plane, where its band is 1e-4 of the residual stress.
-constexpr int middle_ring = 10;
 /// Tables have so many layers, times a whole number: they outlast zones that grow.
 constexpr int layers_at_once = 8;
 
@@ -29,22 +27,37 @@ Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodeSp
 }
 
 ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor,
-                       double image_tol, const Heating& heating)
-    : grid_(grid), tensor_(tensor), image_tol_(image_tol), media_(bands_of(medium, grid)) {
+                       double image_tol, const BandSplit& split, const Heating& heating)
+    : grid_(grid),
+      tensor_(tensor),
+      image_tol_(image_tol),
+      split_((require_valid(split), split)),
+      media_(bands_of(medium, grid, split)) {
   if (!heating.is_on()) return;
   for (std::size_t band = 0; band < media_.size(); ++band) {
     heat_[band] = std::make_shared<const HeatStress>(media_[band], heating);
   }
 }
 
+NodeSpread ZoneTables::middle_nodes(const Box& cells) const {
+  return {split_.middle_spacing, split_.window_width, cells};
+}
+
+NodeSpread ZoneTables::far_nodes(const NodeSpread& middle) const {
+  return {split_.far_spacing / split_.middle_spacing, split_.window_width, middle.box()};
+}
+
 Grid ZoneTables::lattice(Band band, const NodeSpread& nodes, int layers) const {
-  const int step = spacing(band), nx = nodes.x().count(), ny = nodes.y().count();
+  const int step = split_.spacing(band), nx = nodes.x().count(), ny = nodes.y().count();
   if (band == Band::far) {
-    const auto cells = [](int n) { return fft::fast_plane_size(2 * (n + fading_nodes)) / 2; };
+    const auto cells = [this](int n) {
+      return fft::fast_plane_size(2 * (n + split_.fading_nodes)) / 2;
+    };
     return {cells(nx), cells(ny), step * grid_.dx, step * grid_.dy, layers, grid_.dz};
   }
-  Grid lattice(fft::fast_plane_size(nx + middle_ring), fft::fast_plane_size(ny + middle_ring),
-               step * grid_.dx, step * grid_.dy, layers, grid_.dz);
+  Grid lattice(fft::fast_plane_size(nx + split_.middle_ring),
+               fft::fast_plane_size(ny + split_.middle_ring), step * grid_.dx, step * grid_.dy,
+               layers, grid_.dz);
   lattice.period = {lattice.nx, lattice.ny, 0.0};
   return lattice;
 }

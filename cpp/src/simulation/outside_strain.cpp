@@ -33,13 +33,15 @@ Box acting_box(const PlasticState& history, const Box& wanted, int reach) {
   return wanted.united(long_box);
 }
 
-Zones acting_zones(const PlasticState& history, const Zones& zones, const Grid& grid, int reach) {
+Zones acting_zones(const PlasticState& history, const Zones& zones,
+                   const operators::ZoneTables& tables, int reach) {
+  const Grid& grid = tables.grid();
   std::vector<Box> boxes = zones.boxes();
   for (const Box& box : history.boxes_beyond(zones)) {
     const Box acting = box.intersected({-reach, box.j0, grid.nx + 2 * reach, box.ny, box.nz});
     if (!acting.empty()) boxes.push_back(acting);
   }
-  return boxes.size() == zones.count() ? zones : Zones(merged(boxes));
+  return boxes.size() == zones.count() ? zones : Zones(merged(boxes, tables.split().near_range));
 }
 
 OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,
@@ -94,7 +96,7 @@ OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& h
 OutsideStrain outside_strain_in_zones(const std::shared_ptr<const operators::ZoneTables>& tables,
                                       const PlasticState& history, const Zones& zones, int reach,
                                       std::span<const operators::Axis> axes) {
-  const Zones all = acting_zones(history, zones, tables->grid(), reach);
+  const Zones all = acting_zones(history, zones, *tables, reach);
   if (all == zones) return {};
   operators::ZoneOperators operators(tables, all.boxes());
   const Field strain = strain_without(history, all, zones);

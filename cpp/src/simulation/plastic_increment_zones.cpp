@@ -57,7 +57,7 @@ bool PlasticIncrement::may_split(const PlasticBody& body) const {
 bool PlasticIncrement::is_worth_splitting(const PlasticBody& body,
                                           const std::vector<Box>& boxes) const {
   if (boxes.size() < 2) return false;
-  const double cost = cost_of_zones(boxes, Box::surface(scene_.grid));
+  const double cost = cost_of_zones(boxes, Box::surface(scene_.grid), scene_.split);
   const Box window = window_of(tractions_, scene_.grid), all = around(boxes);
   if (from_.travel != Travel{} && !window.empty()) {
     // One box leaves behind what does not flow.
@@ -83,7 +83,7 @@ std::vector<Box> PlasticIncrement::zones_to_begin_with(const PlasticBody& body) 
     const auto flow = boxes_around(columns_of(from_.last_flow->bodies[body.index()].cells));
     boxes.insert(boxes.end(), flow.begin(), flow.end());
   }
-  return merged(boxes);
+  return merged(boxes, scene_.split.near_range);
 }
 
 void PlasticIncrement::take_up_zones(PlasticBody& body) {
@@ -101,7 +101,7 @@ bool PlasticIncrement::fit_zones(PlasticBody& body) {
   std::vector<Box> boxes = body.zones().boxes();
   const auto near = boxes_around(body.yielding_columns(*scans_[body.index()]));
   boxes.insert(boxes.end(), near.begin(), near.end());
-  boxes = merged(boxes);
+  boxes = merged(boxes, scene_.split.near_range);
   const bool asks = first || from_.travel != Travel{};
   if (asks && !is_worth_splitting(body, boxes)) {
     if (!first) set_box(body, choice_.fitted(body.zones().around(), {}));
@@ -116,7 +116,7 @@ bool PlasticIncrement::grow_zones(PlasticBody& body, std::vector<Box> more) {
   if (more.empty()) return false;
   std::vector<Box> boxes = body.zones().boxes();
   boxes.insert(boxes.end(), more.begin(), more.end());
-  set_zones(body, Zones(merged(boxes)), true);
+  set_zones(body, Zones(merged(boxes, scene_.split.near_range)), true);
   return true;
 }
 

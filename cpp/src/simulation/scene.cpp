@@ -57,7 +57,7 @@ std::array<operators::SharedMedium, 2> media_of(const plasticity::Material& body
 Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
              const plasticity::Material& body2, Field initial_gap_,
              const contact::Friction& friction, double image_tol, const HeatMarch& march_,
-             int reach_, Reliefs reliefs_)
+             int reach_, Reliefs reliefs_, const operators::BandSplit& split_)
     : grid(grid_),
       materials{body1, body2},
       media(media_of(body1, body2)),
@@ -68,6 +68,7 @@ Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
                               : nullptr),
       march(march_),
       reach(reach_),
+      split((require_valid(split_), split_)),
       reliefs(std::move(reliefs_)),
       image_tol_(image_tol),
       symmetry_(symmetry_of(initial_gap, grid_)) {
@@ -269,8 +270,8 @@ std::shared_ptr<const operators::ZoneTables> Scene::zone_tables(
     return kept.body == body && kept.tables->tensor() == tensor && kept.heating.is_on() &&
            heat.is_on();
   });
-  auto tables =
-      std::make_shared<const operators::ZoneTables>(grid, media[body], tensor, image_tol_, heat);
+  auto tables = std::make_shared<const operators::ZoneTables>(grid, media[body], tensor, image_tol_,
+                                                              split, heat);
   zone_tables_.push_back({body, media[body], heat, std::move(tables)});
   return zone_tables_.back().tables;
 }

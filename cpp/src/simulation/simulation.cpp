@@ -78,10 +78,10 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
                        const plasticity::Material& body2, Field initial_gap,
                        const contact::Friction& friction, const Settings& settings,
                        const HeatMarch& march, Reliefs reliefs)
-    : scene_(
-          (contact::require_surface(initial_gap, grid, "gap"),
-           std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
-                                   settings.image_tol, march, settings.reach, std::move(reliefs)))),
+    : scene_((contact::require_surface(initial_gap, grid, "gap"),
+              std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
+                                      settings.image_tol, march, settings.reach, std::move(reliefs),
+                                      settings.split))),
       settings_(settings),
       state_(scene_, settings.residual_stress) {
   if (!grid.has_volume() && (body1.is_plastic() || body2.is_plastic())) {

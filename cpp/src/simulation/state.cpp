@@ -319,8 +319,9 @@ Field State::residual_displacement(int body, operators::Axis axis) const {
   Field own(grid.surface_size());
   if (is_in_zones(body)) {
     const PlasticState& history = *plastic[body];
-    const Zones all = acting_zones(history, Zones(flow_boxes[body]), grid, scene_->reach);
-    operators::ZoneOperators zones(scene_->zone_tables(body, history.tensor(), {}), all.boxes());
+    const auto tables = scene_->zone_tables(body, history.tensor(), {});
+    const Zones all = acting_zones(history, Zones(flow_boxes[body]), *tables, scene_->reach);
+    operators::ZoneOperators zones(tables, all.boxes());
     zones.transform(history.strain(all), {&axis, 1});
     zones.displacement(axis, own.data());
   } else {

@@ -223,7 +223,7 @@ bool ZoneScan::resolves(const Strength& strength) const {
 
 Columns ZoneScan::columns(const operators::Tractions& tractions, double shear_sign,
                           const YieldLimit& limit) const {
-  constexpr int block = operators::StressBound::block;
+  const int block = bound_.block();
   const int nx = bound_.blocks_x(), ny = bound_.blocks_y();
   const std::vector<LayerLimit> limits = limit.of(ranges_);
   operators::StressBound::Given start;

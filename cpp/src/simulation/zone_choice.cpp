@@ -7,22 +7,15 @@
 #include <utility>
 
 #include "samcontact/fft/plan.hpp"
-#include "samcontact/operators/kernel_bands.hpp"
-#include "samcontact/operators/node_spread.hpp"
 #include "samcontact/simulation/zones.hpp"
 
 namespace samcontact::simulation {
 namespace {
 
 using operators::Band;
-using operators::spacing;
 
 /// Cells around what must be in a zone, and below it.
 constexpr int margin = 1;
-
-double padded(int cells) { return fft::fast_plane_size(cells + 2 * operators::near_range); }
-
-double cost(const Box& zone) { return padded(zone.nx) * padded(zone.ny) * zone.nz; }
 
 bool meet(const Box& a, const Box& b) { return !a.intersected(b).empty(); }
 
@@ -46,11 +39,6 @@ std::vector<Box> beside(const Box& box, const Box& other, bool rows_in_x) {
   return parts;
 }
 
-double cost(const std::vector<Box>& zones) {
-  return std::accumulate(zones.begin(), zones.end(), 0.0,
-                         [](double sum, const Box& zone) { return sum + cost(zone); });
-}
-
 /// The smallest box around what others do not hold of one.
 Box left_over(const Box& box, const std::vector<Box>& zones) {
   std::vector<Box> parts{box};
@@ -66,9 +54,33 @@ Box left_over(const Box& box, const std::vector<Box>& zones) {
   return around(parts);
 }
 
-/// The cheapest way to hold the cells of two boxes that meet without uniting them: one of them as
-/// deep as both need, and what the other has beside it.
-std::vector<Box> parted(const Box& a, const Box& b) {
+/// Unites and cuts boxes to zones that cost least.
+class Merging {
+ public:
+  explicit Merging(int ring) : ring_(ring) {}
+
+  double cost(const Box& zone) const { return padded(zone.nx) * padded(zone.ny) * zone.nz; }
+  double cost(const std::vector<Box>& zones) const {
+    return std::accumulate(zones.begin(), zones.end(), 0.0,
+                           [this](double sum, const Box& zone) { return sum + cost(zone); });
+  }
+  void unite(std::vector<Box>& boxes) const;
+  /// The same cells in disjoint boxes.
+  std::vector<Box> made_disjoint(const std::vector<Box>& boxes) const;
+
+ private:
+  double padded(int cells) const { return fft::fast_plane_size(cells + 2 * ring_); }
+  /// The cheapest way to hold the cells of two boxes that meet without uniting them: one of them as
+  /// deep as both need, and what the other has beside it.
+  std::vector<Box> parted(const Box& a, const Box& b) const;
+  /// Whether two of the boxes cost less as one. One that would meet others is only made of two that
+  /// meet: else it might be cut into the two again.
+  bool better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) const;
+
+  int ring_;
+};
+
+std::vector<Box> Merging::parted(const Box& a, const Box& b) const {
   std::vector<Box> best;
   for (const auto& [whole, cut] : {std::pair{a, b}, std::pair{b, a}}) {
     for (const bool rows_in_x : {true, false}) {
@@ -80,9 +92,7 @@ std::vector<Box> parted(const Box& a, const Box& b) {
   return best;
 }
 
-/// Whether two of the boxes cost less as one. One that would meet others is only made of two that
-/// meet: else it might be cut into the two again.
-bool better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) {
+bool Merging::better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) const {
   const Box both = boxes[k].united(boxes[l]);
   if (meet(boxes[k], boxes[l])) return cost(both) <= cost(parted(boxes[k], boxes[l]));
   if (cost(both) > cost(boxes[k]) + cost(boxes[l])) return false;
@@ -92,7 +102,7 @@ bool better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) 
   return true;
 }
 
-void unite(std::vector<Box>& boxes) {
+void Merging::unite(std::vector<Box>& boxes) const {
   for (bool again = true; again;) {
     again = false;
     for (std::size_t k = 0; k < boxes.size(); ++k) {
@@ -109,8 +119,7 @@ void unite(std::vector<Box>& boxes) {
   }
 }
 
-/// The same cells in disjoint boxes.
-std::vector<Box> made_disjoint(const std::vector<Box>& boxes) {
+std::vector<Box> Merging::made_disjoint(const std::vector<Box>& boxes) const {
   std::vector<Box> zones, waiting(boxes.rbegin(), boxes.rend());
   while (!waiting.empty()) {
     const Box box = left_over(waiting.back(), zones);
@@ -170,31 +179,34 @@ std::vector<Box> boxes_around(const Columns& columns) {
   return boxes;
 }
 
-std::vector<Box> merged(const std::vector<Box>& boxes) {
+std::vector<Box> merged(const std::vector<Box>& boxes, int ring) {
+  const Merging merging(ring);
   std::vector<Box> needed;
   for (const Box& box : boxes) {
     const Box left = left_over(box, needed);
     if (!left.empty()) needed.push_back(left);
   }
-  unite(needed);
-  std::vector<Box> zones = made_disjoint(needed);
-  unite(zones);
+  merging.unite(needed);
+  std::vector<Box> zones = merging.made_disjoint(needed);
+  merging.unite(zones);
   return zones;
 }
 
-double cost_of_zones(const std::vector<Box>& zones, const Box& surface) {
+double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
+                     const operators::BandSplit& split) {
+  const Merging merging(split.near_range);
   Box all = surface;
   double sum = 0.0;
   for (const Box& zone : zones) {
     all = all.united(zone);
-    sum += cost(zone);
+    sum += merging.cost(zone);
   }
-  const auto nodes = [](int cells, Band band) {
-    return static_cast<double>(cells) / spacing(band) + 2 * operators::window_width;
+  const auto nodes = [&split](int cells, Band band) {
+    return static_cast<double>(cells) / split.spacing(band) + 2 * split.window_width;
   };
   const double middle = nodes(all.nx, Band::middle) * nodes(all.ny, Band::middle);
-  const double far = (nodes(all.nx, Band::far) + operators::fading_nodes) *
-                     (nodes(all.ny, Band::far) + operators::fading_nodes);
+  const double far = (nodes(all.nx, Band::far) + split.fading_nodes) *
+                     (nodes(all.ny, Band::far) + split.fading_nodes);
   return sum + (middle + 4 * far) * all.nz;
 }
 

@@ -4,7 +4,7 @@
 // sampled, once the spectrum between the two is divided by the square of the window's transform.
 #pragma once
 
-#include <array>
+#include <utility>
 #include <vector>
 
 #include "samcontact/base/aligned.hpp"
@@ -12,23 +12,30 @@
 
 namespace samcontact::operators {
 
-/// Nodes that a cell reaches.
-inline constexpr int window_width = 6;
-/// Transform of the window, wavenumber in 1/node.
-double window_transform(double k);
+/// Transform of the window over so many nodes.
+class WindowTransform {
+ public:
+  explicit WindowTransform(int width);
+  /// At a wavenumber in 1/node.
+  double operator()(double k) const;
+
+ private:
+  std::vector<std::pair<double, double>> points_;  // nodes and weights of one half
+};
 
 /// Nodes along one axis, an even number `factor` of cells apart: node a lies in the middle of the
 /// cells a factor .. (a + 1) factor - 1.
 class Nodes {
  public:
-  /// All that the cells first, .., first + cells - 1 reach.
-  Nodes(int factor, int first_cell, int cells);
+  /// All that the cells first, .., first + cells - 1 reach, each `width` of them: 4, 6, 8 or 10.
+  Nodes(int factor, int width, int first_cell, int cells);
 
   int first() const { return first_; }
   int count() const { return count_; }
   /// The first one that a cell reaches, counted from first(), and the weights from it on.
   int place(int cell) const;
-  const std::array<double, window_width>& weights(int cell) const;
+  const double* weights(int cell) const;
+  int width() const { return width_; }
   /// Adds what cells give to nodes, and nodes to cells: one line, the first cell and its first
   /// node.
   void spread(const double* cells, int first_cell, int count, double* nodes) const;
@@ -37,9 +44,9 @@ class Nodes {
  private:
   struct Phase {
     int shift;
-    std::array<double, window_width> weights;
+    Field weights;
   };
-  int factor_, first_, count_;
+  int factor_, width_, first_, count_;
   std::vector<Phase> phases_;
 };
 
@@ -48,7 +55,7 @@ class Nodes {
 class NodeSpread {
  public:
   /// All nodes that the cells of a box reach.
-  NodeSpread(int factor, const Box& cells);
+  NodeSpread(int factor, int width, const Box& cells);
 
   const Nodes& x() const { return x_; }
   const Nodes& y() const { return y_; }

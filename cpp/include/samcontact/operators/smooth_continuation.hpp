@@ -11,17 +11,15 @@
 
 namespace samcontact::operators {
 
-/// Up to this part of the highest wavenumber of a lattice it holds a table as it is.
-inline constexpr double clear_band = 0.8;
-
 /// Replaces a table inside |x|, |y| < cells by what makes it smoothest: least in the wavenumbers
-/// with |kx| or |ky| beyond a part of the highest of a lattice `factor` times as coarse. Beyond
-/// that square it stays. The weights of least squares are those of a square of cells on all of the
-/// plane, sines of the difference over it, so that its eigenvectors are products of Slepian's
-/// sequences (1978, doi:10.1002/j.1538-7305.1978.tb02104.x).
+/// with |kx| or |ky| beyond a part, clear_band, of the highest of a lattice `factor` times as
+/// coarse, which holds what is below as it is. Beyond that square it stays. The weights of least
+/// squares are those of a square of cells on all of the plane, sines of the difference over it, so
+/// that its eigenvectors are products of Slepian's sequences (1978,
+/// doi:10.1002/j.1538-7305.1978.tb02104.x).
 class SmoothContinuation {
  public:
-  SmoothContinuation(int factor, int cells);
+  SmoothContinuation(int factor, int cells, double clear_band);
 
   int cells() const { return cells_; }
   /// Offsets 0..reach() - 1 of a table that are looked at: beyond, it is smooth.
@@ -44,7 +42,7 @@ class SmoothContinuation {
     Eigen::MatrixXd low;       // [offset][offset]: what the coarse lattice holds
   };
   static Axis make_axis(int cells, int reach, double cut, bool odd);
-  static Eigen::MatrixXd make_low(int factor, int reach, bool odd);
+  static Eigen::MatrixXd make_low(int factor, int reach, double clear_band, bool odd);
 
   /// A table that fades out.
   Rows faded(const double* table) const;

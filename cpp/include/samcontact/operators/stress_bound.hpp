@@ -19,7 +19,7 @@ class StressBound {
 
   /// Cells of a block along x and y, which one bound serves: the first cells are those of the
   /// grid's first block.
-  static constexpr int block = spacing(Band::middle);
+  int block() const { return tables_->split().middle_spacing; }
   int blocks_x() const;
   int blocks_y() const;
 

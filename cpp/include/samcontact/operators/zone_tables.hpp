@@ -22,15 +22,19 @@ class ZoneTables {
 
   /// heating: that goes with the pressure.
   ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor, double image_tol,
-             const Heating& heating = {});
+             const BandSplit& split = {}, const Heating& heating = {});
 
   const Grid& grid() const { return grid_; }
   Tensor tensor() const { return tensor_; }
+  const BandSplit& split() const { return split_; }
   const SharedMedium& medium(Band band) const { return media_[static_cast<int>(band)]; }
   /// Null: none.
   const std::shared_ptr<const HeatStress>& heat(Band band) const {
     return heat_[static_cast<int>(band)];
   }
+  /// What the cells of a box reach, and of those what reaches far nodes.
+  NodeSpread middle_nodes(const Box& cells) const;
+  NodeSpread far_nodes(const NodeSpread& middle) const;
   /// The planes of some nodes of a band, and so many layers.
   Grid lattice(Band band, const NodeSpread& nodes, int layers) const;
   /// On a lattice; of some layers more than it has.
@@ -48,6 +52,7 @@ class ZoneTables {
   Grid grid_;
   Tensor tensor_;
   double image_tol_;
+  BandSplit split_;
   std::array<SharedMedium, 3> media_;
   std::array<std::shared_ptr<const HeatStress>, 3> heat_;
   mutable std::mutex mutex_;

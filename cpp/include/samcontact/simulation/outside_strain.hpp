@@ -15,8 +15,9 @@ namespace samcontact::simulation {
 /// few values, so that operators on it can be kept.
 Box acting_box(const PlasticState& history, const Box& wanted, int reach);
 /// Zones and the strain outside of them that acts on the grid, at most `reach` cells beyond it
-/// along x. Without mirror planes.
-Zones acting_zones(const PlasticState& history, const Zones& zones, const Grid& grid, int reach);
+/// along x. tables: of the body. Without mirror planes.
+Zones acting_zones(const PlasticState& history, const Zones& zones,
+                   const operators::ZoneTables& tables, int reach);
 
 /// What the strain outside of zones does in them, and to the surface.
 struct OutsideStrain {

@@ -30,7 +30,7 @@ class Scene {
   /// reach: how far beyond the grid plastic strain acts along x [cells].
   Scene(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
         Field initial_gap, const contact::Friction& friction, double image_tol,
-        const HeatMarch& march, int reach, Reliefs reliefs);
+        const HeatMarch& march, int reach, Reliefs reliefs, const operators::BandSplit& split = {});
 
   const Grid grid;
   const std::array<plasticity::Material, 2> materials;
@@ -40,6 +40,7 @@ class Scene {
   const std::unique_ptr<const contact::CoulombContact> coulomb;  // null: they do not stick
   const HeatMarch march;
   const int reach;
+  const operators::BandSplit split;  // of zones
   const Reliefs reliefs;
 
   Placement placement(const Travel& travel) const;

@@ -50,6 +50,8 @@ struct Settings {
   int reach;
   /// Plastic strain in one box always, never in small zones.
   bool one_zone = false;
+  /// How the operators of small zones are split in bands.
+  operators::BandSplit split = {};
   int max_halvings = 8;
   /// By body; empty: none. Asked once an increment, or part of one.
   std::array<Softening, 2> softening = {};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "samcontact/base/box.hpp"
+#include "samcontact/operators/band_split.hpp"
 
 namespace samcontact::simulation {
 
@@ -18,12 +19,13 @@ struct Columns {
 std::vector<Box> boxes_around(const Columns& columns);
 
 /// Disjoint boxes that hold all of these: two become one where that costs less; of two that meet,
-/// else one gives way.
-std::vector<Box> merged(const std::vector<Box>& boxes);
+/// else one gives way. ring: cells around a zone that are swept with it.
+std::vector<Box> merged(const std::vector<Box>& boxes, int ring);
 
 /// Work of an evaluation in such zones over that in one box, which `box` says; both in cells of
 /// transforms and sweeps. surface: where displacement is known.
-double cost_of_zones(const std::vector<Box>& zones, const Box& surface);
+double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
+                     const operators::BandSplit& split);
 double cost_of_box(const Box& box);
 
 }  // namespace samcontact::simulation
