@@ -201,6 +201,38 @@ TEST_CASE("heat that goes with the pressure does in zones what it does in the wh
   }
 }
 
+TEST_CASE("finer bands leave less in each operator, and what limits them is known") {
+  const auto errors = [](const BandSplit& split) {
+    const Errors found = errors_of(split, Tensor::deviator, 1e-7);
+    return std::array{found.residual.rms(), found.residual.max(), found.elastic.rms(),
+                      found.moved[0].rms(), found.moved[1].rms(), found.moved[2].rms()};
+  };
+  const auto usual = errors({});
+  const auto all = errors({.near_range = 12,
+                           .middle_range = 32,
+                           .middle_sharpness = 2.2,
+                           .far_sharpness = 2.1,
+                           .window_width = 10,
+                           .middle_ring = 20});
+  for (std::size_t n = 0; n < usual.size(); ++n) CHECK(all[n] < 0.2 * usual[n]);
+  // Stress by the end of the near band, displacement by that of the middle one.
+  const auto near = errors({.near_range = 12});
+  for (std::size_t n = 0; n < 3; ++n) CHECK(near[n] < 0.5 * usual[n]);
+  const auto middle = errors({.middle_range = 32, .middle_ring = 20});
+  for (std::size_t n = 3; n < usual.size(); ++n) CHECK(middle[n] < 0.1 * usual[n]);
+}
+
+TEST_CASE("bands that cannot be are refused") {
+  const auto medium = half_space(steel);
+  const std::vector<BandSplit> wrong{
+      {.middle_spacing = 3},   {.far_spacing = 6},  {.near_range = 2},   {.middle_range = 6},
+      {.middle_sharpness = 0}, {.clear_band = 1.0}, {.window_width = 5}, {.middle_ring = 8},
+      {.fading_nodes = 0},     {.near_moves = -1.0}};
+  for (const BandSplit& split : wrong) {
+    CHECK_THROWS_AS(ZoneTables(grid, medium, Tensor::full, 1e-5, split), std::invalid_argument);
+  }
+}
+
 TEST_CASE("the von Mises stress of tractions is within its bound") {
   const auto medium = half_space(steel);
   std::vector<double> depths;
