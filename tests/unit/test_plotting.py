@@ -7,12 +7,12 @@ import sys
 import matplotlib
 import numpy as np
 import pytest
-from core_fakes import ELASTIC, FakeState, make_grid, make_simulation
+from core_fakes import ELASTIC, SWIFT, FakeState, make_grid, make_simulation
 from drawn_fields import drawn_values, shows
 from matplotlib.contour import QuadContourSet
 from matplotlib.figure import Figure
 
-from samcontact import ContactSolver, Grid, hertz, plotting, surfaces
+from samcontact import ContactSolver, Grid, Simulation, hertz, plotting, surfaces
 from samcontact._tensors import von_mises
 from samcontact.plotting.parts import new_figure, save
 from samcontact.results import to_dataset
@@ -160,9 +160,10 @@ def test_load_approach(simulation, ax):
     drawn = lines(ax)
     np.testing.assert_allclose(drawn["increments"][:, 1], [100.0, 800.0, 0.0])
     np.testing.assert_allclose(drawn["increments"][:, 0], [s.approach * 1e6 for s in states])
-    # what is between the increments is not known: no line that looks like it
     styles = {line.get_label(): line.get_linestyle() for line in ax.get_lines()}
-    assert styles == {"_order": ":", "increments": "None", "Hertz": "--"}
+    assert styles == {"_between": "-", "increments": "None", "Hertz": "--"}
+    elastic = contact.load * (drawn["_between"][:, 0] * 1e-6 / contact.approach) ** 1.5
+    np.testing.assert_allclose(drawn["_between"][:, 1], elastic, atol=1e-9)
     assert [text.get_text() for text in ax.get_legend().get_texts()] == ["increments", "Hertz"]
     assert drawn["Hertz"][-1, 1] == pytest.approx(800.0, rel=1e-12)  # states are Hertz contacts
 
@@ -352,3 +353,19 @@ def test_a_section_tells_where_the_bodies_touch(state, simulation, ax):
     sides = grid.x[[2, 3, 7, 7]] + grid.dx * np.array([-0.5, 0.5, -0.5, 0.5])
     assert np.ravel(ends) == pytest.approx(sides)
     assert all(np.all(line.get_ydata() == 0) for line in ax.lines)
+
+
+def test_the_line_of_unloading_is_that_of_smaller_increments():
+    """Out of a print the approach is about linear in load^(2/3), as of elastic bodies."""
+    grid = Grid(31, 31, 40e-6, 40e-6, 20, 40e-6)
+    simulation = Simulation(grid, ELASTIC, SWIFT, surfaces.paraboloid(grid, 7.5e-3))
+    loads = [1500.0, 1000.0, 500.0, 200.0, 0.0]
+    states = simulation.run([{"load": load} for load in loads], progress=False)
+    assert states[-1].residual_displacement(body=2).max() > 2e-7
+    ax = plotting.load_approach(to_dataset(simulation, [states[0], states[-1]]))
+    approach, load = lines(ax)["_between"].T
+    for state in states[1:-1]:
+        found = np.interp(state.load, load[::-1], approach[::-1]) * 1e-6
+        assert found == pytest.approx(state.approach, abs=0.01 * states[0].approach)
+    straight = states[-1].approach + states[0].approach * 500.0 / 1500.0
+    assert abs(straight - states[2].approach) > 0.1 * states[0].approach
