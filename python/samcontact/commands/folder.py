@@ -22,7 +22,7 @@ _FIGURES = (
     "last_cycle_body[12]", "fretting",
 )  # fmt: skip
 _OWN = re.compile(
-    r"(results|series|wear)\.nc|(series|wear)\.csv|report\.html|(rolling|stick_slip)\.gif"
+    r"(results|series|wear)\.nc|(series|wear)\.csv|(report|results)\.html|(rolling|stick_slip)\.gif"
     r"|results(_\d{5,})?(_track)?(_surface)?\.vt[ru]|results(_surface)?\.pvd"
     rf"|({'|'.join(_FIGURES)})\.png"
 )

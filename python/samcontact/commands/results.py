@@ -14,6 +14,13 @@ from .errors import short_errors
 @click.command()
 @click.argument("results_file", metavar="RESULTS.nc", type=FilePath())
 @click.option("--vtk", is_flag=True, help="VTK files for ParaView: volume and surface.")
+@click.option("--html", is_flag=True, help="A page with the body in three dimensions.")
+@click.option(
+    "--quantity",
+    default="von_mises",
+    show_default=True,
+    help="Field of the page, as in RESULTS.nc.",
+)
 @click.option(
     "--increment", type=int, default=-1, show_default=True, help="Its number; -1: last stored."
 )
@@ -23,19 +30,34 @@ from .errors import short_errors
 )
 @click.option("--output", type=FilePath(), help="File; default: beside RESULTS.nc.")
 def export(
-    results_file: Path, vtk: bool, increment: int, every: bool, body: str, output: Path | None
+    results_file: Path,
+    vtk: bool,
+    html: bool,
+    quantity: str,
+    increment: int,
+    every: bool,
+    body: str,
+    output: Path | None,
 ) -> None:
-    """Write the fields of one increment, or of all, for another program."""
-    if not vtk:
-        raise click.UsageError("say which format: --vtk")
+    """Write the fields of one increment, or of all, for another program or for a browser."""
+    if vtk == html:
+        raise click.UsageError("say which format: --vtk or --html")
+    if html and every:
+        raise click.UsageError("--html shows one increment: give --increment instead of --all")
     if every and increment != -1:
         raise click.UsageError("give --increment or --all, not both")
     with short_errors():
         from .. import results
 
-        target = results_file.with_suffix(".pvd" if every else ".vtr") if output is None else output
+        ending = ".html" if html else ".pvd" if every else ".vtr"
+        target = results_file.with_suffix(ending) if output is None else output
         with results.open_results(results_file) as dataset:
-            if every:
+            if html:
+                from ..plotting import save_view, view
+
+                shown = view(dataset, increment=increment, body=int(body), quantity=quantity)
+                written = [save_view(shown, target)]
+            elif every:
                 written = results.to_pvd(dataset, target, int(body))
             else:
                 written = results.to_vtk(dataset, target, increment, int(body))

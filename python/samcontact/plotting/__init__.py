@@ -27,6 +27,7 @@ from .slipping import (
 )
 from .summary import summary_figures
 from .track import loaded_section, track_print, track_section
+from .view import save_view, view
 
 __all__ = [
     "axis_profile",
@@ -39,6 +40,7 @@ __all__ = [
     "rolling_animation",
     "rolling_force",
     "save_animation",
+    "save_view",
     "section",
     "shear_profile",
     "stick_slip_animation",
@@ -50,5 +52,6 @@ __all__ = [
     "track_print",
     "track_section",
     "tugging",
+    "view",
     "wear",
 ]

@@ -79,7 +79,7 @@ def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int
 
 def _write_all(dataset: xr.Dataset, target: Path, increment: int, body: int) -> list[Path]:
     volume = bool(volume_names(dataset, body))
-    number = _number(dataset, increment, volume)
+    number = stored_number(dataset, increment, volume)
     written = [write_volume(dataset, target, number, body)] if volume else []
     surface = target.with_name(f"{target.stem}_surface.vtr")
     written.append(write_surface(dataset, surface, number, body))
@@ -146,7 +146,7 @@ def _surface_names(dataset: xr.Dataset, body: int) -> list[str]:
     return [name for name in (*_COMMON, *own) if name in dataset]
 
 
-def _number(dataset: xr.Dataset, increment: int, volume: bool) -> int:
+def stored_number(dataset: xr.Dataset, increment: int, volume: bool) -> int:
     stored = dataset["volume_increment" if volume else "increment"].values.tolist()
     integer("increment", increment)
     if -len(stored) <= increment < 0:

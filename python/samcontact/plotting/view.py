@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A body in three dimensions, cut open below the contact, to be turned by hand.
+
+Drawn by PyVista (extra ``3d``), in a notebook or in a page of its own.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._atomic import replacing
+from .._checks import FloatArray, choice
+from .._quantities import CONTACT
+from ..results.vtk import stored_number, volume_names
+from .fields import Plane, inside_of_contact, scale_of
+from .parts import edges
+from .scene import Scene
+
+if TYPE_CHECKING:
+    import pyvista
+    import xarray as xr
+
+_FIELDS = (
+    "von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises", "temperature",
+)  # fmt: skip
+_ICONS = "https://kitware.github.io/vtk-js/icon/"
+"""What a page of PyVista would ask a network for."""
+
+
+def view(
+    dataset: xr.Dataset, *, increment: int = -1, body: int = 2, quantity: str = "von_mises"
+) -> pyvista.Plotter:
+    """A volume field of a body in three dimensions, with a quarter cut out below its largest value.
+
+    Body 2 lies at z < 0, body 1 at z > 0. The edge of the contact is a line, as are the interfaces
+    of layers. In a notebook ``view(...).show()`` shows it.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Results with volume fields, see `samcontact.results.to_dataset`.
+    increment : int, optional
+        Number of the increment, from 1; or -1 for the last one (-2 the one before, ...) of those
+        with volume fields.
+    body : {1, 2}, optional
+        Whose field.
+    quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises", \
+"temperature"}, optional
+        What is shown, where it is stored.
+
+    Returns
+    -------
+    pyvista.Plotter
+        For `save_view`, or more of PyVista.
+
+    Raises
+    ------
+    ValueError
+        An unknown body or quantity, or an increment or field that is not stored in all cells.
+    ModuleNotFoundError
+        PyVista is not installed.
+    """
+    choice("body", body, (1, 2))
+    choice("quantity", quantity, _FIELDS)
+    if not volume_names(dataset, body):
+        raise ValueError(f"dataset must have volume fields of body {body}, got none")
+    scene, number = Scene(dataset, body, None), stored_number(dataset, increment, True)
+    if not scene.has("stress" if quantity == "residual_von_mises" else quantity, number):
+        raise ValueError(f"dataset must hold {quantity} of body {body} in all cells at {number}")
+    pv = _pyvista()
+    with pv.vtk_verbosity("off"):
+        return _drawn(pv, scene, number, quantity)
+
+
+def _drawn(pv: Any, scene: Scene, number: int, quantity: str) -> Any:
+    field, shown = scene.field(quantity, number) * CONTACT[quantity].factor, CONTACT[quantity]
+    sign = 1.0 if scene.body == 1 else -1.0
+    grid = scene.grid
+    depths = np.append(0.0, (np.arange(field.shape[2]) + 1.0) * (grid.dz or 0.0))
+    sides = (edges(grid.x, grid.dx) * 1e6, edges(grid.y, grid.dy) * 1e6, sign * depths * 1e6)
+    norm, _, _ = scale_of(field, shown)
+    plotter = pv.Plotter(off_screen=True)
+    plotter.set_background("white")
+    plotter.add_mesh(
+        _cut_open(pv, sides, field),
+        scalars="values",
+        cmap=shown.colours,
+        clim=(norm.vmin, norm.vmax),
+        lighting=False,
+        scalar_bar_args={"title": f"{shown.label}\n", "color": "black"},
+    )
+    pressure = scene.dataset["pressure"].sel(increment=number).values
+    for line in _edge(scene, pressure):
+        plotter.add_mesh(pv.lines_from_points(line), color="black", line_width=3)
+    for depth in scene.interfaces[scene.interfaces < depths[-1]] * 1e6 * sign:
+        plotter.add_mesh(_loop(pv, sides, float(depth)), color="black", line_width=2)
+    plotter.show_bounds(xtitle="x [µm]", ytitle="y [µm]", ztitle="z [µm]", color="black")
+    plotter.camera_position = [(1.0, -1.2, -0.8 * sign), (0, 0, 0), (0, 0, -sign)]
+    plotter.reset_camera()
+    return plotter
+
+
+def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
+    """The surface of the body without the quarter towards +x and -y of the largest value."""
+    size = np.abs(field)
+    middle = [
+        float(0.5 * (side[at] + side[at + 1]))
+        for side, at in zip(sides, np.unravel_index(int(size.argmax()), size.shape), strict=True)
+    ]
+    block = pv.RectilinearGrid(*sides)
+    block.cell_data["values"] = field.ravel(order="F")
+    points = block.cell_data_to_point_data()
+    low, high = sides[2].min(), sides[2].max()
+    quarter = (middle[0], sides[0][-1], sides[1][0], middle[1], low, high)
+    return points.clip_box(quarter, invert=True).extract_surface(algorithm="dataset_surface")
+
+
+def _edge(scene: Scene, pressure: FloatArray) -> list[FloatArray]:
+    """Lines around the contact, on the surface [µm]."""
+    import contourpy  # which draws the contours of Matplotlib
+
+    if not pressure.any() or np.all(pressure > 0):
+        return []
+    grid = scene.grid
+    plane = Plane(edges(grid.x, grid.dx), edges(grid.y, grid.dy))
+    contours = contourpy.contour_generator(*plane.smooth(inside_of_contact(pressure)))
+    lines: Any = contours.lines(0.0)
+    return [np.column_stack([line, np.zeros(len(line))]) for line in lines]
+
+
+def _loop(pv: Any, sides: tuple[FloatArray, ...], depth: float) -> Any:
+    """Around the body at a depth [µm]."""
+    x, y = sides[0][[0, -1, -1, 0, 0]], sides[1][[0, 0, -1, -1, 0]]
+    return pv.lines_from_points(np.column_stack([x, y, np.full(5, depth)]))
+
+
+def save_view(plotter: pyvista.Plotter, path: str | Path) -> Path:
+    """Write a view as one HTML file that needs neither a network nor this package.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        From `view`.
+    path : str or Path
+        Ends in .html.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    ValueError
+        Another ending.
+    OSError
+        The file cannot be written.
+    """
+    target = Path(path)
+    if target.suffix.lower() != ".html":
+        raise ValueError(f"path must end in .html, got {str(target)!r}")
+    with _pyvista().vtk_verbosity("off"):  # there may be no screen
+        page = plotter.export_html(None)
+    assert page is not None
+    with replacing(target) as temporary:
+        temporary.write_text(page.getvalue().replace(_ICONS, "data:,"), encoding="utf-8")
+    return target
+
+
+def _pyvista() -> Any:
+    try:
+        import pyvista
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError(
+            f"views need the package pyvista ({error}): pip install samcontact[3d]"
+        ) from error
+    return pyvista
