@@ -254,7 +254,8 @@ TEST_CASE("the von Mises stress of tractions is within its bound") {
     const std::size_t cells = grid.volume_size();
     double lowest = 1.0, sum = 0.0, sum_of_bounds = 0.0;
     bound.for_each_depth(
-        loads, 1.0, StressBound::Given(depths.size()), [&](int k, const double* blocks) {
+        loads, 1.0, {std::vector<std::array<double, 3>>(depths.size())},
+        [&](int k, const double* blocks) {
           for (int i = 0; i < grid.nx; ++i) {
             for (int j = 0; j < grid.ny; ++j) {
               const std::size_t n = (static_cast<std::size_t>(k) * grid.nx + i) * grid.ny + j;

@@ -102,6 +102,35 @@ def test_under_a_prescribed_pressure(options):
     assert zone_counts(sims[0])[1] > 1 == zone_counts(sims[1])[1]
 
 
+@pytest.mark.parametrize(
+    ("friction", "heat", "motion"),
+    [
+        (0.2, sc.Heat([0.0, 0.5], [0.0, 20.0], history=(2e-7, 1e-5)), {}),
+        (sc.Coulomb(0.3), sc.Heat(partition=0.5, time=1e-6), {"shift": (8e-7, 5e-7)}),
+    ],
+    ids=["of earlier steps", "of slip"],
+)
+def test_heat_that_does_not_go_with_the_pressure(friction, heat, motion, tmp_path):
+    zones, one = both(ELASTIC.with_thermal(*METAL), HOT, friction=friction, heat=heat)
+    for percent in (2, 2.5, 1.0):
+        step = {"load": percent * PERCENT, "duration": 5e-7, **motion}
+        state, expected = zones.step(**step), one.step(**step)
+        assert_close(state, expected, [2])
+        assert rms(state.temperature(), expected.temperature()) < 1e-4
+        if percent == 2:
+            zones.save(tmp_path / "state.h5")
+            again = sc.Simulation.load(tmp_path / "state.h5")
+        else:
+            assert same(again.step(**step), state)
+    assert zone_counts(zones) == zone_counts(again) != zone_counts(one) == [0, 1]
+    flows = state.equivalent_plastic_strain() > 0
+    assert state.zones()[0].stress().any()
+    found, expected = field_of_zones(state, 2, "stress"), state.stress()
+    assert rms(found[:, flows], expected[:, flows]) < 2e-3
+    assert rms(found[:, flows], state.residual_stress()[:, flows]) > 0.1
+    assert state.temperature().max() > 10.0
+
+
 def test_iterations_are_counted_where_zones_grow():
     sim = simulation(RIGID, PERFECT)
     states = sim.run([{"load": 2 * PERCENT}, {"load": 4 * PERCENT}], progress=False)
@@ -224,27 +253,30 @@ def solved():
     return state, zones.tolist()
 
 
+def field_of_zones(state, body, name):
+    """On the grid, 0 beside the zones."""
+    found = np.zeros_like(getattr(state, name)(body))
+    for zone in state.zones(body):
+        place = []
+        for first, n, cells in zip((*zone.first, 0), zone.shape, found.shape[-3:], strict=True):
+            at = first + np.arange(n)
+            place.append((at[(at >= 0) & (at < cells)], (at >= 0) & (at < cells)))
+        (i, inside_x), (j, inside_y), (k, inside_z) = place
+        shown = getattr(zone, name)()[..., inside_x, :, :][..., inside_y, :][..., inside_z]
+        found[..., i[:, None, None], j[:, None], k] = shown
+    return found
+
+
 @pytest.mark.parametrize("zones", ["auto", "one"])
 def test_fields_of_zones_are_those_of_the_grid_where_there_is_plastic_strain(zones):
     sim = simulation(SOFT, STEEL, friction=0.2, zones=zones)
     sim.step(load=2 * PERCENT)
     state = sim.step(load=3 * PERCENT)
     for body in (1, 2):
-        boxes = state.zones(body)
-        assert (len(boxes) > 1) is (zones == "auto")
+        assert (len(state.zones(body)) > 1) is (zones == "auto")
         for name in ("equivalent_plastic_strain", "plastic_strain", "residual_stress", "stress"):
             expected = getattr(state, name)(body)
-            found = np.zeros_like(expected)
-            for zone in boxes:
-                place = []
-                for first, n, cells in zip(
-                    (*zone.first, 0), zone.shape, found.shape[-3:], strict=True
-                ):
-                    at = first + np.arange(n)
-                    place.append((at[(at >= 0) & (at < cells)], (at >= 0) & (at < cells)))
-                (i, inside_x), (j, inside_y), (k, inside_z) = place
-                shown = getattr(zone, name)()[..., inside_x, :, :][..., inside_y, :][..., inside_z]
-                found[..., i[:, None, None], j[:, None], k] = shown
+            found = field_of_zones(state, body, name)
             flows = state.equivalent_plastic_strain(body) > 0
             exact = zones == "one" or "strain" in name
             assert rms(found[..., flows], expected[..., flows]) <= (0 if exact else 2e-3)

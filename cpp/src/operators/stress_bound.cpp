@@ -106,8 +106,10 @@ StressBound::~StressBound() = default;
 int StressBound::blocks_x() const { return (tables_->grid().nx + block() - 1) / block(); }
 int StressBound::blocks_y() const { return (tables_->grid().ny + block() - 1) / block(); }
 
-Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& given) const {
+Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& start,
+                              const double* more, std::size_t step) const {
   const Box rows = middle_.box();
+  const Grid& grid = tables_->grid();
   const int nx = blocks_x() + 1, ny = blocks_y() + 1;
   const std::size_t plane = static_cast<std::size_t>(nx) * ny;
   // First cells of blocks lie alike between the nodes.
@@ -115,7 +117,7 @@ Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& g
   const int width = middle_.x().width();
   const int a0 = middle_.x().place(0), b0 = middle_.y().place(0);
   Field values(parts * plane), line(rows.ny);
-  const std::array<double, parts> more{given[0], given[1], 0.0, 0.0, given[2]};
+  const std::array<double, parts> uniform{start[0], start[1], 0.0, 0.0, start[2]};
   for (int c = 0; c < parts; ++c) {
     for (int i = 0; i < nx; ++i) {
       const double* from =
@@ -131,7 +133,10 @@ Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& g
       for (int j = 0; j < ny; ++j) {
         double sum = 0.0;
         for (int m = 0; m < width; ++m) sum += wy[m] * line[b0 + j + m];
-        to[j] = sum + more[c];
+        to[j] = sum + uniform[c];
+        if (more == nullptr) continue;
+        const int x = std::min(i * block(), grid.nx - 1), y = std::min(j * block(), grid.ny - 1);
+        to[j] += more[c * step + static_cast<std::size_t>(x) * grid.ny + y];
       }
     }
   }
@@ -184,6 +189,7 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
                               ? spectrum_of(middle_transform_, group.middle, loads.middle)
                               : VolumeSpectrum(middle_transform_, 0, Tensor::deviator);
   check_interrupt();
+  const Field more = given.more ? given.more(group.depths) : Field{};
   const Box rows = middle_.box();
   const std::size_t far_plane = far_transform_.plane_size();
   const std::size_t middle_plane = middle_transform_.plane_size();
@@ -206,7 +212,9 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
       far_.gather(far_layer.data() + c * far_plane, far_nodes, rows,
                   nodes.data() + c * rows.surface_size());
     }
-    const Field corners = at_corners(nodes, given[group.first + k]);
+    const Field corners = at_corners(nodes, given.start[group.first + k],
+                                     more.empty() ? nullptr : more.data() + k * grid.surface_size(),
+                                     count * grid.surface_size());
     const Field near = near_part(group.depths[k], loads.cells);
     const int nx = blocks_x(), ny = blocks_y(), block = this->block();
     Field bound(static_cast<std::size_t>(nx) * ny);

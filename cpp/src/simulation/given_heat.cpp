@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/simulation/given_heat.hpp"
 
+#include <algorithm>
+
 namespace samcontact::simulation {
 
 GivenHeat::GivenHeat(const Scene& scene, int body,
@@ -28,6 +30,23 @@ Field GivenHeat::displacement() const {
 
 Field GivenHeat::stress(std::span<const double> depths, double offset) const {
   return past_ ? past_->stress(ahead_, depths) : of_slip_->stress(power_at(offset), depths);
+}
+
+Field below_in(const Field& fields, int components, const Grid& grid, const Box& box) {
+  const std::size_t layers = fields.size() / (components * grid.surface_size());
+  Field out(components * box.volume_size());
+  double* to = out.data();
+  for (int c = 0; c < components; ++c) {
+    for (int k = 0; k < box.nz; ++k) {
+      const double* layer = fields.data() + (c * layers + k) * grid.surface_size();
+      for (int i = box.i0; i < box.i0 + box.nx; ++i) {
+        const double* row =
+            layer + static_cast<std::size_t>(std::clamp(i, 0, grid.nx - 1)) * grid.ny;
+        for (int j = box.j0; j < box.j0 + box.ny; ++j) *to++ = row[std::clamp(j, 0, grid.ny - 1)];
+      }
+    }
+  }
+  return out;
 }
 
 }  // namespace samcontact::simulation

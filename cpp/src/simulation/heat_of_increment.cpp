@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "samcontact/base/errors.hpp"
-#include "samcontact/plasticity/return_mapping.hpp"
 
 namespace samcontact::simulation {
 
@@ -14,18 +13,16 @@ using operators::Tensor;
 
 namespace {
 
-/// Calls use(index) for each cell of a box in order, the index being that of the cell in layers
-/// [k][i][j] below the grid. Past heat is known there only: beside it that of the nearest cell is
-/// taken.
-template <class Use>
-void for_cells(const Box& box, const Grid& grid, const Use& use) {
-  for (int k = 0; k < box.nz; ++k) {
-    for (int i = box.i0; i < box.i0 + box.nx; ++i) {
-      const std::size_t row = static_cast<std::size_t>(k) * grid.nx + std::clamp(i, 0, grid.nx - 1);
-      for (int j = box.j0; j < box.j0 + box.ny; ++j) {
-        use(row * grid.ny + std::clamp(j, 0, grid.ny - 1));
-      }
-    }
+/// Cells of a surface up to which stress at all depths is kept that yield is looked for at.
+constexpr std::size_t small_surface = 200'000;
+
+/// To a component of a tensor, from all six, `plane` numbers each.
+void put_component(const double* stress, std::size_t plane, int component, Tensor tensor,
+                   double* to) {
+  const bool deviator = tensor == Tensor::deviator && component < 3;
+  for (std::size_t n = 0; n < plane; ++n) {
+    const double mean = (stress[n] + stress[plane + n] + stress[2 * plane + n]) / 3;
+    to[n] = stress[component * plane + n] - (deviator ? mean : 0.0);
   }
 }
 
@@ -53,59 +50,59 @@ void HeatOfIncrement::open(Field& gap) const {
   }
 }
 
-const Field& HeatOfIncrement::past_stress(int body, int layers) {
-  const Grid& grid = scene_.grid;
-  Field& stress = stress_[body];
-  const std::size_t least = 6 * grid.surface_size() * layers;
-  if (stress.size() < least) {
-    stress = given_[body].stress(grid.z(std::max(layers, grid.nz)), offsets_[body]);
+void HeatOfIncrement::find_stress(int body, std::span<const double> depths, ByDepth& known) const {
+  std::vector<double> missing;
+  for (const double z : depths) {
+    if (!known.contains(z)) missing.push_back(z);
   }
-  return stress;
+  if (missing.empty()) return;
+  const std::size_t plane = scene_.grid.surface_size();
+  const Field found = given_[body].stress(missing, offsets_[body]);
+  for (std::size_t d = 0; d < missing.size(); ++d) {
+    Field& here = known[missing[d]];
+    here.resize(6 * plane);
+    for (std::size_t c = 0; c < 6; ++c) {
+      std::copy_n(found.data() + (c * missing.size() + d) * plane, plane, here.data() + c * plane);
+    }
+  }
 }
 
 void HeatOfIncrement::stress(int body, const Box& box, Tensor tensor, Field& sum) {
   if (!has_past(body)) return;
-  const Field& stress = past_stress(body, box.nz);
-  const std::size_t cells = stress.size() / 6;
+  const std::vector<double> depths = scene_.grid.z(box.nz);
+  find_stress(body, depths, stress_[body]);
+  Box layer = box;
+  layer.nz = 1;
+  const std::size_t plane = layer.surface_size();
   Field out(operators::count(tensor) * box.volume_size());
-  double* to = out.data();
-  for (const int c : operators::components(tensor)) {
-    const bool deviator = tensor == Tensor::deviator && c < 3;
-    for_cells(box, scene_.grid, [&](std::size_t n) {
-      const double mean = (stress[n] + stress[cells + n] + stress[2 * cells + n]) / 3;
-      *to++ = stress[c * cells + n] - (deviator ? mean : 0.0);
-    });
+  for (int k = 0; k < box.nz; ++k) {
+    const Field here = below_in(stress_[body].at(depths[k]), 6, scene_.grid, layer);
+    double* to = out.data() + k * plane;
+    for (const int c : operators::components(tensor)) {
+      put_component(here.data(), plane, c, tensor, to);
+      to += box.volume_size();
+    }
   }
   add_to(sum, std::move(out));
 }
 
-Box HeatOfIncrement::above(int body, const operators::Tractions& tractions,
-                           operators::ResidualMethod method, const YieldLimit& limit) {
-  const Box below = scene_.volume_below(tractions.pressure);
-  const auto operators =
-      scene_.volume(body, below, Tensor::full, method, fft::Symmetry::none, target_.heating[body]);
-  const Field stress = operators->stress(nullptr, &tractions, operators::shear_sign(body));
-  const Field& past = past_stress(body, below.nz);
-  const std::size_t cells = below.volume_size(), stride = past.size() / 6;
-  std::vector<LayerRange> layers;
-  layers.reserve(below.nz);
-  for (int k = 0; k < below.nz; ++k) layers.push_back({k, k, k + 1});
-  const std::vector<LayerLimit> limits = limit.of(layers);
-  Box found;
-  for (std::size_t n = 0; n < cells; ++n) {
-    plasticity::Tensor s;
-    for (int c = 0; c < 6; ++c) s[c] = stress[c * cells + n] + past[c * stride + n];
-    const auto& [least, start] = limits[n / below.surface_size()];
-    s[0] += start[0];
-    s[1] += start[1];
-    s[2] -= start[0] + start[1];
-    s[5] += start[2];
-    if (plasticity::von_mises(s) <= least) continue;
-    const int j = static_cast<int>(n % below.ny), i = static_cast<int>(n / below.ny % below.nx);
-    const int k = static_cast<int>(n / below.ny / below.nx);
-    found = found.united({i, j, 1, 1, k + 1});
-  }
-  return found;
+operators::DeviatorAt HeatOfIncrement::deviator(int body) const {
+  if (!has_past(body)) return {};
+  return [this, body](std::span<const double> depths) {
+    const std::size_t plane = scene_.grid.surface_size();
+    ByDepth passing;
+    ByDepth& known = plane > small_surface ? passing : stress_[body];
+    find_stress(body, depths, known);
+    Field out(5 * depths.size() * plane);
+    double* to = out.data();
+    for (const int c : operators::components(Tensor::deviator)) {
+      for (const double z : depths) {
+        put_component(known.at(z).data(), plane, c, Tensor::deviator, to);
+        to += plane;
+      }
+    }
+    return out;
+  };
 }
 
 std::shared_ptr<const BoxField> HeatOfIncrement::softening(int body, const Softening& law,
@@ -117,9 +114,8 @@ std::shared_ptr<const BoxField> HeatOfIncrement::softening(int body, const Softe
   const auto operators = scene_.temperature(target_.heating[body], box);
   Field rise = operators->rise(window({pressure, {}, {}}, grid, box).pressure.data(), depths);
   if (has_past(body)) {
-    const Field more = given_[body].temperature(depths, offsets_[body]);
-    double* to = rise.data();
-    for_cells(box, grid, [&](std::size_t n) { *to++ += more[n]; });
+    const Field more = below_in(given_[body].temperature(depths, offsets_[body]), 1, grid, box);
+    for (std::size_t n = 0; n < rise.size(); ++n) rise[n] += more[n];
   }
   const std::string name = "softening of body " + std::to_string(body + 1);
   Field factor = law(rise, box);

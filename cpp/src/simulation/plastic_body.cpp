@@ -81,17 +81,13 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
   strained_ = true;
 }
 
-Box PlasticBody::near_yield(const YieldScan& scan, HeatOfIncrement& heat) const {
-  const YieldLimit limit{strength_, weakest_, near, near_weak};
-  const bool has_past = heat.has_past(index_);
-  const Box hot = has_past ? heat.above(index_, tractions(), method_, limit) : Box{};
-  // It may be weak further down than past heat is looked at.
-  if (has_past && !strength_.weakens()) return hot;
-  return scan.box(tractions(), sign(), limit).united(hot);
+Box PlasticBody::near_yield(const YieldScan& scan, const HeatOfIncrement& heat) const {
+  const YieldLimit limit{strength_, weakest_, near, near_weak, heat.deviator(index_)};
+  return scan.box(tractions(), sign(), limit);
 }
 
-Box PlasticBody::yield_below(const YieldScan& scan) const {
-  const YieldLimit limit{strength_, 1.0, 1.0, beyond_weak};
+Box PlasticBody::yield_below(const YieldScan& scan, const HeatOfIncrement& heat) const {
+  const YieldLimit limit{strength_, 1.0, 1.0, beyond_weak, heat.deviator(index_)};
   const Box below = scan.box_below(tractions(), sign(), limit);
   // Flow above may have brought a weak layer to yield in the grid as well.
   return strength_.weakens() ? below.united(scan.box(tractions(), sign(), limit)) : below;
@@ -101,11 +97,11 @@ bool PlasticBody::yields_everywhere(const YieldScan& scan) const {
   return scan.is_beyond_everywhere(tractions(), sign(), {strength_, 1.0, 1.0, 1.0});
 }
 
-const Columns& PlasticBody::yielding_columns(const YieldScan& scan) {
+const Columns& PlasticBody::yielding_columns(const YieldScan& scan, const HeatOfIncrement& heat) {
   const bool known =
       yielding_ && yielding_->softening == weakest_ && yielding_->tractions == tractions();
   if (!known) {
-    const YieldLimit limit{strength_, weakest_, 1.0, beyond_weak};
+    const YieldLimit limit{strength_, weakest_, 1.0, beyond_weak, heat.deviator(index_)};
     yielding_ = Yielding{tractions(), weakest_, columns_beyond(limit, scan)};
   }
   return yielding_->columns;

@@ -121,7 +121,7 @@ bool PlasticIncrement::grow_beyond() {
       }
       needed = choice_.whole(needed_at_rim(b, negligible_flow * largest));
     }
-    const Box below = body.yield_below(scan);
+    const Box below = body.yield_below(scan, heat_);
     if (!below.empty()) needed = needed.united(choice_.with_margin(below));
     if (needed.empty()) continue;
     needed = needed.united(window_of(body.tractions(), scene_.grid));

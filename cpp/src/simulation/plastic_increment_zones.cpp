@@ -48,10 +48,9 @@ bool holds_around(const Zones& zones, const Cell& cell) {
 
 }  // namespace
 
-bool PlasticIncrement::may_split(const PlasticBody& body) const {
+bool PlasticIncrement::may_split() const {
   return !settings_.one_zone && symmetry_ == fft::Symmetry::none &&
-         from_.method == operators::ResidualMethod::fast && !scene_.grid.period.is_on() &&
-         !heat_.has_past(body.index());
+         from_.method == operators::ResidualMethod::fast && !scene_.grid.period.is_on();
 }
 
 bool PlasticIncrement::is_worth_splitting(const PlasticBody& body,
@@ -87,7 +86,7 @@ std::vector<Box> PlasticIncrement::zones_to_begin_with(const PlasticBody& body) 
 }
 
 void PlasticIncrement::take_up_zones(PlasticBody& body) {
-  if (may_split(body)) {
+  if (may_split()) {
     std::vector<Box> boxes = zones_to_begin_with(body);
     if (is_worth_splitting(body, boxes)) return set_zones(body, Zones(std::move(boxes)), true);
   }
@@ -97,9 +96,9 @@ void PlasticIncrement::take_up_zones(PlasticBody& body) {
 
 bool PlasticIncrement::fit_zones(PlasticBody& body) {
   const bool first = body.zones().empty();
-  if (scanned_ || !(body.is_split() || (first && may_split(body)))) return false;
+  if (scanned_ || !(body.is_split() || (first && may_split()))) return false;
   std::vector<Box> boxes = body.zones().boxes();
-  const auto near = boxes_around(body.yielding_columns(*scans_[body.index()]));
+  const auto near = boxes_around(body.yielding_columns(*scans_[body.index()], heat_));
   boxes.insert(boxes.end(), near.begin(), near.end());
   boxes = merged(boxes, scene_.split.near_range);
   const bool asks = first || from_.travel != Travel{};
@@ -149,7 +148,7 @@ bool PlasticIncrement::look_beyond(double residual) {
 }
 
 bool PlasticIncrement::grow_for_yield(PlasticBody& body) {
-  Columns columns = body.yielding_columns(*scans_[body.index()]);
+  Columns columns = body.yielding_columns(*scans_[body.index()], heat_);
   for (const Box& zone : body.zones().boxes()) {
     const Box common = zone.intersected(columns.window);
     for (int i = common.i0; i < common.i0 + common.nx; ++i) {

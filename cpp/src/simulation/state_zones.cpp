@@ -17,7 +17,7 @@ bool State::is_in_zones(int body) const {
 }
 
 bool State::shows_zones(int body) const {
-  return is_in_zones(body) && travel == Travel{} && !given_heat(body).is_on() &&
+  return is_in_zones(body) && travel == Travel{} &&
          !plastic[body]->reaches_beyond(Zones(flow_boxes[body]));
 }
 
@@ -54,9 +54,12 @@ Field State::stress_in_zones(int body, bool with_tractions) const {
         }
       });
   tables->forget_unused();
+  const GivenHeat hot = given_heat(body);
+  const bool has_heat = with_tractions && hot.is_on();
+  const Field below = has_heat ? hot.stress(scene_->grid.z(zones.around().nz), 0.0) : Field{};
   for (std::size_t zone = 0; zone < zones.count(); ++zone) {
     const Box& box = zones.boxes()[zone];
-    Field start;
+    Field start = has_heat ? below_in(below, 6, scene_->grid, box) : Field{};
     strength(body).add_stress(box, operators::Tensor::full, start);
     double* to = out.data() + 6 * zones.first(zone);
     for (std::size_t n = 0; n < start.size(); ++n) to[n] += start[n];

@@ -69,6 +69,21 @@ std::vector<LayerRange> all_ranges(const Grid& grid, const Strength& strength) {
   return ranges_of(layers, 0, layers.size(), strength.is_graded());
 }
 
+/// Adds a deviator [component][k][i][j] of the grid, in the middle of coarser cells.
+void add_sampled(const Field& fine, const Grid& grid, const Grid& coarse, int factor, Field& sum) {
+  double* to = sum.data();
+  const std::size_t plane = grid.surface_size();
+  const auto middle = [factor](int n, int cells) {
+    return std::min(n * factor + factor / 2, cells - 1);
+  };
+  for (const double* from = fine.data(); from != fine.data() + fine.size(); from += plane) {
+    for (int i = 0; i < coarse.nx; ++i) {
+      const double* row = from + static_cast<std::size_t>(middle(i, grid.nx)) * grid.ny;
+      for (int j = 0; j < coarse.ny; ++j) *to++ += row[middle(j, grid.ny)];
+    }
+  }
+}
+
 /// Means over factor x factor cells; beyond the border nothing.
 Field average(const Field& fine, const Grid& grid, const Grid& coarse, int factor) {
   if (factor == 1) return fine;
@@ -138,6 +153,9 @@ void YieldScan::for_beyond(const Level& level, const operators::Tractions& tract
   const std::size_t plane = grid.surface_size(), n = plane * nz;
   Field s(5 * n);
   operators::inverse(level.transform, spectrum, s.data());
+  if (limit.past) {
+    add_sampled(limit.past(depths(grid_, level.ranges)), grid_, grid, level.factor, s);
+  }
 
   const std::vector<LayerLimit> limits = limit.of(level.ranges);
   for (int k = 0; k < nz; ++k) {
@@ -226,11 +244,11 @@ Columns ZoneScan::columns(const operators::Tractions& tractions, double shear_si
   const int block = bound_.block();
   const int nx = bound_.blocks_x(), ny = bound_.blocks_y();
   const std::vector<LayerLimit> limits = limit.of(ranges_);
-  operators::StressBound::Given start;
-  for (const LayerLimit& layer : limits) start.push_back(layer.start);
+  operators::StressBound::Given given{{}, limit.past};
+  for (const LayerLimit& layer : limits) given.start.push_back(layer.start);
   // Of blocks, by depth.
   std::vector<std::vector<std::size_t>> beyond(ranges_.size());
-  bound_.for_each_depth(tractions, shear_sign, start, [&](int depth, const double* bound) {
+  bound_.for_each_depth(tractions, shear_sign, given, [&](int depth, const double* bound) {
     for (std::size_t n = 0; n < static_cast<std::size_t>(nx) * ny; ++n) {
       if (bound[n] > limits[depth].stress) beyond[depth].push_back(n);
     }

@@ -5,11 +5,15 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "samcontact/operators/zone_operators.hpp"
 
 namespace samcontact::operators {
+
+/// The deviator of a stress at some depths [m]: [component][depth][i][j] of the grid [Pa].
+using DeviatorAt = std::function<Field(std::span<const double> depths)>;
 
 class StressBound {
  public:
@@ -23,8 +27,11 @@ class StressBound {
   int blocks_x() const;
   int blocks_y() const;
 
-  /// A deviator at each depth that is there besides: xx, yy and xy [Pa].
-  using Given = std::vector<std::array<double, 3>>;
+  /// What is there besides.
+  struct Given {
+    std::vector<std::array<double, 3>> start;  // a deviator at each depth: xx, yy and xy [Pa]
+    DeviatorAt more{};                         // smooth; none: 0
+  };
   /// Calls use(number of the depth, bound [i][j] of blocks [Pa]), in any order and several at once.
   /// shear_sign: as everywhere.
   using Use = std::function<void(int depth, const double* bound)>;
@@ -41,8 +48,10 @@ class StressBound {
 
   void look_at(const Group& group, const Loads& loads, double shear_sign, const Given& given,
                const Use& use) const;
-  /// Von Mises stress of what is smooth at the corners of blocks, from nodes [component][a][b].
-  Field at_corners(const Field& nodes, const std::array<double, 3>& given) const;
+  /// Von Mises stress of what is smooth at the corners of blocks, from nodes [component][a][b], and
+  /// where told a deviator of cells [i][j], its components `step` apart.
+  Field at_corners(const Field& nodes, const std::array<double, 3>& start, const double* more,
+                   std::size_t step) const;
   Field near_part(double depth, const Tractions& tractions) const;
 
   std::shared_ptr<const ZoneTables> tables_;

@@ -34,4 +34,8 @@ class GivenHeat {
   const Field& slip_power_;
 };
 
+/// In a box, of fields in layers below the grid [component][k][i][j]: known there only, beside it
+/// they are those of the nearest cell.
+Field below_in(const Field& fields, int components, const Grid& grid, const Box& box);
+
 }  // namespace samcontact::simulation

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "samcontact/simulation/given_heat.hpp"
@@ -24,25 +26,26 @@ class HeatOfIncrement : public Source {
   /// Of that.
   void open(Field& gap) const override;
   void stress(int body, const Box& box, operators::Tensor tensor, Field& sum) override;
-  /// All cells below the grid whose von Mises stress, under tractions and past heat, exceeds the
-  /// limit.
-  Box above(int body, const operators::Tractions& tractions, operators::ResidualMethod method,
-            const YieldLimit& limit);
+  /// The same at depths below the grid's window; none without.
+  operators::DeviatorAt deviator(int body) const;
   /// Factor of the yield stress in a box under a pressure; null: 1 everywhere. Throws
   /// std::invalid_argument for a law that gives what is none.
   std::shared_ptr<const BoxField> softening(int body, const Softening& law, const Field& pressure,
                                             const Box& box) const;
 
  private:
-  /// Below the grid's window, in these layers and maybe more.
-  const Field& past_stress(int body, int layers);
+  using ByDepth = std::map<double, Field>;
+  /// Adds past stress at the depths that are missing.
+  void find_stress(int body, std::span<const double> depths, ByDepth& known) const;
 
   const Scene& scene_;
   const Target& target_;
   std::array<double, 2> offsets_;
   std::array<GivenHeat, 2> given_;
   std::vector<Field> displacement_;
-  std::array<Field, 2> stress_;  // when it was asked for
+  /// Of bodies, as far as it was asked for: all six components of past stress below the grid's
+  /// window, [component][i][j].
+  mutable std::array<ByDepth, 2> stress_;
 };
 
 }  // namespace samcontact::simulation

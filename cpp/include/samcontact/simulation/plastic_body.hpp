@@ -42,13 +42,14 @@ class PlasticBody {
   /// What acts on it, in its own cells.
   const operators::Tractions& tractions() const { return offset_ != 0 ? seen_ : *tractions_; }
   double sign() const { return operators::shear_sign(index_); }
-  /// The box of all cells where the tractions alone come near yielding; before there is a strain.
-  Box near_yield(const YieldScan& scan, HeatOfIncrement& heat) const;
-  /// The columns of those that yield. Without heat of the past.
-  const Columns& yielding_columns(const YieldScan& scan);
-  /// The box of all cells below those of the grid where the tractions alone make it yield; of a
-  /// body that is weak somewhere below, of all cells where they come near.
-  Box yield_below(const YieldScan& scan) const;
+  /// The box of all cells where tractions and past heat alone come near yielding; before there is a
+  /// strain.
+  Box near_yield(const YieldScan& scan, const HeatOfIncrement& heat) const;
+  /// The columns of those that yield.
+  const Columns& yielding_columns(const YieldScan& scan, const HeatOfIncrement& heat);
+  /// The box of all cells below those of the grid where these alone make it yield; of a body that
+  /// is weak somewhere below, of all cells where they come near.
+  Box yield_below(const YieldScan& scan, const HeatOfIncrement& heat) const;
   /// Whether it yields down to any depth.
   bool yields_everywhere(const YieldScan& scan) const;
 

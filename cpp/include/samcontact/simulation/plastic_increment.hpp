@@ -82,8 +82,8 @@ class PlasticIncrement {
   void set_zones(PlasticBody& body, const Zones& zones, bool split = false);
   /// In one box, which is stored.
   void set_box(PlasticBody& body, const Box& box) { set_zones(body, Zones({box})); }
-  /// Whether a body's strain may be solved for in small zones.
-  bool may_split(const PlasticBody& body) const;
+  /// Whether strain may be solved for in small zones.
+  bool may_split() const;
   /// Whether that is less work than in one box.
   bool is_worth_splitting(const PlasticBody& body, const std::vector<Box>& boxes) const;
   /// Small zones for a body with a history: those of before; of a body that has moved all history

@@ -18,6 +18,7 @@ namespace samcontact::simulation {
 struct YieldLimit {
   const Strength& strength;
   double softening, share, share_of_weak;
+  operators::DeviatorAt past{};  // stress that is there besides that of tractions; none: 0
 
   std::vector<LayerLimit> of(const std::vector<LayerRange>& ranges) const {
     return strength.limits(ranges, softening, share, share_of_weak);
