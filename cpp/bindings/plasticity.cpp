@@ -9,7 +9,7 @@
 #include "rooms.hpp"
 #include "samcontact/base/stack.hpp"
 #include "samcontact/operators/layered_half_space.hpp"
-#include "samcontact/plasticity/material.hpp"
+#include "samcontact/plasticity/body.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
 
 namespace samcontact::bindings {
@@ -64,11 +64,12 @@ Material with_backstresses(const Material& s, const std::vector<std::pair<double
   return s.with_backstresses(backstresses);
 }
 
-Material with_coating(const Material& s, const std::vector<std::pair<Elastic, double>>& layers) {
-  std::vector<ElasticLayer> coating;
-  coating.reserve(layers.size());
-  for (const auto& [elastic, h] : layers) coating.push_back({elastic, h});
-  return s.with_coating(std::move(coating));
+plasticity::Body body_of(const Material& substrate,
+                         const std::vector<std::pair<Material, double>>& given) {
+  std::vector<plasticity::MaterialLayer> layers;
+  layers.reserve(given.size());
+  for (const auto& [material, h] : given) layers.push_back({material, h});
+  return {substrate, std::move(layers)};
 }
 
 py::tuple radial_return(const Material& s, const plasticity::Tensor& stress, double g,
@@ -110,8 +111,7 @@ void bind_material(py::module_& m) {
             return s.with_initial_stress({{z, sxx}, {z, syy}, {z, sxy}});
           },
           py::arg("z"), py::arg("sxx"), py::arg("syy"), py::arg("sxy"))
-      .def("with_coating", &with_coating, py::arg("layers"))
-      .def_property_readonly("stack", &Material::stack)
+      .def_property_readonly("stack", [](const Material& s) { return Stack{{}, s.elastic}; })
       .def_property_readonly("elastic_constants", [](const Material& s) { return s.elastic; })
       .def_property_readonly("is_plastic", &Material::is_plastic)
       .def(
@@ -143,6 +143,15 @@ void bind_material(py::module_& m) {
           py::arg("trial"), py::arg("g"));
 }
 
+void bind_body(py::module_& m) {
+  using plasticity::Body;
+  py::class_<Body>(m, "Body")
+      .def(py::init<Material>(), py::arg("substrate"))
+      .def(py::init(&body_of), py::arg("substrate"), py::arg("layers"))
+      .def_property_readonly("stack", &Body::stack);
+  py::implicitly_convertible<Material, Body>();
+}
+
 }  // namespace
 
 void bind_plasticity(py::module_& m) {
@@ -154,6 +163,7 @@ void bind_plasticity(py::module_& m) {
       .def_readonly("nu", &Elastic::nu);
   bind_stack(m);
   bind_material(m);
+  bind_body(m);
 }
 
 }  // namespace samcontact::bindings

@@ -352,8 +352,8 @@ void bind_simulation(py::module_& m) {
   bind_state(m);
   bind_settings(m);
   py::class_<Simulation>(m, "Simulation")
-      .def(py::init([](const Grid& grid, const plasticity::Material& body1,
-                       const plasticity::Material& body2, const Array& gap, double friction,
+      .def(py::init([](const Grid& grid, const plasticity::Body& body1,
+                       const plasticity::Body& body2, const Array& gap, double friction,
                        bool sticks, Settings settings, const std::array<double, 2>& march,
                        const std::array<py::object, 2>& softening,
                        const std::array<py::object, 2>& reliefs) {

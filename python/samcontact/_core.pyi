@@ -32,8 +32,8 @@ class Grid:
         dy: float,
         nz: int,
         dz: float,
-        along_x: bool = False,
-        along_y: bool = False,
+        along_x: bool,
+        along_y: bool,
     ) -> None: ...
     def x(self) -> list[float]: ...
     def y(self) -> list[float]: ...
@@ -93,7 +93,6 @@ class Material:
     def with_thermal(
         self, conductivity: float, expansion: float, diffusivity: float
     ) -> Material: ...
-    def with_coating(self, layers: list[tuple[Elastic, float]]) -> Material: ...
     def with_backstresses(self, terms: list[tuple[float, float]]) -> Material: ...
     def with_yield_profile(self, z: Floats, factor: Floats) -> Material: ...
     def with_initial_stress(self, z: Floats, sxx: Floats, syy: Floats, sxy: Floats) -> Material: ...
@@ -104,6 +103,10 @@ class Material:
         self, stress: list[float], g: float, backstresses: list[list[float]]
     ) -> tuple[list[float], float, list[list[float]]]: ...
     def equivalent_increment(self, trial: float, g: float) -> float: ...
+
+class Body:
+    stack: Stack
+    def __init__(self, substrate: Material, layers: list[tuple[Material, float]]) -> None: ...
 
 class ContactSolver:
     def __init__(
@@ -224,8 +227,8 @@ class Simulation:
         self,
         *,
         grid: Grid,
-        body1: Material,
-        body2: Material,
+        body1: Material | Body,
+        body2: Material | Body,
         gap: FloatArray,
         friction: float,
         sticks: bool,

@@ -136,11 +136,19 @@ class Graded:
 
         Raises ValueError where z is negative or not finite.
         """
-        depths = self._depths(z)
+        depths = checked_depths(z)
         if self.yield_profile is None:
             return np.ones_like(depths)
         factor: FloatArray = _at(self.yield_profile, depths)[0]
         return factor
+
+    def yield_stress_at(self, z: ArrayLike) -> FloatArray:
+        """Yield stress before hardening at depths z [Pa], same shape; infinite without yield.
+
+        Raises ValueError where z is negative or not finite.
+        """
+        factor = self.yield_factor(z)
+        return float(cast("Material", self).yield_stress(0.0)) * factor
 
     @property
     def least_yield_stress(self) -> float:
@@ -153,18 +161,19 @@ class Graded:
 
         0 without. Raises ValueError where z is negative or not finite.
         """
-        depths = self._depths(z)
+        depths = checked_depths(z)
         if self.residual_stress is None:
             return np.zeros((3, *depths.shape))
         return _at(self.residual_stress, depths)
 
-    @staticmethod
-    def _depths(z: ArrayLike) -> FloatArray:
-        depths = real_array("z", z)
-        bad = ~(np.isfinite(depths) & (depths >= 0))
-        if bad.any():
-            raise ValueError(f"z must be finite and >= 0, got {float(depths[bad].flat[0])!r}")
-        return depths
+
+def checked_depths(z: ArrayLike) -> FloatArray:
+    """Depths below a surface; ValueError where one is negative or not finite."""
+    depths = real_array("z", z)
+    bad = ~(np.isfinite(depths) & (depths >= 0))
+    if bad.any():
+        raise ValueError(f"z must be finite and >= 0, got {float(depths[bad].flat[0])!r}")
+    return depths
 
 
 def _at(of: Profile, z: FloatArray) -> FloatArray:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _certified, half_resolution
 from ._quantities import described
+from .layered import Body, Layered, materials_of
 from .material import Material
 
 if TYPE_CHECKING:
@@ -53,11 +54,11 @@ def resolved(name: str, simulation: Simulation) -> str:
             raise ValueError('quantity = "yield" needs a body that yields')
         if any(body.softening for body in bodies):
             raise ValueError('quantity = "yield" is not for bodies that soften by heat')
-        if any(body.yield_profile or body.residual_stress for body in bodies):
+        if any(_differs_over_depth(body) for body in bodies):
             raise ValueError(
                 'quantity = "yield" is of one yield stress, not for bodies with a '
-                "yield profile or residual stress: find max_plastic_strain of a small value, e.g. "
-                "1e-6, or take critical.onset_over_depth"
+                "yield profile or residual stress, or of layers: find max_plastic_strain of a "
+                "small value, e.g. 1e-6, or take critical.onset_over_depth"
             )
         if not simulation.grid.has_volume:
             raise ValueError('quantity = "yield" needs a grid with dz')
@@ -89,6 +90,11 @@ def label_and_unit(name: str) -> tuple[str, str]:
     body = None if "," in name else body
     unit = {"m2": "m²", "1": ""}.get(known.unit, known.unit)
     return known.heading if body is None else f"{known.heading}, body {body}", unit
+
+
+def _differs_over_depth(body: Body) -> bool:
+    layered = isinstance(body, Layered) and body.is_plastic
+    return layered or any(m.yield_profile or m.residual_stress for m in materials_of(body))
 
 
 def elastic(simulation: Simulation) -> Simulation:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
@@ -12,14 +12,13 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
+from . import _core
 from ._checks import FloatArray, finite, positive, real_array, require_type
 from ._frozen import FrozenDict
+from ._graded import checked_depths
 from ._repr import Rows, Shown, material_in_short, quantity
 from .grid import Grid
 from .material import Material
-
-_UNYIELDING = 1e6
-"""Yield stress of an elastic layer over that of the substrate."""
 
 
 def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
@@ -64,16 +63,17 @@ class Layered(Shown):
     impedances that holds for thick and thin layers (docs/theory.md, "Layers"). Stresses in the
     surface's plane jump at interfaces. A depth that lies exactly on one belongs to the layer below;
     ``np.nextafter(z, 0.0)`` is the layer above.
+
+    Each layer and the substrate yield by the law of their own material, and have its yield profile
+    and residual stress, whose depths are those below the surface of the body: a growth stress of a
+    coating is ``material.with_residual_stress([0.0], [s])`` of it.
     """
 
     layers: tuple[tuple[Material, float], ...]
     substrate: Material
     law: ClassVar[str] = "layered"
-    kinematic: ClassVar[tuple[()]] = ()
     thermal: ClassVar[None] = None
     softening: ClassVar[None] = None
-    yield_profile: ClassVar[None] = None
-    residual_stress: ClassVar[None] = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "layers", _checked_layers(self.layers))
@@ -85,12 +85,6 @@ class Layered(Shown):
                         f"{name} must have no {what}, got {getattr(material, what)!r}: layered "
                         "bodies have no kernels of heat"
                     )
-            for what in ("yield_profile", "residual_stress"):
-                if getattr(material, what) is not None:
-                    raise ValueError(
-                        f"{name} must have no {what}: strength and stress over depth are of "
-                        "homogeneous bodies"
-                    )
         self._core  # noqa: B018  (the core checks thicknesses)
 
     def _named_materials(self) -> list[tuple[str, Material]]:
@@ -99,13 +93,8 @@ class Layered(Shown):
 
     @cached_property
     def _core(self) -> Any:
-        layers = [(material._core.elastic_constants, h) for material, h in self.layers]
-        below = self.substrate._core
-        if self.substrate.is_plastic:
-            # Flow is the substrate's; layers, which are elastic, bear what there is.
-            depth = float(self.interfaces[-1])
-            below = below.with_yield_profile([depth * (1 - 1e-9), depth], [_UNYIELDING, 1.0])
-        return below.with_coating(layers)
+        layers = [(material._core, h) for material, h in self.layers]
+        return _core.Body(self.substrate._core, layers)
 
     @property
     def parameters(self) -> Mapping[str, tuple[float, ...]]:
@@ -146,6 +135,30 @@ class Layered(Shown):
             raise ValueError(f"z must be >= 0, got {z!r}")
         below = int(np.searchsorted(self.interfaces, depth, side="right"))
         return self._named_materials()[below][1]
+
+    def yield_stress_at(self, z: ArrayLike) -> FloatArray:
+        """Yield stress before hardening at depths z [Pa], same shape; infinite without yield.
+
+        Raises ValueError where z is negative or not finite.
+        """
+        depths = checked_depths(z)
+        return self._over_depth(depths, np.zeros_like(depths), Material.yield_stress_at)
+
+    def residual_stress_at(self, z: ArrayLike) -> FloatArray:
+        """Stress of the start at depths z [m]: sxx, syy and sxy [Pa], one array of z's shape each.
+
+        0 without. Raises ValueError where z is negative or not finite.
+        """
+        depths = checked_depths(z)
+        return self._over_depth(depths, np.zeros((3, *depths.shape)), Material.residual_stress_at)
+
+    def _over_depth(
+        self, depths: FloatArray, out: FloatArray, of: Callable[[Material, FloatArray], FloatArray]
+    ) -> FloatArray:
+        """What the material at each depth says of it, into an array whose last axes are depths'."""
+        for material, there in materials_at(self, depths):
+            out[..., there] = of(material, depths[there])
+        return out
 
     def wave_compliance(self, wavenumber: ArrayLike) -> FloatArray:
         """Displacement u_z of the surface over the pressure of a wave cos(q x) [m/Pa].
@@ -205,12 +218,11 @@ def require_flow_below_layers(grid: Grid, residual_stress: str, *bodies: Body) -
         if not isinstance(body, Layered) or not body.is_plastic:
             continue
         flows = True
-        for place, (material, _) in enumerate(body.layers):
-            if material.is_plastic:
-                raise ValueError(
-                    f"layers[{place}] of body{n} must be elastic, got {material!r}: only the "
-                    "substrate may yield"
-                )
+        if body.substrate.is_rigid:
+            raise ValueError(
+                f"layers of body{n} must not yield on a rigid substrate, got {body!r}: take one "
+                "that is much stiffer than they are"
+            )
         if residual_stress == "exact":
             raise ValueError(
                 f'residual_stress must be "fast" where body{n} has layers, got "exact": there are '
@@ -218,7 +230,7 @@ def require_flow_below_layers(grid: Grid, residual_stress: str, *bodies: Body) -
             )
         if len(grid.periodic) == 1:
             raise ValueError(
-                f"body{n} must not yield below its layers where one direction alone is periodic, "
+                f"body{n} must not yield where it has layers and one direction alone is periodic, "
                 f"got grid.periodic = {grid.periodic!r}"
             )
         for place, depth in enumerate(body.interfaces if grid.dz is not None else ()):
@@ -236,6 +248,25 @@ def materials_of(body: Body) -> list[Material]:
     if isinstance(body, Material):
         return [body]
     return [material for _, material in body._named_materials()]
+
+
+def names_of_materials(layers: int) -> list[str]:
+    """What files call the materials of so many layers and their substrate."""
+    return [*(f"layer{n}" for n in range(1, layers + 1)), "substrate"]
+
+
+def materials_at(body: Body, depths: FloatArray) -> Iterator[tuple[Material, FloatArray]]:
+    """Each material of a body, and at which of some depths [m] it is, as a mask."""
+    materials = materials_of(body)
+    bottoms = body.interfaces if isinstance(body, Layered) else np.empty(0)
+    numbers = np.searchsorted(bottoms, depths, side="right")
+    for number, material in enumerate(materials):
+        yield material, numbers == number
+
+
+def backstresses_of(body: Body) -> int:
+    """How many backstresses a history of the body has: the most of its materials."""
+    return max(len(material.kinematic) for material in materials_of(body))
 
 
 def softest(body: Body) -> Material:

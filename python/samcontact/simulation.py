@@ -25,7 +25,7 @@ from .checkpoint import loaded, reduced, snapshot, stand_at, write_checkpoint
 from .friction import Coulomb, require_heat_of
 from .grid import Grid
 from .heat import Heat
-from .layered import Body, require_bodies, require_flow_below_layers
+from .layered import Body, backstresses_of, require_bodies, require_flow_below_layers
 from .relief import Relief, relief_rows
 from .state import State
 
@@ -323,7 +323,7 @@ class Simulation(Running, Windowed, Shown):
             A field of another shape, not finite, or with values outside their range.
         """
         index = choice("body", body, (1, 2)) - 1
-        terms = len((self.body1, self.body2)[index].kinematic)
+        terms = backstresses_of((self.body1, self.body2)[index])
         fields = plastic_fields(self.grid, strain, equivalent, backstress, terms, first)
         with self._turn:
             self._core.set_plastic_state(index, first or 0, *fields)

@@ -71,6 +71,7 @@ CORE_USERS = {
     "grid",
     "heat_kernels",
     "kernels",
+    "layered",
     "operators",
     "rolling",
     "runs.file",

@@ -40,8 +40,7 @@ void require_below_yield(const Material& material) {
     depths.insert(depths.end(), profile->depth.begin(), profile->depth.end());
   }
   for (const double z : depths) {
-    const double factor = material.yield_profile ? material.yield_profile->at(z) : 1.0;
-    const double limit = factor * yield_stress, found = stress.von_mises(z);
+    const double limit = material.yield_factor(z) * yield_stress, found = stress.von_mises(z);
     require(found <= limit * (1 + 1e-9),
             "the von Mises stress of residual_stress at z = " + to_text(z) + " m",
             "at most the yield stress there, " + to_text(limit) +
@@ -87,12 +86,6 @@ Material Material::with_backstresses(const std::vector<Backstress>& terms) const
   Material material = *this;
   material.backstresses = terms;
   return material;
-}
-
-Material Material::with_coating(std::vector<ElasticLayer> layers) const {
-  Material coated = *this;
-  coated.coating = Stack::of(std::move(layers), elastic).layers;
-  return coated;
 }
 
 Material Material::with_thermal(const Thermal& constants) const {

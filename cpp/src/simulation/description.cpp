@@ -82,7 +82,7 @@ std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Sc
                    (symmetry == fft::Symmetry::none || box.j0 == part.j0) &&
                    (symmetry != fft::Symmetry::xy || box.i0 == part.i0),
                "the box of a plastic history does not fit the grid");
-  const std::size_t terms = scene.materials[body].backstresses.size();
+  const std::size_t terms = scene.bodies[body].backstresses();
   std::size_t cells = 0;
   for (const Box& zone : zones) {
     require_that(is_box(zone, scene.grid) && !zone.empty() && zone.nz > 0 && box.contains(zone),

@@ -28,9 +28,7 @@ double increment_error(const State& one, const State& two) {
       p_max > 0 ? difference(one.tractions.pressure, two.tractions.pressure) / p_max : 0.0;
   for (int b = 0; b < 2; ++b) {
     if (!one.plastic[b] || !two.plastic[b]) continue;
-    const auto& material = two.scene().materials[b];
-    const double yield_strain =
-        material.smallest_yield_stress() / (3 * material.elastic.shear_modulus());
+    const double yield_strain = two.scene().bodies[b].strain_at_yield();
     const Box box = around(one.flow_boxes[b]).united(around(two.flow_boxes[b]));
     const auto symmetry = common(one.plastic[b]->symmetry(), two.plastic[b]->symmetry());
     const auto first = unfolded(one.plastic[b], grid, symmetry);

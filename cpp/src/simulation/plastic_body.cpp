@@ -124,7 +124,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
                     bytes_of(zones_, split_, scene_.grid, method_));
   const int parts = operators::count(tensor_);
   const std::size_t cells = zones.cells();
-  const std::size_t terms = material().backstresses.size();
+  const std::size_t terms = body().backstresses();
   PlasticFields fields = history_ ? history_->fields(zones)
                                   : PlasticFields{zones, Field(parts * cells, 0.0),
                                                   Field(cells, 0.0), Field(cells * 5 * terms, 0.0)};
@@ -144,6 +144,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
   }
   zones_ = zones;
   factor_.clear();
+  material_.clear();
   // The old one first: the two together may not fit.
   volume_.reset();
   split_ = split;
@@ -166,6 +167,8 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
     strength_.add_stress(box, tensor_, given_stress_[zone]);
     const Field factor = strength_.factor(box);
     factor_.insert(factor_.end(), factor.begin(), factor.end());
+    const auto materials = strength_.materials(box);
+    material_.insert(material_.end(), materials.begin(), materials.end());
   }
   if (!history_) return;
   outside_ = split ? outside_strain_in_zones(tables, *history_, zones_, scene_.reach)
@@ -209,11 +212,21 @@ void PlasticBody::activate(std::uint32_t cell, const plasticity::Tensor& deviato
   active.append({number_, cell}, before, deviator);
 }
 
+PlasticBody::Limits PlasticBody::first_limits() const {
+  Limits limits{{}, INFINITY};
+  for (int n = 0; n < body().count(); ++n) {
+    const plasticity::Material& material = body().material(n);
+    const double first = material.hardening.yield_stress(0.0), bound = first * first / 3;
+    const auto& profile = material.yield_profile;
+    const double weakest = profile ? weakest_ * profile->smallest() : weakest_;
+    limits.first.push_back(bound);
+    limits.weakest = std::min(limits.weakest, bound * weakest * weakest);
+  }
+  return limits;
+}
+
 double PlasticBody::find_stress(ActiveCells& active) {
-  const double first = material().hardening.yield_stress(0.0), bound = first * first / 3;
-  const auto& profile = material().yield_profile;
-  const double weakest = profile ? weakest_ * profile->smallest() : weakest_;
-  const Limits limits{bound, bound * weakest * weakest};
+  const Limits limits = first_limits();
   std::vector<std::vector<Seen>> seen;  // by zone and layer
   for (const Box& box : zones_.boxes()) seen.emplace_back(box.nz);
   const auto look = [&](std::size_t zone, int k, const double* layer) {
@@ -273,7 +286,8 @@ PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plan
       const double second =
           second_invariant(effective[0], effective[1], effective[2], effective[3], effective[4]);
       const bool own = second > limits.weakest && (softening_ || equivalent_[cell] > 0);
-      double limit = own ? yield_limit(static_cast<std::uint32_t>(cell)) : limits.first;
+      double limit =
+          own ? yield_limit(static_cast<std::uint32_t>(cell)) : limits.first[material_number(cell)];
       if (!own && !factor_.empty()) limit *= factor_[cell] * factor_[cell];
       highest = std::max(highest, second / limit);
       if (second <= limit) continue;
@@ -291,7 +305,7 @@ PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plan
 
 double PlasticBody::yield_limit(std::uint32_t cell) const {
   const double yield_stress =
-      material().hardening.yield_stress(equivalent_[cell]) * strength_of(cell);
+      material(cell).hardening.yield_stress(equivalent_[cell]) * strength_of(cell);
   return yield_stress * yield_stress / 3;
 }
 
@@ -304,7 +318,7 @@ double PlasticBody::strength_of(std::uint32_t cell) const {
 
 std::span<const plasticity::Tensor> PlasticBody::backstresses(std::uint32_t cell,
                                                               plasticity::Tensors& place) const {
-  const std::size_t cells = zones_.cells(), terms = backstress_.size() / (5 * cells);
+  const std::size_t cells = zones_.cells(), terms = material(cell).backstresses.size();
   for (std::size_t n = 0; n < terms; ++n) {
     const double* x = backstress_.data() + 5 * n * cells + cell;
     place[n] = {x[0], x[cells], -(x[0] + x[cells]), x[2 * cells], x[3 * cells], x[4 * cells]};
@@ -315,12 +329,8 @@ std::span<const plasticity::Tensor> PlasticBody::backstresses(std::uint32_t cell
 plasticity::Return PlasticBody::return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
                                            const plasticity::Tensor& guess) const {
   plasticity::Tensors place;
-  return plasticity::radial_return(deviator, guess, equivalent_[cell], material(),
+  return plasticity::radial_return(deviator, guess, equivalent_[cell], material(cell),
                                    backstresses(cell, place), strength_of(cell));
-}
-
-double PlasticBody::strain_at_yield() const {
-  return material().smallest_yield_stress() / (3 * material().elastic.shear_modulus());
 }
 
 double PlasticBody::strain_scale() const {
@@ -331,7 +341,7 @@ void PlasticBody::flow(std::uint32_t cell, const plasticity::Tensor& increment, 
   equivalent_[cell] += equivalent;
   plasticity::Tensors place;
   std::size_t to = cell;
-  auto law = material().backstresses.begin();
+  auto law = material(cell).backstresses.begin();
   for (const auto& before : backstresses(cell, place)) {
     const auto x = plasticity::advanced(before, *law++, increment, equivalent);
     for (const int c : operators::components(Tensor::deviator)) {

@@ -42,7 +42,7 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
 }
 
 bool PlasticIncrement::twins() const {
-  const auto& [upper, lower] = scene_.materials;
+  const auto& [upper, lower] = scene_.bodies;
   if (!upper.is_plastic() || upper != lower || scene_.sliding.is_on() || !rests()) return false;
   if (target_.heating[0] != target_.heating[1] || target_.past[0] != target_.past[1]) return false;
   // Two laws cannot be compared.
@@ -74,7 +74,7 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
   const bool one_for_both = twins();
   bodies_.reserve(2);
   for (int b = one_for_both ? 1 : 0; b < 2; ++b) {
-    if (!scene_.materials[b].is_plastic()) continue;
+    if (!scene_.bodies[b].is_plastic()) continue;
     const auto number = static_cast<std::uint8_t>(bodies_.size());
     const PlasticBody& body =
         bodies_.emplace_back(from, b, number, one_for_both ? 2 : 1, symmetry_, target.heating[b]);

@@ -45,8 +45,8 @@ double spot_radius(const Field& pressure, const Grid& grid) {
   return 2 / std::numbers::pi * std::min(across_x, across_y);
 }
 
-std::array<operators::SharedMedium, 2> media_of(const plasticity::Material& body1,
-                                                const plasticity::Material& body2) {
+std::array<operators::SharedMedium, 2> media_of(const plasticity::Body& body1,
+                                                const plasticity::Body& body2) {
   const auto upper = operators::medium_of(body1.stack());
   const auto lower = operators::medium_of(body2.stack());
   return {upper, *upper == *lower ? upper : lower};
@@ -54,12 +54,12 @@ std::array<operators::SharedMedium, 2> media_of(const plasticity::Material& body
 
 }  // namespace
 
-Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
-             const plasticity::Material& body2, Field initial_gap_,
-             const contact::Friction& friction, double image_tol, const HeatMarch& march_,
-             int reach_, Reliefs reliefs_, const operators::BandSplit& split_)
+Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
+             Field initial_gap_, const contact::Friction& friction, double image_tol,
+             const HeatMarch& march_, int reach_, Reliefs reliefs_,
+             const operators::BandSplit& split_)
     : grid(grid_),
-      materials{body1, body2},
+      bodies{body1, body2},
       media(media_of(body1, body2)),
       initial_gap(std::move(initial_gap_)),
       sliding(friction.sticks ? 0.0 : friction.coefficient),
@@ -80,7 +80,7 @@ Scene::Scene(const Grid& grid_, const plasticity::Material& body1,
 int Scene::followed() const {
   // Without plastic strain or relief nothing tells one place of a body from another.
   const auto remembers = [this](int body) {
-    return materials[body].is_plastic() || !reliefs[body].heights.empty();
+    return bodies[body].is_plastic() || !reliefs[body].heights.empty();
   };
   return remembers(1) ? 1 : remembers(0) ? 0 : -1;
 }
@@ -145,7 +145,7 @@ fft::Symmetry Scene::symmetry_of_worn(int body, const Travel& travel) const {
 }
 
 Strength Scene::strength(int body, const Travel& travel) const {
-  return {materials[body], grid, reliefs[body], placement(travel).first[body]};
+  return {bodies[body], grid, reliefs[body], placement(travel).first[body]};
 }
 
 std::shared_ptr<const contact::ContactSolver> Scene::solver(

@@ -35,15 +35,21 @@ std::string shape_text(std::initializer_list<int> extents) {
 }
 
 /// Throws std::invalid_argument unless there is one deviator for each law, within its limit.
-void check_backstress(const std::vector<plasticity::Backstress>& laws, const Field& backstress,
-                      const Grid& grid) {
+/// materials: numbers of those of the cells; empty: there is one.
+void check_backstress(const plasticity::Body& body, const std::vector<std::uint16_t>& materials,
+                      const Field& backstress, const Grid& grid) {
   const std::size_t cells = grid.volume_size();
-  const int terms = static_cast<int>(laws.size());
+  const int terms = static_cast<int>(body.backstresses());
   require_field(backstress, cells * 6 * terms, "backstress",
                 shape_text({terms, 6, grid.nx, grid.ny, grid.nz}));
-  for (std::size_t t = 0; t < laws.size(); ++t) {
-    const double limit = laws[t].recovery > 0 ? laws[t].modulus / laws[t].recovery : INFINITY;
+  const auto limit_of = [&](int term, std::size_t cell) {
+    const auto& laws = body.material(materials.empty() ? 0 : materials[cell]).backstresses;
+    if (term >= static_cast<int>(laws.size())) return 0.0;
+    return laws[term].recovery > 0 ? laws[term].modulus / laws[term].recovery : INFINITY;
+  };
+  for (int t = 0; t < terms; ++t) {
     for (std::size_t n = 0; n < cells; ++n) {
+      const double limit = limit_of(t, n);
       plasticity::Tensor x;
       for (int c = 0; c < 6; ++c) x[c] = backstress[(6 * t + c) * cells + n];
       const double size = plasticity::von_mises(x), trace = x[0] + x[1] + x[2];
@@ -54,6 +60,35 @@ void check_backstress(const std::vector<plasticity::Backstress>& laws, const Fie
               trace);
     }
   }
+}
+
+/// Fields of a history in a box: strain of six components, and what is there of the others.
+struct GivenHistory {
+  const Box& box;
+  const Field &strain, &equivalent, &backstress;
+  std::size_t terms;  // of the body's backstresses
+};
+
+PlasticRecord record_of(const GivenHistory& given, const Box& box, operators::Tensor tensor) {
+  const std::size_t cells = given.box.volume_size();
+  const auto cut = [&](const double* from, double* to) { extract(from, given.box, to, box); };
+  const auto places = operators::components(tensor);
+  PlasticRecord record{.tensor = tensor, .box = box, .zones = {box}};
+  record.strain.resize(places.size() * box.volume_size());
+  record.equivalent.resize(box.volume_size());
+  record.backstress.resize(5 * given.terms * box.volume_size());
+  for (std::size_t c = 0; c < places.size(); ++c) {
+    cut(given.strain.data() + places[c] * cells, record.strain.data() + c * box.volume_size());
+  }
+  if (!given.equivalent.empty()) cut(given.equivalent.data(), record.equivalent.data());
+  if (!given.backstress.empty()) {
+    const auto five = operators::components(operators::Tensor::deviator);
+    for (std::size_t c = 0; c < 5 * given.terms; ++c) {
+      cut(given.backstress.data() + (c / 5 * 6 + five[c % 5]) * cells,
+          record.backstress.data() + c * box.volume_size());
+    }
+  }
+  return record;
 }
 
 /// Solves of an increment with heat of slip, and iterates remembered between them.
@@ -74,8 +109,8 @@ double total(const Field& power) {
 
 }  // namespace
 
-Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
-                       const plasticity::Material& body2, Field initial_gap,
+Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
+                       const plasticity::Body& body2, Field initial_gap,
                        const contact::Friction& friction, const Settings& settings,
                        const HeatMarch& march, Reliefs reliefs)
     : scene_((contact::require_surface(initial_gap, grid, "gap"),
@@ -92,12 +127,11 @@ Simulation::Simulation(const Grid& grid, const plasticity::Material& body1,
 }
 
 const Scans& Simulation::scans(const operators::HeatingPair& heating) {
-  const auto& [upper, lower] = scene_->materials;
-  const bool equal = scene_->media[0] == scene_->media[1] && heating[0] == heating[1] &&
-                     upper.yield_profile == lower.yield_profile &&
-                     upper.initial_stress == lower.initial_stress;
+  const auto& [upper, lower] = scene_->bodies;
+  const bool equal =
+      scene_->media[0] == scene_->media[1] && heating[0] == heating[1] && upper.changes_like(lower);
   for (int b = 0; b < 2; ++b) {
-    if (!scene_->materials[b].is_plastic()) continue;
+    if (!scene_->bodies[b].is_plastic()) continue;
     if (scans_[b] && scans_heating_[b] == heating[b]) continue;
     scans_[b] = b == 1 && scans_[0] && equal
                     ? scans_[0]
@@ -177,7 +211,7 @@ const State& Simulation::step(const Target& target) {
 void Simulation::set_plastic_state(int body, const Box& whole, const Field& strain,
                                    const Field& equivalent, const Field& backstress) {
   const Grid grid = whole.grid(scene_->grid);
-  if (!scene_->materials[body].is_plastic()) {
+  if (!scene_->bodies[body].is_plastic()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
                                 " is not inelastic: it has no plastic strain to set");
   }
@@ -188,8 +222,10 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
     const double lowest = *std::min_element(equivalent.begin(), equivalent.end());
     require(lowest >= 0, "equivalent", ">= 0 everywhere", lowest);
   }
-  const auto& laws = scene_->materials[body].backstresses;
-  if (!backstress.empty()) check_backstress(laws, backstress, grid);
+  if (!backstress.empty()) {
+    const auto materials = scene_->strength(body, state_.travel).materials(whole);
+    check_backstress(scene_->bodies[body], materials, backstress, grid);
+  }
   // The box of all cells with a history.
   Box box;
   double largest = 0.0, trace = 0.0;
@@ -213,23 +249,8 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
   // Plastic strain has no trace but for rounding.
   const auto tensor =
       trace <= 1e-12 * largest ? operators::Tensor::deviator : operators::Tensor::full;
-  const auto cut = [&](const double* from, double* to) { extract(from, whole, to, box); };
-  const auto places = operators::components(tensor);
-  PlasticRecord record{.tensor = tensor, .box = box, .zones = {box}};
-  record.strain.resize(places.size() * box.volume_size());
-  record.equivalent.resize(box.volume_size());
-  record.backstress.resize(5 * laws.size() * box.volume_size());
-  for (std::size_t c = 0; c < places.size(); ++c) {
-    cut(strain.data() + places[c] * cells, record.strain.data() + c * box.volume_size());
-  }
-  if (!equivalent.empty()) cut(equivalent.data(), record.equivalent.data());
-  if (!backstress.empty()) {
-    const auto five = operators::components(operators::Tensor::deviator);
-    for (std::size_t c = 0; c < 5 * laws.size(); ++c) {
-      cut(backstress.data() + (c / 5 * 6 + five[c % 5]) * cells,
-          record.backstress.data() + c * box.volume_size());
-    }
-  }
+  const std::size_t terms = scene_->bodies[body].backstresses();
+  const auto record = record_of({whole, strain, equivalent, backstress, terms}, box, tensor);
   state_.plastic[body] = remade(record, *scene_, body);
   const Grid& window = scene_->grid;
   state_.flow_boxes[body] = {box.intersected({0, 0, window.nx, window.ny, box.nz})};

@@ -303,7 +303,7 @@ Field State::backstress(int body, Layers layers) const { return backstress(body,
 Field State::backstress(int body, const Box& region) const {
   scene_->require_volume(body);
   const std::size_t cells = region.volume_size();
-  const std::size_t terms = scene_->materials[body].backstresses.size();
+  const std::size_t terms = scene_->bodies[body].backstresses();
   Field out(6 * terms * cells, 0.0);
   if (!plastic[body] || terms == 0) return out;
   const Field deviators =

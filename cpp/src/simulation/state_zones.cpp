@@ -93,7 +93,7 @@ Field State::deviator_in_own_box(int body, bool with_tractions) const {
                                   operators::shear_sign(body));
   Field out(6 * region.volume_size());
   put_unfolded(six_components(part, history->tensor()), stored, symmetry, grid, region, out);
-  if (!scene_->materials[body].initial_stress) return out;
+  if (!scene_->bodies[body].has_initial_stress()) return out;
   Field start;
   strength(body).add_stress(region, operators::Tensor::deviator, start);
   start = six_components(std::move(start), operators::Tensor::deviator);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "samcontact/base/deviator.hpp"
 #include "samcontact/base/errors.hpp"
@@ -23,14 +24,26 @@ double von_mises(const std::array<double, 3>& s) {
   return std::sqrt(3 * second_invariant(s[0], s[1], 0.0, 0.0, s[2]));
 }
 
-/// Depths at which a profile of the material has a kink.
-std::vector<double> kinks(const plasticity::Material& material) {
+/// What bears any pressure [Pa].
+constexpr double any_pressure = 1e30;
+
+/// Depths at which a profile of a material has a kink, and both sides of interfaces.
+std::vector<double> kinks(const plasticity::Body& body) {
+  const std::vector<double> bottoms = body.interfaces();
   std::vector<double> depths;
-  const auto add = [&](const OverDepth& profile) {
-    depths.insert(depths.end(), profile.depth.begin(), profile.depth.end());
-  };
-  if (material.yield_profile) add(*material.yield_profile);
-  if (material.initial_stress) add(material.initial_stress->xx);
+  for (int n = 0; n < body.count(); ++n) {
+    const double top = n > 0 ? bottoms[n - 1] : 0.0;
+    const double bottom = n + 1 < body.count() ? bottoms[n] : INFINITY;
+    const auto add = [&](const OverDepth& profile) {
+      std::copy_if(profile.depth.begin(), profile.depth.end(), std::back_inserter(depths),
+                   [&](double z) { return z >= top && z < bottom; });
+    };
+    const plasticity::Material& material = body.material(n);
+    if (material.yield_profile) add(*material.yield_profile);
+    if (material.initial_stress) add(material.initial_stress->xx);
+    if (body.is_layered()) depths.push_back(top);
+    if (std::isfinite(bottom)) depths.push_back(std::nextafter(bottom, 0.0));
+  }
   std::sort(depths.begin(), depths.end());
   depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
   return depths;
@@ -38,33 +51,21 @@ std::vector<double> kinks(const plasticity::Material& material) {
 
 }  // namespace
 
-Strength::Strength(const plasticity::Material& material, const Grid& grid, const Relief& relief,
-                   int first)
-    : material_(material), relief_(relief), first_(first), ny_(grid.ny), dz_(grid.dz) {
+Strength::Strength(const plasticity::Body& body, const Grid& grid, const Relief& relief, int first)
+    : body_(body), relief_(relief), first_(first), ny_(grid.ny), dz_(grid.dz) {
   const double dz = dz_;
-  const auto& profile = material.yield_profile;
-  const auto& stress = material.initial_stress;
-  if (!profile && !stress) return;
-  OverDepth variation{kinks(material), {0.0}};
+  OverDepth variation{kinks(body), {0.0}};
+  if (variation.depth.empty()) return;
   const double deepest = variation.depth.back();
   require(!(dz > 0) || deepest <= most_layers * dz,
-          "the deepest z of a yield profile or residual stress",
+          "the deepest z of a yield profile or residual stress, or of layers,",
           "at most " + to_text(most_layers * dz) + " m, " + to_text(most_layers) + " layers of dz",
           deepest);
-  const double yield_stress = material.is_plastic() ? material.smallest_yield_stress() : 1.0;
   for (std::size_t n = 1; n < variation.depth.size(); ++n) {
     const double above = variation.depth[n - 1], below = variation.depth[n];
-    double change = profile ? std::fabs(profile->at(below) - profile->at(above)) /
-                                  std::max(profile->at(below), profile->at(above))
-                            : 0.0;
-    if (stress) {
-      const auto of = [&](const OverDepth& s) { return s.at(below) - s.at(above); };
-      const double x = of(stress->xx), y = of(stress->yy), mean = (x + y) / 3;
-      change += von_mises({x - mean, y - mean, of(stress->xy)}) / yield_stress;
-    }
-    variation.value.push_back(variation.value.back() + change);
+    variation.value.push_back(variation.value.back() + change(above, below));
   }
-  if (variation.value.back() == 0) return;
+  if (variation.value.back() == 0 && !body.is_layered()) return;
   if (dz > 0) {
     layers_ = static_cast<int>(std::ceil(deepest / dz));
     const auto most = std::max_element(relief.worn.begin(), relief.worn.end());
@@ -81,10 +82,25 @@ Strength::Strength(const plasticity::Material& material, const Grid& grid, const
   }
 }
 
+double Strength::change(double above, double below) const {
+  const plasticity::Material& material = body_.at(above);
+  // Both sides of an interface are looked at, and what does not yield is not.
+  if (&body_.at(below) != &material || !material.is_plastic()) return 0.0;
+  const double one = material.yield_factor(above), two = material.yield_factor(below);
+  const double change = std::fabs(two - one) / std::max(one, two);
+  if (!material.initial_stress) return change;
+  const auto of = [&](const OverDepth& s) { return s.at(below) - s.at(above); };
+  const auto& [xx, yy, xy] = *material.initial_stress;
+  const double x = of(xx), y = of(yy), mean = (x + y) / 3;
+  return change + von_mises({x - mean, y - mean, of(xy)}) / material.smallest_yield_stress();
+}
+
 double Strength::bearing_at(double z) const {
-  const double yield_stress = material_.hardening.yield_stress(0.0) * factor_at(z);
-  const auto& stress = material_.initial_stress;
-  return stress ? yield_stress - 0.5 * (stress->xx.at(z) + stress->yy.at(z)) : yield_stress;
+  const plasticity::Material& material = body_.at(z);
+  if (!material.is_plastic()) return any_pressure;
+  const auto& stress = material.initial_stress;
+  const double helping = stress ? 0.5 * (stress->xx.at(z) + stress->yy.at(z)) : 0.0;
+  return yield_stress_at(z) - helping;
 }
 
 bool Strength::is_weak_at(double z) const {
@@ -94,14 +110,15 @@ bool Strength::is_weak_at(double z) const {
 bool Strength::differs(int above, int below) const {
   if (!variation_) return false;
   const double step = std::max(smallest_step, variation_->value.back() / most_steps);
-  return variation_->at(mid_depth(below)) - variation_->at(mid_depth(above)) > step;
+  return is_interface(above, below) ||
+         variation_->at(mid_depth(below)) - variation_->at(mid_depth(above)) > step;
 }
 
 std::array<double, 3> Strength::start_at(double z) const {
-  if (!material_.initial_stress) return {};
-  const auto& stress = *material_.initial_stress;
-  const double x = stress.xx.at(z), y = stress.yy.at(z), mean = (x + y) / 3;
-  return {x - mean, y - mean, stress.xy.at(z)};
+  const auto& stress = body_.at(z).initial_stress;
+  if (!stress) return {};
+  const double x = stress->xx.at(z), y = stress->yy.at(z), mean = (x + y) / 3;
+  return {x - mean, y - mean, stress->xy.at(z)};
 }
 
 template <class Use>
@@ -121,21 +138,34 @@ void Strength::for_cells(const Box& box, const Use& use) const {
   }
 }
 
+std::vector<std::uint16_t> Strength::materials(const Box& box) const {
+  if (!body_.is_layered()) return {};
+  std::vector<std::uint16_t> out(box.volume_size());
+  double known = -1.0;
+  std::uint16_t number = 0;
+  for_cells(box, [&](std::size_t n, double z) {
+    if (z != known) number = static_cast<std::uint16_t>(body_.number_at(known = z));
+    out[n] = number;
+  });
+  return out;
+}
+
 Field Strength::factor(const Box& box) const {
-  if (!material_.yield_profile) return {};
+  bool graded = false;
+  for (int n = 0; n < body_.count(); ++n) graded |= body_.material(n).yield_profile.has_value();
+  if (!graded) return {};
   Field out(box.volume_size());
   // Whole layers are alike.
   double known = -1.0, value = 0.0;
   for_cells(box, [&](std::size_t n, double z) {
-    if (z != known) value = factor_at(known = z);
+    if (z != known) value = body_.at(z).yield_factor(known = z);
     out[n] = value;
   });
   return out;
 }
 
 void Strength::add_stress(const Box& box, operators::Tensor tensor, Field& sum) const {
-  if (!material_.initial_stress || box.empty()) return;
-  const auto& stress = *material_.initial_stress;
+  if (!body_.has_initial_stress() || box.empty()) return;
   const bool deviator = tensor == operators::Tensor::deviator;
   const auto places = operators::components(tensor);
   const std::size_t cells = box.volume_size();
@@ -144,8 +174,10 @@ void Strength::add_stress(const Box& box, operators::Tensor tensor, Field& sum) 
   std::array<double, 6> at{};
   for_cells(box, [&](std::size_t n, double z) {
     if (z != known) {
-      const double x = stress.xx.at(z), y = stress.yy.at(z), mean = deviator ? (x + y) / 3 : 0.0;
-      at = {x - mean, y - mean, -mean, 0.0, 0.0, stress.xy.at(z)};
+      const auto& stress = body_.at(z).initial_stress;
+      const double x = stress ? stress->xx.at(z) : 0.0, y = stress ? stress->yy.at(z) : 0.0;
+      const double mean = deviator ? (x + y) / 3 : 0.0;
+      at = {x - mean, y - mean, -mean, 0.0, 0.0, stress ? stress->xy.at(z) : 0.0};
       known = z;
     }
     for (std::size_t c = 0; c < places.size(); ++c) sum[c * cells + n] += at[places[c]];
@@ -163,14 +195,14 @@ std::vector<LayerLimit> Strength::limits(const std::vector<LayerRange>& ranges, 
     for (int k = first; k < last && weakens_; ++k) {
       if (is_weak_at(mid_depth(k))) part = std::min(share, share_of_weak);
     }
-    const double yield_stress = part * softening * material_.hardening.yield_stress(0.0);
-    LayerLimit limit{yield_stress * factor_at(z), start_at(z)};
+    const double factor = part * softening;
+    LayerLimit limit{factor * yield_stress_at(z), start_at(z)};
     // Worn cells are as strong as deeper ones; far down they are alike.
     for (int k = first; k < last; ++k) {
       auto other = start_at(mid_depth(k));
       for (int c = 0; c < 3; ++c) other[c] = part * (other[c] - limit.start[c]);
       limit.stress =
-          std::min(limit.stress, yield_stress * factor_at(mid_depth(k)) - von_mises(other));
+          std::min(limit.stress, factor * yield_stress_at(mid_depth(k)) - von_mises(other));
     }
     for (double& s : limit.start) s *= part;
     limits.push_back(limit);

@@ -44,7 +44,8 @@ std::vector<int> scanned_layers(const Grid& grid, const Strength& strength) {
   for (int k = 0; k < deepest; ++k) {
     const double z = (k + 0.5) * grid.dz;
     const bool far = z >= next || (k < graded && strength.differs(layers.back(), k));
-    if (!far && k + 1 != grid.nz && k + 1 < deepest) continue;
+    const bool above = k + 1 < graded && strength.is_interface(k, k + 1);
+    if (!far && !above && k + 1 != grid.nz && k + 1 < deepest) continue;
     next = z + std::max(half, depth_step * z);
     layers.push_back(k);
   }

@@ -15,6 +15,7 @@ from .._checks import FloatArray, choice, finite, finite_array
 from .._quantities import CONTACT
 from .._tensors import von_mises
 from ..hertz import EllipticContact, PointContact
+from ..layered import Layered
 from .fields import Plane, show_section, touching_along
 from .parts import (
     COMPONENTS,
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from ..grid import Grid
-    from ..material import Material
+    from ..layered import Body
 
 HertzContact = PointContact | EllipticContact
 
@@ -316,7 +317,7 @@ def axis_profile(
     ax: Axes | None = None,
     *,
     components: Sequence[str] = ("von_mises", "hydrostatic", "xx", "zz"),
-    body: Material | None = None,
+    body: Body | None = None,
     interfaces: ArrayLike = (),
 ) -> Axes:
     """Stresses under the centre of the grid against depth.
@@ -331,7 +332,7 @@ def axis_profile(
         Where to draw.
     components : sequence of str
         From "von_mises", "hydrostatic", "xx", "yy", "zz", "yz", "xz", "xy".
-    body : Material, optional
+    body : Material or Layered, optional
         Of the body: adds its yield stress before hardening, and the normal stresses of the start.
     interfaces : array_like, shape (n,), optional
         Depths between layers [m], as `Layered.interfaces` has them, where stresses jump.
@@ -374,14 +375,18 @@ def axis_profile(
     return finish(ax)
 
 
-def _add_strength(ax: Axes, body: Material, depths: FloatArray) -> None:
+def _add_strength(ax: Axes, body: Body, depths: FloatArray) -> None:
     """What a body bears over depth, and has from the start."""
     z, factor = np.append(0.0, depths), CONTACT["stress"].factor
+    if isinstance(body, Layered):  # both sides of interfaces, and not joined across
+        between = body.interfaces[body.interfaces < depths[-1]]
+        z = np.sort(np.concatenate([z, np.nextafter(between, 0.0), between]))
     if body.is_plastic:
-        limit = factor * float(body.yield_stress(0.0)) * body.yield_factor(z)
+        limit = factor * body.yield_stress_at(z)
+        limit[~np.isfinite(limit)] = np.nan
         ax.plot(limit, z * 1e6, "k--", linewidth=1.0, label="yield stress at first")
-    if body.residual_stress is not None:
-        along_x, along_y, _ = factor * body.residual_stress_at(z)
+    along_x, along_y, _ = factor * body.residual_stress_at(z)
+    if np.any(along_x) or np.any(along_y):
         even = np.array_equal(along_x, along_y)
         name = r"$\sigma_{xx}$" if not even else r"$\sigma_{xx} = \sigma_{yy}$"
         ax.plot(along_x, z * 1e6, "k:", linewidth=1.0, label=f"{name} at first")

@@ -22,7 +22,7 @@ from .parts import row_of_interest, section_height
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..material import Material
+    from ..layered import Body
 
 
 @dataclass
@@ -54,8 +54,8 @@ class Scene:
         return track_of(self.dataset, self.body)
 
     @cached_property
-    def graded(self) -> Material | None:
-        """Of a body with a yield profile or residual stress."""
+    def graded(self) -> Body | None:
+        """Of a body of layers, or with a yield profile or residual stress."""
         return graded_of(self.dataset, self.body)
 
     def number(self, position: int) -> int:

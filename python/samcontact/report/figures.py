@@ -109,7 +109,9 @@ def _volume(scene: Scene) -> Iterator[Made]:
     number = int(stored[peak_of_dataset(data.sel(increment=stored))])
     if scene.has("stress", number):
         figure, stress = new_figure(4.6, 4.2), scene.field("stress", number)
-        plotting.axis_profile(stress, scene.grid, figure.subplots(), body=scene.graded)
+        plotting.axis_profile(
+            stress, scene.grid, figure.subplots(), body=scene.graded, interfaces=scene.interfaces
+        )
         when = f"body {scene.body}, {_moment(scene, number)}"
         text = f"Stresses on the axis against depth.{_utilisation(scene, stress)}"
         yield f"Stress under the middle, {when}", text, figure
@@ -123,7 +125,7 @@ def _utilisation(scene: Scene, stress: FloatArray) -> str:
     body, grid = scene.graded, scene.grid
     if body is None or not body.is_plastic:
         return ""
-    ratio = von_mises(stress) / (float(body.yield_stress(0.0)) * body.yield_factor(grid.z))
+    ratio = von_mises(stress) / body.yield_stress_at(grid.z)
     n = np.unravel_index(int(np.argmax(ratio)), ratio.shape)
     centres = zip("xyz", (grid.x, grid.y, grid.z), n, strict=True)
     where = ", ".join(f"{axis} = {at[i] * 1e6:.4g} µm" for axis, at, i in centres)

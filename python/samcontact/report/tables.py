@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -131,7 +132,8 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
                 plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
                 for section in ("kinematic", *PARTS):
                     field = field.removeprefix(f"{section}_")
-                unit = field_unit(f"body{body}.{field}")
+                constant = re.sub(r"^(layer\d+|substrate)_", "", field)
+                unit = field_unit(f"body{body}.{constant}")
                 rows.append(Row(f"body{body}", field.replace("_", " "), _value(plain, unit)))
     for name in ("friction", "tol"):
         if name in dataset.attrs:

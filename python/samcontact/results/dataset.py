@@ -16,6 +16,7 @@ from .._peak import peak_of_dataset
 from .._quantities import CONTACT
 from .._tensors import COMPONENTS
 from ..friction import Coulomb, coefficient
+from ..layered import Body, Layered, materials_of, names_of_materials
 from ..state import in_one_window
 from .convergence import add_convergence
 from .motion import add, add_motion
@@ -25,7 +26,6 @@ from .zones import add_gathered, is_gathered, max_von_mises
 if TYPE_CHECKING:
     from .._window import Window
     from ..cases import Case
-    from ..layered import Body
     from ..simulation import Simulation
     from ..state import State
 
@@ -261,6 +261,32 @@ def _add_volume(
         add(dataset, name, dims, fields, body)
 
 
+def _of_body(prefix: str, body: Body) -> dict[str, Any]:
+    """What a body is made of, as attributes whose names begin with the prefix."""
+    found: dict[str, Any] = {f"{prefix}law": body.law}
+    if isinstance(body, Layered):
+        found[f"{prefix}thickness"] = body.parameters["thickness"]
+        for name, material in zip(
+            names_of_materials(len(body.layers)), materials_of(body), strict=True
+        ):
+            found |= _of_body(f"{prefix}{name}_", material)
+        return found
+    found |= {f"{prefix}{name}": value for name, value in body.parameters.items()}
+    if body.thermal is not None:
+        names = ("conductivity", "expansion", "diffusivity")
+        found |= {f"{prefix}{name}": v for name, v in zip(names, body.thermal, strict=True)}
+    if body.softening is not None:
+        found[f"{prefix}softening"] = repr(body.softening)
+    if body.kinematic:
+        modulus, recovery = zip(*body.kinematic, strict=True)
+        found[f"{prefix}kinematic_modulus"] = list(modulus)
+        found[f"{prefix}kinematic_recovery"] = list(recovery)
+    for kind, parts in PARTS.items():
+        for part, values in zip(parts, getattr(body, kind) or (), strict=False):
+            found[f"{prefix}{kind}_{part}"] = list(values)
+    return found
+
+
 def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[str, Any]:
     from .. import __version__
 
@@ -282,23 +308,7 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
     if simulation.grid.dz is not None:
         attributes["dz"] = float(simulation.grid.dz)
     for body in (1, 2):
-        material = _material(simulation, body)
-        attributes[f"body{body}_law"] = material.law
-        for name, value in material.parameters.items():
-            attributes[f"body{body}_{name}"] = value
-        if material.thermal is not None:
-            names = ("conductivity", "expansion", "diffusivity")
-            for name, value in zip(names, material.thermal, strict=True):
-                attributes[f"body{body}_{name}"] = value
-        if material.softening is not None:
-            attributes[f"body{body}_softening"] = repr(material.softening)
-        if material.kinematic:
-            modulus, recovery = zip(*material.kinematic, strict=True)
-            attributes[f"body{body}_kinematic_modulus"] = list(modulus)
-            attributes[f"body{body}_kinematic_recovery"] = list(recovery)
-        for kind, parts in PARTS.items():
-            for part, values in zip(parts, getattr(material, kind) or (), strict=False):
-                attributes[f"body{body}_{kind}_{part}"] = list(values)
+        attributes |= _of_body(f"body{body}_", _material(simulation, body))
     if case is not None:
         attributes["description"] = case.description
         attributes["case"] = case.text

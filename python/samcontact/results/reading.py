@@ -12,6 +12,7 @@ import numpy as np
 from .._graded import PARTS
 from .._laws import LAWS
 from ..grid import Grid
+from ..layered import Body, Layered, names_of_materials
 from ..material import Material
 
 if TYPE_CHECKING:
@@ -51,13 +52,24 @@ def grid_of(dataset: xr.Dataset) -> Grid:
     return Grid(cells[0], cells[1], sizes[0], sizes[1], cells[2], sizes[2])
 
 
-def graded_of(dataset: xr.Dataset, body: int) -> Material | None:
-    """The material of a body with a yield profile or residual stress, without other extras."""
+def graded_of(dataset: xr.Dataset, body: int) -> Body | None:
+    """A body of layers, or with a yield profile or residual stress, without other extras."""
     prefix = f"body{body}_"
-    kinds = [kind for kind in PARTS if f"{prefix}{kind}_z" in dataset.attrs]
     law = str(dataset.attrs.get(f"{prefix}law"))
-    if not kinds or law not in LAWS:
+    if law == Layered.law and f"{prefix}substrate_law" in dataset.attrs:
+        thickness = np.atleast_1d(dataset.attrs[f"{prefix}thickness"]).tolist()
+        *layers, substrate = (
+            _material(dataset, f"{prefix}{name}_") for name in names_of_materials(len(thickness))
+        )
+        return Layered(tuple(zip(layers, thickness, strict=True)), substrate)
+    if law not in LAWS or not any(f"{prefix}{kind}_z" in dataset.attrs for kind in PARTS):
         return None
+    return _material(dataset, prefix)
+
+
+def _material(dataset: xr.Dataset, prefix: str) -> Material:
+    law = str(dataset.attrs[f"{prefix}law"])
+    kinds = [kind for kind in PARTS if f"{prefix}{kind}_z" in dataset.attrs]
 
     def given(name: str, many: bool) -> Any:
         value = np.atleast_1d(dataset.attrs[prefix + name])  # files have lists of one as numbers

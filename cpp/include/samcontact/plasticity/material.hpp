@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "samcontact/base/elastic.hpp"
 #include "samcontact/base/over_depth.hpp"
-#include "samcontact/base/stack.hpp"
 #include "samcontact/base/thermal.hpp"
 #include "samcontact/plasticity/hardening.hpp"
 
@@ -42,7 +42,6 @@ struct Material {
   std::optional<Thermal> thermal = {};
   std::optional<OverDepth> yield_profile = {};  // factor of the yield stress; none: 1
   std::optional<InitialStress> initial_stress = {};
-  std::vector<ElasticLayer> coating = {};  // above it, from the surface down
 
   /// Both throw std::invalid_argument naming the parameter, its value and what is allowed.
   static Material with_law(double E, double nu, Hardening::Laws law);
@@ -53,10 +52,6 @@ struct Material {
 
   /// The same with kinematic hardening beside its isotropic hardening, instead of what it had.
   Material with_backstresses(const std::vector<Backstress>& terms) const;
-
-  /// The same below elastic layers.
-  Material with_coating(std::vector<ElasticLayer> layers) const;
-  Stack stack() const { return {coating, elastic}; }
 
   /// The same with thermal constants.
   Material with_thermal(const Thermal& constants) const;
@@ -69,6 +64,8 @@ struct Material {
 
   bool operator==(const Material&) const = default;
   bool is_plastic() const { return hardening.yields(); }
+  /// Of the yield stress at a depth.
+  double yield_factor(double z) const { return yield_profile ? yield_profile->at(z) : 1.0; }
   /// Before it has hardened, of all depths [Pa].
   double smallest_yield_stress() const {
     const double yield_stress = hardening.yield_stress(0.0);

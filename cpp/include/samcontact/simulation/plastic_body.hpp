@@ -92,8 +92,7 @@ class PlasticBody {
   plasticity::Return return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
                                 const plasticity::Tensor& guess) const;
 
-  /// Smallest yield stress / 3 G.
-  double strain_at_yield() const;
+  double strain_at_yield() const { return body().strain_at_yield(); }
   /// That, or the largest accumulated strain before the increment.
   double strain_scale() const;
   /// A cell's history after a flow by `increment`.
@@ -110,8 +109,10 @@ class PlasticBody {
   };
   /// Squares of von Mises stresses, over 3.
   struct Limits {
-    double first, weakest;
+    std::vector<double> first;  // by material, before hardening and its profile
+    double weakest;             // of all cells
   };
+  Limits first_limits() const;
   /// The columns where some tractions go beyond a limit.
   struct Yielding {
     operators::Tractions tractions;
@@ -119,7 +120,11 @@ class PlasticBody {
     Columns columns;
   };
 
-  const plasticity::Material& material() const { return scene_.materials[index_]; }
+  const plasticity::Body& body() const { return scene_.bodies[index_]; }
+  int material_number(std::size_t cell) const { return material_.empty() ? 0 : material_[cell]; }
+  const plasticity::Material& material(std::size_t cell) const {
+    return body().material(material_number(cell));
+  }
   Columns columns_beyond(const YieldLimit& limit, const YieldScan& scan) const;
   /// Axes along which its residual displacement matters.
   std::span<const operators::Axis> axes() const;
@@ -137,7 +142,7 @@ class PlasticBody {
   double yield_limit(std::uint32_t cell) const;
   /// Factor of the yield stress.
   double strength_of(std::uint32_t cell) const;
-  /// Before the increment, into the first places; how many.
+  /// Of its material, before the increment, into the first places.
   std::span<const plasticity::Tensor> backstresses(std::uint32_t cell,
                                                    plasticity::Tensors& place) const;
 
@@ -157,11 +162,12 @@ class PlasticBody {
   Zones zones_;
   std::unique_ptr<ZoneVolume> volume_;  // null: no zones
   bool split_ = false;
-  Field strain_;             // before the increment plus the last guess
-  Field equivalent_;         // before the increment
-  Field backstress_;         // before the increment, [term][component][cell]
-  Field factor_;             // of the yield stress, by depth; empty: 1
-  std::vector<int> active_;  // per cell: its place among the active ones, or -1
+  Field strain_;                         // before the increment plus the last guess
+  Field equivalent_;                     // before the increment
+  Field backstress_;                     // before the increment, [term][component][cell]
+  Field factor_;                         // of the yield stress, by depth; empty: 1
+  std::vector<std::uint16_t> material_;  // number of each cell's; empty: there is one
+  std::vector<int> active_;              // per cell: its place among the active ones, or -1
   bool strained_ = false;
   double rim_displacement_ = 0.0;
   std::array<Field, 2> slid_before_;  // along x and y, where it is known; empty: not at all

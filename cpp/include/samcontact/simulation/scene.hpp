@@ -14,7 +14,7 @@
 #include "samcontact/operators/temperature.hpp"
 #include "samcontact/operators/volume_operators.hpp"
 #include "samcontact/operators/zone_operators.hpp"
-#include "samcontact/plasticity/material.hpp"
+#include "samcontact/plasticity/body.hpp"
 #include "samcontact/simulation/mirror.hpp"
 #include "samcontact/simulation/motion.hpp"
 #include "samcontact/simulation/past_heat.hpp"
@@ -28,12 +28,12 @@ class ZoneScan;
 class Scene {
  public:
   /// reach: how far beyond the grid plastic strain acts along x [cells].
-  Scene(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
+  Scene(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
         Field initial_gap, const contact::Friction& friction, double image_tol,
         const HeatMarch& march, int reach, Reliefs reliefs, const operators::BandSplit& split = {});
 
   const Grid grid;
-  const std::array<plasticity::Material, 2> materials;
+  const std::array<plasticity::Body, 2> bodies;
   const std::array<operators::SharedMedium, 2> media;  // one object where they are equal
   const Field initial_gap;
   const contact::GrossSliding sliding;  // none where the bodies stick and slip

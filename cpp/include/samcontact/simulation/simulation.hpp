@@ -75,7 +75,7 @@ struct Counters {
 class Simulation {
  public:
   /// Throws std::invalid_argument: wrong gap, an inelastic body on a grid without volume.
-  Simulation(const Grid& grid, const plasticity::Material& body1, const plasticity::Material& body2,
+  Simulation(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
              Field initial_gap, const contact::Friction& friction, const Settings& settings,
              const HeatMarch& march = {}, Reliefs reliefs = {});
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the cells of a body bear before they have hardened: its yield stress over depth, and the
-// stress that is there from the start.
+// What the cells of a body bear before they have hardened: the yield stress of its materials over
+// depth, and the stress that is there from the start.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/operators/volume_spectrum.hpp"
-#include "samcontact/plasticity/material.hpp"
+#include "samcontact/plasticity/body.hpp"
 #include "samcontact/simulation/motion.hpp"
 
 namespace samcontact::simulation {
@@ -28,9 +29,9 @@ struct LayerLimit {
 
 class Strength {
  public:
-  /// material and relief: must outlive it. first: the relief's row at the grid's first cell. Throws
+  /// body and relief: must outlive it. first: the relief's row at the grid's first cell. Throws
   /// std::invalid_argument for profiles of more layers than can be counted.
-  Strength(const plasticity::Material& material, const Grid& grid, const Relief& relief, int first);
+  Strength(const plasticity::Body& body, const Grid& grid, const Relief& relief, int first);
 
   /// Whether it depends on depth.
   bool is_graded() const { return variation_.has_value(); }
@@ -40,7 +41,13 @@ class Strength {
   int layers() const { return layers_; }
   /// Whether so much changes between two layers that both are to be looked at.
   bool differs(int above, int below) const;
+  /// Whether they are of different materials.
+  bool is_interface(int above, int below) const {
+    return body_.number_at(mid_depth(above)) != body_.number_at(mid_depth(below));
+  }
 
+  /// Number of the material at mid-depth of the cells of a box [k][i][j]; empty: there is one.
+  std::vector<std::uint16_t> materials(const Box& box) const;
   /// Factor of the yield stress at mid-depth of the cells of a box [k][i][j]; empty: 1.
   Field factor(const Box& box) const;
   /// Adds the stress of the start in a box [component][k][i][j]; an empty field is 0.
@@ -53,9 +60,13 @@ class Strength {
                                  double share, double share_of_weak) const;
 
  private:
-  double factor_at(double z) const {
-    return material_.yield_profile ? material_.yield_profile->at(z) : 1.0;
+  /// Before it has hardened; infinite where nothing yields.
+  double yield_stress_at(double z) const {
+    const plasticity::Material& material = body_.at(z);
+    return material.hardening.yield_stress(0.0) * material.yield_factor(z);
   }
+  /// How much changes between two depths of one material, parts of its yield stress.
+  double change(double above, double below) const;
   /// About how much pressure its axis bears: compression along the surface helps.
   double bearing_at(double z) const;
   bool is_weak_at(double z) const;
@@ -67,7 +78,7 @@ class Strength {
   template <class Use>
   void for_cells(const Box& box, const Use& use) const;
 
-  const plasticity::Material& material_;
+  const plasticity::Body& body_;
   const Relief& relief_;
   int first_, ny_;
   double dz_;

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plastic flow in layers and substrate at once: closed forms, limits, equilibrium."""
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+
+RIGID = sc.Material.rigid()
+STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+NITRIDE = sc.Material.linear_hardening(400e9, 0.25, 2.5e9, 20e9)
+COPPER = sc.Material.perfect_plastic(70e9, 0.33, 0.3e9)
+
+
+def flow_held_along_surface(body, z, pressure):
+    """Equivalent plastic strain g under uniform pressure p, at a depth by itself.
+
+    |p (1 - 2 nu)/(1 - nu) + s0| = sigma_y(g) f + H g + E g/(2 (1 - nu)), H of the backstresses.
+    """
+    material = body.material_at(z)
+    E, nu = material.E, material.nu
+    driven = pressure * (1 - 2 * nu) / (1 - nu) + material.residual_stress_at(z)[0]
+    stiffness = E / (2 * (1 - nu)) + sum(modulus for modulus, _ in material.kinematic)
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        g = 0.5 * (low + high)
+        yields = driven > material.yield_stress(g) * material.yield_factor(z) + stiffness * g
+        low, high = (g, high) if yields else (low, g)
+    return low
+
+
+def test_each_depth_flows_by_the_law_of_its_layer():
+    layers = [
+        (sc.Material.elastic(400e9, 0.2), 4e-6),
+        (NITRIDE.with_residual_stress([0.0], [2.4e9]), 8e-6),
+        (COPPER.with_kinematic_hardening([10e9, 30e9]), 12e-6),
+        # Depths are those below the surface: 1.9 at the top of the layer, 24 um deep.
+        (COPPER.with_yield_profile([20e-6, 60e-6], [2.0, 1.0]), 16e-6),
+    ]
+    substrate = STEEL.with_kinematic_hardening(5e9).with_residual_stress(
+        [44e-6, 80e-6], [400e6, -100e6]
+    )
+    body = sc.Layered(layers, substrate)
+    grid = sc.Grid(8, 8, 10e-6, 10e-6, nz=25, dz=4e-6, periodic="xy")
+    pressure = 2.2e9
+    run = sc.Simulation(grid, RIGID, body, np.zeros((8, 8)))
+    state = run.step(pressure=np.full((8, 8), pressure))
+    expected = [flow_held_along_surface(body, z, pressure) for z in grid.z]
+    flowing = np.array(expected) > 0
+    assert not flowing[0]
+    assert flowing[[2, *range(5, 11), 12]].all()
+    assert not flowing[-1]
+    strain = state.plastic_strain()
+    for cell in [(0, 0), (3, 7)]:
+        assert -strain[2][cell] == pytest.approx(expected, abs=1e-8)
+        assert state.equivalent_plastic_strain()[cell] == pytest.approx(expected, abs=1e-8)
+    assert state.max_equivalent_plastic_strain() == pytest.approx(max(expected), abs=1e-8)
+    # X = 2/3 C e, as many terms as the material has.
+    backstress = state.backstress()[:, 2, 0, 0]
+    modulus = np.zeros((2, 25))
+    modulus[:, 3:6], modulus[0, 10:] = [[10e9], [30e9]], 5e9
+    assert backstress == pytest.approx(2 / 3 * modulus * strain[2, 0, 0], abs=1.0)
+    assert state.initial_stress()[0, 0, 0] == pytest.approx(body.residual_stress_at(grid.z)[0])
+
+
+def indented(body, upper=RIGID, n=26, loads=(2.0, 4.0, 6.0, 0.0)):
+    grid = sc.Grid(n, n, 4e-6, 4e-6, nz=20, dz=3e-6)
+    gap = sc.surfaces.paraboloid(grid, 1e-3)
+    run = sc.Simulation(grid, upper, body, gap, zones="one")
+    return run, [run.step(load=load) for load in loads]
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+def test_layers_that_hardly_differ_are_the_homogeneous_body():
+    def steel(E):
+        material = sc.Material.voce(E, 0.3, 1.2e9, 1.8e9, 30.0).with_yield_profile(
+            [0.0, 20e-6], [1.3, 0.8]
+        )
+        material = material.with_residual_stress([0.0, 15e-6], [-3e8, 1e8], [-1e8, 0.0])
+        return material.with_kinematic_hardening([40e9, 5e9], [300.0, 0.0])
+
+    usual, other = steel(210e9), steel(210e9 * (1 + 1e-12))
+    layered = sc.Layered([(other, 6e-6), (usual, 9e-6), (other, 3e-6)], usual)
+    _, expected = indented(usual)
+    _, found = indented(layered)
+    assert expected[-1].max_equivalent_plastic_strain() > 1e-3
+    for one, same in zip(found, expected, strict=True):
+        scale = max(same.pressure.max(), 1e6)
+        assert one.pressure == pytest.approx(same.pressure, abs=1e-9 * scale)
+        assert one.approach == pytest.approx(same.approach, rel=1e-9)
+        for name in ("stress", "residual_stress", "backstress"):
+            fields = [getattr(state, name)() for state in (one, same)]
+            assert fields[0] == pytest.approx(fields[1], abs=1e-9 * 1e9)
+        print_left = same.residual_displacement()
+        assert one.residual_displacement() == pytest.approx(print_left, abs=1e-9 * 1e-7)
+        assert one.equivalent_plastic_strain() == pytest.approx(
+            same.equivalent_plastic_strain(), abs=1e-9 * 1e-3
+        )
+
+
+def forces_on_blocks(grid, stress):
+    """Down on, and along, what lies above each depth in the window: by its bottom and its sides."""
+    bottom = stress[2:5].sum(axis=(1, 2)) * grid.cell_area
+    ends = [np.moveaxis(s, axis, 0) for s, axis in ((stress[4], 0), (stress[3], 1))]
+    sides = np.zeros(stress.shape[-1])
+    for s, width in zip(ends, (grid.dy, grid.dx), strict=True):
+        edges = [1.5 * s[n] - 0.5 * s[beside] for n, beside in ((-1, -2), (0, 1))]
+        sides += (edges[0] - edges[1]).sum(axis=0) * width * grid.dz
+    return bottom[0] + np.cumsum(sides) - 0.5 * sides, bottom[1:]
+
+
+SANDWICH = [(NITRIDE, 6e-6), (COPPER, 6e-6)]
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+def test_a_soft_layer_flows_between_stiff_ones():
+    run, states = indented(sc.Layered(SANDWICH, STEEL), n=40)
+    loaded, unloaded = states[-2:]
+    strain = unloaded.equivalent_plastic_strain()
+    assert strain[:, :, 2:4].max() > 10 * strain[:, :, :2].max() > 0
+    # Nowhere more than what each law bears.
+    z = run.grid.z
+    for n, (material, _) in enumerate(run.body2.layers):
+        own = (z > 6e-6 * n) & (z < 6e-6 * (n + 1))
+        bears = material.yield_stress(loaded.equivalent_plastic_strain()[..., own])
+        assert loaded.von_mises()[..., own].max() <= bears.max() * 1.001
+        flowed = strain[..., own] > 0
+        assert loaded.von_mises()[..., own][flowed].max() == pytest.approx(bears.max(), rel=1e-3)
+    through, along = forces_on_blocks(run.grid, unloaded.residual_stress())
+    assert np.abs(through).max() < 5e-4 * loaded.load
+    assert np.abs(along).max() < 1e-9 * loaded.load
+    assert sc.energy.residual_energy(unloaded.track(2)) > 0
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+def test_two_equal_layered_bodies_are_solved_as_one():
+    bodies = [
+        sc.Layered([(NITRIDE, 6e-6), (sc.Material.swift(E, 0.3, 945e6, 20.0, 0.121), 3e-6)], COPPER)
+        for E in (210e9, 210e9 * (1 + 1e-12))
+    ]
+    _, (twins,) = indented(bodies[0], bodies[0], loads=(0.5,))
+    _, (apart,) = indented(bodies[0], bodies[1], loads=(0.5,))
+    assert twins.max_equivalent_plastic_strain() > 1e-3
+    for body in (1, 2):
+        assert apart.equivalent_plastic_strain(body) == pytest.approx(
+            twins.equivalent_plastic_strain(2), abs=1e-8
+        )
+    assert np.array_equal(twins.stress(1), twins.stress(2))
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+def test_a_run_with_yielding_layers_goes_on_from_its_file(tmp_path):
+    soft = COPPER.with_kinematic_hardening([10e9, 30e9], [0.0, 100.0])
+    hard = NITRIDE.with_residual_stress([0.0], [-1e9])
+    run, _ = indented(sc.Layered([(hard, 6e-6), (soft, 6e-6)], STEEL), loads=(2.0,))
+    run.save(tmp_path / "run.h5")
+    again = sc.Simulation.load(tmp_path / "run.h5")
+    assert again.body2 == run.body2
+    one, other = run.step(load=4.0), again.step(load=4.0)
+    for name in ("stress", "plastic_strain", "backstress"):
+        assert np.array_equal(getattr(one, name)(), getattr(other, name)())
+
+
+def test_a_history_that_a_layer_cannot_have_is_refused():
+    body = sc.Layered([(NITRIDE, 6e-6), (COPPER.with_kinematic_hardening(1e9), 6e-6)], STEEL)
+    run, _ = indented(body, loads=())
+    strain, backstress = (np.zeros((*n, *run.grid.volume_shape)) for n in ((6,), (1, 6)))
+    backstress[0, 0, 3, 4, 2], backstress[0, 1, 3, 4, 2] = 1e8, -1e8
+    run.set_plastic_strain(2, strain, backstress=backstress)
+    assert np.array_equal(run.state.backstress(), backstress)
+    with pytest.raises(ValueError, match=r"backstress.* at most modulus/recovery = 0"):
+        run.set_plastic_strain(2, strain, backstress=np.roll(backstress, 2, axis=-1))
+
+
+def test_a_load_of_first_yield_is_not_found_for_several_laws():
+    run, _ = indented(sc.Layered(SANDWICH, STEEL), loads=())
+    with pytest.raises(ValueError, match="or of layers"):
+        sc.find_load(lambda load: (run, [{"load": load}]), "yield", largest_load=10.0)
