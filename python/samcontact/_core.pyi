@@ -25,15 +25,7 @@ class Grid:
     dy: float
     dz: float
     def __init__(
-        self,
-        nx: int,
-        ny: int,
-        dx: float,
-        dy: float,
-        nz: int,
-        dz: float,
-        along_x: bool,
-        along_y: bool,
+        self, nx: int, ny: int, dx: float, dy: float, nz: int, dz: float, *along: bool
     ) -> None: ...
     def x(self) -> list[float]: ...
     def y(self) -> list[float]: ...
