@@ -13,7 +13,7 @@ from ._checks import FloatArray
 from ._repr import Rows, Shown, quantity
 from .contact import ContactSolver
 from .friction import Coulomb
-from .material import Material
+from .layered import Body, backstresses_of, materials_at
 from .track import Track
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ def _product(a: FloatArray, b: FloatArray) -> float:
     return float(np.sum(a[:3] * b[:3]) + 2.0 * np.sum(a[3:] * b[3:]))
 
 
-def plastic_work(material: Material, after: Track, before: Track | None = None) -> float:
+def plastic_work(material: Body, after: Track, before: Track | None = None) -> float:
     """Work of the stress on the plastic strain of a body, the integral of sigma : d eps^p [J].
 
     Isotropic hardening is integrated in closed form, so that it depends on the state alone. The
@@ -62,7 +62,7 @@ def plastic_work(material: Material, after: Track, before: Track | None = None) 
 
     Parameters
     ----------
-    material : Material
+    material : Material or Layered
         Of the body.
     after : Track
         The body now, from `State.track`.
@@ -87,15 +87,17 @@ def plastic_work(material: Material, after: Track, before: Track | None = None) 
     total = _isotropic_work(material, after)
     if before is not None:
         total -= _isotropic_work(material, before)
-    if material.kinematic:
+    if backstresses_of(material) > 0:
         total += _work_of_backstress(after, before)
     return float(total) * _cell_volume(after)
 
 
-def _isotropic_work(material: Material, track: Track) -> float:
+def _isotropic_work(body: Body, track: Track) -> float:
     """Sum over cells of the work of the yield stress."""
-    return float(
-        np.sum(track.yield_factor() * material.plastic_work(track.equivalent_plastic_strain()))
+    factor, strain = track.yield_factor(), track.equivalent_plastic_strain()
+    return sum(
+        float(np.sum(factor[..., there] * material.plastic_work(strain[..., there])))
+        for material, there in materials_at(body, track.z)
     )
 
 
@@ -197,7 +199,7 @@ def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
     """What the last state has, by the names of `EnergyBalance`."""
     residual = plastic = 0.0
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
-        if not isinstance(body, Material) or not body.is_plastic:
+        if not body.is_plastic:
             continue
         if states[-1].max_plastic_strain(number) > 0:
             residual += residual_energy(states[-1].track(number, margin=0))
@@ -206,9 +208,9 @@ def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
     return {"elastic": elastic, "residual": residual, "friction": friction, "plastic": plastic}
 
 
-def _plastic_work_of(material: Material, body: int, states: Sequence[State]) -> float:
+def _plastic_work_of(material: Body, body: int, states: Sequence[State]) -> float:
     """Of the last state, or with backstresses of all increments that flow."""
-    if not material.kinematic:
+    if backstresses_of(material) == 0:
         return plastic_work(material, states[-1].track(body, margin=0))
     before = states[0].track(body, margin=0)
     total = plastic_work(material, before)
@@ -238,8 +240,6 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
             return f"states must be cold, but body {number} is heated: what expands does work too"
         if body.softening is not None:
             return f"bodies must be without softening, got {body!r}"
-        if body.is_plastic and not isinstance(body, Material):
-            return f"bodies of layers must not yield, got {body!r}"
     return ""
 
 

@@ -176,3 +176,19 @@ def test_a_load_of_first_yield_is_not_found_for_several_laws():
     run, _ = indented(sc.Layered(SANDWICH, STEEL), loads=())
     with pytest.raises(ValueError, match="or of layers"):
         sc.find_load(lambda load: (run, [{"load": load}]), "yield", largest_load=10.0)
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+def test_work_on_yielding_layers_is_found_again():
+    """It is elastic, residual, or dissipated by the flow of each law and by slip."""
+    soft = COPPER.with_kinematic_hardening(5e9)
+    body = sc.Layered([(NITRIDE.with_residual_stress([0.0], [-1e9]), 6e-6), (soft, 6e-6)], STEEL)
+    grid = sc.Grid(26, 26, 4e-6, 4e-6, nz=20, dz=3e-6)
+    gap = sc.surfaces.paraboloid(grid, 1e-3)
+    run = sc.Simulation(grid, sc.Material.elastic(600e9, 0.2), body, gap, friction=sc.Coulomb(0.3))
+    states = [run.step(load=load) for load in np.linspace(0.5, 4.0, 8)]
+    states += [run.step(load=4.0, shift=(5e-8, 0.0)) for _ in range(4)]
+    found = sc.energy.balance(run, states)
+    assert found.plastic > 0.1 * found.put_in
+    assert found.friction > 0
+    assert abs(found.missing) < 2e-3
