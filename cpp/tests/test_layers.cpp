@@ -246,4 +246,73 @@ TEST_CASE("eigenstrain in layers: symmetric, never feeding energy, and in reach 
   CHECK_THROWS_WITH_AS(
       LayerResidualStress(grid, transform, Stack::of({{stiff, 0.7}}, soft), settings),
       doctest::Contains("bottom of layers[0]"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(
+      LayerResidualStress(grid, transform, Stack::of({{stiff, 1.0}}, Elastic::rigid()), settings),
+      doctest::Contains("above the rigid substrate"), std::invalid_argument);
+}
+
+TEST_CASE("images of layers are within the tolerance: the same strain in a small and a wide box") {
+  const int n = 14, wide = 5 * n, from = (wide - n) / 2, nz = 9;
+  const Grid small(n, n, 1.0, 1.0, nz, 0.5), large(wide, wide, 1.0, 1.0, nz, 0.5);
+  const VolumeTransform here(small, Symmetry::none), there(large, Symmetry::none);
+  const auto box_of = [&](const Grid& grid) { return grid.volume_size(); };
+  // Smooth, so that nothing but images differs.
+  Field strain(6 * box_of(small)), embedded(6 * box_of(large), 0.0);
+  const Field amplitude = random_strain(6, 5);
+  const auto at = [&](const Grid& grid, int c, int k, int i, int j) {
+    return ((static_cast<std::size_t>(c) * nz + k) * grid.nx + i) * grid.ny + j;
+  };
+  const auto off = [](int i, int count) { return (2.0 * i + 1) / count - 1; };
+  for (int c = 0; c < 6; ++c) {
+    for (int k = 0; k < nz; ++k) {
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+          const double x = off(i, n), y = off(j, n), z = off(k, nz);
+          const double inside = std::max(1 - x * x - y * y - z * z, 0.0);
+          strain[at(small, c, k, i, j)] = amplitude[c] * std::pow(inside, 4);
+          embedded[at(large, c, k, from + i, from + j)] = strain[at(small, c, k, i, j)];
+        }
+      }
+    }
+  }
+  const auto stress_of = [&](const Grid& grid, const VolumeTransform& transform, const Stack& body,
+                             const Field& given, double tol) {
+    const LayerResidualStress operation(grid, transform, body,
+                                        {.method = ResidualMethod::fast, .image_tol = tol});
+    Field stress = residual_of(operation, transform, grid, Tensor::full, given);
+    const Field far = operation.far_field(Tensor::full, given.data());
+    const std::size_t plane = transform.plane_size();
+    Field layer(6 * plane);
+    for (int k = 0; k < nz; ++k) {
+      for (int c = 0; c < 6; ++c)
+        std::copy_n(&stress[(c * nz + k) * plane], plane, &layer[c * plane]);
+      operation.correct(Tensor::full, far, k, layer.data());
+      for (int c = 0; c < 6; ++c)
+        std::copy_n(&layer[c * plane], plane, &stress[(c * nz + k) * plane]);
+    }
+    return stress;
+  };
+  for (const Stack& body :
+       {Stack{{}, stiff}, Stack::of({{soft, 1.0}}, stiff),
+        Stack::of({{{0.02, 0.3}, 3.0}}, {1.0, 0.3}), Stack::of({{{50.0, 0.2}, 1.0}}, soft),
+        Stack::of({{stiff, 0.5}, {{0.1, 0.45}, 0.5}}, stiff),
+        Stack::of({{soft, 1.0}, {stiff, 9.0}}, Elastic::rigid()),
+        Stack::of({{soft, 9.0}}, stiff)}) {
+    const Field exact = stress_of(large, there, body, embedded, 1e-4);
+    for (const double tol : {1e-2, 1e-3, 1e-5}) {
+      const Field found = stress_of(small, here, body, strain, tol);
+      double worst = 0.0;
+      for (int c = 0; c < 6; ++c) {
+        for (int k = 0; k < nz; ++k) {
+          for (int i = 0; i < n; ++i) {
+            for (int j = 0; j < n; ++j) {
+              worst = std::max(worst, std::fabs(found[at(small, c, k, i, j)] -
+                                                exact[at(large, c, k, from + i, from + j)]));
+            }
+          }
+        }
+      }
+      CHECK(worst < tol * largest(exact));
+    }
+  }
 }

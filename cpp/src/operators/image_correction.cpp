@@ -11,13 +11,14 @@
 #include "samcontact/base/threads.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/kernels/eigenstrain_terms.hpp"
+#include "samcontact/operators/image_influence.hpp"
 #include "samcontact/operators/image_lattice.hpp"
 
 namespace samcontact::operators {
 namespace {
 
 // Stress components handled together: 6, padded to a whole register.
-constexpr int width = 8;
+constexpr int width = image_row;
 constexpr int matrix = 6 * width;  // [in][out]
 using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = double;
 
@@ -84,6 +85,16 @@ Effort effort(double tol) {
   return {std::max(cells, 2), cells > 5 ? 2 : 1};
 }
 
+/// Of waves, in units of the tolerance.
+constexpr double neglected = 0.01;
+
+/// Over an axis whose length is `ratio` half periods, where `cells` are needed over one. Over a
+/// shorter axis polynomials converge faster: by `rate` and the ratio with each cell.
+int cells_over_depth(double ratio, int cells) {
+  const double needed = ratio < 1 ? cells / (1 - std::log(ratio) / std::log(rate)) : cells * ratio;
+  return std::clamp(static_cast<int>(std::ceil(needed)), 1, 4 * cells);
+}
+
 /// Chebyshev polynomials T_0..T_{n-1} at u.
 void chebyshev(double u, int n, double* values) {
   values[0] = 1.0;
@@ -105,7 +116,7 @@ void chebyshev_means(double a, double b, int n, double* means) {
 }  // namespace
 
 ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double extent, int coarse,
-                                                 int order, bool mirrored, bool means) {
+                                                 int order, bool mirrored, Through through) {
   Axis axis;
   axis.fine = fft::stored_cells(fine, mirrored);
   axis.coarse = coarse;
@@ -131,13 +142,14 @@ ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double exte
     const double x = (i + 0.5) * d / axis.cell;
     const int first = std::clamp(static_cast<int>(std::lround(x - 0.5 * order)), 0, coarse - order);
     const double u = 2 * (x - first) / order - 1, half = d / axis.cell / order;
-    if (means) {
+    if (through != Through::points) {
       chebyshev_means(u - half, u + half, order, row.data());
     } else {
       chebyshev(u, order, row.data());
     }
     const Eigen::VectorXd source = moments.solve(row) * (d / axis.cell);
-    const Eigen::VectorXd value = interpolants.solve(row);
+    const Eigen::VectorXd value =
+        through == Through::means ? moments.solve(row) : interpolants.solve(row);
     const int middle = fine - axis.fine;  // the first stored cell
     const bool stored = i >= middle;
     const int at = stored ? i - middle : fine - 1 - i - middle;
@@ -153,24 +165,67 @@ ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double exte
 }
 
 ImageCorrection::ImageCorrection(const Grid& grid, const VolumeTransform& transform,
-                                 const Elastic& elastic, double tol)
+                                 const Stack& body, double tol)
     : period_x_(transform.mx() * grid.dx), period_y_(transform.my() * grid.dy) {
   const auto [cells, rings] = effort(tol);
   const double shortest = 0.5 * std::min(period_x_, period_y_);
   const auto count = [&, n = cells](double extent) {
     return std::max(n, static_cast<int>(std::ceil(n * extent / shortest - 1e-9)));
   };
-  const double depth = grid.nz * grid.dz;
-  const double ratio = depth / shortest;
-  // Over a shorter axis polynomials converge faster: by `rate` and the ratio with each cell.
-  const double needed = ratio < 1 ? cells / (1 - std::log(ratio) / std::log(rate)) : cells * ratio;
-  const int layers = std::clamp(static_cast<int>(std::ceil(needed)), 2, 4 * cells);
   x_ = make_axis(grid.nx, grid.dx, 0.5 * period_x_, count(0.5 * period_x_), cells,
-                 transform.symmetry() == Symmetry::xy, false);
+                 transform.symmetry() == Symmetry::xy, Through::points);
   y_ = make_axis(grid.ny, grid.dy, 0.5 * period_y_, count(0.5 * period_y_), cells,
-                 transform.symmetry() != Symmetry::none, false);
-  z_ = make_axis(grid.nz, grid.dz, depth, layers, std::min(layers, cells), false, true);
-  build_influence(elastic, rings);
+                 transform.symmetry() != Symmetry::none, Through::points);
+  if (!body.layers.empty()) {
+    build_layered(grid, body, tol);
+    return;
+  }
+  const double depth = grid.nz * grid.dz;
+  const int layers = std::max(2, cells_over_depth(depth / shortest, cells));
+  z_ = make_axis(grid.nz, grid.dz, depth, layers, std::min(layers, cells), false,
+                 Through::points_for_means);
+  build_influence(body.substrate, rings);
+}
+
+ImageCorrection::Axis ImageCorrection::joined(const std::vector<Axis>& layers) {
+  Axis all;
+  for (const Axis& axis : layers) {
+    all.fine += axis.fine;
+    all.coarse += axis.coarse;
+  }
+  all.moments[0].assign(static_cast<std::size_t>(all.coarse) * all.fine, 0.0);
+  all.interpolants[0] = all.moments[0];
+  std::size_t row = 0, column = 0;
+  for (const Axis& axis : layers) {
+    for (int a = 0; a < axis.coarse; ++a, ++row) {
+      const std::size_t from = static_cast<std::size_t>(a) * axis.fine,
+                        to = row * all.fine + column;
+      std::copy_n(&axis.moments[0][from], axis.fine, &all.moments[0][to]);
+      std::copy_n(&axis.interpolants[0][from], axis.fine, &all.interpolants[0][to]);
+    }
+    column += axis.fine;
+  }
+  return all;
+}
+
+void ImageCorrection::build_layered(const Grid& grid, const Stack& body, double tol) {
+  const int cells = effort(tol).cells;
+  const double shortest = 0.5 * std::min(period_x_, period_y_);
+  auto layers = layers::swept_layers(body, grid.nz, grid.dz);
+  std::vector<Axis> axes;
+  for (auto& layer : layers) {
+    if (layer.cells == 0) continue;
+    const double depth = layer.cells * layer.cell;
+    const int coarse = std::min(layer.cells, cells_over_depth(depth / shortest, cells));
+    axes.push_back(make_axis(layer.cells, layer.cell, depth, coarse, std::min(coarse, cells), false,
+                             Through::means));
+    layer.cells = coarse;
+    layer.cell = depth / coarse;
+  }
+  z_ = joined(axes);
+  const layers::SweptStack stack(layers, body.substrate.is_rigid());
+  influence_ = image_influence(stack, {x_.cell, x_.coarse, period_x_},
+                               {y_.cell, y_.coarse, period_y_}, neglected * tol);
 }
 
 void ImageCorrection::build_influence(const Elastic& elastic, int rings) {

@@ -41,11 +41,6 @@ layers::Layout block_layout(const layers::Layout& of, int parts) {
   return at;
 }
 
-/// Images are those of the substrate, or of the lowest layer on a rigid one.
-const Elastic& elastic_of_images(const Stack& body) {
-  return body.substrate.is_rigid() ? body.layers.back().elastic : body.substrate;
-}
-
 }  // namespace
 
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
@@ -57,14 +52,13 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
   if (along_x || along_y) {
     images_ = std::make_shared<LineImages>(grid, transform, body, image_tol);
   } else {
-    images_ =
-        std::make_shared<ImageCorrection>(grid, transform, elastic_of_images(body), image_tol);
+    images_ = std::make_shared<ImageCorrection>(grid, transform, body, image_tol);
   }
 }
 
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
                                          const Stack& body, const Share& share, bool blends)
-    : stack_(layers::SweptStack::of(body, grid.nz, grid.dz)) {
+    : stack_(body, grid.nz, grid.dz) {
   for (int ky = 0; ky < transform.mh(); ++ky) {
     passes_.push_back(passes(grid, transform, ky, share, blends));
   }

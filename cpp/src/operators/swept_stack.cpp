@@ -40,6 +40,37 @@ void fill_coefficients(double kx, double ky, double h, double weight, double* mo
 
 }  // namespace
 
+std::vector<SweptLayer> swept_layers(const Stack& body, int nz, double dz) {
+  std::vector<SweptLayer> found;
+  double top = 0.0;
+  int first = 0;
+  for (std::size_t n = 0; n < body.layers.size(); ++n) {
+    const auto& [elastic, thickness] = body.layers[n];
+    const double bottom = top + thickness, face = bottom / dz;
+    if (face <= nz + off_face && std::fabs(face - std::round(face)) > off_face) {
+      throw std::invalid_argument("the bottom of layers[" + std::to_string(n) + "], at " +
+                                  to_text(bottom) +
+                                  " m, must lie between layers of cells, got dz = " + to_text(dz) +
+                                  " m: take a part of the thickness");
+    }
+    const int last = face < nz ? static_cast<int>(std::lround(face)) : nz;
+    const double within = face > nz + off_face ? nz * dz - top : thickness;
+    if (last > first) found.push_back({elastic, within, last - first, dz});
+    const double beyond = last > first ? thickness - within : thickness;
+    if (beyond > 0) found.push_back({elastic, beyond, 0, dz});
+    first = last;
+    top = bottom;
+  }
+  if (!body.substrate.is_rigid()) {
+    found.push_back({body.substrate, INFINITY, nz - first, dz});
+  } else if (first < nz) {
+    throw std::invalid_argument("layers of cells must end above the rigid substrate, at " +
+                                to_text(top) + " m, got " + std::to_string(nz) + " of dz = " +
+                                to_text(dz) + " m");
+  }
+  return found;
+}
+
 SweptStack::SweptStack(const std::vector<SweptLayer>& layers, bool on_rigid) {
   for (const SweptLayer& layer : layers) {
     const auto same = std::ranges::find(thicknesses_, layer.cell);
@@ -55,33 +86,6 @@ SweptStack::SweptStack(const std::vector<SweptLayer>& layers, bool on_rigid) {
   for (Layer& layer : layers_) {
     if (!layer.is_endless()) layer.through = numbers_++;
   }
-}
-
-SweptStack SweptStack::of(const Stack& stack, int nz, double dz) {
-  std::vector<SweptLayer> found;
-  double top = 0.0;
-  int first = 0;
-  for (std::size_t n = 0; n < stack.layers.size(); ++n) {
-    const auto& [elastic, thickness] = stack.layers[n];
-    const double bottom = top + thickness, face = bottom / dz;
-    if (face <= nz + off_face && std::fabs(face - std::round(face)) > off_face) {
-      throw std::invalid_argument("the bottom of layers[" + std::to_string(n) + "], at " +
-                                  to_text(bottom) +
-                                  " m, must lie between layers of cells, got dz = " + to_text(dz) +
-                                  " m: take a part of the thickness");
-    }
-    const int last = face < nz ? static_cast<int>(std::lround(face)) : nz;
-    // What lies below the cells is a layer of its own.
-    const double within = face > nz + off_face ? nz * dz - top : thickness;
-    if (last > first) found.push_back({elastic, within, last - first, dz});
-    const double beyond = last > first ? thickness - within : thickness;
-    if (beyond > 0) found.push_back({elastic, beyond, 0, dz});
-    first = last;
-    top = bottom;
-  }
-  const bool on_rigid = stack.substrate.is_rigid();
-  if (!on_rigid) found.push_back({stack.substrate, INFINITY, nz - first, dz});
-  return {found, on_rigid};
 }
 
 void SweptStack::fill_mode(double kx, double ky, double weight, double* mode, int step) const {

@@ -2,13 +2,14 @@
 // Takes the periodic images away from a residual stress that was computed with a periodic operator.
 //
 // Inside the box the field of all images is smooth: the nearest is half a period away. It is
-// therefore found from the polynomial moments of the eigenstrain on a few coarse cells, through the
-// exact influence coefficients of cuboids summed over the lattice of images, and interpolated by
-// polynomials. The error falls exponentially with the number of coarse cells.
+// therefore found from the polynomial moments of the eigenstrain on a few coarse cells of each
+// layer, through influence coefficients summed over the lattice of images, those of cuboids or, of
+// layered bodies, of waves, and interpolated by polynomials. The error falls exponentially with the
+// number of coarse cells.
 #pragma once
 
-#include "samcontact/base/elastic.hpp"
 #include "samcontact/base/grid.hpp"
+#include "samcontact/base/stack.hpp"
 #include "samcontact/operators/layer_residual_stress.hpp"
 
 namespace samcontact::operators {
@@ -17,7 +18,7 @@ class ImageCorrection : public Images {
  public:
   /// transform: gives the period, at least twice the box less one cell, and the cells that are
   /// stored; grid: the whole box. tol: the error that is allowed, relative to the largest stress.
-  ImageCorrection(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic,
+  ImageCorrection(const Grid& grid, const VolumeTransform& transform, const Stack& body,
                   double tol);
 
   /// On the coarse cells.
@@ -37,11 +38,17 @@ class ImageCorrection : public Images {
     /// [coarse][fine], likewise: on the mirror itself what is odd vanishes.
     Field interpolants[2];
   };
-  /// means: of the polynomials over each fine cell, else their values at its centre.
+  /// What polynomials through coarse cells go through, and what is taken of them for fine ones:
+  /// values at centres, or means over a cell.
+  enum class Through { points, points_for_means, means };
   static Axis make_axis(int fine, double d, double extent, int coarse, int order, bool mirrored,
-                        bool means);
+                        Through through);
 
+  /// Of layers one below the other.
+  static Axis joined(const std::vector<Axis>& layers);
   void build_influence(const Elastic& elastic, int rings);
+  /// By waves, of any body; the axis along z is made with it.
+  void build_layered(const Grid& grid, const Stack& body, double tol);
   Field coarse_strain(Tensor tensor, const double* strain) const;
   Field coarse_stress(const Field& strain) const;
 

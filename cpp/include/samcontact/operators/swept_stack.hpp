@@ -34,13 +34,16 @@ enum Coefficient {
   coefficient_count
 };
 
+/// Those of a body with cells dz thick down to a depth of nz of them; what lies below is a layer of
+/// its own. Throws std::invalid_argument where an interface lies inside one.
+std::vector<SweptLayer> swept_layers(const Stack& body, int nz, double dz);
+
 class SweptStack {
  public:
   /// on_rigid: what the last layer lies on; else it is without end.
   SweptStack(const std::vector<SweptLayer>& layers, bool on_rigid);
-  /// With cells dz thick down to a depth of nz of them. Throws std::invalid_argument where an
-  /// interface lies inside one.
-  static SweptStack of(const Stack& stack, int nz, double dz);
+  SweptStack(const Stack& body, int nz, double dz)
+      : SweptStack(swept_layers(body, nz, dz), body.substrate.is_rigid()) {}
 
   /// How many numbers are kept of each wavenumber.
   int numbers() const { return numbers_; }
