@@ -99,7 +99,8 @@ class WaveInfluence {
           values + static_cast<std::size_t>(groups_.place[in * tensor + out]) * layer_pairs();
       for (int field = 0; field < nz_; ++field) {
         const double* from = stress_.data() + static_cast<std::size_t>(out * nz_ + field) * width;
-        for (int n = 0; n < count; ++n) to[n * column + field * nz_ + source] = sign * from[n];
+        const std::size_t at = static_cast<std::size_t>(field) * nz_ + source;
+        for (int n = 0; n < count; ++n) to[n * column + at] = sign * from[n];
       }
     }
   }
