@@ -11,4 +11,5 @@ PYBIND11_MODULE(_core, m) {
   samcontact::bindings::bind_plasticity(m);
   samcontact::bindings::bind_contact(m);
   samcontact::bindings::bind_simulation(m);
+  samcontact::bindings::bind_fatigue(m);
 }

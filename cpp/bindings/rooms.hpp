@@ -13,5 +13,6 @@ void bind_operators(pybind11::module_& parent);
 void bind_plasticity(pybind11::module_& m);
 void bind_contact(pybind11::module_& m);
 void bind_simulation(pybind11::module_& m);
+void bind_fatigue(pybind11::module_& parent);
 
 }  // namespace samcontact::bindings

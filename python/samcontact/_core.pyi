@@ -102,12 +102,7 @@ class Body:
 
 class ContactSolver:
     def __init__(
-        self,
-        grid: Grid,
-        body1: Stack,
-        body2: Stack,
-        friction: float,
-        heating: list[Heating],
+        self, grid: Grid, body1: Stack, body2: Stack, friction: float, heating: list[Heating]
     ) -> None: ...
     def solve(
         self,
@@ -198,6 +193,14 @@ class State:
     def residual_displacement(self, body: int, axis: int) -> FloatArray: ...
     def surface_displacement(self, body: int) -> FloatArray: ...
 
+Planes = tuple[FloatArray, FloatArray]
+
+class fatigue:
+    dang_van: Callable[[FloatArray, float], FloatArray]
+    crossland: Callable[[FloatArray, float], FloatArray]
+    findley: Callable[[FloatArray, float], Planes]
+    fatemi_socie: Callable[[FloatArray, FloatArray, float], Planes]
+
 class Settings:
     def __init__(
         self,
@@ -274,14 +277,7 @@ class kernels:
     ) -> FloatArray: ...
     @staticmethod
     def eigenstrain_displacement(
-        axis: int,
-        X: FloatArray,
-        Y: FloatArray,
-        zc: float,
-        a: float,
-        b: float,
-        c: float,
-        nu: float,
+        axis: int, X: FloatArray, Y: FloatArray, zc: float, a: float, b: float, c: float, nu: float
     ) -> FloatArray: ...
     @staticmethod
     def eigenstrain_stress(

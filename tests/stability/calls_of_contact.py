@@ -44,6 +44,7 @@ FIND = {
 }  # fmt: skip
 ERRORS = sc.estimate_errors(**PRESSED)
 TRACK = STATE.track(2, margin=0)
+FATIGUE = sc.fatigue.dang_van([STATE, STATE], 2, slope=0.3)
 ZONE = STATE.zones(2)[0]
 MARCHED = {"heat": sc.Heat((0.0, 0.01), history=(1e-4, 1e-2)), "friction": 0.1}
 MARCHING = sc.Simulation(GRID, HOT, HOT, GAP, **MARCHED)
@@ -208,6 +209,20 @@ CALLS = [
         sc.Simulation.load,
         {"path": CHECKPOINT, "softening": (None, None), "gap": lambda grid: GAP},
     ),
+    *(
+        (f"fatigue.{name}", getattr(sc.fatigue, name), {"states": 2 * [STATE], "body": 2, **more})
+        for name, more in {
+            "dang_van": {"slope": 0.3},
+            "crossland": {"slope": 0.3},
+            "findley": {"k": 0.3},
+            "fatemi_socie": {"k": 0.3},
+            "orthogonal_shear": {},
+            "cycle": {},
+        }.items()
+    ),
+    ("fatigue.passing", sc.fatigue.passing, {"state": STATE, "body": 2}),
+    ("fatigue.FatigueField.over_depth", FATIGUE.over_depth, {}),
+    ("fatigue.FatigueField.to_dataset", FATIGUE.to_dataset, {}),
     ("State.track", STATE.track, {"body": 2, "margin": 1}),
     ("State.plastic_cells", STATE.plastic_cells, {}),
     *((f"State.{name}", getattr(STATE, name), {"body": 2}) for name in BODY_FIELDS),

@@ -30,7 +30,34 @@ RECTANGLE = {"X": X, "Y": Y, "a": 1e-5, "b": 2e-5}
 HEAT = {"conductivity": 50.0, "diffusivity": 1.4e-5, "time": 1e-4, "velocity": (1.0, 0.5)}
 TABLE = {"x": X, "y": Y, "a": 1e-5, "b": 2e-5, "tol": 1e-4, **HEAT}
 
+STRESS = 1e8 * np.sin(np.arange(3 * 6 * 2.0)).reshape(3, 6, 2)
+FATIGUE = sc.fatigue.dang_van(STRESS, slope=0.3)
+
 CALLS = [
+    ("fatigue.dang_van", sc.fatigue.dang_van, {"states": STRESS, "slope": 0.3}),
+    ("fatigue.crossland", sc.fatigue.crossland, {"states": STRESS, "slope": 0.3}),
+    ("fatigue.findley", sc.fatigue.findley, {"states": STRESS, "k": 0.3}),
+    (
+        "fatigue.fatemi_socie",
+        sc.fatigue.fatemi_socie,
+        {"states": STRESS, "k": 0.3, "yield_stress": 1e9, "material": STEEL},
+    ),
+    ("fatigue.orthogonal_shear", sc.fatigue.orthogonal_shear, {"states": STRESS, "axis": "y"}),
+    (
+        "fatigue.cycle",
+        sc.fatigue.cycle,
+        {"states": STRESS, "plastic_strain": 1e-12 * STRESS},
+    ),
+    (
+        "fatigue.passing",
+        sc.fatigue.passing,
+        {
+            "state": STRESS.reshape(6, 3, 2, 1),
+            "axis": "y",
+            "plastic_strain": 1e-12 * STRESS.reshape(6, 3, 2, 1),
+        },
+    ),
+    ("fatigue.FatigueField.margin", FATIGUE.margin, {"limit": 3e8}),
     (
         "Grid",
         sc.Grid,

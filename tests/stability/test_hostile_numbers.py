@@ -22,6 +22,8 @@ MADE_BY_THE_PACKAGE = {
     "bearings.LoadZone",
     "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalPlace",
     "critical.CriticalSlidingSphere", "critical.CriticalSphere", "energy.EnergyBalance",
+    "fatigue.Cycle",
+    "fatigue.FatigueField",
     "flattening.Flattening", "hertz.EllipticContact",
     "hertz.LineContact", "hertz.PointContact", "RollingSolution",
     "shakedown.Limit", "StickSlipSolution", "wear.Cycle",

@@ -26,6 +26,7 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 # What a room may include besides itself.
 BELOW = {
     "base": set(),
+    "fatigue": {"base"},
     "kernels": {"base"},
     "fft": {"base"},
     "plasticity": {"base"},
@@ -37,6 +38,7 @@ BELOW = {
 # to all.
 FOLDERS = {
     "runs": set(),
+    "fatigue": set(),
     "hertz": set(),
     "bearings": {"hertz"},
     "paths": set(),
@@ -66,6 +68,7 @@ CORE_USERS = {
     "_window",
     "_load_core",
     "contact",
+    "fatigue.criteria",
     "find",
     "friction",
     "grid",

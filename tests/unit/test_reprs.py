@@ -273,6 +273,7 @@ def public_objects():
                            None),
         scar, sc.wear.FrettingResult(grid, (2,), [scar] * 50, True, None, relief, worn, {2: 0},
                                      (state,) * 4, None),
+        sc.fatigue.passing(state), sc.fatigue.findley(sc.fatigue.passing(state), k=1 / 3),
         steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
         parse_case(CASE.format(tugging=CONTACT, **fields)),

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Criteria of fatigue that look for the plane on which a quantity is largest.
+#pragma once
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/fatigue/paths.hpp"
+
+namespace samcontact::fatigue {
+
+/// The largest value over all planes, and the normal of the plane that has it.
+struct CriticalPlane {
+  Field value;   // [cell]
+  Field normal;  // [3][cell], of length one
+};
+
+/// Findley: amplitude of the shear + k times the largest normal stress of the cycle [Pa]. The
+/// amplitude is the radius of the smallest circle around the path of the shear in the plane.
+/// W. N. Findley (1959), J. Eng. Ind. 81, 301-305.
+CriticalPlane findley(const Paths& stress, double k);
+
+/// Fatemi and Socie: amplitude of the engineering shear strain times 1 + k times the largest normal
+/// stress, at least 0 [-]. shear: half of that strain as a tensor, whose mean may be anything;
+/// k: over the yield stress [1/Pa]. (1988), doi:10.1111/j.1460-2695.1988.tb01169.x.
+CriticalPlane fatemi_socie(const Paths& shear, const Paths& stress, double k);
+
+}  // namespace samcontact::fatigue

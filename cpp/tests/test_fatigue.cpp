@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Smallest balls against the best of all balls through a few of the points.
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "samcontact/fatigue/smallest_ball.hpp"
+
+using samcontact::fatigue::SmallestBall;
+
+namespace {
+
+using Points = std::vector<Eigen::VectorXd>;
+
+template <int D>
+SmallestBall<D> ball_of(const Points& points) {
+  const std::size_t n = points.size();
+  std::vector<double> rows(D * n), work(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (int d = 0; d < D; ++d) rows[d * n + i] = points[i][d];
+  }
+  return SmallestBall<D>(rows.data(), n, work.data());
+}
+
+/// The smallest of all circumscribed balls of subsets that hold every point, by least squares.
+double radius_of_subsets(const Points& points) {
+  const int n = static_cast<int>(points.size()), dimension = static_cast<int>(points[0].size());
+  double best = std::numeric_limits<double>::infinity();
+  for (unsigned set = 1; set < (1U << n); ++set) {
+    std::vector<int> members;
+    for (int i = 0; i < n; ++i) {
+      if ((set >> i & 1U) != 0) members.push_back(i);
+    }
+    const int m = static_cast<int>(members.size());
+    if (m > dimension + 1) continue;
+    Eigen::MatrixXd edges(dimension, m - 1);
+    Eigen::VectorXd half(m - 1);
+    for (int k = 1; k < m; ++k) {
+      edges.col(k - 1) = points[members[k]] - points[members[0]];
+      half[k - 1] = edges.col(k - 1).squaredNorm() / 2;
+    }
+    Eigen::VectorXd centre = points[members[0]];
+    if (m > 1) {
+      // of least norm: in the flat of the points
+      centre += edges.transpose().completeOrthogonalDecomposition().solve(half);
+    }
+    double radius = 0.0;
+    for (const auto& point : points) radius = std::max(radius, (point - centre).norm());
+    best = std::min(best, radius);
+  }
+  return best;
+}
+
+enum class Kind { scattered, repeated, on_line, on_plane, on_sphere, on_circle, on_lattice, near };
+
+/// Nine points, far from the origin.
+Points points_of(Kind kind, int dimension, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  const auto vector = [&] {
+    Eigen::VectorXd v(dimension);
+    for (double& x : v) x = normal(random);
+    return v;
+  };
+  const Eigen::VectorXd first = vector().normalized(), other = vector(), middle = 10 * vector();
+  const Eigen::VectorXd second = (other - other.dot(first) * first).normalized();
+  Points points;
+  for (int i = 0; i < 9; ++i) {
+    const double a = normal(random), b = normal(random), angle = 2 * std::numbers::pi * i / 8;
+    Eigen::VectorXd v = vector();
+    switch (kind) {
+      case Kind::scattered:
+        break;
+      case Kind::repeated:
+        v = i % 3 == 0 || i < 3 ? v : Eigen::VectorXd(points[i % 3] - middle);
+        break;
+      case Kind::on_line:
+        v = a * first;
+        break;
+      case Kind::on_plane:
+        v = a * first + b * second;
+        break;
+      case Kind::on_sphere:
+        v.normalize();
+        break;
+      case Kind::on_circle:
+        v = std::cos(angle) * first + std::sin(angle) * second;
+        break;
+      case Kind::on_lattice:
+        v = v.array().round();
+        break;
+      case Kind::near:
+        v = first + 1e-7 * v;
+        break;
+    }
+    points.emplace_back(middle + v);
+  }
+  return points;
+}
+
+template <int D>
+void compare_with_subsets() {
+  std::mt19937 random(7);  // NOLINT(bugprone-random-generator-seed): the same in every run
+  for (const Kind kind : {Kind::scattered, Kind::repeated, Kind::on_line, Kind::on_plane,
+                          Kind::on_sphere, Kind::on_circle, Kind::on_lattice, Kind::near}) {
+    for (int round = 0; round < 25; ++round) {
+      const Points points = points_of(kind, D, random);
+      const auto ball = ball_of<D>(points);
+      CAPTURE(static_cast<int>(kind));
+      // Near points are known to the rounding of their distance from the origin.
+      const double rounding = kind == Kind::near ? 1e-6 : 1e-12;
+      CHECK(ball.radius() == doctest::Approx(radius_of_subsets(points)).epsilon(rounding));
+      const Eigen::Map<const Eigen::VectorXd> centre(ball.centre().data(), D);
+      for (const auto& point : points)
+        CHECK((point - centre).norm() <= ball.radius() * (1 + 1e-15));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("smallest circles are those of the best subset") { compare_with_subsets<2>(); }
+
+TEST_CASE("smallest balls of five dimensions are those of the best subset") {
+  compare_with_subsets<5>();
+}
+
+TEST_CASE("one point has a ball without radius") {
+  const auto ball = ball_of<5>({Eigen::VectorXd::Constant(5, 3.0)});
+  CHECK(ball.radius() == 0.0);
+  CHECK(ball.centre()[4] == 3.0);
+}

@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Criteria of fatigue, each over all points of a cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import _core
+from .._checks import FloatArray, choice, non_negative, positive, require_type
+from .._frozen import FrozenDict, read_only
+from ..layered import Layered
+from ..material import Material
+from ..state import State
+from .cycle import Cycle, cycle
+from .field import FatigueField
+
+__all__ = ["crossland", "dang_van", "fatemi_socie", "findley", "orthogonal_shear"]
+
+_STEEPEST = 10.0
+"""Of slopes, which are pure numbers below 1 for metals; what is above is a stress."""
+
+States = Cycle | Sequence[State] | ArrayLike
+Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
+
+
+def dang_van(states: States, body: int | None = None, slope: float | None = None) -> FatigueField:
+    """Dang Van's criterion: the largest tau(t) + slope sigma_h(t) of the cycle.
+
+    Parameters
+    ----------
+    states : Cycle, sequence of State, or array_like of shape (moments, 6, ...)
+        See `cycle`; of one steady state, `passing`.
+    body : {1, 2}, optional
+        Of states; default 2.
+    slope : float
+        What a mean normal stress adds over itself, in [0, 10] [-]: 3 (t/f - 1/2) of the fatigue
+        limits t in torsion and f in bending; the limit of the criterion then is t.
+
+    Returns
+    -------
+    FatigueField
+        [Pa].
+
+    Raises
+    ------
+    ValueError, TypeError
+        No slope or one outside its range, and as `cycle`.
+
+    Notes
+    -----
+    tau is Tresca's shear stress, half the difference of the largest and smallest principal stress,
+    of s(t) - s*: Dang Van's own measure. s* is the deviator that elastic shakedown of the grains
+    leaves, the centre of the smallest ball, in the norm sqrt(s:s), around the path of the deviator
+    s. The ball is exact. K. Dang Van, B. Griveau, O. Message (1989), *Biaxial and Multiaxial
+    Fatigue*, EGF 3, 479-496; P. Ballard et al. (1995), doi:10.1111/j.1460-2695.1995.tb00886.x.
+    """
+    number = _slope("slope", slope)
+    return _scalar("dang_van", {"slope": number}, states, body,
+                   lambda stress: _core.fatigue.dang_van(stress, number))  # fmt: skip
+
+
+def crossland(states: States, body: int | None = None, slope: float | None = None) -> FatigueField:
+    """Crossland's criterion: sqrt(J2,a) + slope times the largest sigma_h of the cycle.
+
+    Parameters
+    ----------
+    states, body
+        As of `dang_van`.
+    slope : float
+        In [0, 10] [-]: 3 t/f - sqrt(3) of the fatigue limits t in torsion and f in bending; the
+        limit of the criterion then is t.
+
+    Returns
+    -------
+    FatigueField
+        [Pa].
+
+    Raises
+    ------
+    ValueError, TypeError
+        No slope or one outside its range, and as `cycle`.
+
+    Notes
+    -----
+    sqrt(J2,a), the amplitude of the second invariant, is the radius of the smallest ball around the
+    path of the deviator, in the norm sqrt(s:s/2). B. Crossland (1956), *Proc. Int. Conf. on Fatigue
+    of Metals*, 138-149; I. V. Papadopoulos et al. (1997), *Int. J. Fatigue* 19, 219-235.
+    """
+    number = _slope("slope", slope)
+    return _scalar("crossland", {"slope": number}, states, body,
+                   lambda stress: _core.fatigue.crossland(stress, number))  # fmt: skip
+
+
+def orthogonal_shear(states: States, body: int | None = None, axis: str = "x") -> FatigueField:
+    """Amplitude of the shear on planes parallel to the surface, half its range in the cycle.
+
+    Parameters
+    ----------
+    states, body
+        As of `dang_van`.
+    axis : {"x", "y"}, optional
+        Along which the shear acts: that of rolling.
+
+    Returns
+    -------
+    FatigueField
+        [Pa]. The tau_0 of G. Lundberg and A. Palmgren (1947), Acta Polytechnica 7, on which the
+        life of rolling bearings is based.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `cycle`.
+    """
+    component = {"x": 4, "y": 3}[choice("axis", axis, ("x", "y"))]
+
+    def half_range(stress: FloatArray) -> FloatArray:
+        shear = stress[:, component]
+        return np.asarray((shear.max(axis=0) - shear.min(axis=0)) / 2)
+
+    return _scalar("orthogonal_shear", {"axis": axis}, states, body, half_range)
+
+
+def findley(states: States, body: int | None = None, k: float | None = None) -> FatigueField:
+    """Findley's criterion: the largest tau_a + k sigma_n,max over all planes.
+
+    Parameters
+    ----------
+    states, body
+        As of `dang_van`.
+    k : float
+        What the largest normal stress on the plane adds, in [0, 10] [-]; 0.2 to 0.4 for ductile
+        metals.
+
+    Returns
+    -------
+    FatigueField
+        [Pa], with the normal of the plane at each point.
+
+    Raises
+    ------
+    ValueError, TypeError
+        No k or one outside its range, and as `cycle`.
+
+    Notes
+    -----
+    tau_a is the radius of the smallest circle around the path of the shear in the plane. Planes are
+    scanned 11 degrees apart, and the search goes on from the best ones, to steps of 0.1 degrees:
+    the value found is that of a plane, and less than 0.1 % below the largest. W. N. Findley
+    (1959), *J. Eng. Ind.* 81, 301-305.
+    """
+    number = _slope("k", k)
+
+    def at(cycle: Cycle, block: slice) -> tuple[FloatArray, FloatArray]:
+        return _core.fatigue.findley(cycle._stress(block), number)
+
+    return _over_blocks("findley", {"k": number}, "Pa", _as_cycle(states, body), 1, at)
+
+
+def fatemi_socie(
+    states: States,
+    body: int | None = None,
+    k: float | None = None,
+    yield_stress: float | None = None,
+    material: Material | None = None,
+) -> FatigueField:
+    """Fatemi and Socie's criterion: the largest gamma_a (1 + k sigma_n,max/yield stress) of planes.
+
+    Parameters
+    ----------
+    states, body
+        As of `dang_van`.
+    k : float
+        What the largest normal stress on the plane adds, in [0, 10] [-]; 0.3 to 1 for metals.
+    yield_stress : float, optional
+        By which the normal stress is divided [Pa], > 0; by default that of the body before
+        hardening.
+    material : Material, optional
+        Whose elastic constants make strain of stress; by default that of the body. An array of
+        stress needs both.
+
+    Returns
+    -------
+    FatigueField
+        [-], with the normal of the plane at each point.
+
+    Raises
+    ------
+    ValueError, TypeError
+        No k or one outside its range; no yield stress or material where the body has none; and as
+        `cycle`.
+
+    Notes
+    -----
+    gamma_a, gamma_max/2 of the source, is the radius of the smallest circle around the path of the
+    engineering shear strain in the plane, elastic and plastic; of a cycle in which nothing flows it
+    is that of the elastic strain. A negative normal stress lowers the value, to 0 at least. Planes
+    as in `findley`. A. Fatemi, D. F. Socie (1988), doi:10.1111/j.1460-2695.1988.tb01169.x.
+    """
+    number = _slope("k", k)
+    given = _as_cycle(states, body)
+    moduli, limit = _elasticity(given, material), _yield_stress(given, material, yield_stress)
+
+    def at(cycle: Cycle, block: slice) -> tuple[FloatArray, FloatArray]:
+        stress = cycle._stress(block)
+        layers = block.stop - block.start
+        halved = 0.5 / np.broadcast_to(moduli, cycle.shape[-1:])[block]
+        shear = stress * np.repeat(halved, stress.shape[2] // layers)
+        if cycle._strained:
+            shear += cycle._plastic_strain(block)
+        return _core.fatigue.fatemi_socie(shear, stress, number / limit)
+
+    parameters = {"k": number, "yield_stress": limit}
+    return _over_blocks("fatemi_socie", parameters, "-", given, 3, at)
+
+
+def _slope(name: str, value: Any) -> float:
+    if value is None:
+        raise TypeError(
+            f"{name} must be given: it is a property of the material, see the docstring"
+        )
+    found = non_negative(name, value)
+    if found > _STEEPEST:
+        raise ValueError(
+            f"{name} must be in [0, {_STEEPEST:g}], got {found!r}: it is a pure number, the slope "
+            "of a limit over a stress; a limit in Pa goes to .margin() of what is returned"
+        )
+    return found
+
+
+def _as_cycle(states: States, body: int | None) -> Cycle:
+    if not isinstance(states, Cycle):
+        return cycle(states, body)
+    if body is not None:
+        raise ValueError(f"body must not be given with a Cycle, which has its own, got {body!r}")
+    return states
+
+
+def _scalar(
+    criterion: str,
+    parameters: dict[str, Any],
+    states: States,
+    body: int | None,
+    of_stress: Callable[[FloatArray], FloatArray],
+) -> FatigueField:
+    def at(cycle: Cycle, block: slice) -> tuple[FloatArray, None]:
+        return of_stress(cycle._stress(block)), None
+
+    return _over_blocks(criterion, parameters, "Pa", _as_cycle(states, body), 1, at)
+
+
+def _over_blocks(
+    criterion: str,
+    parameters: dict[str, Any],
+    unit: str,
+    given: Cycle,
+    fields: int,
+    at: Callable[[Cycle, slice], tuple[FloatArray, FloatArray | None]],
+) -> FatigueField:
+    """The field, put together of blocks; `fields`: how many of them lie in memory at once."""
+    values = np.empty(given.shape)
+    normals: FloatArray | None = None
+    for block in given._blocks(fields):
+        found, planes = at(given, block)
+        shape = (block.stop - block.start, *given.shape[:-1])
+        values[..., block] = np.moveaxis(found.reshape(shape), 0, -1)
+        if planes is not None:
+            normals = np.empty((3, *given.shape)) if normals is None else normals
+            normals[..., block] = np.moveaxis(planes.reshape(3, *shape), 1, -1)
+    if normals is not None:
+        read_only(normals)
+    return FatigueField(
+        criterion,
+        FrozenDict(parameters),
+        read_only(values),
+        unit,
+        given.places,
+        given.moments,
+        normals,
+    )
+
+
+def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
+    """Shear modulus of each point along the last axis, or of all [Pa]."""
+    if material is not None:
+        require_type("material", material, Material)
+        if material.is_rigid:
+            raise ValueError("material must not be rigid: a rigid body has no strain")
+    body = material if material is not None else given._body
+    if body is None:
+        raise TypeError("material must be given with an array of stress: whose strain is meant?")
+    if isinstance(body, Layered):
+        layer = np.searchsorted(body.interfaces, given.places["z"], side="right")
+        E, nu = (np.asarray(body.parameters[name])[layer] for name in ("E", "nu"))
+    else:
+        E, nu = np.array([body.E]), np.array([body.nu])
+    return np.asarray(E / (2 * (1 + nu)), dtype=np.float64)
+
+
+def _yield_stress(given: Cycle, material: Material | None, told: float | None) -> float:
+    if told is not None:
+        return positive("yield_stress", told)
+    body = material if material is not None else given._body
+    assert body is not None  # _elasticity has asked
+    if not body.is_plastic:
+        raise ValueError("yield_stress must be given [Pa]: the body's material has none")
+    return float(body.least_yield_stress)

@@ -1,0 +1,273 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stress of the points of a body over the moments of a cycle."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import _memory
+from .._checks import MOST_STRESS, FloatArray, choice, real_array
+from .._frozen import FrozenDict, read_only
+from .._repr import Rows, Shown, counts, lengths
+from ..layered import Body
+from ..state import State, in_one_window
+from .paths import GivenPaths, Passing, Paths, StatePaths
+
+__all__ = ["Cycle", "cycle", "passing"]
+
+_PART = 0.4
+"""Of the memory there is, for the stress of a block of layers at all moments."""
+_COPIES = 2.5
+"""Of such a block: what the stress of a state takes while it is laid into it."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Cycle(Shown):
+    """What the points of a body go through, made by `cycle` or `passing`; handed to criteria.
+
+    Its stress is computed when a criterion asks, and kept where it fits into the memory, so that
+    the next criterion finds it.
+    """
+
+    _paths: Paths
+    _body: Body | None
+    _places: Mapping[str, FloatArray]
+
+    @property
+    def moments(self) -> int:
+        """How many moments there are."""
+        return self._paths.moments
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Of a field of its points."""
+        return self._paths.shape
+
+    @property
+    def places(self) -> Mapping[str, FloatArray]:
+        """Coordinates of the points along each axis of a field [m]: "x" (on the body, from where
+        the contact stood at the start), "y", "z"; none of an array."""
+        return self._places
+
+    @cached_property
+    def _strained(self) -> bool:
+        return self._paths.has_plastic_strain
+
+    def _blocks(self, fields: int) -> Iterator[slice]:
+        """Along the last axis, as many as fit at once."""
+        last = self.shape[-1]
+        one = 48.0 * self.moments * math.prod(self.shape[:-1]) * fields
+        there = _memory.available()
+        fit = last if there is None else int(_PART * there / (_COPIES * one))
+        if fit < 1:
+            _memory.require("one layer of a cycle", _COPIES * one / _PART, "take fewer moments")
+        size = max(min(fit, last), 1)
+        for first in range(0, last, size):
+            yield slice(first, min(first + size, last))
+
+    def _stress(self, block: slice) -> FloatArray:
+        """Shape (moments, 6, points of a block), the last axis of a field slowest."""
+        known: dict[str, FloatArray] = self.__dict__.setdefault("_known", {})
+        if "stress" in known:
+            return known["stress"]
+        stress = self._paths.stress(block).reshape(self.moments, 6, -1)
+        if block == slice(0, self.shape[-1]):
+            known["stress"] = read_only(stress)
+        return stress
+
+    def _plastic_strain(self, block: slice) -> FloatArray:
+        return self._paths.plastic_strain(block).reshape(self.moments, 6, -1)
+
+    def __repr__(self) -> str:
+        return f"Cycle(moments={self.moments}, shape={self.shape})"
+
+    def _rows(self) -> Rows:
+        rows = [("moments", str(self.moments)), ("points", counts(*self.shape))]
+        for axis, values in self.places.items():
+            rows.append((axis, f"{lengths(values[0])} to {lengths(values[-1])}"))
+        return rows
+
+
+def cycle(
+    states: Sequence[State] | ArrayLike,
+    body: int | None = None,
+    plastic_strain: ArrayLike | None = None,
+) -> Cycle:
+    """What points of a body go through in a cycle of states, or of given stress.
+
+    Parameters
+    ----------
+    states : sequence of State, or array_like of shape (moments, 6, ...)
+        At least two moments, of one simulation: those of a pass or a loop, at its steady state;
+        what is not in the sequence, such as the unloaded body, is not in the cycle. Or stress [Pa]
+        of any origin, components xx, yy, zz, yz, xz, xy, tension positive.
+    body : {1, 2}, optional
+        Of states; default 2.
+    plastic_strain : array_like, optional
+        Of the same shape as given stress, tensor components [-]; default 0. States have their own.
+
+    Returns
+    -------
+    Cycle
+        Where the contact moves over the body the points are the body's: the cells that the grids of
+        all states have seen.
+
+    Raises
+    ------
+    ValueError
+        Fewer than two moments, states of different grids or materials, which have no cell in common
+        or lie at different parts of a cell; an array of another shape, not finite.
+    TypeError
+        Neither states nor an array of numbers.
+    """
+    if isinstance(states, State):
+        raise ValueError(
+            "states must be at least 2 states, got one: for a contact that rolls steadily hand "
+            "samcontact.fatigue.passing(state) to the criterion"
+        )
+    several = isinstance(states, Sequence) and not isinstance(states, np.ndarray)
+    given = list(states) if several else []  # type: ignore[arg-type]
+    if any(isinstance(one, State) for one in given):
+        if plastic_strain is not None:
+            raise ValueError("plastic_strain must not be given with states, which have their own")
+        return _of_states(given, 2 if body is None else choice("body", body, (1, 2)))
+    _of_no_body(body)
+    stress = _tensors("states", states, "(moments, 6, ...)", 1)
+    if stress.shape[0] < 2:
+        raise ValueError(f"states must have at least 2 moments, got shape {stress.shape}")
+    strain = _strain_like(plastic_strain, stress)
+    return Cycle(GivenPaths(stress, strain), None, FrozenDict({}))
+
+
+def passing(
+    state: State | ArrayLike,
+    body: int | None = None,
+    axis: str = "x",
+    plastic_strain: ArrayLike | None = None,
+) -> Cycle:
+    """The cycle of material that passes through a steady stress field along x or y.
+
+    For a contact that rolls or slides steadily one moment tells all: every point goes through the
+    stress along its line.
+
+    Parameters
+    ----------
+    state : State, or array_like of shape (6, nx, ny, nz)
+        The steady moment, or its stress [Pa], e.g. of `ContactSolver.stress`.
+    body : {1, 2}, optional
+        Of a state; default 2.
+    axis : {"x", "y"}, optional
+        Along which the material moves.
+    plastic_strain : array_like, optional
+        Of the same shape as given stress [-]; default 0. A state has its own.
+
+    Returns
+    -------
+    Cycle
+        Its points are lines: fields have the axes y and z (x and z). Moments are the cells along a
+        line, with nothing between them, and what a state has far before the contact: the stress
+        that was there from the start. That is not added to a given stress, nor along a period.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Not a state, nor a finite array of this shape with at least 2 cells along the axis.
+    """
+    number = ("x", "y").index(choice("axis", axis, ("x", "y")))
+    if isinstance(state, State):
+        if plastic_strain is not None:
+            raise ValueError("plastic_strain must not be given with a state, which has its own")
+        which = 2 if body is None else choice("body", body, (1, 2))
+        if (cells := state.grid.surface_shape[number]) < 2:
+            raise ValueError(
+                f"state must have at least 2 cells along {axis}, got n{axis} = {cells}"
+            )
+        paths = Passing.of(state, which, number, axis not in state.grid.periodic)
+        across = "yx"[number]
+        places = {across: getattr(state.grid, across), "z": state.depths}
+        return Cycle(paths, _body_of(state, which), FrozenDict(places))
+    _of_no_body(body)
+    stress = _tensors("state", state, "(6, nx, ny, nz)", 0)
+    if stress.ndim != 4 or stress.shape[1 + number] < 2:
+        raise ValueError(
+            f"state must have shape (6, nx, ny, nz) with at least 2 cells along {axis}, "
+            f"got {stress.shape}"
+        )
+    strain = _strain_like(plastic_strain, stress)
+    lines = [np.moveaxis(a, 1 + number, 0) for a in (stress, strain) if a is not None]
+    return Cycle(GivenPaths(lines[0], lines[1] if len(lines) > 1 else None), None, FrozenDict({}))
+
+
+def _of_no_body(body: Any) -> None:
+    if body is not None:
+        raise ValueError(f"body must not be given with an array of stress, got {body!r}")
+
+
+def _tensors(name: str, given: Any, shape: str, axis: int) -> FloatArray:
+    stress = real_array(name, given)
+    if stress.ndim <= axis + 1 or stress.shape[axis] != 6 or 0 in stress.shape:
+        raise ValueError(f"{name} must be states, or stress of shape {shape}, got {stress.shape}")
+    if not np.isfinite(stress).all():
+        raise ValueError(f"{name} must be finite everywhere")
+    if (most := float(np.abs(stress).max())) > MOST_STRESS:
+        raise ValueError(f"{name} must be of a size up to {MOST_STRESS:g} Pa, got {most:.6g}")
+    return stress
+
+
+def _strain_like(given: ArrayLike | None, stress: FloatArray) -> FloatArray | None:
+    if given is None:
+        return None
+    strain = real_array("plastic_strain", given)
+    if strain.shape != stress.shape:
+        raise ValueError(f"plastic_strain must have shape {stress.shape}, got {strain.shape}")
+    if not (np.isfinite(strain).all() and np.abs(strain).max() < 1.0):
+        raise ValueError(
+            "plastic_strain must be finite and below 1 everywhere: it is a pure number"
+        )
+    return strain
+
+
+def _body_of(state: State, body: int) -> Body:
+    owner: Any = state._simulation
+    chosen: Body = (owner.body1, owner.body2)[body - 1]
+    return chosen
+
+
+def _of_states(given: list[Any], body: int) -> Cycle:
+    wrong = [one for one in given if not isinstance(one, State)]
+    if wrong:
+        raise TypeError(f"states must all be samcontact.State, got {type(wrong[0]).__name__}")
+    if len(given) < 2:
+        raise ValueError(
+            "states must be at least 2 states, got one: for a contact that rolls steadily hand "
+            "samcontact.fatigue.passing(state) to the criterion"
+        )
+    sizes = {(s.grid.dx, s.grid.dy, s.grid.nz, s.grid.dz, s.grid.periodic) for s in given}
+    if len(sizes) > 1:
+        raise ValueError("states must have the same cells: they are of different grids")
+    if any(_body_of(s, body) != _body_of(given[0], body) for s in given):
+        raise ValueError(f"states must have the same body {body}: they are of several simulations")
+    states = in_one_window(given)
+    if len({s.grid.surface_shape for s in states}) > 1:
+        raise ValueError("states must have the same grid: they are of several simulations")
+    grid = states[0].grid
+    parts = [s.offset(body) for s in states]
+    if max(parts) - min(parts) > 1e-6 * grid.dx:
+        raise ValueError(
+            f"states must lie at the same part of a cell of body {body}, got offsets from "
+            f"{min(parts):.6g} to {max(parts):.6g} m: move it by whole cells of {grid.dx!r} m"
+        )
+    paths = StatePaths.of(states, body)
+    cells = paths.first + np.arange(paths.shape[0])
+    x = read_only(np.asarray((cells - 0.5 * (grid.nx - 1)) * grid.dx, dtype=np.float64))
+    deepest = max(states, key=lambda s: s._layers)
+    return Cycle(
+        paths, _body_of(given[0], body), FrozenDict({"x": x, "y": grid.y, "z": deepest.depths})
+    )

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a criterion of fatigue says of each point of a body."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._checks import FloatArray, positive
+from .._repr import Brief, Rows, Shown, quantity
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["FatigueField"]
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class FatigueField(Brief, Shown):
+    """The value of a criterion at each point, made by the functions of `samcontact.fatigue`.
+
+    Attributes
+    ----------
+    criterion : str
+        Its name.
+    parameters : mapping
+        Constants that it was given, in SI units.
+    values : ndarray
+        At each point, in the unit of `unit`; axes as in `places`.
+    unit : str
+        "Pa", or "-" for a strain.
+    places : mapping
+        Coordinates along each axis of `values` [m]: "x" (on the body), "y", "z"; of an array that
+        was given, none.
+    moments : int
+        How many the cycle had.
+    normals : ndarray or None
+        Of criteria that look for a plane: its normal at each point, shape (3, ...).
+    """
+
+    criterion: str
+    parameters: Mapping[str, Any]
+    values: FloatArray
+    unit: str
+    places: Mapping[str, FloatArray]
+    moments: int
+    normals: FloatArray | None = None
+
+    @cached_property
+    def index(self) -> tuple[int, ...]:
+        """Where in `values` the largest is."""
+        return tuple(int(i) for i in np.unravel_index(self._flat, self.values.shape))
+
+    @cached_property
+    def _flat(self) -> int:
+        return int(self.values.argmax())
+
+    @property
+    def largest(self) -> float:
+        """The largest value, in the unit of `unit`."""
+        return float(self.values[self.index])
+
+    @property
+    def place(self) -> dict[str, float]:
+        """Coordinates of the largest value [m]; empty without `places`."""
+        named = zip(self.places.items(), self.index, strict=False)
+        return {axis: float(values[i]) for (axis, values), i in named}
+
+    @property
+    def normal(self) -> FloatArray | None:
+        """Of the critical plane where the value is largest, shape (3,); None of other criteria."""
+        return None if self.normals is None else self.normals.reshape(3, -1)[:, self._flat]
+
+    def margin(self, limit: float) -> float:
+        """How far the largest value is from a limit: limit over largest value, minus 1 [-].
+
+        Parameters
+        ----------
+        limit : float
+            What the material bears, from tests, in the unit of `unit`; > 0.
+
+        Returns
+        -------
+        float
+            0 at the limit, negative where it is passed, infinite where no value is above 0.
+        """
+        allowed = positive("limit", limit)
+        return allowed / self.largest - 1.0 if self.largest > 0 else math.inf
+
+    def over_depth(self) -> FloatArray:
+        """The largest value of each layer, shape (nz,); of an array, along its last axis."""
+        most: FloatArray = self.values.reshape(-1, self.values.shape[-1]).max(axis=0)
+        return most
+
+    def to_dataset(self) -> xr.Dataset:
+        """Labelled, with units, as files and figures take it.
+
+        Returns
+        -------
+        xarray.Dataset
+            Variable "fatigue" with the name of the criterion, coordinates of `places`; variable
+            "normal" with a dimension "axis" where there are normals.
+
+        Raises
+        ------
+        ValueError
+            The points have no places: stress was given as an array.
+        """
+        import xarray as xr  # importing the package should not load it
+
+        if not self.places:
+            raise ValueError(
+                "a field of given stress has no coordinates: label its `values` yourself"
+            )
+        told = {"units": {"-": "1"}.get(self.unit, self.unit), "long_name": self._label}
+        axes = tuple(self.places)
+        data: dict[str, Any] = {"fatigue": (axes, self.values, told)}
+        if self.normals is not None:
+            label = {"long_name": "normal of the critical plane", "units": "1"}
+            data["normal"] = (("axis", *axes), self.normals, label)
+        coordinates: dict[str, Any] = {
+            axis: (axis, values, {"units": "m"}) for axis, values in self.places.items()
+        }
+        if self.normals is not None:
+            coordinates["axis"] = ["x", "y", "z"]
+        attributes = {"criterion": self.criterion, "moments": self.moments, **self.parameters}
+        return xr.Dataset(data, coordinates, attributes)
+
+    @property
+    def _label(self) -> str:
+        return self.criterion.replace("_", " ")
+
+    def _rows(self) -> Rows:
+        unit = "" if self.unit == "-" else self.unit
+        rows = [("criterion", self._label)]
+        for name, value in self.parameters.items():
+            known = quantity(value, "Pa" if name == "yield_stress" else "")
+            rows.append((name, known if isinstance(value, float) else str(value)))
+        rows.append(("largest value", quantity(self.largest, unit)))
+        rows += [(axis, quantity(value, "m")) for axis, value in self.place.items()]
+        if self.normal is not None:
+            rows.append(("normal of the plane", ", ".join(f"{part:.3f}" for part in self.normal)))
+        return [*rows, ("moments of the cycle", str(self.moments))]
