@@ -24,6 +24,7 @@ PARTS = (
     "nano_indentation",
     "heat",
     "rolling",
+    "fatigue",
     "scaling",
     "counts",
 )

@@ -178,7 +178,8 @@ def test_no_criterion_knows_the_axes():
         one, other = (criterion(s, slope=0.3).values for s in (stress, turned))
         np.testing.assert_allclose(one, other, rtol=digits)
     one, other = findley(stress, k=0.3), findley(turned, k=0.3)
-    np.testing.assert_allclose(one.values, other.values, rtol=1e-3)
+    np.testing.assert_allclose(one.values, other.values, rtol=0.01)
+    assert np.quantile(np.abs(one.values / other.values - 1), 0.98) < 1e-4
     assert np.median(np.abs(one.values / other.values - 1)) < 1e-6
     same = np.abs(np.einsum("in,ij,jn->n", other.normals, turn, one.normals))
     assert np.median(same) > 1 - 1e-5

@@ -22,9 +22,9 @@ constexpr double pi = std::numbers::pi;
 constexpr double spacing = pi / 16;
 /// Of the largest amplitude: how far below the best a plane may be whose neighbourhood has a better
 /// one.
-constexpr double margin = 0.06;
+constexpr double margin = 0.08;
 constexpr double finest = 4e-4;  // last step of the search [rad]
-constexpr int most_starts = 4;
+constexpr int most_starts = 8;
 
 /// A plane: its normal and two directions in it.
 struct Plane {
@@ -49,6 +49,17 @@ Plane plane_of(const Vector& n) {
   axis[least] = 1.0;
   const Vector u = unit(cross(n, axis));
   return {n, u, cross(n, u)};
+}
+
+/// The same plane with its directions turned in it.
+Plane turned(const Plane& plane, double angle) {
+  Plane out = plane;
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (int d = 0; d < 3; ++d) {
+    out.u[d] = c * plane.u[d] + s * plane.v[d];
+    out.v[d] = c * plane.v[d] - s * plane.u[d];
+  }
+  return out;
 }
 
 /// Half of all directions, evenly; the axes are among them.
@@ -189,9 +200,10 @@ std::array<double, 2> top_of(double middle, const std::array<double, 6>& around)
 template <class Law>
 Found climb(Search<Law>& search, Found at, double least) {
   constexpr double none = -std::numeric_limits<double>::infinity();
-  for (double step = spacing / 2; step > finest; step /= 4) {
+  double turn = 0.0;  // of the hexagon: a ridge between two of its planes lies near one of the next
+  for (double step = spacing / 2; step > finest; step /= 3, turn += pi / 6) {
     for (int tries = 0; tries < 4; ++tries) {
-      const Plane plane = plane_of(at.normal);
+      const Plane plane = turned(plane_of(at.normal), turn);
       Found best = at;
       const auto look = [&](double x, double y, double enough) {
         Vector n;
@@ -242,7 +254,7 @@ class Starts {
 
  private:
   static bool are_near(const Vector& a, const Vector& b) {
-    static const double least = std::cos(1.6 * spacing);
+    static const double least = std::cos(1.2 * spacing);
     return std::fabs(dot(a, b)) > least;
   }
   std::array<Found, most_starts> found_{};
