@@ -237,7 +237,7 @@ def require_flow_below_layers(grid: Grid, residual_stress: str, *bodies: Body) -
             cells = depth / grid.dz
             if abs(cells - round(cells)) > 1e-6:
                 raise ValueError(
-                    f"the bottom of layers[{place}] of body{n}, {depth!r} m deep, must lie between "
+                    f"the bottom of layers[{place}] of body{n}, {float(depth)!r} m deep, must lie between "
                     f"layers of cells, got grid.dz = {grid.dz!r}: take a part of the thickness"
                 )
     return flows

@@ -84,7 +84,7 @@ def test_every_law_and_shape_is_accepted(write):
         (
             "C = 20",
             "C = 20\nK = 1",
-            r"body2\.K: unknown field; allowed here: thermal, residual_stress, kinematic, ",
+            r"body2\.K: unknown field; allowed here: layers, residual_stress, thermal, kinematic, ",
         ),
         (
             '"swift"',

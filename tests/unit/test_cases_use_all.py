@@ -92,6 +92,11 @@ KINDS = {
     | {"surface": {"shape": "file", "Rx": 1e-3, "Ry": 2e-3} | MEASURED,
        "relief2": {"kind": "file", "periodic": True} | MEASURED},
     "coated": BASE | {"body1": COLD, "body2": COATED, "heat": None, "path": [{"load": 2.0}]},
+    "coated by other laws": BASE | {"body1": COLD, "body2": COLD | {"layers": [
+        COLD | {"thickness": 5e-6},
+        *({k: v for k, v in law.items() if k != "thermal"} | {"thickness": 10e-6}
+          for law in (VOCE, TABULATED)),
+    ]}, "heat": None, "path": [{"load": 2.0}]},
     "Voce": BASE | {"body1": VOCE},
     "tabulated": BASE | {"body2": TABULATED},
     "rolling": BASE
@@ -307,6 +312,7 @@ def test_every_field_of_every_section_is_tried():
             place[-1] for place, field, value in leaves(model) if others(place[-1], field, value)
         }
     bodies = {"RigidBody", "ElasticBody", "PerfectPlasticBody", "LinearHardeningBody"}  # a law each
+    bodies |= {"PerfectPlasticLayer", "LinearHardeningLayer"}
     missing = {model.__name__ for model in all_models(Case, TuggingCase)} - bodies
     assert missing - {model.__name__ for model in sections} == set()
     fields = {name for model in sections for name in model.model_fields}
@@ -357,7 +363,16 @@ def test_every_field_of_every_section_is_tried():
         ),
         ({"heat": None, "path": [{"load": 1.0}]}, r"body1\.thermal is of frictional"),
         ({"body2": COATED, "wear": WEAR}, r"body2\.layers: \[wear\] knows homogeneous"),
-        ({"body2": SWIFT | {"layers": [LAYER]}}, r"layers\s+Extra inputs are not permitted"),
+        ({"body2": SWIFT | {"layers": [LAYER]}}, r"body2.*\s.*substrate must have no thermal"),
+        (
+            {"body2": COLD | {"layers": [LAYER | {"thermal": SWIFT["thermal"]}]}},
+            r"layers\.0\.elastic\.thermal\s+Extra inputs are not permitted",
+        ),
+        (
+            {"body1": COLD, "body2": COATED | {"layers": [COLD | {"thickness": 1e-6}]},
+             "grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}},
+            r"body1 is inelastic \(swift\): \[grid\] needs dz",
+        ),
         (
             {"contact": CONTACT | {"residual_stress": "exact"}},
             r"contact\.image_tol is of residual_stress",

@@ -7,7 +7,7 @@ from functools import reduce
 from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, create_model, model_validator
+from pydantic import BeforeValidator, Field, create_model, model_validator
 
 from .._laws import LAWS, Constant, Law
 from .base import Finite, NonNegative, Positive, Section, in_unit
@@ -63,14 +63,6 @@ class JohnsonCookSoftening(Section):
         return self
 
 
-class LayerSection(Section):
-    """An elastic layer on a body, see `Layered`."""
-
-    E: Annotated[Positive, in_unit("Pa")]
-    nu: Annotated[Finite, Field(ge=0.0, lt=0.5)]
-    thickness: Annotated[Positive, in_unit("m")]
-
-
 Depths = Annotated[list[NonNegative], Field(min_length=1), in_unit("m")]
 Stresses = Annotated[list[Finite], in_unit("Pa")]
 
@@ -94,45 +86,18 @@ class InitialStress(Section):
 _BESIDE = ("kinematic", "thermal", "softening", "yield_profile", "residual_stress")
 
 
-class _Body(Section):
+class _Solid(Section):
+    """The material of a law, with what is given beside its constants."""
+
     if TYPE_CHECKING:
         law: str
 
     @property
-    def is_plastic(self) -> bool:
-        return isinstance(self, _PlasticBody)
-
-    @model_validator(mode="after")
-    def _possible(self) -> _Body:
-        """What the core asks of several constants together."""
-        self.build()
-        return self
-
-    @property
-    def coating(self) -> list[LayerSection]:
-        """Layers on it, from the surface down."""
-        return getattr(self, "layers", None) or []
-
-    @property
-    def is_rigid(self) -> bool:
-        return self.law == "rigid" and not self.coating
-
-    def build(self) -> Body:
-        """The material, below its layers."""
-        from ..layered import Layered
-        from ..material import Material
-
-        material = self._material()
-        if not self.coating:
-            return material
-        layers = [(Material.elastic(part.E, part.nu), part.thickness) for part in self.coating]
-        return Layered(tuple(layers), material)
-
-    def _material(self) -> Material:
+    def material(self) -> Material:
         from ..material import Material
         from ..softening import JohnsonCook
 
-        parameters = self.model_dump(exclude={"layers"})
+        parameters = self.model_dump(exclude={"layers", "thickness"})
         extra = {name: parameters.pop(name, None) for name in _BESIDE}
         material: Material = getattr(Material, parameters.pop("law"))(**parameters)
         if extra["kinematic"] is not None:
@@ -149,23 +114,27 @@ class _Body(Section):
         return material
 
 
-class _CoatableBody(_Body):
-    layers: Annotated[list[LayerSection], Field(min_length=1)] | None = None
-
-
-class _ElasticBody(_Body):
-    thermal: ThermalConstants | None = None
+class _ElasticSolid(_Solid):
     residual_stress: InitialStress | None = None
 
 
-class _CoatableElasticBody(_ElasticBody, _CoatableBody):
+class _PlasticSolid(_ElasticSolid):
+    kinematic: KinematicHardening | None = None
+    yield_profile: YieldProfile | None = None
+
+
+class _Layer(_Solid):
+    """A layer on a body, see `Layered`."""
+
+    thickness: Annotated[Positive, in_unit("m")]
+
+
+class _ElasticLayer(_ElasticSolid, _Layer):
     pass
 
 
-class _PlasticBody(_ElasticBody):
-    kinematic: KinematicHardening | None = None
-    softening: JohnsonCookSoftening | None = None
-    yield_profile: YieldProfile | None = None
+class _PlasticLayer(_PlasticSolid, _Layer):
+    pass
 
 
 def _field(constant: Constant) -> Any:
@@ -178,17 +147,85 @@ def _field(constant: Constant) -> Any:
     )
 
 
-def _model(name: str, law: Law) -> type[_Body]:
-    """The section of a law, e.g. `SwiftBody`."""
-    base = _PlasticBody if law.yields else _CoatableElasticBody if law.constants else _CoatableBody
+def _model(name: str, law: Law, part: str, *bases: type[_Solid]) -> Any:
+    """The section of a law, e.g. `SwiftBody`; bases: where it is rigid, elastic, and yields."""
+    base = bases[2] if law.yields else bases[1] if law.constants else bases[0]
     fields: dict[str, Any] = {"law": (Literal[name], ...)}
     fields |= {constant: (_field(law.constants[constant]), ...) for constant in law.constants}
     title = "".join(word.capitalize() for word in name.split("_"))
-    return create_model(f"{title}Body", __base__=base, __doc__=law.says, **fields)
+    return create_model(f"{title}{part}", __base__=base, __doc__=law.says, **fields)
+
+
+def _models(part: str, *bases: type[_Solid]) -> Any:
+    laws = {name: law for name, law in LAWS.items() if law.constants or part == "Body"}
+    models = tuple(_model(name, law, part, *bases) for name, law in laws.items())
+    return Annotated[reduce(or_, models), Field(discriminator="law")]
+
+
+def _of_elastic(given: Any) -> Any:
+    """Layers without a law are elastic."""
+    if not isinstance(given, list):
+        return given
+    return [{"law": "elastic"} | part if isinstance(part, dict) else part for part in given]
+
+
+if TYPE_CHECKING:
+    LayerSection = _Layer
+else:
+    LayerSection = _models("Layer", _Layer, _ElasticLayer, _PlasticLayer)
+
+
+class _Body(_Solid):
+    layers: (
+        Annotated[list[LayerSection], Field(min_length=1), BeforeValidator(_of_elastic)] | None
+    ) = None
+
+    @property
+    def parts(self) -> list[_Solid]:
+        """Layers from the surface down, and what is below them."""
+        return [*self.coating, self]
+
+    @property
+    def inelastic_laws(self) -> list[str]:
+        """Of layers and what is below them."""
+        return [part.law for part in self.parts if LAWS[part.law].yields]
+
+    @property
+    def is_plastic(self) -> bool:
+        return bool(self.inelastic_laws)
+
+    @model_validator(mode="after")
+    def _possible(self) -> _Body:
+        """What the core asks of several constants together."""
+        self.build()
+        return self
+
+    @property
+    def coating(self) -> list[LayerSection]:
+        """Layers on it, from the surface down."""
+        return self.layers or []
+
+    @property
+    def is_rigid(self) -> bool:
+        return self.law == "rigid" and not self.coating
+
+    def build(self) -> Body:
+        """The material, below its layers."""
+        from ..layered import Layered
+
+        layers = tuple((part.material, part.thickness) for part in self.coating)
+        return Layered(layers, self.material) if layers else self.material
+
+
+class _ElasticBody(_ElasticSolid, _Body):
+    thermal: ThermalConstants | None = None
+
+
+class _PlasticBody(_PlasticSolid, _ElasticBody):
+    softening: JohnsonCookSoftening | None = None
 
 
 if TYPE_CHECKING:
     BodySection = _Body
 else:
-    _MODELS = tuple(_model(name, law) for name, law in LAWS.items())
-    BodySection = Annotated[reduce(or_, _MODELS), Field(discriminator="law")]
+    BodySection = _models("Body", _Body, _ElasticBody, _PlasticBody)

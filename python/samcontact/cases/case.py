@@ -97,7 +97,8 @@ class Case(CaseFile):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
         for name, body in zip(("body1", "body2"), bodies, strict=True):
             if body.is_plastic and not self.has_volume:
-                raise ValueError(f"{name} is inelastic ({body.law}): [grid] needs dz")
+                law = body.inelastic_laws[0]
+                raise ValueError(f"{name} is inelastic ({law}): [grid] needs dz")
         timed = self.heat is not None and self.heat.is_timed
         for index, segment in enumerate(self.path):
             if segment.is_timed != timed:

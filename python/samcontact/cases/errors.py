@@ -119,6 +119,9 @@ def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> tuple[list[str], li
         if tagged:  # by a function: pydantic puts what it returns into the location
             tagged = False
             continue
+        if isinstance(element, int):
+            names.append(element)
+            continue
         if len(models) > 1:  # a tagged union: pydantic puts the tag into the location
             models = [model for model in models if element in _tags(model)] or models
             continue

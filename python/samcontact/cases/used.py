@@ -24,6 +24,7 @@ def require_all_used(case: Case) -> None:
     if case.wear is not None:
         _require_no_layers(case, "[wear]")
     _require_image_tol(case.contact)
+    _require_zones(case)
     _require_law_of_friction(case)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
@@ -102,6 +103,15 @@ def _require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> Non
                 f"{name}.softening begins at reference = {softening.reference!r} K, and nothing is "
                 f"warmer than ambient = {softening.ambient!r} K without frictional heat: {remedy}"
             )
+
+
+def _require_zones(case: Case) -> None:
+    bodies = case.body1, case.body2
+    if any(b.coating and b.is_plastic for b in bodies) and changed(case.contact, ["zones"]):
+        raise ValueError(
+            "contact.zones is of homogeneous bodies: what yields in layers has one box, leave it "
+            "out"
+        )
 
 
 def _require_image_tol(contact: Any) -> None:
