@@ -237,8 +237,9 @@ def require_flow_below_layers(grid: Grid, residual_stress: str, *bodies: Body) -
             cells = depth / grid.dz
             if abs(cells - round(cells)) > 1e-6:
                 raise ValueError(
-                    f"the bottom of layers[{place}] of body{n}, {float(depth)!r} m deep, must lie between "
-                    f"layers of cells, got grid.dz = {grid.dz!r}: take a part of the thickness"
+                    f"the bottom of layers[{place}] of body{n}, {float(depth)!r} m deep, must lie "
+                    f"between layers of cells, got grid.dz = {grid.dz!r}: take a part of the "
+                    "thickness"
                 )
     return flows
 

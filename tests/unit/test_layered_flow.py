@@ -192,3 +192,30 @@ def test_work_on_yielding_layers_is_found_again():
     assert found.plastic > 0.1 * found.put_in
     assert found.friction > 0
     assert abs(found.missing) < 2e-3
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+def test_results_tell_the_strength_of_each_layer(tmp_path):
+    from samcontact import plotting, results
+    from samcontact.report import tables
+    from samcontact.results.reading import graded_of
+
+    hard = sc.Material.elastic(400e9, 0.25).with_residual_stress([0.0], [-1e9])
+    body = sc.Layered([(hard, 6e-6), (COPPER.with_yield_profile([0.0], [1.5]), 6e-6)], STEEL)
+    run, states = indented(body, loads=(2.0,))
+    results.save(results.to_dataset(run, states), tmp_path / "results.nc")
+    dataset = results.open_results(tmp_path / "results.nc")
+    assert graded_of(dataset, 2) == body
+    rows = {row.name: row.value for row in tables.parameters(dataset) if row.section == "body2"}
+    assert rows["layer2 yield stress"] == "300 MPa"
+    assert rows["substrate B"] == "945 MPa"
+    ax = plotting.axis_profile(states[0].stress(), run.grid, body=body, interfaces=body.interfaces)
+    drawn = {line.get_label(): line.get_xydata().T for line in ax.lines}
+    limit, depth = drawn["yield stress at first"]
+    assert np.isnan(limit[depth < 6.0 * (1 - 1e-9)]).all()
+    inside = (depth > 6.1) & (depth < 11.9)
+    assert limit[inside] == pytest.approx(450.0)
+    assert np.interp(11.9, depth, limit) == pytest.approx(450.0)
+    start, depth = drawn[r"$\sigma_{xx} = \sigma_{yy}$ at first"]
+    assert start[depth < 5.9] == pytest.approx(-1000.0)
+    assert np.abs(start[depth > 6.0]).max() == 0

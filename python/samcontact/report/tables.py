@@ -86,15 +86,16 @@ def parameters(dataset: xr.Dataset) -> list[Row]:
 
 def _rows(section: str, fields: dict[str, Any]) -> list[Row]:
     top = section.partition(",")[0]
-    plain = [
-        Row(section, name, _value(value, field_unit(f"{top}.{name}")))
-        for name, value in fields.items()
-        if not isinstance(value, dict)
-    ]
-    nested = [(name, value) for name, value in fields.items() if isinstance(value, dict)]
-    for name, value in nested:
-        plain += _rows(f"{section}, {name}", value)
-    return plain
+    plain, nested = [], []
+    for name, value in fields.items():
+        parts = value if isinstance(value, list) else [value]
+        if not isinstance(parts[0], dict):
+            plain.append(Row(section, name, _value(value, field_unit(f"{top}.{name}"))))
+            continue
+        for number, part in enumerate(parts, 1):
+            of = f"{name}, part {number}" if parts is value else name
+            nested += _rows(f"{section}, {of}", part)
+    return [*plain, *nested]
 
 
 def _value(value: Any, unit: str) -> str:
