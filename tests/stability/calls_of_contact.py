@@ -250,6 +250,8 @@ CALLS = [
         {"wavenumber": [1.0, 1e5]},
     ),
     ("Layered.material_at", COATED.material_at, {"z": 1e-6}),
+    ("Layered.yield_stress_at", COATED.yield_stress_at, {"z": [0.0, 1e-6]}),
+    ("Layered.residual_stress_at", COATED.residual_stress_at, {"z": [0.0, 1e-6]}),
     (
         "asperities.tug",
         sc.asperities.tug,

@@ -95,6 +95,7 @@ CALLS = [
         {"z": [0.0, 1e-3], "sxx": [-1e8, 0.0], "syy": [-2e8, 0.0], "sxy": [1e8, 0.0]},
     ),
     ("Material.yield_factor", SOFT.yield_factor, {"z": Z}),
+    ("Material.yield_stress_at", SOFT.yield_stress_at, {"z": Z}),
     ("Material.residual_stress_at", SOFT.residual_stress_at, {"z": Z}),
     ("Material.swift", sc.Material.swift, {**ELASTIC, "B": 945e6, "C": 20.0, "n": 0.12}),
     (
