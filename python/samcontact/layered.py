@@ -47,7 +47,8 @@ class Layered(Shown):
     layers : sequence of pairs
         Material and thickness [m] of each layer, from the surface down; any number.
     substrate : Material
-        What lies below them, without end; `Material.rigid()` is allowed.
+        What lies below them, without end; `Material.rigid()` is allowed: its stress is not known,
+        and 0 in all fields.
 
     Raises
     ------
@@ -221,7 +222,7 @@ def require_flow_below_layers(grid: Grid, residual_stress: str, *bodies: Body) -
         if body.substrate.is_rigid:
             raise ValueError(
                 f"layers of body{n} must not yield on a rigid substrate, got {body!r}: take one "
-                "that is much stiffer than they are"
+                "that is some times stiffer than they are"
             )
         if residual_stress == "exact":
             raise ValueError(

@@ -135,3 +135,18 @@ def test_a_nanometre_on_a_millimetre_is_a_membrane():
     volume = sc.Grid(41, 41, 1e-6, 1e-6, dz=1e-6)
     with pytest.raises(ValueError, match=r"the bottom of layers\[0\] of body2, 1e-09 m deep"):
         sc.Simulation(volume, RIGID, sc.Layered([(NITRIDE, 1e-9)], CASE[1]), gap)
+
+
+def test_below_layers_on_a_rigid_substrate_no_stress_is_told():
+    body = sc.Layered([(STEEL, 2e-6), (NITRIDE, 2e-6)], RIGID)
+    for periodic in ("", "xy"):
+        grid = sc.Grid(8, 8, 1e-6, 1e-6, nz=8, dz=1e-6, periodic=periodic)
+        solver = sc.ContactSolver(grid, RIGID, body)
+        pressure = np.zeros((8, 8))
+        pressure[3:5, 3:5] = 1e6
+        stress = solver.stress(pressure, grid.z)
+        assert np.abs(stress[..., 3]).max() > 1e4
+        assert np.abs(stress[..., 4:]).max() == 0
+        run = sc.Simulation(grid, RIGID, body, np.zeros((8, 8)))
+        found = run.step(pressure=pressure).stress()
+        assert found == pytest.approx(stress, abs=1e-3)

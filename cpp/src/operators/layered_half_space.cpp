@@ -50,7 +50,7 @@ class LayeredHalfSpace : public Medium {
   Field stress(Traction traction, const Grid& grid, const KernelOffsets& offsets, double z,
                Tensor tensor) const override {
     const auto lattice = CellOffsets::lattice(offsets.nx, offsets.ny);
-    if (!grid.period.is_on()) return stress(traction, grid, lattice, z, tensor);
+    if (!grid.period.is_on() || is_rigid_at(z)) return stress(traction, grid, lattice, z, tensor);
     const auto cell = [&](const Grid& own, bool turned) {
       return layered_stress_of_cell(stack_, turned ? exchanged(traction) : traction, own, z);
     };
@@ -58,6 +58,7 @@ class LayeredHalfSpace : public Medium {
   }
   Field stress(Traction traction, const Grid& grid, const CellOffsets& offsets, double z,
                Tensor tensor) const override {
+    if (is_rigid_at(z)) return Field(count(tensor) * offsets.x.size() * offsets.y.size(), 0.0);
     return layered_stress(stack_, traction, grid, offsets, z, tensor);
   }
   Field residual_displacement(Axis axis, const Grid& grid, const CellOffsets& offsets,
@@ -96,6 +97,9 @@ class LayeredHalfSpace : public Medium {
   }
 
  private:
+  /// Whether what is there neither deforms nor has a stress that is known.
+  bool is_rigid_at(double z) const { return stack_.elastic(stack_.layer_at(z)).is_rigid(); }
+
   Stack stack_;
   PeriodicSums sums_;
 };

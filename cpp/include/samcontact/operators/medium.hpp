@@ -37,8 +37,8 @@ class Medium {
   /// u_z over the pressure of a wave [m/Pa], wavenumber > 0 [1/m].
   virtual double wave_compliance(double wavenumber) const = 0;
 
-  /// Stress at a depth z >= 0 [m] under a unit traction on one cell of the grid, [component of
-  /// tensor][j][i] [-].
+  /// Stress at a depth z >= 0 [m], 0 in what is rigid, under a unit traction on one cell of the
+  /// grid, [component of tensor][j][i] [-].
   virtual Field stress(Traction traction, const Grid& grid, const KernelOffsets& offsets, double z,
                        Tensor tensor) const = 0;
 
