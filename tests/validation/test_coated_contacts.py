@@ -104,3 +104,55 @@ def test_substrate_that_yields_below_a_coating():
         s_rr = np.interp(z[own], axis["z_m"][exact], axis["srr_Pa"][exact])
         rms = np.sqrt(np.mean((stress[own] - s_rr) ** 2))
         assert rms < 0.02 * np.abs(axis["srr_Pa"][exact]).max()
+
+
+def hertz_pressure(grid, a, p0, parts=10):
+    """Its means over cells, with the right force."""
+    offsets = (np.arange(parts) + 0.5) / parts - 0.5
+    x, y = ((c[:, None] + offsets * d).ravel() for c, d in ((grid.x, grid.dx), (grid.y, grid.dy)))
+    p = p0 * np.sqrt(np.maximum(0.0, 1 - (x[:, None] ** 2 + y**2) / a**2))
+    p = p.reshape(grid.nx, parts, grid.ny, parts).mean(axis=(1, 3))
+    return p * (2 / 3 * np.pi * a**2 * p0) / (p.sum() * grid.cell_area)
+
+
+def test_coating_and_substrate_that_both_yield():
+    """Finite elements, reference/layers/both_yield.json; 12 cells per radius, 6 in the coating."""
+    file = Path(__file__).parents[2] / "reference" / "layers" / "both_yield.json"
+    case = json.loads(file.read_text())
+    a, h = case["a"], case["thickness"]
+    coating, substrate = (
+        sc.Material.linear_hardening(E, nu, Y, E * H / (E + H))
+        for E, nu, Y, H in (m.values() for m in case["materials"])
+    )
+    body = sc.Layered(
+        [(coating.with_residual_stress([0.0], [case["growth_stress"]]), h)], substrate
+    )
+    grid = sc.Grid(41, 41, a / 12, a / 12, nz=62, dz=h / 6)
+    pressure = hertz_pressure(grid, a, case["p0"])
+    run = sc.Simulation(grid, sc.Material.rigid(), body, np.zeros(grid.surface_shape))
+    up, down = case["increments"]
+    for part in range(1, up + 1):
+        loaded = run.step(pressure=part / up * pressure)
+    for part in range(1, down + 1):
+        unloaded = run.step(pressure=(1 - part / down) * pressure)
+    strain = unloaded.equivalent_plastic_strain()[20, 20]
+    fields = {
+        "loaded": loaded.stress()[0, 20, 20],
+        "unloaded": unloaded.residual_stress()[0, 20, 20],
+    }
+    z = grid.z
+    # The strain of the coating is that of its few cells through the thickness.
+    below = (z > h) & (z < 1.7 * a)
+    for inside, allowed in ((z < h, (0.05, 0.004, 0.015)), (below, (0.01, 0.004, 0.01))):
+        for name, stress in fields.items():
+            depth, g, s_rr = np.array(case[name]).T
+            own = (depth < h) == (z[inside][0] < h)
+            for found, exact, tol in (
+                (strain, g, allowed[0]),
+                (stress, s_rr, allowed[1 if name == "loaded" else 2]),
+            ):
+                expected = np.interp(z[inside], depth[own], exact[own])
+                rms = np.sqrt(np.mean((found[inside] - expected) ** 2))
+                assert rms < tol * np.abs(exact[own]).max()
+    left = unloaded.residual_displacement()[20, 20]
+    assert left == pytest.approx(case["print"], rel=0.02)
