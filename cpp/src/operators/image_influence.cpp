@@ -58,7 +58,7 @@ class WaveInfluence {
   explicit WaveInfluence(const layers::SweptStack& stack)
       : stack_(&stack),
         nz_(stack.cells()),
-        scratch_(stack, nz_, 1),
+        scratch_(stack, 1),
         modes_(static_cast<std::size_t>(stack.numbers()) * width),
         strain_(static_cast<std::size_t>(tensor) * nz_ * width, 0.0),
         stress_(strain_.size()) {}
@@ -81,7 +81,7 @@ class WaveInfluence {
         double* unit =
             strain_.data() + in * component + static_cast<std::ptrdiff_t>(source) * width;
         std::fill_n(unit, width, 1.0);
-        layers::sweep(*stack_, nz_, 1, layout, used.data(), modes_.data(), width, strain_.data(),
+        layers::sweep(*stack_, 1, layout, used.data(), modes_.data(), width, strain_.data(),
                       {layout, stress_.data(), layout, nullptr}, scratch_);
         std::fill_n(unit, width, 0.0);
         take(source, in, count, values);
