@@ -2,7 +2,6 @@
 #include "samcontact/operators/layer_residual_stress.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "samcontact/base/flush_denormals.hpp"
 #include "samcontact/base/threads.hpp"
@@ -108,15 +107,11 @@ LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
 }
 
 void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
-  const layers::SweptStack::Layer& lowest = stack_.layers().back();
-  if (spectrum.nz != lowest.last && (!lowest.is_endless() || spectrum.nz < lowest.first)) {
-    throw std::logic_error("a spectrum must have all cells of layers above the lowest");
-  }
   const layers::Layout layout = make_layout(spectrum), block = block_layout(layout, spectrum.parts);
 #pragma omp parallel if (per_number * spectrum.data.size() > worth_threads)
   {
     const FlushDenormals flush;
-    layers::Scratch scratch(stack_, spectrum.nz, spectrum.parts);
+    layers::Scratch scratch(stack_, spectrum.parts);
     Field aliases(spectrum.nz * block.layer_step);
 #pragma omp for schedule(dynamic)
     for (int ky = 0; ky < spectrum.mh; ++ky) {
@@ -129,7 +124,7 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
           const bool is_own = std::next(pass) == passes_[ky].rend();
           const layers::Target target{is_own ? layout : block, is_own ? values : aliases.data(),
                                       block, added};
-          layers::sweep(stack_, spectrum.nz, spectrum.parts, layout, spectrum.used.data(),
+          layers::sweep(stack_, spectrum.parts, layout, spectrum.used.data(),
                         pass->modes.data() + (kx - pass->first), pass->last - pass->first, values,
                         target, scratch);
           added = aliases.data();

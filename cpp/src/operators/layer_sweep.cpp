@@ -43,12 +43,7 @@ struct Block {
   Turned* turned;
   Sums* below;
   LayerWaves* waves;
-  int cells;
 
-  /// A spectrum may have fewer cells than the layer without end.
-  SAMCONTACT_INLINE int last(const SweptStack::Layer& layer) const {
-    return layer.is_endless() ? cells : layer.last;
-  }
   SAMCONTACT_INLINE Mode mode(const SweptStack::Layer& layer) const {
     return {row + static_cast<std::ptrdiff_t>(layer.mode) * step, step};
   }
@@ -62,7 +57,7 @@ struct Block {
     const bool endless = layer.is_endless();
     Lanes v[parts][6];
     Sums sums[parts];
-    for (int k = last(layer) - 1; k >= layer.first; --k) {
+    for (int k = layer.last - 1; k >= layer.first; --k) {
       for (int p = 0; p < parts; ++p) {
         if (endless) below[k * parts + p] = sums[p].integrals(at);
         sums[p].recede(at[decay]);
@@ -89,7 +84,7 @@ struct Block {
     const auto& layer = stack.layers()[n];
     const Mode at = mode(layer);
     Sums sums[parts];
-    for (int k = layer.first; k < last(layer); ++k) {
+    for (int k = layer.first; k < layer.last; ++k) {
       for (int p = 0; p < parts; ++p) {
         sums[p].recede(at[decay]);
         sums[p].add(turned[k * parts + p], 1.0);
@@ -110,7 +105,7 @@ struct Block {
     for (int p = 0; p < parts; ++p) {
       sums[p] = that_send(at, constants, waves[n * parts + p].b);
     }
-    for (int k = last(layer) - 1; k >= layer.first; --k) {
+    for (int k = layer.last - 1; k >= layer.first; --k) {
       for (int p = 0; p < parts; ++p) {
         below[k * parts + p] = sums[p].integrals(at);
         sums[p].recede(at[decay]);
@@ -130,7 +125,7 @@ struct Block {
     for (int p = 0; p < parts; ++p) {
       above[p] = that_send(at, constants, waves[n * parts + p].a);
     }
-    for (int k = layer.first; k < last(layer); ++k) {
+    for (int k = layer.first; k < layer.last; ++k) {
       for (int p = 0; p < parts; ++p) {
         const Turned& t = turned[k * parts + p];
         Sums up = above[p].integrals(at), down = below[k * parts + p];
@@ -179,15 +174,15 @@ constexpr std::size_t numbers = sizeof(T) / sizeof(double);
 
 }  // namespace
 
-Scratch::Scratch(const SweptStack& stack, int cells, int parts) {
-  const std::size_t layers = stack.layers().size();
-  turned.resize(static_cast<std::size_t>(cells) * parts * numbers<Turned>);
-  below.resize(static_cast<std::size_t>(cells) * parts * numbers<Sums>);
+Scratch::Scratch(const SweptStack& stack, int parts) {
+  const auto cells = static_cast<std::size_t>(stack.cells()), layers = stack.layers().size();
+  turned.resize(cells * parts * numbers<Turned>);
+  below.resize(cells * parts * numbers<Sums>);
   interfaces.resize(layers * numbers<Interfaces>);
   waves.resize(layers * parts * numbers<LayerWaves>);
 }
 
-void sweep(const SweptStack& stack, int cells, int parts, const Layout& layout, const char* used,
+void sweep(const SweptStack& stack, int parts, const Layout& layout, const char* used,
            const double* row, int step, const double* values, const Target& target,
            Scratch& scratch) {
   auto* turned = reinterpret_cast<Turned*>(scratch.turned.data());
@@ -195,11 +190,10 @@ void sweep(const SweptStack& stack, int cells, int parts, const Layout& layout, 
   auto* interfaces = reinterpret_cast<Interfaces*>(scratch.interfaces.data());
   auto* waves = reinterpret_cast<LayerWaves*>(scratch.waves.data());
   if (parts == 2) {
-    sweep_complex({stack, layout, used, row, step, values, turned, below, waves, cells}, interfaces,
+    sweep_complex({stack, layout, used, row, step, values, turned, below, waves}, interfaces,
                   target);
   } else {
-    sweep_real({stack, layout, used, row, step, values, turned, below, waves, cells}, interfaces,
-               target);
+    sweep_real({stack, layout, used, row, step, values, turned, below, waves}, interfaces, target);
   }
 }
 

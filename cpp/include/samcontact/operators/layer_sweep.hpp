@@ -30,16 +30,15 @@ struct Target {
 
 /// What a sweep needs for itself.
 struct Scratch {
-  Scratch(const SweptStack& stack, int cells, int parts);
+  Scratch(const SweptStack& stack, int parts);
   Field turned, below;      // [layer of cells][part]
   Field interfaces, waves;  // [layer of the body], with [part]
 };
 
 /// Stress of the strain of one block of wavenumbers, of parts (2: re and im, 1: real) numbers each;
-/// target may be where the strain is. cells: layers of them, those of the stack unless they end in
-/// its layer without end; used: of each, whether it has strain; row: the numbers of the block,
-/// `step` apart; values: its row of component 0 and layer 0.
-void sweep(const SweptStack& stack, int cells, int parts, const Layout& layout, const char* used,
+/// target may be where the strain is. used: of each layer of cells, whether it has strain; row: the
+/// numbers of the block, `step` apart; values: its row of component 0 and layer 0.
+void sweep(const SweptStack& stack, int parts, const Layout& layout, const char* used,
            const double* row, int step, const double* values, const Target& target,
            Scratch& scratch);
 
