@@ -193,6 +193,28 @@ TEST_CASE("the stress of eigenstrain in layers that are alike is that of a half-
   }
 }
 
+TEST_CASE("a spectrum of fewer layers of cells has the stress of one with the rest at 0") {
+  const Grid grid(6, 5, 1.0, 1.0, 7, 0.5), shallow(6, 5, 1.0, 1.0, 4, 0.5);
+  const VolumeTransform transform(grid, Symmetry::none);
+  const std::size_t plane = transform.plane_size();
+  const Field few = random_strain(6 * shallow.nz * plane, 7);
+  Field all(6 * grid.nz * plane, 0.0);
+  for (int c = 0; c < 6; ++c) {
+    std::copy_n(&few[c * shallow.nz * plane], shallow.nz * plane, &all[c * grid.nz * plane]);
+  }
+  for (const Stack& body : {Stack{{}, stiff}, Stack::of({{soft, 1.0}, {stiff, 2.0}}, soft)}) {
+    const LayerResidualStress operation(grid, transform, body, {.method = ResidualMethod::fast});
+    const Field exact = residual_of(operation, transform, grid, Tensor::full, all);
+    const Field found = residual_of(operation, transform, shallow, Tensor::full, few);
+    for (int c = 0; c < 6; ++c) {
+      for (std::size_t n = 0; n < shallow.nz * plane; ++n) {
+        CHECK(std::fabs(found[c * shallow.nz * plane + n] - exact[c * grid.nz * plane + n]) <
+              1e-13 * largest(exact));
+      }
+    }
+  }
+}
+
 TEST_CASE("eigenstrain in layers: symmetric, never feeding energy, and in reach of its limits") {
   const Grid grid(6, 6, 1.0, 1.0, 6, 0.5);
   const VolumeTransform transform(grid, Symmetry::none);

@@ -73,7 +73,7 @@ class WaveInfluence {
       stack_->fill_mode(kx[n], ky[n], 1.0, modes_.data() + n, width);
     }
     const auto component = static_cast<std::size_t>(nz_) * width;
-    const layers::Layout layout{false, {}, component, width};
+    const layers::Layout layout{nz_, false, {}, component, width};
     std::vector<char> used(nz_);
     for (int source = 0; source < nz_; ++source) {
       used[source] = 1;

@@ -19,7 +19,8 @@ using layers::width;
 /// With yz and xz multiplied by i all is real; what is stored lacks (-i) for each mirrored
 /// direction in which the component is odd.
 layers::Layout make_layout(const VolumeSpectrum& spectrum) {
-  layers::Layout at{spectrum.tensor == Tensor::deviator,
+  layers::Layout at{spectrum.nz,
+                    spectrum.tensor == Tensor::deviator,
                     {},
                     spectrum.nz * spectrum.row_size(),
                     spectrum.row_size()};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/layer_sweep.hpp"
 
+#include <algorithm>
+
 #include "samcontact/base/multiversion.hpp"
 #include "samcontact/operators/interface_waves.hpp"
 #include "samcontact/operators/sweep_lanes.hpp"
@@ -57,7 +59,7 @@ struct Block {
     const bool endless = layer.is_endless();
     Lanes v[parts][6];
     Sums sums[parts];
-    for (int k = layer.last - 1; k >= layer.first; --k) {
+    for (int k = std::min(layer.last, layout.nz) - 1; k >= layer.first; --k) {
       for (int p = 0; p < parts; ++p) {
         if (endless) below[k * parts + p] = sums[p].integrals(at);
         sums[p].recede(at[decay]);
@@ -87,7 +89,7 @@ struct Block {
     for (int k = layer.first; k < layer.last; ++k) {
       for (int p = 0; p < parts; ++p) {
         sums[p].recede(at[decay]);
-        sums[p].add(turned[k * parts + p], 1.0);
+        if (k < layout.nz) sums[p].add(turned[k * parts + p], 1.0);
       }
     }
     const Constants constants(layer);
@@ -107,9 +109,9 @@ struct Block {
     }
     for (int k = layer.last - 1; k >= layer.first; --k) {
       for (int p = 0; p < parts; ++p) {
-        below[k * parts + p] = sums[p].integrals(at);
+        if (k < layout.nz) below[k * parts + p] = sums[p].integrals(at);
         sums[p].recede(at[decay]);
-        sums[p].add(turned[k * parts + p], -1.0);
+        if (k < layout.nz) sums[p].add(turned[k * parts + p], -1.0);
       }
     }
   }
@@ -125,7 +127,7 @@ struct Block {
     for (int p = 0; p < parts; ++p) {
       above[p] = that_send(at, constants, waves[n * parts + p].a);
     }
-    for (int k = layer.first; k < layer.last; ++k) {
+    for (int k = layer.first; k < std::min(layer.last, layout.nz); ++k) {
       for (int p = 0; p < parts; ++p) {
         const Turned& t = turned[k * parts + p];
         Sums up = above[p].integrals(at), down = below[k * parts + p];

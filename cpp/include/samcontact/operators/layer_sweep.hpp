@@ -14,6 +14,7 @@ inline constexpr int width = VolumeTransform::lanes;
 
 /// Where the numbers of a tensor lie.
 struct Layout {
+  int nz;  // layers of cells, at most those of the body; below there is no strain
   bool deviator;
   /// By how many quarter turns the stored xx, yy, zz, yz, xz, xy differ from the turned ones.
   int turns[6];
