@@ -229,11 +229,6 @@ def require_flow_below_layers(grid: Grid, residual_stress: str, *bodies: Body) -
                 f'residual_stress must be "fast" where body{n} has layers, got "exact": there are '
                 "no closed forms"
             )
-        if len(grid.periodic) == 1:
-            raise ValueError(
-                f"body{n} must not yield where it has layers and one direction alone is periodic, "
-                f"got grid.periodic = {grid.periodic!r}"
-            )
         for place, depth in enumerate(body.interfaces if grid.dz is not None else ()):
             cells = depth / grid.dz
             if abs(cells - round(cells)) > 1e-6:

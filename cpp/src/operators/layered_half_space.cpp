@@ -17,10 +17,6 @@ namespace {
                               ": give a homogeneous body instead");
 }
 
-void require_free(const Grid& grid) {
-  if (grid.period.is_on()) refuse("displacement of plastic strain on a periodic grid");
-}
-
 class LayeredHalfSpace : public Medium {
  public:
   explicit LayeredHalfSpace(Stack stack) : stack_(std::move(stack)) {}
@@ -63,7 +59,6 @@ class LayeredHalfSpace : public Medium {
   }
   Field residual_displacement(Axis axis, const Grid& grid, const CellOffsets& offsets,
                               int layer) const override {
-    require_free(grid);
     return layered_residual_displacement(stack_, axis, grid, offsets, layer);
   }
 
@@ -75,11 +70,16 @@ class LayeredHalfSpace : public Medium {
   std::unique_ptr<ResidualDisplacement> residual_displacement(
       Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,
       const ResidualDisplacement* shallower) const override {
-    require_free(grid);
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
     const auto lattice = CellOffsets::lattice(offsets.nx, offsets.ny);
     const auto layer = [&](int k) {
-      return layered_residual_displacement(stack_, axis, grid, lattice, k);
+      if (!grid.period.is_on()) {
+        return layered_residual_displacement(stack_, axis, grid, lattice, k);
+      }
+      const auto cell = [&](const Grid& own, bool turned) {
+        return layered_residual_of_cell(stack_, turned ? exchanged(axis) : axis, own, k);
+      };
+      return sums_.sum(grid, lattice, cell, exchanged_components);
     };
     return std::make_unique<ResidualDisplacement>(grid, transform, axis, layer, grid.nz, tensor,
                                                   shallower);

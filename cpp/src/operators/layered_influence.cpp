@@ -252,35 +252,81 @@ CellInfluence layered_stress_of_cell(const Stack& stack, Traction traction, cons
   return influence;
 }
 
+namespace {
+
+/// Displacement along an axis under the waves of eigenstrain in a layer of cells, [6], from the
+/// mean stress of a traction there: Betti, the work of a traction on the displacement is that of
+/// its stress on the eigenstrain.
+struct ResidualWaves {
+  Stack stack;
+  Traction traction;
+  double z0, z1, nu, longest;
+  int own;  // layer of the stack
+
+  ResidualWaves(const Stack& of, Axis axis, const Grid& grid, int layer)
+      : stack(of),
+        traction(traction_along(axis)),
+        z0(layer * grid.dz),
+        z1((layer + 1) * grid.dz),
+        longest(std::max(longest_length(of), z1)),
+        own(of.layer_at(0.5 * (z0 + z1))) {
+    nu = stack.elastic(own).nu;
+  }
+
+  void evaluate(kernels::LayeredWave& wave, double kx, double ky, double* values) const {
+    const double q = std::hypot(kx, ky);
+    wave.set_wavenumber(q);
+    const auto stress = stress_of(wave, traction, own, wave.mean(own, z0, z1), kx / q, ky / q);
+    for (int c = 0; c < 6; ++c) values[c] = (z1 - z0) * betti_factor(traction, c) * stress[c];
+  }
+  /// Less that of a half-space of the layer's own constants.
+  kernels::RingWaves rest() const {
+    const auto at = [waves = *this, wave = kernels::LayeredWave(stack)](double kx, double ky,
+                                                                        double* values) mutable {
+      const auto [x, y] = moved_from_zero(kx, ky, waves.longest);
+      waves.evaluate(wave, x, y, values);
+      const auto near = wave_mean(waves.traction, x, y, waves.z0, waves.z1, waves.nu);
+      for (int c = 0; c < 6; ++c) {
+        values[c] -= (waves.z1 - waves.z0) * betti_factor(waves.traction, c) * near[c];
+      }
+    };
+    kernels::RingWaves rings{{}, at, highest_stress_wave(stack, own, own > 0 ? z0 : z1), longest};
+    for (int c = 0; c < 6; ++c) rings.parities.push_back(stress_parity(traction, c));
+    return rings;
+  }
+};
+
+}  // namespace
+
 Field layered_residual_displacement(const Stack& stack, Axis axis, const Grid& grid,
                                     const CellOffsets& offsets, int layer) {
-  const double z0 = layer * grid.dz, z1 = (layer + 1) * grid.dz;
-  const int own = stack.layer_at(0.5 * (z0 + z1));
-  const double nu = stack.elastic(own).nu;
-  Field table = cell_residual_displacement(nu, axis, grid, offsets, layer);
+  const ResidualWaves waves(stack, axis, grid, layer);
+  Field table = cell_residual_displacement(waves.nu, axis, grid, offsets, layer);
   if (stack.layers.empty()) return table;
-  const double longest = std::max(longest_length(stack), z1);
-  // Betti: the work of a traction on the displacement is that of its stress on the eigenstrain.
-  const Traction traction = traction_along(axis);
-  kernels::RingWaves waves{{}, {}, highest_stress_wave(stack, own, own > 0 ? z0 : z1), longest};
-  std::array<double, 6> factors{};
-  for (int c = 0; c < 6; ++c) {
-    waves.parities.push_back(stress_parity(traction, c));
-    factors[c] = betti_factor(traction, c) * grid.dz;
-  }
-  kernels::LayeredWave wave(stack);
-  waves.at = [&](double kx, double ky, double* values) {
-    const auto [x, y] = moved_from_zero(kx, ky, longest);
-    const double q = std::hypot(x, y);
-    wave.set_wavenumber(q);
-    const auto stress = stress_of(wave, traction, own, wave.mean(own, z0, z1), x / q, y / q);
-    const auto near = wave_mean(traction, x, y, z0, z1, nu);
-    for (int c = 0; c < 6; ++c) values[c] = factors[c] * (stress[c] - near[c]);
-  };
   const auto [x, y] = offsets.in_metres(grid.dx, grid.dy);
-  const Field sums = kernels::ring_sums(waves, grid.dx, grid.dy, x, y);
+  const Field sums = kernels::ring_sums(waves.rest(), grid.dx, grid.dy, x, y);
   for (std::size_t n = 0; n < table.size(); ++n) table[n] += sums[n];
   return table;
+}
+
+CellInfluence layered_residual_of_cell(const Stack& stack, Axis axis, const Grid& grid, int layer) {
+  const ResidualWaves waves(stack, axis, grid, layer);
+  CellInfluence influence = residual_of_cell(waves.nu, axis, grid, layer);
+  influence.cell = [=](int nx, int ny) {
+    return layered_residual_displacement(stack, axis, grid, CellOffsets::lattice(nx, ny), layer);
+  };
+  influence.wave = [=, wave = kernels::LayeredWave(stack)](double kx, double ky,
+                                                           double* values) mutable {
+    waves.evaluate(wave, kx, ky, values);
+  };
+  influence.strip = [=, near = influence.strip](int nx) {
+    Field sums = near(nx);
+    const auto offsets = CellOffsets::lattice(nx, 1).in_metres(grid.dx, grid.dy);
+    const Field rings = kernels::ring_strip_sums(waves.rest(), grid.dx, offsets.x);
+    for (std::size_t n = 0; n < sums.size(); ++n) sums[n] += rings[n];
+    return sums;
+  };
+  return influence;
 }
 
 }  // namespace samcontact::operators

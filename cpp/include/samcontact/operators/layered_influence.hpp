@@ -27,5 +27,6 @@ CellInfluence layered_stress_of_cell(const Stack& stack, Traction traction, cons
 /// between two depths inside one layer [component][j][i] [m].
 Field layered_residual_displacement(const Stack& stack, Axis axis, const Grid& grid,
                                     const CellOffsets& offsets, int layer);
+CellInfluence layered_residual_of_cell(const Stack& stack, Axis axis, const Grid& grid, int layer);
 
 }  // namespace samcontact::operators
