@@ -21,6 +21,7 @@ PARTS = (
     "plastic_zones",
     "operators",
     "images",
+    "layers",
     "nano_indentation",
     "heat",
     "rolling",

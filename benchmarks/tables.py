@@ -24,7 +24,7 @@ WORK = (
     "surface_applications",
     "volume_applications",
 )
-TIMES = ("time_s", "us_per_cell_and_application")  # mean something on one machine only
+TIMES = ("time_s", "us_per_cell_and_application", "ms_per_iteration")  # mean something on one machine only
 
 
 def frame(rows: list[dict[str, Any]]) -> pd.DataFrame:
