@@ -24,7 +24,8 @@ WORK = (
     "surface_applications",
     "volume_applications",
 )
-TIMES = ("time_s", "us_per_cell_and_application", "ms_per_iteration")  # mean something on one machine only
+# What means something on one machine only.
+TIMES = ("time_s", "us_per_cell_and_application", "ms_per_iteration")
 
 
 def frame(rows: list[dict[str, Any]]) -> pd.DataFrame:
