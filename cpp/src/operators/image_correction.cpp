@@ -4,15 +4,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "samcontact/base/multiversion.hpp"
 #include "samcontact/base/threads.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
-#include "samcontact/kernels/eigenstrain_terms.hpp"
 #include "samcontact/operators/image_influence.hpp"
-#include "samcontact/operators/image_lattice.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -71,22 +68,17 @@ void subtract_plane(const double* nodes, int nx, int ny, const double* along_x, 
   }
 }
 
-/// Coarse cells over half a period, and rings of images summed one by one, for a tolerance.
-struct Effort {
-  int cells, rings;
-};
-
 /// By how much the error falls with each coarse cell over half a period.
 constexpr double rate = 2.6;
 
-/// Measured on boxes full of strain: the error is 10^-(1 + 0.42 cells) of the largest stress.
-Effort effort(double tol) {
-  const int cells = static_cast<int>(std::ceil((-std::log10(tol) - 1.0) / 0.42));
-  return {std::max(cells, 2), cells > 5 ? 2 : 1};
+/// Coarse cells over half a period for a tolerance. Measured on boxes full of strain: the error is
+/// 10^-(1 + 0.42 cells) of the largest stress.
+int cells_over_period(double tol) {
+  return std::max(static_cast<int>(std::ceil((-std::log10(tol) - 1.0) / 0.42)), 2);
 }
 
 /// Of waves, in units of the tolerance.
-constexpr double neglected = 0.01;
+constexpr double neglected = 0.03;
 
 /// Over an axis whose length is `ratio` half periods, where `cells` are needed over one. Over a
 /// shorter axis polynomials converge faster: by `rate` and the ratio with each cell.
@@ -116,7 +108,7 @@ void chebyshev_means(double a, double b, int n, double* means) {
 }  // namespace
 
 ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double extent, int coarse,
-                                                 int order, bool mirrored, Through through) {
+                                                 int order, bool mirrored, bool means) {
   Axis axis;
   axis.fine = fft::stored_cells(fine, mirrored);
   axis.coarse = coarse;
@@ -142,14 +134,13 @@ ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double exte
     const double x = (i + 0.5) * d / axis.cell;
     const int first = std::clamp(static_cast<int>(std::lround(x - 0.5 * order)), 0, coarse - order);
     const double u = 2 * (x - first) / order - 1, half = d / axis.cell / order;
-    if (through != Through::points) {
+    if (means) {
       chebyshev_means(u - half, u + half, order, row.data());
     } else {
       chebyshev(u, order, row.data());
     }
     const Eigen::VectorXd source = moments.solve(row) * (d / axis.cell);
-    const Eigen::VectorXd value =
-        through == Through::means ? moments.solve(row) : interpolants.solve(row);
+    const Eigen::VectorXd value = means ? moments.solve(row) : interpolants.solve(row);
     const int middle = fine - axis.fine;  // the first stored cell
     const bool stored = i >= middle;
     const int at = stored ? i - middle : fine - 1 - i - middle;
@@ -167,24 +158,16 @@ ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double exte
 ImageCorrection::ImageCorrection(const Grid& grid, const VolumeTransform& transform,
                                  const Stack& body, double tol)
     : period_x_(transform.mx() * grid.dx), period_y_(transform.my() * grid.dy) {
-  const auto [cells, rings] = effort(tol);
+  const int cells = cells_over_period(tol);
   const double shortest = 0.5 * std::min(period_x_, period_y_);
   const auto count = [&, n = cells](double extent) {
     return std::max(n, static_cast<int>(std::ceil(n * extent / shortest - 1e-9)));
   };
   x_ = make_axis(grid.nx, grid.dx, 0.5 * period_x_, count(0.5 * period_x_), cells,
-                 transform.symmetry() == Symmetry::xy, Through::points);
+                 transform.symmetry() == Symmetry::xy, false);
   y_ = make_axis(grid.ny, grid.dy, 0.5 * period_y_, count(0.5 * period_y_), cells,
-                 transform.symmetry() != Symmetry::none, Through::points);
-  if (!body.layers.empty()) {
-    build_layered(grid, body, tol);
-    return;
-  }
-  const double depth = grid.nz * grid.dz;
-  const int layers = std::max(2, cells_over_depth(depth / shortest, cells));
-  z_ = make_axis(grid.nz, grid.dz, depth, layers, std::min(layers, cells), false,
-                 Through::points_for_means);
-  build_influence(body.substrate, rings);
+                 transform.symmetry() != Symmetry::none, false);
+  build_layers(grid, body, tol);
 }
 
 ImageCorrection::Axis ImageCorrection::joined(const std::vector<Axis>& layers) {
@@ -208,8 +191,8 @@ ImageCorrection::Axis ImageCorrection::joined(const std::vector<Axis>& layers) {
   return all;
 }
 
-void ImageCorrection::build_layered(const Grid& grid, const Stack& body, double tol) {
-  const int cells = effort(tol).cells;
+void ImageCorrection::build_layers(const Grid& grid, const Stack& body, double tol) {
+  const int cells = cells_over_period(tol);
   const double shortest = 0.5 * std::min(period_x_, period_y_);
   auto layers = layers::swept_layers(body, grid.nz, grid.dz);
   std::vector<Axis> axes;
@@ -217,8 +200,8 @@ void ImageCorrection::build_layered(const Grid& grid, const Stack& body, double 
     if (layer.cells == 0) continue;
     const double depth = layer.cells * layer.cell;
     const int coarse = std::min(layer.cells, cells_over_depth(depth / shortest, cells));
-    axes.push_back(make_axis(layer.cells, layer.cell, depth, coarse, std::min(coarse, cells), false,
-                             Through::means));
+    axes.push_back(
+        make_axis(layer.cells, layer.cell, depth, coarse, std::min(coarse, cells), false, true));
     layer.cells = coarse;
     layer.cell = depth / coarse;
   }
@@ -226,53 +209,6 @@ void ImageCorrection::build_layered(const Grid& grid, const Stack& body, double 
   const layers::SweptStack stack(layers, body.substrate.is_rigid());
   influence_ = image_influence(stack, {x_.cell, x_.coarse, period_x_},
                                {y_.cell, y_.coarse, period_y_}, neglected * tol);
-}
-
-void ImageCorrection::build_influence(const Elastic& elastic, int rings) {
-  // Lengths in units of the coarse cell along x.
-  const double aspect = y_.cell / x_.cell, dz = z_.cell / x_.cell;
-  const double longest = std::max(period_x_, period_y_);
-  const auto count = [&](double period) {
-    return std::max(rings, static_cast<int>(std::lround((rings + 0.5) * longest / period - 0.5)));
-  };
-  const int cx = x_.coarse, cy = y_.coarse, cz = z_.coarse;
-  const ImageLattice lattice{cx, cy, aspect, count(period_x_), count(period_y_)};
-  const int offsets = (2 * cx - 1) * (2 * cy - 1);
-  const Field full = lattice_sums<kernels::full_space_count>(
-      lattice, cz, [dz](int level) { return (level - 0.5) * dz; }, kernels::full_space_scalars,
-      kernels::full_space_parity);
-  const Field image = lattice_sums<kernels::image_count>(
-      lattice, 2 * cz - 1, [dz](int level) { return (level + 0.5) * dz; }, kernels::image_scalars,
-      kernels::image_parity);
-
-  const double nu = elastic.nu;
-  const double factor = elastic.shear_modulus() / (8 * std::numbers::pi * (1 - nu));
-  influence_.assign(static_cast<std::size_t>(cz) * cz * offsets * matrix, 0.0);
-  for (int field = 0; field < cz; ++field) {
-    const double z = (field + 0.5) * dz;
-    const double powers[3] = {1.0, z, z * z};
-    for (int source = 0; source < cz; ++source) {
-      double* to =
-          influence_.data() + static_cast<std::size_t>(field * cz + source) * offsets * matrix;
-      const auto add = [&](const double* from, int pair, double coefficient) {
-        for (int n = 0; n < offsets; ++n) to[n * matrix + pair] += coefficient * from[n];
-      };
-      for (const auto& term : kernels::full_space_terms) {
-        const bool odd = kernels::full_space_parity(term.kernel).odd_z && field < source;
-        add(full.data() +
-                (static_cast<std::size_t>(std::abs(field - source)) * kernels::full_space_count +
-                 term.kernel) *
-                    offsets,
-            term.in * width + term.out, (odd ? -factor : factor) * term.coefficient(nu));
-      }
-      for (const auto& term : kernels::image_terms) {
-        add(image.data() +
-                (static_cast<std::size_t>(field + source) * kernels::image_count + term.kernel) *
-                    offsets,
-            term.in * width + term.out, factor * powers[term.power] * term.coefficient(nu));
-      }
-    }
-  }
 }
 
 Field ImageCorrection::coarse_strain(Tensor tensor, const double* strain) const {

@@ -3,9 +3,8 @@
 //
 // Inside the box the field of all images is smooth: the nearest is half a period away. It is
 // therefore found from the polynomial moments of the eigenstrain on a few coarse cells of each
-// layer, through influence coefficients summed over the lattice of images, those of cuboids or, of
-// layered bodies, of waves, and interpolated by polynomials. The error falls exponentially with the
-// number of coarse cells.
+// layer of the body, through influence coefficients summed over the lattice of images, and
+// interpolated by polynomials. The error falls exponentially with the number of coarse cells.
 #pragma once
 
 #include "samcontact/base/grid.hpp"
@@ -38,17 +37,15 @@ class ImageCorrection : public Images {
     /// [coarse][fine], likewise: on the mirror itself what is odd vanishes.
     Field interpolants[2];
   };
-  /// What polynomials through coarse cells go through, and what is taken of them for fine ones:
-  /// values at centres, or means over a cell.
-  enum class Through { points, points_for_means, means };
+  /// means: polynomials through means over the coarse cells and their means over the fine ones,
+  /// else through values at centres.
   static Axis make_axis(int fine, double d, double extent, int coarse, int order, bool mirrored,
-                        Through through);
+                        bool means);
 
   /// Of layers one below the other.
   static Axis joined(const std::vector<Axis>& layers);
-  void build_influence(const Elastic& elastic, int rings);
-  /// By waves, of any body; the axis along z is made with it.
-  void build_layered(const Grid& grid, const Stack& body, double tol);
+  /// Also makes the axis along z.
+  void build_layers(const Grid& grid, const Stack& body, double tol);
   Field coarse_strain(Tensor tensor, const double* strain) const;
   Field coarse_stress(const Field& strain) const;
 
