@@ -212,6 +212,14 @@ def require_bodies(*bodies: Any) -> None:
             )
 
 
+def require_homogeneous(why: str, *bodies: Any) -> None:
+    """Raise TypeError for what is no material, ValueError with the reason for layers of them."""
+    for n, body in enumerate(bodies, 1):
+        if isinstance(body, Layered):
+            raise ValueError(f"body{n} must be a Material, got {len(body.layers)} layer(s): {why}")
+        require_type(f"body{n}", body, Material)
+
+
 def require_flow_below_layers(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
     """Raise ValueError for plastic flow that layers do not serve; whether there is any."""
     flows = False

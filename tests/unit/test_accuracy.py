@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Asking for an accuracy: errors are stated and larger than the true ones, or a remedy is named."""
 
+import json
 import math
 import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +16,7 @@ from samcontact.accuracy.scene import Run
 from samcontact.cases import Case as SectionsOfCase
 from samcontact.cases import CaseError
 
+REFERENCE = Path(__file__).parents[2] / "reference"
 STEEL = {"law": "elastic", "E": 210e9, "nu": 0.3}
 SWIFT = {"law": "swift", "E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121}
 BALL = {"shape": "paraboloid", "Rx": 7.5e-3}
@@ -44,6 +47,39 @@ def test_hertz_contact_is_closer_than_the_stated_error(ratio):
     cells = [nx * ny for nx, ny, *_ in found.runs]
     assert cells == sorted(cells)
     assert cells[-1] < 10_000
+
+
+@pytest.mark.parametrize("name", ["4_1", "0.25_0.1", "thin_stiff"])
+def test_coated_bodies_are_closer_than_the_stated_error(name):
+    """Against solutions of the integral equation of a ball on a layer."""
+    case = json.loads((REFERENCE / "layers" / "coated.json").read_text())[name]
+    *layers, (E, nu, _) = case["layers"]
+    E_star = E / (1 - nu**2)
+    coated = {
+        "law": "elastic", "E": E * 1e11, "nu": nu,
+        "layers": [{"E": e * 1e11, "nu": n, "thickness": h} for e, n, h in layers],
+    }  # fmt: skip
+    found = sc.to_accuracy(
+        {
+            "body1": {"law": "rigid"}, "body2": coated,
+            "surface": {"shape": "paraboloid", "Rx": 2 * E_star / math.pi},
+            "path": [{"load": 2 / 3 * math.pi * 1e11}],
+        },
+        0.005,
+    )  # fmt: skip
+    assert found.reached
+    # Stress jumps at interfaces: it is none of what is told.
+    assert set(found.values) == {"max_pressure", "approach", "contact_area"}
+    truth = {
+        "max_pressure": case["p_max"] * 1e11,
+        "approach": case["approach"] * math.pi / (2 * E_star),
+    }
+    for quantity, exact in truth.items():
+        error = abs(found.values[quantity] - exact)
+        assert error <= found.errors[quantity] + 1e-6 * exact
+        assert found.errors[quantity] <= 0.005 * exact
+    assert found.values["contact_area"] == pytest.approx(math.pi * case["a"] ** 2, rel=0.005)
+    assert found.to_dataset().sizes["x"] == found.runs[-1][0]
 
 
 def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():

@@ -51,6 +51,12 @@ def test_what_layers_do_not_serve_is_refused_by_name():
     coated = sc.Layered([(NITRIDE, 2e-6)], STEEL)
     with pytest.raises(ValueError, match=r"heat.factor of body2 must be 0.*layers"):
         sc.ContactSolver(sc.Grid(8, 8, 1e-6, 1e-6), RIGID, coated, 0.1, heat=sc.Heat((0.0, 0.1)))
+    grid = sc.Grid(8, 8, 1e-6, 1e-6, dz=1e-6)
+    with pytest.raises(ValueError, match=r"body2 must be a Material, got 1 layer.*equally thick"):
+        sc.wear.run(
+            grid, RIGID, coated, np.zeros((8, 8)),
+            cycle=[{"load": 1.0}], threshold=1e-3, smoothing_length=2e-6,
+        )  # fmt: skip
     with pytest.raises(TypeError, match="body1 must be homogeneous, with E and nu"):
         sc.hertz.effective_modulus(coated, STEEL)
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from .. import _certified, _memory, hertz
 from .._checks import FloatArray
-from ..layered import softest
+from ..layered import Layered, softest
 from ..runs.identity import Identity, identity
 from ..runs.solves import Solves
 from ..zone import strained_extent
@@ -130,7 +130,9 @@ class Refinable:
         """Whether the number of increments matters."""
         drives = {name for step in case.steps() for name in ("load", "approach") if name in step}
         given = drives if len(drives) == 1 else set()
-        names = _certified.names(self.bodies, case.output.body)
+        # Stress that jumps at interfaces has no largest value that cells tell.
+        self.layered = any(isinstance(body, Layered) for body in self.bodies)
+        names = _certified.names(self.bodies, case.output.body, volume=not self.layered)
         self.names = [name for name in names if name not in given]
         contact: Any = case.contact
         self.tol = float(contact.tol)
@@ -202,7 +204,7 @@ class Refinable:
         cells = self.cells(level)
         sizes = [a / cells for a in self.semi_axes]
         counts = [2 * math.ceil(half / d) + 1 for half, d in zip(self.half, sizes, strict=True)]
-        layers = 0 if self.yields else math.ceil(_DEPTH * cells) + 2
+        layers = 0 if self.yields or self.layered else math.ceil(_DEPTH * cells) + 2
         grid = GridSection(
             nx=counts[0], ny=counts[1], dx=sizes[0], dy=sizes[1], nz=layers, dz=min(sizes)
         )
@@ -314,9 +316,6 @@ def require_refinable(case: Case) -> None:
         raise ValueError("wear: accuracy is of one contact, not of cycles of wear: give [grid]")
     if case.grid is not None and case.grid.periodic:
         raise ValueError("grid.periodic: accuracy chooses the window, so it cannot repeat itself")
-    for name in ("body1", "body2"):
-        if getattr(case, name).coating:
-            raise ValueError(f"{name}.layers: accuracy is of homogeneous bodies: give [grid]")
     surface: Any = case.surface
     if surface.shape == "file":
         raise ValueError(f"surface.shape = 'file' is known in points of its file only: {remedy}")

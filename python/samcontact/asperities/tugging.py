@@ -12,6 +12,7 @@ from .._checks import integer, require_type
 from .._progress import progress_bar
 from .._repr import Brief
 from ..grid import Grid
+from ..layered import require_homogeneous
 from ..material import Material
 from ..relief import Relief
 from ..runs.journal import journal_of
@@ -103,8 +104,7 @@ def tug(
         belongs to a pass is NaN in one that has not come to its end.
     """
     require_type("collision", collision, Collision)
-    require_type("body1", body1, Material)
-    require_type("body2", body2, Material)
+    require_homogeneous("asperities that tug are homogeneous", body1, body2)
     require_type("grid", grid, Grid)
     for name in ("friction", "heat"):
         if settings.get(name):

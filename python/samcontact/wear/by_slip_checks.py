@@ -21,8 +21,10 @@ from .._checks import (
 )
 from ..friction import Coulomb, GivenAlong
 from ..grid import Grid
+from ..layered import require_homogeneous
 from ..material import Material
 from ..relief import Relief, relief_rows
+from .checks import NO_WORN_LAYERS
 from .results import FrettingCycle
 
 _TAKEN = ("load", "approach", "shift", "tangential_load", "twist", "torque")
@@ -72,8 +74,8 @@ def make_scene(
 ) -> FrettingScene:
     """Check everything but what `Simulation` checks itself."""
     require_type("grid", grid, Grid)
+    require_homogeneous(NO_WORN_LAYERS, *bodies)
     for n, body in enumerate(bodies, 1):
-        require_type(f"body{n}", body, Material)
         if body.is_plastic:
             raise ValueError(
                 f"body{n} must not yield, got {body.law}: fretting wears elastic bodies; "

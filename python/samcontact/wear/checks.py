@@ -23,6 +23,7 @@ from .._checks import (
 from .._told import SMALL_STRAIN
 from ..contact import ContactSolver
 from ..grid import Grid
+from ..layered import require_homogeneous
 from ..material import Material
 from ..relief import Relief, heights_over, relief_rows
 from .results import Cycle
@@ -34,6 +35,7 @@ YIELD_STRAIN = 20e-6
 The elastic strain of a hard steel at yield is about 1 %: a threshold of 0.2 % is one of the plastic
 strain alone, and far beyond yield.
 """
+NO_WORN_LAYERS = "a layer that wears is not equally thick, as those of a Layered are"
 _AS_WIDE = math.sqrt(12.0)
 """Width of a moving mean over the standard deviation of a Gaussian that spreads as far."""
 _BESIDE = 4
@@ -86,8 +88,7 @@ def make_scene(
     require_type("grid", grid, Grid)
     if not grid.has_volume:
         raise ValueError("grid must have layers (dz) for the plastic strain, got dz = None")
-    for n, body in enumerate(bodies, 1):
-        require_type(f"body{n}", body, Material)
+    require_homogeneous(NO_WORN_LAYERS, *bodies)
     given = finite_array("gap", gap, grid.surface_shape)
     limit = number("threshold", threshold)
     if not YIELD_STRAIN < limit < SMALL_STRAIN:
