@@ -81,7 +81,7 @@ def parts(state: State, name: str) -> tuple[float, ...]:
     else:
         own = None if field == "equivalent_plastic_strain" else state._in_own_box(field, body)
         fields = [getattr(state, field)(body) if own is None else own]
-    found = [_below_and_at_surface(f if f.ndim == 3 else von_mises(f)) for f in fields]
+    found = [below_and_at_surface(f if f.ndim == 3 else von_mises(f)) for f in fields]
     below, surface = (max(values) for values in zip(*found, strict=True))
     most = _largest_yield_stress(state, body) if kind == "max_von_mises" else math.inf
     return min(below, most), min(surface, most)
@@ -141,7 +141,7 @@ def _risen(values: FloatArray, at: tuple[np.intp, ...]) -> float:
     return risen
 
 
-def _below_and_at_surface(field: FloatArray) -> tuple[float, float]:
+def below_and_at_surface(field: FloatArray) -> tuple[float, float]:
     """Largest of what rises and falls with the depth, and of a parabola at depth 0.
 
     The parabola goes through the first three layers where the values grow towards the surface;

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 from . import _certified, half_resolution
 from ._quantities import described
-from .layered import Body, Layered, materials_of
+from ._tensors import von_mises
+from .layered import Layered
 from .material import Material
 
 if TYPE_CHECKING:
     from .cases import Case
     from .simulation import Simulation
+    from .state import State
 
 YIELD = "yield"
 PERMANENT = "permanent_deformation"
@@ -54,12 +56,12 @@ def resolved(name: str, simulation: Simulation) -> str:
             raise ValueError('quantity = "yield" needs a body that yields')
         if any(body.softening for body in bodies):
             raise ValueError('quantity = "yield" is not for bodies that soften by heat')
-        if any(_differs_over_depth(body) for body in bodies):
-            raise ValueError(
-                'quantity = "yield" is of one yield stress, not for bodies with a '
-                "yield profile or residual stress, or of layers: find max_plastic_strain of a "
-                "small value, e.g. 1e-6, or take critical.onset_over_depth"
-            )
+        for n, body in enumerate(bodies, 1):
+            if isinstance(body, Layered) and body.is_plastic:
+                raise ValueError(
+                    f'quantity = "yield" is not for layers, which body{n} has: find '
+                    "max_plastic_strain of a small value, e.g. 1e-6"
+                )
         if not simulation.grid.has_volume:
             raise ValueError('quantity = "yield" needs a grid with dz')
         return name
@@ -92,11 +94,6 @@ def label_and_unit(name: str) -> tuple[str, str]:
     return known.heading if body is None else f"{known.heading}, body {body}", unit
 
 
-def _differs_over_depth(body: Body) -> bool:
-    layered = isinstance(body, Layered) and body.is_plastic
-    return layered or any(m.yield_profile or m.residual_stress for m in materials_of(body))
-
-
 def elastic(simulation: Simulation) -> Simulation:
     """With bodies that do not yield."""
     bodies = {}
@@ -104,5 +101,30 @@ def elastic(simulation: Simulation) -> Simulation:
         body = getattr(simulation, name)
         if body.is_plastic:
             made = Material.elastic(body.E, body.nu)
-            bodies[name] = made if body.thermal is None else made.with_thermal(*body.thermal)
+            made = made if body.thermal is None else made.with_thermal(*body.thermal)
+            start = body.residual_stress
+            bodies[name] = made if start is None else made.with_residual_stress(*start)
     return half_resolution.remade(simulation, **bodies)
+
+
+def is_graded(body: Material) -> bool:
+    """Whether its strength or its stress of the start changes with depth."""
+    return body.yield_profile is not None or body.residual_stress is not None
+
+
+def used_strength(state: State, n: int, body: Material) -> float:
+    """Largest von Mises stress of an elastic state over the yield stress of its depth.
+
+    Raises ValueError where the layers of the state may end above it.
+    """
+    least = float(body.yield_stress(0.0))
+    if not is_graded(body):
+        return _certified.value(state, f"max_von_mises_body{n}") / least
+    used = von_mises(state.stress(n)) / (least * body.yield_factor(state.depths))
+    over_depth = used.max(axis=(0, 1))
+    if over_depth.argmax() == len(over_depth) - 1:
+        raise ValueError(
+            f"body{n} yields in the last layer of the grid, at {state.depths[-1]:.4g} m, or below: "
+            "give a grid with more layers (nz)"
+        )
+    return max(_certified.below_and_at_surface(used))

@@ -22,9 +22,11 @@ from ._load_scenes import (
     Built,
     Scaled,
     elastic,
+    is_graded,
     label_and_unit,
     of_case,
     resolved,
+    used_strength,
 )
 from ._progress import tell
 from ._repr import Rows, Shown, quantity
@@ -154,22 +156,31 @@ class Search:
         return float(reached / self.target - 1.0)
 
     def _reached(self, state: State) -> float:
-        values = [_certified.value(state, name) / by for name, by in self.parts.items()]
+        if self.name == YIELD:
+            return max(used_strength(state, n, body) for n, body in self.yielding.items())
+        values = [_certified.value(state, name) for name in self.parts]
         return sum(values) if self.name == PERMANENT else max(values)
 
     @property
-    def parts(self) -> dict[str, float]:
-        """What the quantity is the largest (or the sum) of, each divided by a number."""
+    def yielding(self) -> dict[int, Material]:
+        """Materials that can, by the numbers of bodies."""
+        bodies = enumerate(self.bodies, 1)
+        return {n: body for n, body in bodies if isinstance(body, Material) and body.is_plastic}
+
+    @property
+    def parts(self) -> list[str]:
+        """What the quantity is the largest (or the sum) of, by names in results files."""
         if self.name == PERMANENT:
             bodies = enumerate(self.bodies, 1)
-            return {f"print_depth_body{n}": 1.0 for n, body in bodies if body.is_plastic}
+            return [f"print_depth_body{n}" for n, body in bodies if body.is_plastic]
         if self.name != YIELD:
-            return dict.fromkeys(self.name.split(","), 1.0)
-        return {
-            f"max_von_mises_body{n}": float(body.yield_stress(0.0))
-            for n, body in enumerate(self.bodies, 1)
-            if isinstance(body, Material) and body.is_plastic
-        }
+            return self.name.split(",")
+        return [f"max_von_mises_body{n}" for n in self.yielding]
+
+    @property
+    def is_graded(self) -> bool:
+        """Whether yield is looked for where strength changes with depth."""
+        return self.name == YIELD and any(map(is_graded, self.yielding.values()))
 
     def refuse(self, why: object) -> ValueError:
         reached, load = self.largest
@@ -205,7 +216,8 @@ def find_load(
         body the larger of both. It is taken under the largest load and at the end of the path, the
         larger of both. "permanent_deformation": the depths of the prints of both bodies together,
         at the end of the path. "yield": largest von Mises stress over yield stress of bodies that
-        stay elastic, 1 where the first one yields.
+        stay elastic, 1 where the first one yields, wherever strength and stress of the start change
+        with depth.
     value : float, optional
         To be reached, > 0, in SI units.
     tolerance : float, optional
@@ -226,7 +238,8 @@ def find_load(
     ------
     ValueError
         The value is not reached; the text has the largest one. An argument out of range, a case
-        without loads, wear; with "yield", bodies that cannot, or that soften; a `checkpoint` of
+        without loads, wear; with "yield", bodies that cannot, that
+        have layers, that soften, or that yield in the last layer of the grid; a `checkpoint` of
         another call.
     """
     search = searched(
@@ -338,6 +351,8 @@ def _outcome(search: Search, load: float, missing: float, slope: float) -> Found
     try:
         estimated = estimate_errors(simulation, path, states)
         errors = [_relative(estimated.values[n], estimated.errors[n]) for n in search.parts]
+        if search.is_graded:  # kinks of strength are known to a layer
+            errors.append(abs(search.on_coarse(load) - missing))
         error = max(errors)
     except (ValueError, ConvergenceError, MemoryError):  # it has none, which NaN tells
         error = math.nan

@@ -17,12 +17,12 @@ def test_peak_of_a_parabola_lies_between_its_cells():
     x, y, z = np.meshgrid(np.arange(7) - 3.3, np.arange(9) - 4.4, np.arange(5) + 0.5, indexing="ij")
     field = 5.0 - 0.3 * x**2 - 0.2 * y**2 - 0.1 * (z - 2.2) ** 2
     assert _certified.peak_value(field) == pytest.approx(5.0, rel=1e-14)
-    below, surface = _certified._below_and_at_surface(field)
+    below, surface = _certified.below_and_at_surface(field)
     assert below == pytest.approx(5.0, rel=1e-14)
     assert surface == 0.0
     # of what grows up to the surface it is the value there, half a layer above the first centres
     falling = 5.0 - 0.3 * x**2 - 0.2 * y**2 - 0.1 * (z + 1.0) ** 2
-    assert _certified._below_and_at_surface(falling) == pytest.approx((0.0, 4.9), rel=1e-14)
+    assert _certified.below_and_at_surface(falling) == pytest.approx((0.0, 4.9), rel=1e-14)
 
 
 @pytest.mark.parametrize("even", [0, 1])

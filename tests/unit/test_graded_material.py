@@ -37,16 +37,35 @@ def test_tables_tell_it():
         assert row in table
 
 
-def test_first_yield_is_not_that_of_one_yield_stress():
-    grid = sc.Grid(9, 9, 60e-6, 60e-6, 6, 40e-6)
-    gap, body = sc.surfaces.paraboloid(grid, 7.5e-3), PLAIN.with_yield_profile(*WEAK)
-    text = "is of one yield stress, not for bodies with a yield profile"
+CASE = PLAIN.with_yield_profile([0.0, 110e-6, 130e-6], [2.2, 2.0, 1.0])
+PEENED = PLAIN.with_residual_stress([0.0, 200e-6], [-4e8, 0.0])
+
+
+@pytest.mark.parametrize("body", [CASE, PEENED], ids=["case", "peened"])
+def test_the_load_of_first_yield_is_that_of_the_closed_form(body):
+    exact = sc.critical.onset_over_depth(7.5e-3, sc.hertz.effective_modulus(RIGID, body), body)
+
+    def built(load):
+        cell = exact.a / 12
+        grid = sc.Grid(33, 33, cell, cell, 26, cell)
+        return sc.Simulation(
+            grid, RIGID, body, lambda grid: sc.surfaces.paraboloid(grid, 7.5e-3)
+        ), [{"load": load}]
+
+    found = sc.find_load(built, "yield", largest_load=3 * exact.load)
+    assert abs(found.load - exact.load) < found.load_error < 0.2 * exact.load
+
+
+def test_first_yield_below_the_grid_is_refused():
+    body = PLAIN.with_yield_profile([0.0, 100e-6, 120e-6], [5.0, 5.0, 1.0])
+    grid = sc.Grid(17, 17, 20e-6, 20e-6, 8, 15e-6)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
 
     def built(load):
         return sc.Simulation(grid, RIGID, body, gap), [{"load": load}]
 
-    with pytest.raises(ValueError, match=text):
-        sc.find_load(built, "yield", largest_load=10.0)
+    with pytest.raises(ValueError, match=r"body2 yields in the last layer .* more layers"):
+        sc.find_load(built, "yield", largest_load=100.0)
 
 
 def made(law, yield_profile=None, residual_stress=None, **parameters):
