@@ -13,6 +13,7 @@ import scipy
 from ._checks import FloatArray
 from ._tensors import von_mises
 from .hertz.field import field
+from .hertz.line_field import line_field
 from .material import Material
 
 _STEP = 1.1
@@ -39,10 +40,11 @@ Look = Callable[[float], Place]
 """The largest excess under a largest pressure [Pa]."""
 
 
-def first_yield(body: Material, spread: float, friction: float) -> tuple[float, FloatArray]:
+def first_yield(body: Material, spread: float, friction: float | None) -> tuple[float, FloatArray]:
     """The largest pressure [Pa] when a body yields, and where [m].
 
-    spread: contact radius over the largest pressure [m/Pa].
+    spread: contact radius over the largest pressure [m/Pa]; friction: None of a line along y that
+    does not slide, whose half-width counts as the radius.
     """
     around = _Around(body, spread, friction)
     low, p0 = 0.0, 1e-3 * body.least_yield_stress
@@ -85,11 +87,18 @@ def _is_even(body: Material) -> bool:
     return sxx == syy and not any(sxy)
 
 
+def _angles(body: Material, friction: float | None) -> int:
+    """Of lines through the axis in which yield is looked for."""
+    return 1 if friction is None or _is_even(body) else _ANGLES
+
+
 def _unit_stress(
-    body: Material, friction: float, angle: FloatArray, r: FloatArray, z: FloatArray
+    body: Material, friction: float | None, angle: FloatArray, r: FloatArray, z: FloatArray
 ) -> FloatArray:
     """Over the largest pressure, shape (6, angles, r, z)."""
     turned, out, down = np.meshgrid(angle, r, z, indexing="ij")
+    if friction is None:
+        return line_field(out, down, body.nu)
     return field(out * np.cos(turned), out * np.sin(turned), down, body.nu, friction)
 
 
@@ -110,11 +119,11 @@ def _largest(
 class _Around:
     """Everywhere, from the stress at given depths; between them, at kinks, it is interpolated."""
 
-    def __init__(self, body: Material, spread: float, friction: float) -> None:
+    def __init__(self, body: Material, spread: float, friction: float | None) -> None:
         self._body, self._spread = body, spread
         r = np.asarray(_WIDEST * np.linspace(0.0, 1.0, 27), dtype=np.float64)
-        self._r = r if friction == 0 else np.concatenate([-r[:0:-1], r])
-        angles = 1 if _is_even(body) else _ANGLES
+        self._r = r if not friction else np.concatenate([-r[:0:-1], r])
+        angles = _angles(body, friction)
         self._angle: FloatArray = np.arange(angles, dtype=np.float64) * (math.pi / angles)
         near, far = np.linspace(0.0, 2.0, 121), np.geomspace(2.05, _DEEPEST, 50)
         self._z: FloatArray = np.asarray(np.concatenate([near, far]), dtype=np.float64)
@@ -137,13 +146,13 @@ class _Near:
     """Around a place, of a size; with all kinks there."""
 
     def __init__(
-        self, body: Material, spread: float, friction: float, place: Place, size: float
+        self, body: Material, spread: float, friction: float | None, place: Place, size: float
     ) -> None:
         self._body, self._spread, self._friction = body, spread, friction
         ways = np.linspace(-1.0, 1.0, 21)
         r = place.r + 0.05 * size * ways
-        self._r: FloatArray = np.unique(np.append(np.abs(r) if friction == 0 else r, place.r))
-        turn = np.zeros(1) if _is_even(body) else 0.4 * size * ways
+        self._r: FloatArray = np.unique(np.append(r if friction else np.abs(r), place.r))
+        turn = np.zeros(1) if _angles(body, friction) == 1 else 0.4 * size * ways
         self._angle: FloatArray = np.asarray(place.angle + turn, dtype=np.float64)
         reach = 0.2 * size * max(1.0, place.z)
         low, high = max(0.0, place.z - reach), place.z + reach

@@ -215,6 +215,11 @@ CALLS = [
     ),
     ("critical.kogut_etsion", sc.critical.kogut_etsion, {**SPHERE, "hardness": 3e9}),
     (
+        "critical.onset_cylinder_over_depth",
+        sc.critical.onset_cylinder_over_depth,
+        {"R": 1e-2, "E_star": E_STAR, "body": SOFT},
+    ),
+    (
         "critical.onset_over_depth",
         sc.critical.onset_over_depth,
         {"R": 1e-2, "E_star": E_STAR, "body": SOFT, "friction": 0.2},

@@ -168,6 +168,44 @@ def test_uneven_residual_stress_helps_one_way():
     assert ways[0].load == pytest.approx(alone.load, rel=1e-6)
 
 
+@pytest.mark.parametrize("nu", [0.1, 0.3, 0.45])
+def test_a_line_on_a_body_alike_at_all_depths_is_that_of_its_closed_form(nu):
+    body = sc.Material.perfect_plastic(E, nu, 1e9)
+    found = critical.onset_cylinder_over_depth(**FLAT, body=body)
+    exact = critical.onset_cylinder(**FLAT, nu=nu, yield_stress=1e9)
+    assert pytest.approx(exact.C, rel=1e-8) == found.C
+    assert found.load_per_length == pytest.approx(exact.load_per_length, rel=1e-8)
+    assert found.x == pytest.approx(0.0, abs=1e-4 * found.b)
+
+
+@pytest.mark.parametrize(
+    ("z", "factor", "sxx", "syy"),
+    [
+        ([0.0, 0.9, 1.0], [1.6, 1.5, 1.0], 0.0, 0.0),  # below the case
+        ([0.0, 0.05, 0.1], [0.4, 0.4, 1.0], 0.0, 0.0),  # in the skin
+        ([0.0, 1.0], [1.0, 1.1], -3e8, 2e8),
+    ],
+)
+def test_a_line_yields_first_where_strips_of_pressure_bring_it_to_yield(z, factor, sxx, syy):
+    """Against sums over the strips of a periodic grid; z in half-widths."""
+    b = critical.onset_cylinder(**FLAT, nu=NU, yield_stress=1e9).b
+    body = PLAIN.with_yield_profile(np.multiply(z, b), factor)
+    body = body.with_residual_stress([0.0], [sxx], [syy])
+    found = critical.onset_cylinder_over_depth(**FLAT, body=body)
+    grid = sc.Grid(481, 1, found.b / 200, 1.0, periodic="y")
+    pressure = found.p0 * np.sqrt(np.maximum(1 - (grid.x / found.b) ** 2, 0.0))[:, None]
+    depths = np.unique(np.concatenate([found.b * np.linspace(0.0, 1.5, 76), b * np.array(z[1:])]))
+    solver = sc.ContactSolver(grid, sc.Material.rigid(), PLAIN)
+    stress = solver.stress(pressure, depths)
+    stress[0] += sxx
+    stress[1] += syy
+    used = von_mises(stress)[:, 0] / (1e9 * body.yield_factor(depths))
+    assert used.max() == pytest.approx(1.0, abs=5e-3)
+    i, k = np.unravel_index(int(used.argmax()), used.shape)
+    assert depths[k] == pytest.approx(found.z, abs=0.05 * found.b)
+    assert abs(grid.x[i]) == pytest.approx(abs(found.x), abs=0.05 * found.b)
+
+
 def test_what_has_no_first_yield_is_refused():
     with pytest.raises(ValueError, match="body must be one that yields, got 'elastic'"):
         critical.onset_over_depth(**FLAT, body=sc.Material.elastic(E, NU))

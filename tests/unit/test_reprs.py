@@ -181,6 +181,9 @@ CLOSED_FORMS = [
     sc.critical.green_cylinder(7.5e-3, E_STAR, 0.3, 1e9),
     sc.critical.onset_sliding(7.5e-3, E_STAR, 0.3, 1e9, 0.2),
     sc.critical.onset_over_depth(7.5e-3, E_STAR, sc.Material.perfect_plastic(210e9, 0.3, 1e9)),
+    sc.critical.onset_cylinder_over_depth(
+        7.5e-3, E_STAR, sc.Material.perfect_plastic(210e9, 0.3, 1e9)
+    ),
 ]
 
 

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stress anywhere under a line contact, dimensionless: over p0, at x, z over the half-width.
+
+E. McEwen, *Stresses in elastic cylinders in contact along a generatrix*, Phil. Mag. 40 (1949) 454;
+Johnson (1985), (4.49). Plane strain.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .._checks import FloatArray
+
+
+def line_field(x: FloatArray, z: FloatArray, nu: float) -> FloatArray:
+    """Stress xx, yy, zz, yz, xz, xy over p0, shape (6, ...), at depths z >= 0 (equal shapes)."""
+    # m + i n is the root of 1 - (x - i z)^2; on the surface the limit from below
+    squared = (1.0 - x**2 + z**2) + 2j * x * z
+    root = np.sqrt(squared)
+    m, n = root.real, np.where(z > 0, root.imag, np.sign(x) * np.abs(root.imag))
+    size = np.abs(squared)  # m^2 + n^2
+    share = np.divide(z**2 + n**2, size, out=np.zeros_like(size), where=size > 0)
+    xx, zz = 2.0 * z - m * (1.0 + share), -m * (1.0 - share)
+    xz = -n * np.divide(m**2 - z**2, size, out=np.zeros_like(size), where=size > 0)
+    none = np.zeros_like(xx)
+    return np.stack([xx, nu * (xx + zz), zz, none, xz, none])
