@@ -16,6 +16,7 @@ from .contact import (
     section,
     temperature_profile,
 )
+from .fatigue import fatigue_depth, fatigue_map, fatigue_section
 from .maps import surface_map, track_map
 from .slip_animation import stick_slip_animation
 from .slipping import (
@@ -32,6 +33,9 @@ from .view import save_view, view
 __all__ = [
     "axis_profile",
     "creep_curve",
+    "fatigue_depth",
+    "fatigue_map",
+    "fatigue_section",
     "fretting_loop",
     "load_approach",
     "loaded_section",

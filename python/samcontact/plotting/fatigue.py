@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of criteria of fatigue: over depth, in a section, and from above.
+
+Like `samcontact.plotting`, which offers these functions too: each takes an `ax` and returns it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import MaxNLocator
+
+from .._checks import FloatArray, choice, finite, positive
+from .parts import axes_or_new, finish, nearest, place
+
+if TYPE_CHECKING:
+    from ..fatigue import FatigueField
+
+_NAMES = {
+    "dang_van": "Dang Van",
+    "crossland": "Crossland",
+    "findley": "Findley",
+    "fatemi_socie": "Fatemi-Socie",
+    "orthogonal_shear": "orthogonal shear",
+}
+_UNITS = {"Pa": (1e-6, "MPa"), "-": (1e2, "%")}
+_LEVELS = 40
+
+
+def fatigue_depth(
+    fields: FatigueField | Sequence[FatigueField],
+    ax: Axes | None = None,
+    *,
+    limit: float | None = None,
+) -> Axes:
+    """The largest value of each layer over depth, of one criterion or several.
+
+    Parameters
+    ----------
+    fields : FatigueField, or several
+        Of states, in one unit; their largest values are marked.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    limit : float, optional
+        What the material bears, > 0, in the unit of the values.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        No fields, fields without depths or of different units.
+    """
+    several = list(fields) if isinstance(fields, Sequence) else [fields]
+    if not several:
+        raise ValueError("fields must hold at least one, got none")
+    for field in several:
+        _require_axes(field, "z")
+    if len({field.unit for field in several}) > 1:
+        raise ValueError("fields must have one unit: stress and strain go into two figures")
+    factor, unit = _UNITS[several[0].unit]
+    ax = axes_or_new(ax)
+    for field in several:
+        depth, values = field.places["z"] * 1e6, field.over_depth() * factor
+        (line,) = ax.plot(values, depth, linewidth=1.4, label=_name(field))
+        most = int(values.argmax())
+        ax.plot(values[most], depth[most], "o", color=line.get_color(), markersize=4)
+    if limit is not None:
+        bound = positive("limit", limit) * factor
+        ax.axvline(bound, color="0.35", linewidth=1.0, linestyle=(0, (5, 3)), label="limit")
+    ax.set_ylim(float(several[0].places["z"][-1]) * 1e6, 0.0)
+    if len(several) == 1 and limit is None:
+        ax.set_xlabel(f"{_name(several[0])} [{unit}]")
+    else:
+        ax.set_xlabel(f"largest value in the layer [{unit}]")
+        ax.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    ax.set_ylabel("depth z [µm]")
+    return finish(ax)
+
+
+def fatigue_section(
+    field: FatigueField,
+    ax: Axes | None = None,
+    *,
+    plane: str | None = None,
+    position: float | None = None,
+) -> Axes:
+    """A section through the values, with a cross where they are largest in it.
+
+    Parameters
+    ----------
+    field : FatigueField
+        Of states.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    plane : {"y", "x"}, optional
+        Coordinate that is constant on the section; default "y". What material of a steady contact
+        goes through has one section, across the way.
+    position : float, optional
+        Its value [m]; default where the field is largest.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        A field without places, or an unknown plane.
+    """
+    _require_axes(field, "z")
+    values, note = field.values, ""
+    across = next(axis for axis in field.places if axis != "z")
+    if "x" in field.places and "y" in field.places:
+        chosen = choice("plane", "y" if plane is None else plane, ("y", "x"))
+        across = "x" if chosen == "y" else "y"
+        there = field.places[chosen]
+        at = field.place[chosen] if position is None else finite("position", position)
+        index = nearest(there, at)
+        values = values[:, index] if chosen == "y" else values[index]
+        note = f", {place(chosen, float(there[index]))}"
+    elif plane not in (None, "xy".replace(across, "")):
+        raise ValueError(f"plane must be {'xy'.replace(across, '')!r}, got {plane!r}")
+    ax = _coloured(field, ax, field.places[across], field.places["z"], values, note)
+    ax.set_xlabel(f"{across} [µm]")
+    ax.set_ylabel("depth z [µm]")
+    ax.invert_yaxis()
+    return ax
+
+
+def fatigue_map(field: FatigueField, ax: Axes | None = None) -> Axes:
+    """The largest value below each place of the surface, from above.
+
+    Parameters
+    ----------
+    field : FatigueField
+        Of states of a pass or loop.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        A field without places along x and y.
+    """
+    _require_axes(field, "x", "y", "z")
+    x, y = field.places["x"], field.places["y"]
+    ax = _coloured(field, ax, x, y, field.values.max(axis=2), ", largest over depth")
+    ax.set_xlabel("x on the body [µm]")
+    ax.set_ylabel("y [µm]")
+    return ax
+
+
+def _require_axes(field: FatigueField, *axes: str) -> None:
+    missing = [axis for axis in axes if axis not in field.places]
+    if missing:
+        raise ValueError(
+            f"a field with the axes {', '.join(axes)} is needed; this one has "
+            f"{', '.join(field.places) or 'none: stress was given as an array'}"
+        )
+
+
+def _name(field: FatigueField) -> str:
+    numbers = [f"{k} = {v:g}" for k, v in field.parameters.items() if k in ("slope", "k")]
+    return " ".join([_NAMES[field.criterion], *(f"({number})" for number in numbers)])
+
+
+def _coloured(
+    field: FatigueField,
+    ax: Axes | None,
+    across: FloatArray,
+    down: FloatArray,
+    values: FloatArray,
+    note: str,
+) -> Axes:
+    factor, unit = _UNITS[field.unit]
+    ax = axes_or_new(ax)
+    ax.grid(False)
+    x, y = (_edges(side * 1e6) for side in (across, down))
+    # to the borders of the outer cells as in their middles
+    sides = [np.concatenate([e[:1], 0.5 * (e[1:] + e[:-1]), e[-1:]]) for e in (x, y)]
+    shown = np.pad(values, 1, mode="edge").T * factor
+    drawn = ax.contourf(*sides, shown, levels=_LEVELS, cmap="viridis")
+    drawn.set_rasterized(True)  # bands of vectors have seams between them
+    i, j = (int(n) + 1 for n in np.unravel_index(int(values.argmax()), values.shape))
+    ax.plot(sides[0][i], sides[1][j], "x", color="white", markersize=7, markeredgewidth=1.6)
+    ax.figure.colorbar(drawn, ax=ax, label=f"[{unit}]", ticks=MaxNLocator(6))
+    ax.set_title(f"{_name(field)}{note}", fontsize="medium")
+    ax.set_aspect("equal")
+    return ax
+
+
+def _edges(centres: FloatArray) -> FloatArray:
+    half = 0.5 * (centres[1] - centres[0]) if len(centres) > 1 else 0.5
+    return np.append(centres - half, centres[-1] + half)
