@@ -48,7 +48,7 @@ FOLDERS = {
     "asperities": {"runs"},
     "wear": {"runs", "hertz"},
     "shakedown": {"hertz"},
-    "cases": {"hertz", "paths", "measured", "asperities", "wear"},
+    "cases": {"hertz", "paths", "measured", "asperities", "wear", "fatigue"},
     "accuracy": {"runs", "hertz", "cases", "results"},
     "sweeps": {"runs", "cases", "results", "accuracy"},
     "report": {"cases", "results", "plotting", "asperities"},

@@ -10,7 +10,7 @@ import pytest
 from pydantic import BaseModel, ValidationError
 
 from samcontact import wear
-from samcontact.cases import Case, TuggingCase, tugging
+from samcontact.cases import Case, TuggingCase, fatigue, tugging
 
 SWIFT = {
     "law": "swift", "E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121,
@@ -104,6 +104,11 @@ KINDS = {
     "sliding": BASE
     | {"path": [{"load": 2.0, "slide": {"distance": 1e-5, "step": 5e-6, "passes": 2,
                                         "unload_increments": 3, "slider": 1}}]},
+    "judged": BASE
+    | {"fatigue": {"dang_van": 0.3, "crossland": 0.3, "findley": 0.2, "fatemi_socie": 0.5,
+                   "orthogonal_shear": "x", "yield_stress": 1e9,
+                   "limit": {"dang_van": 3e8, "crossland": 3e8, "findley": 3e8,
+                             "fatemi_socie": 4e-3, "orthogonal_shear": 4e8}}},
     "approach": BASE | {"path": [{"approach": 1e-7, "start": 1e-8}]},
     "marched": BASE
     | {"heat": MARCHED, "path": [{"load": 1.0, "duration": 1e-4},
@@ -168,6 +173,7 @@ OTHER = {
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
+    "passing": "x",
     "window": 3, "order": 1, "smoothing_length": 8e-6,
     "time": 1e-3, "reference": 0.5, "history": [1e-6, 1e-3], "speed": 2.0, "heat": HEAT,
     "duration": 1e-4, "back_and_forth": True, "unload_increments": 4, "increment_tol": 1e-2,
@@ -204,6 +210,10 @@ def computed(tmp_path, monkeypatch):
     def record(*arguments, **named):
         seen["arguments"] = told([list(arguments), named])
 
+    for name in ("cycle", "passing"):
+        monkeypatch.setattr(fatigue, name, lambda states, *given, name=name: (name, *given))
+    for name in fatigue.CRITERIA:
+        monkeypatch.setattr(fatigue._criteria, name, lambda *seen, **given: repr((seen, given)))
     monkeypatch.setattr(wear, "run", record)
     monkeypatch.setattr(wear, "fretting", record)
     monkeypatch.setattr(tugging, "tug", record)
@@ -219,7 +229,10 @@ def computed(tmp_path, monkeypatch):
             case.wear.solve(simulation, path, None, False)
             return seen["arguments"]
         surfaces = (simulation.initial_gap, simulation.relief1, simulation.relief2)
-        return told([list(surfaces), path]), repr(simulation)
+        judged = []
+        if case.fatigue is not None:
+            judged = [case.fatigue.fields([simulation.state], 2), repr(case.fatigue.limit)]
+        return told([list(surfaces), path, judged]), repr(simulation)
 
     return compute
 
@@ -328,6 +341,8 @@ def test_every_field_of_every_section_is_tried():
         "heat",
         "tugging",
         "output",
+        "fatigue",
+        "limit",
     }
     given = {
         "law",

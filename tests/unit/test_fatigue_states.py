@@ -140,9 +140,10 @@ def test_the_dataset_is_labelled():
     found = findley(passing(ball_on().step(**BALL)), k=0.3)
     dataset = found.to_dataset()
     assert dict(dataset.sizes) == {"y": 16, "z": 6, "axis": 3}
-    assert dataset["fatigue"].attrs["units"] == "Pa"
-    assert dataset.attrs["criterion"] == "findley"
-    most = dataset["fatigue"].sel(found.place)
+    assert dataset["findley"].attrs["units"] == "Pa"
+    assert dataset["findley"].attrs["k"] == 0.3
+    np.testing.assert_array_equal(dataset["findley_normal"].sel(found.place), found.normal)
+    most = dataset["findley"].sel(found.place)
     assert float(most) == found.largest
 
 

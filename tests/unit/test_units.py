@@ -182,6 +182,7 @@ NUMBERS = {
     *("nu", "C", "n", "recovery", "m", "floor", "hurst", "friction", "coulomb", "lateral_creepage"),
     "partition",
     *("tol", "increment_tol", "rate", "plastic_strain", "factor"),
+    *("dang_van", "crossland", "findley", "fatemi_socie"),
     *("image_tol", "exponent", "slide_to_roll", "start", "width", "depth", "threshold"),
 }
 

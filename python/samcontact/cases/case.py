@@ -20,6 +20,7 @@ from ..layered import softest
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
 from .errors import explain
+from .fatigue import FatigueSection
 from .motion import ReliefSection, Segment
 from .sections import (
     ContactSection,
@@ -86,6 +87,7 @@ class Case(CaseFile):
     heat: HeatSection | None = None
     path: Annotated[list[Segment], Field(min_length=1)]
     wear: WearSection | None = None
+    fatigue: FatigueSection | None = None
     output: OutputSection = OutputSection()
 
     @model_validator(mode="after")

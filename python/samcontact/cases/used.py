@@ -26,6 +26,7 @@ def require_all_used(case: Case) -> None:
     _require_image_tol(case.contact)
     _require_zones(case)
     _require_law_of_friction(case)
+    _require_cycle(case)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
         if changed(case, ["estimate_error"]):
@@ -36,6 +37,28 @@ def require_all_used(case: Case) -> None:
         raise ValueError(
             f"output.volume = {case.output.volume!r} needs a [grid] with dz: give it, or leave "
             "it out"
+        )
+
+
+def _require_cycle(case: Case) -> None:
+    """What [fatigue] needs: stress, and moments."""
+    if case.fatigue is None:
+        return
+    if case.wear is not None:
+        raise ValueError("fatigue is not for a case with [wear]: leave one of them out")
+    if not case.has_volume:
+        raise ValueError("fatigue needs a [grid] with dz: give it, or leave it out")
+    body = (case.body1, case.body2)[case.output.body - 1]
+    judged = case.fatigue
+    if judged.fatemi_socie is not None and judged.yield_stress is None and not body.is_plastic:
+        raise ValueError(
+            f"fatigue.yield_stress is needed: body{case.output.body} is elastic, and fatemi_socie "
+            "divides by its yield stress"
+        )
+    if case.fatigue.passing is None and len(case.steps()) < 2:
+        raise ValueError(
+            "fatigue needs a path of at least 2 increments, which are its cycle; or give "
+            'fatigue.passing = "x" where material passes through a steady contact'
         )
 
 

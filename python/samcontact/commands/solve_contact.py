@@ -24,6 +24,7 @@ from ..results.slipping import moved_along, without_rounding
 from ..runs.journal import Journal, describe
 from ..state import in_one_window
 from .errors import StoppedEarlyError, tell_partial, to_try_on
+from .fatigue import write_fatigue
 from .folder import publish
 from .interrupted import checkpoints_of
 from .tables import CONTACT_COLUMNS, Sheet, numbers, of_contact, values_sheet
@@ -155,6 +156,9 @@ class _Run:
         reference = case.hertz(load) if load > 0.0 else None
         if reference is not None:
             console.print(_comparison(dataset, peak, reference, body))
+        if case.fatigue is not None and not stopped_by:
+            shown = case.output.figures and figures
+            written += write_fatigue(case, states, self.directory, console, figures=shown)
         if case.output.figures and figures:
             from ..plotting import summary_figures
 

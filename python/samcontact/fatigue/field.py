@@ -19,6 +19,14 @@ if TYPE_CHECKING:
 
 __all__ = ["FatigueField"]
 
+_NAMES = {
+    "dang_van": "Dang Van",
+    "crossland": "Crossland",
+    "findley": "Findley",
+    "fatemi_socie": "Fatemi-Socie",
+    "orthogonal_shear": "orthogonal shear",
+}
+
 
 @dataclass(frozen=True, repr=False, eq=False)
 class FatigueField(Brief, Shown):
@@ -103,8 +111,8 @@ class FatigueField(Brief, Shown):
         Returns
         -------
         xarray.Dataset
-            Variable "fatigue" with the name of the criterion, coordinates of `places`; variable
-            "normal" with a dimension "axis" where there are normals.
+            A variable named as `criterion`, with its parameters as attributes and the coordinates
+            of `places`; another one, ending in _normal, with a dimension "axis" for the normals.
 
         Raises
         ------
@@ -117,27 +125,27 @@ class FatigueField(Brief, Shown):
             raise ValueError(
                 "a field of given stress has no coordinates: label its `values` yourself"
             )
-        told = {"units": {"-": "1"}.get(self.unit, self.unit), "long_name": self._label}
+        unit = {"-": "1"}.get(self.unit, self.unit)
+        told = {"units": unit, "long_name": self.name, "moments": self.moments}
         axes = tuple(self.places)
-        data: dict[str, Any] = {"fatigue": (axes, self.values, told)}
-        if self.normals is not None:
-            label = {"long_name": "normal of the critical plane", "units": "1"}
-            data["normal"] = (("axis", *axes), self.normals, label)
+        data: dict[str, Any] = {self.criterion: (axes, self.values, told | dict(self.parameters))}
         coordinates: dict[str, Any] = {
             axis: (axis, values, {"units": "m"}) for axis, values in self.places.items()
         }
         if self.normals is not None:
+            label = {"long_name": f"{self.name}, normal of the critical plane", "units": "1"}
+            data[f"{self.criterion}_normal"] = (("axis", *axes), self.normals, label)
             coordinates["axis"] = ["x", "y", "z"]
-        attributes = {"criterion": self.criterion, "moments": self.moments, **self.parameters}
-        return xr.Dataset(data, coordinates, attributes)
+        return xr.Dataset(data, coordinates)
 
     @property
-    def _label(self) -> str:
-        return self.criterion.replace("_", " ")
+    def name(self) -> str:
+        """Of the criterion, as figures write it."""
+        return _NAMES[self.criterion]
 
     def _rows(self) -> Rows:
         unit = "" if self.unit == "-" else self.unit
-        rows = [("criterion", self._label)]
+        rows = [("criterion", self.name)]
         for name, value in self.parameters.items():
             known = quantity(value, "Pa" if name == "yield_stress" else "")
             rows.append((name, known if isinstance(value, float) else str(value)))

@@ -19,13 +19,6 @@ from .parts import axes_or_new, finish, nearest, place
 if TYPE_CHECKING:
     from ..fatigue import FatigueField
 
-_NAMES = {
-    "dang_van": "Dang Van",
-    "crossland": "Crossland",
-    "findley": "Findley",
-    "fatemi_socie": "Fatemi-Socie",
-    "orthogonal_shear": "orthogonal shear",
-}
 _UNITS = {"Pa": (1e-6, "MPa"), "-": (1e2, "%")}
 _LEVELS = 40
 
@@ -171,7 +164,7 @@ def _require_axes(field: FatigueField, *axes: str) -> None:
 
 def _name(field: FatigueField) -> str:
     numbers = [f"{k} = {v:g}" for k, v in field.parameters.items() if k in ("slope", "k")]
-    return " ".join([_NAMES[field.criterion], *(f"({number})" for number in numbers)])
+    return " ".join([field.name, *(f"({number})" for number in numbers)])
 
 
 def _coloured(

@@ -159,6 +159,11 @@ def _validated(
                     f"{case.source}: [wear] is not for a sweep, which solves the path once: leave "
                     "it out, or call samcontact.wear.run for each value"
                 )
+            if getattr(made, "fatigue", None) is not None:
+                raise CaseError(
+                    f"{case.source}: [fatigue] is not for a sweep, which keeps no states: leave "
+                    "it out, or call samcontact.fatigue for each value"
+                )
             made._source, made._text = case.source, case.text
             cases.append(made)
             continue

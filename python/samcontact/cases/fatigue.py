@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a case file says of fatigue."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from ..fatigue import Cycle, FatigueField, cycle, passing
+from ..fatigue import criteria as _criteria
+from ..state import State
+from .base import Finite, Positive, Section, in_unit
+
+Slope = Annotated[Finite, Field(ge=0.0, le=10.0)]
+Stress = Annotated[Positive, in_unit("Pa")]
+CRITERIA = ("dang_van", "crossland", "findley", "fatemi_socie", "orthogonal_shear")
+
+
+class LimitSection(Section):
+    """[fatigue.limit]: what the material bears, of each criterion."""
+
+    dang_van: Stress | None = None
+    crossland: Stress | None = None
+    findley: Stress | None = None
+    fatemi_socie: Positive | None = None
+    orthogonal_shear: Stress | None = None
+
+
+class FatigueSection(Section):
+    """[fatigue]: criteria of fatigue over the path, see `samcontact.fatigue`."""
+
+    dang_van: Slope | None = None
+    crossland: Slope | None = None
+    findley: Slope | None = None
+    fatemi_socie: Slope | None = None
+    orthogonal_shear: Literal["x", "y"] | None = None
+    passing: Literal["x", "y"] | None = None
+    yield_stress: Stress | None = None
+    limit: LimitSection = LimitSection()
+
+    @model_validator(mode="after")
+    def _go_together(self) -> FatigueSection:
+        if not self.criteria:
+            raise ValueError(f"give at least one of {', '.join(CRITERIA)}")
+        for name in CRITERIA:
+            if getattr(self.limit, name) is not None and name not in self.criteria:
+                raise ValueError(f"limit.{name} is of {name}: give that too, or leave it out")
+        if self.yield_stress is not None and "fatemi_socie" not in self.criteria:
+            raise ValueError("yield_stress is of fatemi_socie: give that too, or leave it out")
+        return self
+
+    @property
+    def criteria(self) -> list[str]:
+        """Names of those that are given."""
+        return [name for name in CRITERIA if getattr(self, name) is not None]
+
+    def fields(self, states: list[State], body: int) -> list[FatigueField]:
+        """Each criterion over the increments, or over what passes through that of most load."""
+        seen: Cycle
+        if self.passing is None:
+            seen = cycle(states, body)
+        else:
+            seen = passing(max(states, key=lambda state: state.load), body, self.passing)
+        return [self._field(name, seen) for name in self.criteria]
+
+    def _field(self, name: str, seen: Cycle) -> FatigueField:
+        given = getattr(self, name)
+        if name == "orthogonal_shear":
+            return _criteria.orthogonal_shear(seen, axis=given)
+        if name == "findley":
+            return _criteria.findley(seen, k=given)
+        if name == "fatemi_socie":
+            return _criteria.fatemi_socie(seen, k=given, yield_stress=self.yield_stress)
+        criterion = _criteria.dang_van if name == "dang_van" else _criteria.crossland
+        return criterion(seen, slope=given)
