@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ._checks import FloatArray
+from ._common_cells import on_common_cells
 from ._repr import Rows, Shown, quantity
 from .contact import ContactSolver
 from .friction import Coulomb
@@ -26,26 +27,6 @@ __all__ = ["EnergyBalance", "balance", "plastic_work", "residual_energy"]
 def _cell_volume(track: Track) -> float:
     grid = track.grid
     return grid.dx * grid.dy * (grid.dz or 0.0)
-
-
-def _common(before: Track, after: Track, field: str) -> tuple[FloatArray, FloatArray]:
-    """A field of two tracks on the cells of both; beside either nothing has yielded."""
-    tracks, corner, size = (before, after), [], []
-    for axis in "xy":
-        places = np.concatenate([getattr(track, axis) for track in tracks])
-        step = getattr(after.grid, f"d{axis}")
-        corner.append(places.min())
-        size.append(round(np.ptp(places) / step) + 1)
-    fields = []
-    for track in tracks:
-        values: FloatArray = getattr(track, field)()
-        whole = np.zeros((*values.shape[:-3], *size, max(t.grid.nz for t in tracks)))
-        i = round((track.x[0] - corner[0]) / track.grid.dx)
-        j = round((track.y[0] - corner[1]) / track.grid.dy)
-        nx, ny, nz = track.grid.volume_shape
-        whole[..., i : i + nx, j : j + ny, :nz] = values
-        fields.append(whole)
-    return fields[0], fields[1]
 
 
 def _product(a: FloatArray, b: FloatArray) -> float:
@@ -105,8 +86,8 @@ def _work_of_backstress(after: Track, before: Track | None) -> float:
     """Sum over cells of the mean backstress times the strain increment."""
     if before is None:
         return 0.5 * _product(after.backstress().sum(axis=0), after.plastic_strain())
-    old, new = _common(before, after, "backstress")
-    start, end = _common(before, after, "plastic_strain")
+    old, new = on_common_cells(before, after, "backstress")
+    start, end = on_common_cells(before, after, "plastic_strain")
     return 0.5 * _product((old + new).sum(axis=0), end - start)
 
 

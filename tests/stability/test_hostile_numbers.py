@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 from calls_of_contact import CALLS as ON_GRIDS
 from calls_of_formulas import CALLS as FORMULAS
+from calls_of_shakedown import CALLS as OF_SHAKEDOWN
 from calls_of_wear import CALLS as OF_WEAR
 
 import samcontact as sc
 
-CALLS = FORMULAS + ON_GRIDS + OF_WEAR
+CALLS = FORMULAS + ON_GRIDS + OF_SHAKEDOWN + OF_WEAR
 HOSTILE = (math.nan, math.inf, -math.inf)
 
 MADE_BY_THE_PACKAGE = {
@@ -26,7 +27,8 @@ MADE_BY_THE_PACKAGE = {
     "fatigue.FatigueField",
     "flattening.Flattening", "hertz.EllipticContact",
     "hertz.LineContact", "hertz.PointContact", "RollingSolution",
-    "shakedown.Limit", "StickSlipSolution", "wear.Cycle",
+    "shakedown.Cycle", "shakedown.Limit", "shakedown.ShakedownResult", "StickSlipSolution",
+    "wear.Cycle",
     "wear.FrettingCycle", "wear.FrettingResult", "wear.WearResult", "Zone",
 }  # fmt: skip
 """Results: only their methods take arguments of the user."""

@@ -18,6 +18,7 @@ from .contact import (
 )
 from .fatigue import fatigue_depth, fatigue_map, fatigue_section
 from .maps import surface_map, track_map
+from .shaking_down import shakedown_map, strain_per_cycle
 from .slip_animation import stick_slip_animation
 from .slipping import (
     creep_curve,
@@ -46,9 +47,11 @@ __all__ = [
     "save_animation",
     "save_view",
     "section",
+    "shakedown_map",
     "shear_profile",
     "stick_slip_animation",
     "stick_slip_map",
+    "strain_per_cycle",
     "summary_figures",
     "surface_map",
     "temperature_profile",

@@ -1,8 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shakedown: does a body that is loaded again and again stop to flow?"""
+"""Shakedown: does a body that is loaded again and again stop to flow?
 
+Closed limits of the pressure of rolling and sliding contacts: `line` exactly, by Melan's theorem,
+`point` and `elliptic` from above, `line_kinematic` and `point_kinematic` of linear kinematic
+hardening. And any cycle of a `Simulation`: `run` repeats it until flow has come to rest, closes in
+each cycle, or goes on, and tells which. See docs/theory.md.
+"""
+
+from .cycling import run
 from .limits import Limit, elliptic, first_yield, line, line_kinematic, point, point_kinematic
+from .passes import passes
+from .results import Cycle, NotSteadyWarning, ShakedownResult
 
 __all__ = [
-    "Limit", "elliptic", "first_yield", "line", "line_kinematic", "point", "point_kinematic",
+    "Cycle", "Limit", "NotSteadyWarning", "ShakedownResult", "elliptic", "first_yield", "line",
+    "line_kinematic", "passes", "point", "point_kinematic", "run",
 ]  # fmt: skip

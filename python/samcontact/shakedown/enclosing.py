@@ -13,13 +13,19 @@ from .._checks import FloatArray
 _ROUNDING = 1e-12
 
 
-def enclosing_radius(points: FloatArray) -> float:
+def enclosing_radius(points: FloatArray, unless: float = 0.0) -> float:
     """Radius of the smallest ball that holds points, shape (n, 2) or (n, 3).
 
     The farthest point joins those on the ball, whose ball is found among all of them, until none is
-    farther (the radius grows each time, so that it ends).
+    farther (the radius grows each time, so that it ends). Where it is seen at once not to be larger
+    than `unless`, that is returned.
     """
-    centre, radius, rim = points[0], 0.0, [0]
+    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    distance = np.linalg.norm(points - middle, axis=1)
+    if distance.max() <= unless:
+        return unless
+    first = int(distance.argmax())
+    centre, radius, rim = points[first], 0.0, [first]
     while True:
         distance = np.linalg.norm(points - centre, axis=1)
         farthest = int(distance.argmax())

@@ -55,15 +55,23 @@ class Limit(Shown):
         return [(name, f"{self.ratio:.5g}"), ("where", where)]
 
 
-def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
-    """Largest k over p0 that any depth asks for, and that depth."""
-    asked = [strength(depth) for depth in _DEPTHS]
+def _worst_depth(strength: Callable[[float, float], float]) -> tuple[float, float]:
+    """Largest k over p0 that any depth asks for, and that depth.
+
+    strength: of a depth; or a value it is seen not to exceed.
+    """
+    asked: list[float] = []
+    for depth in _DEPTHS:
+        asked.append(strength(depth, max(asked, default=0.0)))
     worst = int(np.argmax(asked))
     if worst == 0:
         return asked[0], 0.0
     bounds = (_DEPTHS[worst - 1], _DEPTHS[min(worst + 1, len(_DEPTHS) - 1)])
     found = scipy.optimize.minimize_scalar(
-        lambda depth: -strength(depth), bounds=bounds, method="bounded", options={"xatol": 1e-7}
+        lambda depth: -strength(depth, 0.0),
+        bounds=bounds,
+        method="bounded",
+        options={"xatol": 1e-7},
     )
     return max((-float(found.fun), float(found.x)), (asked[worst], float(_DEPTHS[worst])))
 
@@ -139,10 +147,10 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> L
     """
     nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
     if choice("criterion", criterion, ("tresca", "von_mises")) == "tresca":
-        asked, depth = _worst_depth(lambda z: _tresca(_line_path(z, nu, friction)))
+        asked, depth = _worst_depth(lambda z, _: _tresca(_line_path(z, nu, friction)))
     else:
         asked, depth = _worst_depth(
-            lambda z: enclosing_radius(_both_signs(_line_path(z, nu, friction)))
+            lambda z, least: enclosing_radius(_both_signs(_line_path(z, nu, friction)), least)
         )
     return Limit(1.0 / asked, depth, exact=True)
 
@@ -174,7 +182,9 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
     Melan (1938); Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362.
     """
     nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
-    asked, depth = _worst_depth(lambda z: enclosing_radius(_line_path(z, nu, friction)))
+    asked, depth = _worst_depth(
+        lambda z, least: enclosing_radius(_line_path(z, nu, friction), least)
+    )
     return Limit(1.0 / asked, depth, exact=True)
 
 
@@ -207,9 +217,9 @@ def point(friction: float = 0.0, nu: float = 0.3) -> Limit:
     """
     nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
 
-    def asked(depth: float) -> float:
+    def asked(depth: float, least: float) -> float:
         path = _point_path(depth, nu, friction)
-        return enclosing_radius(path if depth > 0.0 else _both_signs(path))
+        return enclosing_radius(path if depth > 0.0 else _both_signs(path), least)
 
     largest, depth = _worst_depth(asked)
     return Limit(1.0 / largest, depth, exact=False)
@@ -234,7 +244,9 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
         An argument is outside its range.
     """
     nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
-    asked, depth = _worst_depth(lambda z: enclosing_radius(_point_path(z, nu, friction)))
+    asked, depth = _worst_depth(
+        lambda z, least: enclosing_radius(_point_path(z, nu, friction), least)
+    )
     return Limit(1.0 / asked, depth, exact=True)
 
 
@@ -297,7 +309,7 @@ def first_yield(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca
     nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
     tresca = choice("criterion", criterion, ("tresca", "von_mises")) == "tresca"
 
-    def asked(depth: float) -> float:
+    def asked(depth: float, _: float) -> float:
         half, across, shear = _line_path(depth, nu, friction).T
         radius = np.hypot(half, shear)
         if tresca:

@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cycles of a simulation, until it is clear what they come to."""
+
+from __future__ import annotations
+
+import math
+import os
+import warnings
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from .._checks import FloatArray, in_cells, integer, number, require_type, step_list
+from .._frozen import read_only
+from .._progress import progress_bar
+from .._steps import STEP
+from ..checkpoint import stand_at
+from ..layered import softest
+from ..runs.journal import Journal, journal_of
+from ..simulation import Simulation
+from ..state import State
+from .jumps import MOST, Changes, Jump, jump, norm
+from .plastic import as_deep, change, tracks
+from .results import (
+    ELASTIC,
+    PLASTIC,
+    RATCHETING,
+    SHAKEDOWN,
+    UNDECIDED,
+    Cycle,
+    NotSteadyWarning,
+    ShakedownResult,
+)
+
+_STEADY_FLOW = 0.02
+"""Of the flow in a cycle: by how much it may differ from that of the cycle before."""
+_STEADY_RATE = 0.1
+"""Of the rate of ratcheting, over `_WINDOW` cycles."""
+_WINDOW = 20
+
+
+def run(
+    simulation: Simulation,
+    cycle: Iterable[Mapping[str, Any]],
+    *,
+    cycles: int = 100,
+    tol: float = 1e-3,
+    accelerate: bool = True,
+    progress: bool = True,
+    checkpoint: str | os.PathLike[str] | None = None,
+) -> ShakedownResult:
+    """Repeat a cycle until flow has ended, closes in each cycle, or goes on steadily.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        With an inelastic body; it stands at the end of the last cycle afterwards. Its grid shows
+        all plastic strain.
+    cycle : iterable of dict
+        Steps of `Simulation.step` that bring both bodies back to where they were: `passes`, or
+        ``[*paths.rolling(...), {"load": 0.0, "advance": (s, s)}]``, or a fretting loop.
+    cycles : int, optional
+        Largest number of cycles that are solved, >= 2.
+    tol : float, optional
+        Strains below tol times the yield strain are none; in [1e-6, 0.1].
+    accelerate : bool, optional
+        Extrapolate over cycles where the changes in two successive ones are alike but for a
+        factor. The next cycle has to confirm it; else it is taken back.
+    progress : bool, optional
+        Show a progress bar.
+    checkpoint : path, optional
+        Folder in which to keep each cycle. The same call of a new simulation goes on from it, with
+        the same bits. Remove it when it is no longer needed.
+
+    Returns
+    -------
+    ShakedownResult
+        "elastic shakedown": a cycle adds less than tol yield strains of equivalent plastic strain.
+        "plastic shakedown": it ends within that of its beginning, and flows as much, to 2 %, as
+        the one before. "ratcheting": the strain it adds has changed by less than 10 % over the last
+        20 cycles; a rate that falls more slowly is not told from a steady one.
+
+    Raises
+    ------
+    ValueError
+        No body can yield; the cycle has no steps or leaves a body elsewhere; a part of the plastic
+        strain lies where the grid does not show it; a value outside its range. An error of a later
+        cycle, or Ctrl-C, has the result of those before in its attribute `result`.
+    TypeError
+        simulation is no Simulation.
+
+    Warns
+    -----
+    NotSteadyWarning
+        It is not clear after all cycles: the verdict is "undecided".
+
+    Notes
+    -----
+    A contact that passes in one direction over a track with ends is held back by these: use a
+    surface that is periodic along x, with `passes`, or a track much longer than the contact.
+    """
+    require_type("simulation", simulation, Simulation)
+    steps = step_list("cycle", cycle, STEP)
+    count, small = integer("cycles", cycles, 2), number("tol", tol)
+    if not 1e-6 <= small <= 0.1:
+        raise ValueError(f"tol must be in [1e-6, 0.1], got {tol!r}")
+    _require_closed(simulation, steps)
+    repeated = _Repeated(simulation, steps, small, bool(accelerate))
+    what = {"path": steps, "shakedown": {"tol": small, "accelerate": bool(accelerate)}}
+    with (
+        journal_of(checkpoint, simulation, **what) as journal,
+        progress_bar(count, "cycle", shown=progress) as bar,
+    ):
+        try:
+            while repeated.verdict == UNDECIDED and repeated.solved < count:
+                repeated.next(journal)
+                bar.update()
+                bar.set_postfix(strain_per_cycle=f"{repeated.cycles[-1].net:.3g}")
+        except BaseException as error:  # Ctrl-C too
+            if repeated.cycles:
+                error.result = repeated.result()  # type: ignore[attr-defined]
+            raise
+    if repeated.verdict == UNDECIDED:
+        last = repeated.cycles[-1]
+        warnings.warn(
+            f"cycles are not steady after {last.number}: the last adds a plastic strain of "
+            f"{last.net:.3g} and flows by {last.flow:.3g}; allow more than cycles = {count}",
+            NotSteadyWarning,
+            stacklevel=2,
+        )
+    return repeated.result()
+
+
+def _require_closed(simulation: Simulation, steps: Sequence[Mapping[str, Any]]) -> None:
+    if not steps:
+        raise ValueError("cycle must have at least one step, got none")
+    if not any(body.is_plastic for body in (simulation.body1, simulation.body2)):
+        raise ValueError("simulation must have a body that can yield, got two elastic ones")
+    dx = simulation.grid.dx
+    ways = [
+        math.fsum(in_cells("advance", float(step.get("advance", (0.0, 0.0))[n]), dx) * dx
+                  for step in steps)
+        for n in (0, 1)
+    ]  # fmt: skip
+    if max(map(abs, ways)) > 1e-6 * dx:
+        back = tuple(-way for way in ways)
+        raise ValueError(
+            f"cycle must bring both bodies back, but they have moved on by {ways!r} m at its end: "
+            f"end it with {{'load': 0.0, 'advance': {back!r}}}"
+        )
+
+
+class _Repeated:
+    """Cycles so far."""
+
+    def __init__(
+        self, simulation: Simulation, steps: list[dict[str, Any]], tol: float, accelerate: bool
+    ) -> None:
+        self.simulation, self.steps, self.accelerate = simulation, steps, accelerate
+        bodies = {1: simulation.body1, 2: simulation.body2}
+        self.bodies = [number for number, body in bodies.items() if body.is_plastic]
+        soft = [softest(bodies[number]) for number in self.bodies]
+        self.yield_strain = min(body.least_yield_stress / body.E for body in soft)
+        self.small = tol * self.yield_strain
+        self.cycles: list[Cycle] = []
+        self.verdict = UNDECIDED
+        self.error, self.rejected, self.solved = 0.0, 0, 0
+        self.state = simulation.state
+        self.strain: dict[int, FloatArray] = {}
+        self._most = MOST
+        self._number = 0
+        self._jump: Jump | None = None
+        self._changes: list[Changes] = []
+
+    def next(self, journal: Journal | None) -> None:
+        """Solve one cycle, judge it, and jump where that is safe."""
+        start = tracks(self.simulation, self.simulation.state, self.bodies)
+        state = self._solved(journal)
+        end = tracks(self.simulation, state, self.bodies)
+        found = {body: change(start[body], end[body]) for body in self.bodies}
+        if self._jump is not None and not self._confirmed(found):
+            return
+        self._changes, self.state = [*self._changes[-2:], found], state
+        self.strain = {body: each.of("plastic_strain") for body, each in found.items()}
+        self._number += 1
+        if self._number == 1:  # that of bodies without a past is unlike all others
+            self._changes = []
+        flow, net = (max(getattr(c, name) for c in found.values()) for name in ("flow", "net"))
+        self.cycles.append(Cycle(self._number, flow, net))
+        self.verdict = self._judged()
+        if self.verdict == UNDECIDED and self.accelerate and len(self._changes) == 3:
+            self._jump = jump(self.simulation, self._changes, self._most)
+            if self._jump is not None:
+                self._number += self._jump.cycles
+
+    def _solved(self, journal: Journal | None) -> State:
+        kept = journal.next() if journal else None
+        if kept is not None:
+            self.solved += 1
+            return kept
+        if not self.cycles:
+            self.simulation.run(self.steps, progress=False)
+        else:
+            with self.simulation._told.as_a_whole():
+                for step in self.steps:
+                    self.simulation.step(**step)
+        self.solved += 1
+        if journal:
+            journal.add()
+        return self.simulation.state
+
+    def _confirmed(self, found: Changes) -> bool:
+        """Whether the cycle after a jump was as expected; else the jump is taken back."""
+        made, self._jump = self._jump, None
+        assert made is not None
+        if made.confirmed(found):
+            self.error += made.error(found)
+            self._changes = []
+            self._most = min(MOST, 2 * made.cycles)
+            return True
+        self.rejected += 1
+        self._most, self._changes = max(made.cycles // 2, 2), []
+        stand_at(self.simulation, made.state)
+        self._number -= made.cycles
+        return False
+
+    def _judged(self) -> str:
+        last = self.cycles[-1]
+        if last.flow <= self.small:
+            return SHAKEDOWN if any(c.flow > 0 for c in self.cycles) else ELASTIC
+        if len(self._changes) < 2:
+            return UNDECIDED
+        flow = self.cycles[-2].flow
+        if last.net <= self.small:
+            steady = abs(last.flow - flow) <= _STEADY_FLOW * last.flow
+            return PLASTIC if steady else UNDECIDED
+        earlier = [c.net for c in self.cycles if c.number <= last.number - _WINDOW]
+        steady = bool(earlier) and abs(earlier[-1] - last.net) <= _STEADY_RATE * last.net
+        settled = len(self._changes) == 3  # the first cycle after a jump corrects it
+        return RATCHETING if steady and settled and self._alike() else UNDECIDED
+
+    def _alike(self) -> bool:
+        """Whether the last two cycles left about the same."""
+        older, last = (
+            [c.of("plastic_strain") for c in each.values()] for each in self._changes[-2:]
+        )
+        pairs = [as_deep(pair) for pair in zip(last, older, strict=True)]
+        same = all(a.shape == b.shape for a, b in pairs)
+        return same and norm([a - b for a, b in pairs]) <= _STEADY_RATE * norm(last)
+
+    def result(self) -> ShakedownResult:
+        last = self.cycles[-1]
+        return ShakedownResult(
+            verdict=self.verdict,
+            rate=last.net,
+            flow=last.flow,
+            cycles=tuple(self.cycles),
+            solved=self.solved,
+            error=self.error,
+            rejected=self.rejected,
+            yield_strain=self.yield_strain,
+            state=self.state,
+            _strain={body: read_only(strain) for body, strain in self.strain.items()},
+        )

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The plastic state of the bodies at the end of a cycle, and what a cycle changes of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .._checks import FloatArray
+from .._common_cells import on_common_cells
+from ..simulation import Simulation
+from ..state import State
+from ..track import Track
+
+FIELDS = ("plastic_strain", "equivalent_plastic_strain", "backstress")
+_DOUBLE_SHEAR = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])[:, None, None, None]
+
+
+@dataclass(frozen=True)
+class Change:
+    """Of a body in one cycle, on cells of which the first row lies over row `first` of the grid."""
+
+    first: int
+    before: dict[str, FloatArray]
+    """By the names of FIELDS."""
+    after: dict[str, FloatArray]
+
+    def of(self, field: str) -> FloatArray:
+        return self.after[field] - self.before[field]
+
+    @property
+    def flow(self) -> float:
+        return float(self.of("equivalent_plastic_strain").max())
+
+    @property
+    def net(self) -> float:
+        return largest(self.of("plastic_strain"))
+
+
+def largest(strain: FloatArray) -> float:
+    """Of sqrt(2/3 e:e)."""
+    squares: FloatArray = np.sum(_DOUBLE_SHEAR * strain**2, axis=0)
+    return math.sqrt(2.0 / 3.0 * float(squares.max()))
+
+
+def product(one: FloatArray, other: FloatArray) -> float:
+    """Sum over cells; of tensors, over all nine components."""
+    weights = _DOUBLE_SHEAR if one.ndim > 3 else 1.0
+    return float(np.sum(weights * one * other))
+
+
+def as_deep(fields: Sequence[FloatArray]) -> list[FloatArray]:
+    """The same with as many layers each: below the last one nothing has flowed."""
+    deepest = max(field.shape[-1] for field in fields)
+    return [
+        np.pad(field, [(0, 0)] * (field.ndim - 1) + [(0, deepest - field.shape[-1])])
+        for field in fields
+    ]
+
+
+def tracks(simulation: Simulation, state: State, bodies: Sequence[int]) -> dict[int, Track]:
+    """All plastic strain of each body.
+
+    Raises ValueError where a part of it lies where fields do not show it.
+    """
+    for body in bodies:
+        box = state._core.strain_beyond(body - 1)
+        if box is None:
+            continue
+        _, first, _, ny, nz = box
+        grid = simulation.grid
+        if (grid.nz and nz > grid.nz) or first < 0 or first + ny > grid.ny:
+            raise ValueError(
+                f"grid must hold the plastic strain of body {body} in depth and along y, which is "
+                f"{nz} layers deep, over rows {first} to {first + ny - 1} along y; got {grid!r}: "
+                "leave nz out, or enlarge ny"
+            )
+    return {body: state.track(body, margin=0) for body in bodies}
+
+
+def change(before: Track, after: Track) -> Change:
+    """From one moment to another one later."""
+    pairs = {name: on_common_cells(before, after, name) for name in FIELDS}
+    start = min(before.x[0], after.x[0])
+    first = after.first - round((after.x[0] - start) / after.grid.dx)
+    return Change(first, *({name: pair[n] for name, pair in pairs.items()} for n in (0, 1)))
