@@ -163,12 +163,14 @@ class _Repeated:
         self.small = tol * self.yield_strain
         self.cycles: list[Cycle] = []
         self.verdict = UNDECIDED
-        self.error, self.rejected, self.solved = 0.0, 0, 0
+        self.rejected, self.solved = 0, 0
+        self._errors: list[float] = []
         self.state = simulation.state
         self.strain: dict[int, FloatArray] = {}
         self._most = MOST
         self._number = 0
         self._jump: Jump | None = None
+        self._kept: tuple[Jump, Changes] | None = None
         self._changes: list[Changes] = []
 
     def next(self, journal: Journal | None) -> None:
@@ -177,8 +179,12 @@ class _Repeated:
         state = self._solved(journal)
         end = tracks(self.simulation, state, self.bodies)
         found = {body: change(start[body], end[body]) for body in self.bodies}
-        if self._jump is not None and not self._confirmed(found):
-            return
+        if self._jump is not None:
+            if not self._confirmed(found):
+                return
+        elif self._kept is not None:
+            made, first = self._kept
+            self._errors[-1], self._kept = made.error(first, found), None
         self._changes, self.state = [*self._changes[-2:], found], state
         self.strain = {body: each.of("plastic_strain") for body, each in found.items()}
         self._number += 1
@@ -213,8 +219,8 @@ class _Repeated:
         made, self._jump = self._jump, None
         assert made is not None
         if made.confirmed(found):
-            self.error += made.error(found)
-            self._changes = []
+            self._errors.append(made.error(found))
+            self._changes, self._kept = [], (made, found)
             self._most = min(MOST, 2 * made.cycles)
             return True
         self.rejected += 1
@@ -255,7 +261,7 @@ class _Repeated:
             flow=last.flow,
             cycles=tuple(self.cycles),
             solved=self.solved,
-            error=self.error,
+            error=sum(self._errors),
             rejected=self.rejected,
             yield_strain=self.yield_strain,
             state=self.state,

@@ -112,28 +112,30 @@ class Jump:
 
     state: State
     cycles: int
-    expected: list[FloatArray]
-    """Plastic strain that the cycle after it should add to each body."""
-    allowed: float
-    """Norm that the cycle after it may differ by."""
+    trend: Trend
+    """Of the plastic strain, before it."""
 
-    def away(self, found: Changes) -> list[FloatArray]:
-        """What the cycle after it did otherwise."""
+    def away(self, found: Changes, after: int = 1) -> list[FloatArray]:
+        """What a cycle after it did otherwise than expected."""
         real = (change.of("plastic_strain") for change in found.values())
-        pairs = [as_deep(pair) for pair in zip(real, self.expected, strict=True)]
+        expected = self.trend.later(self.cycles + after)
+        pairs = [as_deep(pair) for pair in zip(real, expected, strict=True)]
         return [a - b for a, b in pairs if a.shape == b.shape]
 
     def confirmed(self, found: Changes) -> bool:
         """Whether the cycle after it is as was expected."""
         away = self.away(found)
-        return len(away) == len(found) and norm(away) <= self.allowed
+        return len(away) == len(found) and norm(away) <= _STRAY * norm(self.trend.last)
 
-    def error(self, found: Changes) -> float:
-        """Estimate of the error it has left in the plastic strain [-].
+    def error(self, first: Changes, second: Changes | None = None) -> float:
+        """Estimate of the error it has left in the plastic strain [-], from the cycles after it.
 
-        As if the difference had grown evenly in the cycles that were left out.
+        The first one makes up for what the jump has missed; what the second does otherwise has
+        grown evenly in the cycles that were left out. Without a second, all of it has.
         """
-        return 0.5 * (1.0 + self.cycles) * max(map(largest, self.away(found)))
+        missed = max(map(largest, self.away(first)))
+        grown = missed if second is None else max(map(largest, self.away(second, 2)), default=0.0)
+        return missed + 0.5 * self.cycles * grown
 
 
 def jump(simulation: Simulation, changes: Sequence[Changes], most: int) -> Jump | None:
@@ -152,4 +154,4 @@ def jump(simulation: Simulation, changes: Sequence[Changes], most: int) -> Jump 
         simulation.set_plastic_strain(
             body, fields["plastic_strain"], accumulated, back, first=now.first
         )
-    return Jump(state, cycles, flow.later(cycles + 1), _STRAY * norm(flow.last))
+    return Jump(state, cycles, flow)
