@@ -141,6 +141,14 @@ def test_a_ball_pressed_again_stays_elastic():
     )
 
 
+def test_a_substrate_below_a_coating():
+    """The yield strain is that of what yields."""
+    simulation, cycle = ball(sc.Layered([(STEEL, 20e-6)], SOFT))
+    result = shakedown.run(simulation, cycle, progress=False)
+    assert result.yield_strain == pytest.approx(np.sqrt(3.0) * K / E)
+    assert (result.verdict, result.solved) == ("elastic shakedown", 2)
+
+
 def test_what_never_yields_is_elastic():
     simulation, cycle = ball(load=0.5)
     result = shakedown.run(simulation, cycle, progress=False)

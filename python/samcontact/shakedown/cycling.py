@@ -14,7 +14,7 @@ from .._frozen import read_only
 from .._progress import progress_bar
 from .._steps import STEP
 from ..checkpoint import stand_at
-from ..layered import softest
+from ..layered import materials_of
 from ..runs.journal import Journal, journal_of
 from ..simulation import Simulation
 from ..state import State
@@ -158,8 +158,8 @@ class _Repeated:
         self.simulation, self.steps, self.accelerate = simulation, steps, accelerate
         bodies = {1: simulation.body1, 2: simulation.body2}
         self.bodies = [number for number, body in bodies.items() if body.is_plastic]
-        soft = [softest(bodies[number]) for number in self.bodies]
-        self.yield_strain = min(body.least_yield_stress / body.E for body in soft)
+        yields = [m for n in self.bodies for m in materials_of(bodies[n]) if m.is_plastic]
+        self.yield_strain = min(material.least_yield_stress / material.E for material in yields)
         self.small = tol * self.yield_strain
         self.cycles: list[Cycle] = []
         self.verdict = UNDECIDED
