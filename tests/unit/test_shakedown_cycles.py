@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What repeated cycles come to: against the limits of shakedown, and with and without jumps."""
 
+import dataclasses
+import pickle
+
 import numpy as np
 import pytest
 
@@ -154,6 +157,13 @@ def test_what_never_yields_is_elastic():
     result = shakedown.run(simulation, cycle, progress=False)
     assert (result.verdict, result.flow, result.rate, result.solved) == ("elastic", 0.0, 0.0, 1)
     assert result.shakes_down
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        result.verdict = "ratcheting"
+    with pytest.raises(ValueError, match="read-only"):
+        result.strain_per_cycle()[0] = 1.0
+    again = pickle.loads(pickle.dumps(result))
+    assert again.cycles == result.cycles
+    np.testing.assert_array_equal(again.residual_stress(), result.residual_stress())
 
 
 def test_a_ball_that_rolls_over_a_track_and_is_brought_back():
