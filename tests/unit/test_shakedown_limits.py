@@ -150,6 +150,8 @@ def test_refuses():
         shakedown.line(0.1, criterion="mises")
     with pytest.raises(ValueError, match="friction must be"):
         shakedown.point(-0.1)
+    with pytest.raises(ValueError, match="percent"):
+        shakedown.elliptic(1.0, friction=30)
     with pytest.raises(ValueError, match="k must be"):
         shakedown.elliptic(1e-60)
     assert dict(shakedown.line()._rows()) == {"p0/k": "4", "where": "0.5 half-widths deep"}

@@ -27,6 +27,7 @@ _ALONG = np.concatenate(
     ]
 )
 """Where a point of the body passes the contact, over its half-width: denser at its edges."""
+_ROUGHEST = 10.0
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,8 @@ class Limit(Shown):
         Where the body flows first beyond it, over the half-width or radius of the contact along
         the direction of rolling [-]; 0 at the surface.
     exact : bool
-        False: an upper bound, beyond which the contact certainly does not shake down.
+        False: an upper bound, beyond which the contact certainly does not shake down
+        elastically.
     """
 
     ratio: float
@@ -53,6 +55,16 @@ class Limit(Shown):
         where = "surface" if self.depth == 0.0 else f"{self.depth:.4g} half-widths deep"
         name = "p0/k" if self.exact else "p0/k, at most"
         return [(name, f"{self.ratio:.5g}"), ("where", where)]
+
+
+def _coefficient(friction: float) -> float:
+    value = non_negative("friction", friction)
+    if value > _ROUGHEST:
+        raise ValueError(
+            f"friction must be a coefficient in [0, {_ROUGHEST:g}], got {friction!r}: "
+            "is it in percent?"
+        )
+    return value
 
 
 def _worst_depth(strength: Callable[[float, float], float]) -> tuple[float, float]:
@@ -124,7 +136,7 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> L
     Parameters
     ----------
     friction : float, optional
-        Traction over pressure, of a contact that slides or rolls with full slip, >= 0 [-].
+        Traction over pressure, of a contact that slides or rolls with full slip, in [0, 10] [-].
     nu : float, optional
         Poisson's ratio, in [0, 0.5]; it counts where sigma_yy does.
     criterion : {"tresca", "von_mises"}, optional
@@ -145,7 +157,7 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> L
     Johnson (1985), section 9.2; Melan (1938); Johnson and Jefferis (1963). The shear is as if the
     whole contact slipped.
     """
-    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+    nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     if choice("criterion", criterion, ("tresca", "von_mises")) == "tresca":
         asked, depth = _worst_depth(lambda z, _: _tresca(_line_path(z, nu, friction)))
     else:
@@ -181,7 +193,7 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
     -----
     Melan (1938); Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362.
     """
-    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+    nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     asked, depth = _worst_depth(
         lambda z, least: enclosing_radius(_line_path(z, nu, friction), least)
     )
@@ -215,7 +227,7 @@ def point(friction: float = 0.0, nu: float = 0.3) -> Limit:
     Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the surface residual
     shear is allowed whatever it takes to be in equilibrium: with friction the limit may be lower.
     """
-    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+    nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
 
     def asked(depth: float, least: float) -> float:
         path = _point_path(depth, nu, friction)
@@ -243,7 +255,7 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
     ValueError
         An argument is outside its range.
     """
-    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+    nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     asked, depth = _worst_depth(
         lambda z, least: enclosing_radius(_point_path(z, nu, friction), least)
     )
@@ -263,7 +275,7 @@ def elliptic(k: float, friction: float = 0.0) -> Limit:
         Semi-axis across the direction of rolling over the one along it, > 0 [-], e.g. `k` of
         `hertz.elliptic` for rolling along x.
     friction : float, optional
-        Traction over pressure, >= 0 [-]; the surface of a perfectly plastic body flows beyond
+        Traction over pressure, in [0, 10] [-]; the surface of a perfectly plastic body flows beyond
         1/friction, since no residual shear can be there.
 
     Returns
@@ -281,7 +293,7 @@ def elliptic(k: float, friction: float = 0.0) -> Limit:
     Lundberg and Palmgren (1947): tau_0/p0 = sqrt(2t - 1)/(2t(t + 1)) in the depth
     1/((t + 1) sqrt(2t - 1)) semi-axes, with 1/k^2 = (t^2 - 1)(2t - 1).
     """
-    ratio, friction = positive("k", k), non_negative("friction", friction)
+    ratio, friction = positive("k", k), _coefficient(friction)
     if not ratio > 1e-50:
         raise ValueError(f"k must be > 1e-50, got {ratio!r}")
     across = ratio**-2
@@ -306,7 +318,7 @@ def first_yield(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca
     Limit
         From the largest stress anywhere (`hertz.LineContact.stress`).
     """
-    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+    nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     tresca = choice("criterion", criterion, ("tresca", "von_mises")) == "tresca"
 
     def asked(depth: float, _: float) -> float:
