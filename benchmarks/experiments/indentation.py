@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A rigid ball on a body that yields: mean pressure from first yield to the fully plastic range.
+
+The strains are chosen small, by a yield stress that is small against E: far smaller than in a
+hardness test. Then the theory of small strains is exact, and of perfect plasticity the only number
+left is E* a/(Y R).
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+
+import samcontact as sc
+
+E, NU, RADIUS = 210e9, 0.3, 1.0
+E_STAR = E / (1.0 - NU**2)
+YIELD_STRAIN = 1e-5
+INCREMENTS = 20
+REPRESENTATIVE = 0.2
+"""Tabor's representative strain over a/R."""
+
+
+class Print(NamedTuple):
+    """Under load. Lengths over the radius of the ball, stresses over E*."""
+
+    cells: int
+    radius: float
+    mean_pressure: float
+    max_pressure: float
+    max_strain: float
+    yield_stress: float
+
+    @property
+    def stiffness(self) -> float:
+        """E* a/(Y R), with Y at the representative strain."""
+        return self.radius / self.yield_stress
+
+    @property
+    def constraint(self) -> float:
+        """Mean pressure over Y."""
+        return self.mean_pressure / self.yield_stress
+
+
+def press(material: sc.Material, radius: float, mean_pressure: float, cells: int) -> Print:
+    """Load until about this contact radius [m], at about this mean pressure [Pa].
+
+    The contact's area is that of the cells that bear pressure.
+    """
+    size, half = radius / cells, int(1.3 * cells)
+    grid = sc.Grid(2 * half + 1, 2 * half + 1, size, size, dz=size)
+    gap = sc.surfaces.paraboloid(grid, RADIUS)
+    simulation = sc.Simulation(grid, sc.Material.rigid(), material, gap)
+    load = mean_pressure * math.pi * radius**2
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of first increments over few cells
+        for part in np.linspace(0.0, 1.0, INCREMENTS + 1)[1:]:
+            state = simulation.step(load=load * part**2)
+    reached = math.sqrt(state.contact_area / math.pi)
+    return Print(
+        cells,
+        reached / RADIUS,
+        state.mean_pressure / E_STAR,
+        float(state.pressure.max()) / E_STAR,
+        state.max_equivalent_plastic_strain(),
+        float(material.yield_stress(REPRESENTATIVE * reached / RADIUS)) / E_STAR,
+    )
+
+
+def perfect(stiffness: float, cells: int) -> Print:
+    """Of a perfectly plastic body, to about this E* a/(Y R)."""
+    Y = YIELD_STRAIN * E
+    guess = min(float(cavity(stiffness)), 2.9)
+    if stiffness < 3.0:
+        guess = min(guess, hertz(stiffness))
+    radius = stiffness * Y / E_STAR * RADIUS
+    return press(sc.Material.perfect_plastic(E, NU, Y), radius, guess * Y, cells)
+
+
+def hardening(exponent: float, radius: float, cells: int) -> Print:
+    """Of a body whose stress grows with this power of the plastic strain.
+
+    At a contact radius of 0.02 R, E* a/(Y R) is 40 with Y at the representative strain.
+    """
+    at = REPRESENTATIVE * 0.02
+    Y = E_STAR * 0.02 / 40.0
+    C = 1e-2 * at * 1e6  # microstrain
+    body = sc.Material.swift(E, NU, B=Y / (C + 1e6 * at) ** exponent, C=C, n=exponent)
+    stress = float(body.yield_stress(REPRESENTATIVE * radius))
+    return press(body, radius * RADIUS, 2.8 * stress, cells)
+
+
+def hertz(stiffness: float) -> float:
+    """Mean pressure over Y of an elastic body."""
+    return 4.0 * stiffness / (3.0 * math.pi)
+
+
+def first_yield() -> float:
+    """Mean pressure over Y at which a body first yields."""
+    Y = YIELD_STRAIN * E
+    return 2.0 / 3.0 * sc.critical.onset(RADIUS, E_STAR, NU, Y).p0 / Y
+
+
+def cavity(stiffness: float | np.ndarray) -> np.ndarray:
+    """Mean pressure over Y by the cavity that expands.
+
+    A core below the ball under even pressure grows by the volume that the ball displaces, with
+    tan(beta) = a/R, in a sphere that yields out to c: (c/a)^3 is the logarithm's argument, and the
+    core bears 2/3 Y (1 + ln) by Hill. Along the axis of a core that yields itself there is 2/3 Y
+    more. K. L. Johnson, J. Mech. Phys. Solids 18 (1970) 115-126; Contact Mechanics (1985), 6.3.
+    """
+    ratio = (1.0 - NU**2) * np.asarray(stiffness)  # E a/(Y R)
+    return 2.0 / 3.0 * (2.0 + np.log((ratio + 4.0 * (1.0 - 2.0 * NU)) / (6.0 * (1.0 - NU))))

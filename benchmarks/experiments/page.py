@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page and its figure, from what `solve` has found."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import samcontact as sc
+
+from ..wear_convergence import table
+from .__main__ import EXPONENTS, KEPT, RADII
+from .indentation import E_STAR, Print, cavity, first_yield, hertz
+
+TABOR = (2.6, 3.0)
+"""2.8 +- 0.2."""
+METALS = {  # Y [Pa] of which E*/Y are the orders of magnitude
+    "bearing steel": 2.0e9,
+    "steel, worked": 0.65e9,
+    "mild steel, as it comes": 0.25e9,
+    "copper, annealed (E* of 140 GPa)": 0.07e9 * E_STAR / 140e9,
+}
+HARDNESS = 800  # Vickers, of 64 HRC
+PROJECTED = math.sin(math.radians(68.0))
+"""Area of a Vickers print over that of its faces."""
+VICKERS_STRAIN = 0.08
+
+TEXT = Path(__file__).with_name("template.md")
+
+
+def kept() -> dict[str, list[tuple[float, Print]]]:
+    found = json.loads(KEPT.read_text(encoding="utf-8"))
+    return {
+        name: [(first, Print(*values)) for first, *values in rows] for name, rows in found.items()
+    }
+
+
+def finest(rows: list[tuple[float, Print]]) -> list[Print]:
+    """The last of each load."""
+    return list(dict(rows).values())
+
+
+def page(found: dict[str, list[tuple[float, Print]]]) -> str:
+    curve = finest(found["perfect"])
+    x, values = (np.array([getattr(one, k) for one in curve]) for k in ("stiffness", "constraint"))
+    yielded = x > 3.5
+    apart = np.abs(values / cavity(x) - 1)
+    until = x[yielded & (apart < 0.08)].max()
+    powers = meyer(found["hardening"])
+    steel = sc.Material.swift(210e9, 0.3, B=945e6, C=20.0, n=0.121)
+    vickers = HARDNESS * 9.80665e6 / PROJECTED
+    factors = np.array([one.constraint for _, one in found["hardening"]])
+    return TEXT.read_text(encoding="utf-8").format(
+        first=first_yield(),
+        perfect=table(curve_table(found["perfect"])),
+        finest=max(one.stiffness for _, one in found["perfect"] if one.cells == 20),
+        beside=math.ceil(100 * apart[yielded & (x <= until)].max()),
+        until=until,
+        enters=float(np.interp(TABOR[0], values, x)),
+        most=values[-1],
+        last=x[-1],
+        hardening=table(hardening_table(found["hardening"])),
+        off=math.ceil(100 * max(0.0, factors.max() / TABOR[1] - 1, 1 - factors.min() / TABOR[0])),
+        meyer=max(abs(power - 2 - n) for n, power in powers.items()),
+        honest=table(honest_table(curve)),
+        swift=1e-9 * float(steel.yield_stress(VICKERS_STRAIN)),
+        hardness=HARDNESS,
+        vickers=1e-9 * vickers,
+        stress=1e-9 * vickers / 2.8,
+    )
+
+
+def curve_table(rows: list[tuple[float, Print]]) -> list[dict[str, Any]]:
+    lines = []
+    for asked in dict(rows):
+        grids = [one for first, one in rows if first == asked]
+        last = grids[-1]
+        x = last.stiffness
+        grows = x > 3.5  # below, the model of a core has none
+        lines.append(
+            {
+                "E\\* a/(Y R)": f"{x:.2f}",
+                "mean pressure / Y": f"{last.constraint:.3f}",
+                "on coarser grids": ", ".join(f"{one.constraint:.3f}" for one in grids[:-1]),
+                "Hertz": f"{hertz(x):.3f}" if x < 5 else "",
+                "cavity": f"{float(cavity(x)):.3f}" if grows else "",
+                "largest pressure / Y": f"{last.max_pressure / last.yield_stress:.2f}",
+                "largest plastic strain R/a": f"{last.max_strain / last.radius:.2f}",
+            }
+        )
+    return lines
+
+
+def hardening_table(rows: list[tuple[float, Print]]) -> list[dict[str, Any]]:
+    powers = meyer(rows)
+    return [
+        {
+            "n": f"{n:g}",
+            "a/R": f"{one.radius:.4f}",
+            "E\\* a/(Y R)": f"{one.stiffness:.0f}",
+            "mean pressure / Y": f"{one.constraint:.3f}",
+            "largest plastic strain": f"{100 * one.max_strain:.1f} %",
+            "power of the load": "" if number % len(RADII) else f"{powers[n]:.2f}",
+        }
+        for number, (n, one) in enumerate(rows)
+    ]
+
+
+def meyer(rows: list[tuple[float, Print]]) -> dict[float, float]:
+    """Power of the radius with which the load grows, of each exponent."""
+    found = {}
+    for n in EXPONENTS:
+        first, last = (one for exponent, one in rows if exponent == n)
+        loads = [one.mean_pressure * one.radius**2 for one in (first, last)]
+        found[n] = math.log(loads[1] / loads[0]) / math.log(last.radius / first.radius)
+    return found
+
+
+def honest_table(curve: list[Print]) -> list[dict[str, Any]]:
+    at = min(curve, key=lambda one: abs(one.stiffness - 30))
+    lines = []
+    for metal, stress in METALS.items():
+        radius = 30 * stress / E_STAR
+        lines.append(
+            {
+                "metal": metal,
+                "Y/E\\*": f"{stress / E_STAR:.4f}",
+                "a/R of 30": f"{radius:.3f}",
+                "largest plastic strain there": f"{100 * radius * at.max_strain / at.radius:.1f} %",
+            }
+        )
+    return lines
+
+
+def draw(found: dict[str, list[tuple[float, Print]]]) -> Any:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(6.4, 4.4), layout="constrained")
+    ax = figure.subplots()
+    ax.axhspan(*TABOR, color="0.9", label="Tabor, 2.8 ± 0.2")
+    ax.plot([1, 27], [first_yield()] * 2, color="0.6", linewidth=1)
+    ax.text(9, first_yield() + 0.04, f"first yield, {first_yield():.2f}", color="0.4", fontsize=9)
+    x = np.geomspace(1.0, 8.0, 50)
+    ax.plot(x[hertz(x) < 2.6], hertz(x[hertz(x) < 2.6]), "k:", label="Hertz")
+    x = np.geomspace(3.5, 120.0, 100)
+    ax.plot(x, cavity(x), "k--", label="expanding cavity")
+    for cells, marker, colour in ((10, "x", "C0"), (14, "+", "C0"), (20, "o", "C3")):
+        rows = [one for _, one in found["perfect"] if one.cells == cells]
+        ax.plot(
+            [one.stiffness for one in rows], [one.constraint for one in rows], marker,
+            color=colour, label=f"{cells} cells on the radius", markerfacecolor="none",
+        )  # fmt: skip
+    hard = [one for _, one in found["hardening"]]
+    ax.plot(
+        [one.stiffness for one in hard], [one.constraint for one in hard], "s", color="C2",
+        label="that hardens, n = 0.1 to 0.3", markerfacecolor="none",
+    )  # fmt: skip
+    ax.set(xscale="log", xlim=(1, 220), ylim=(0, 3.8))
+    ax.set(xlabel="E* a/(Y R)", ylabel="mean pressure / Y (at the strain 0.2 a/R)")
+    ax.set_xticks([1, 2, 5, 10, 20, 50, 100, 200], ["1", "2", "5", "10", "20", "50", "100", "200"])
+    ax.grid(alpha=0.3)
+    ax.legend(frameon=False, fontsize=8, loc="lower right")
+    return figure
