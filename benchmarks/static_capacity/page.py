@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page and its figure, from what `solve` has found."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+from samcontact import bearings
+
+from ..wear_convergence import table
+from .__main__ import FINE, GROOVE, KEPT
+from .scenes import (
+    ALLOWED,
+    BALL,
+    BALLS,
+    CONTACTS,
+    E_STAR,
+    FLAT,
+    PITCH,
+    STEEL,
+    Pressed,
+    reaches,
+)  # fmt: skip
+
+TEXT = Path(__file__).with_name("template.md")
+
+
+def kept() -> dict[str, Any]:
+    found = json.loads(KEPT.read_text(encoding="utf-8"))
+    many = {
+        part: {name: [Pressed(*row) for row in rows] for name, rows in found[part].items()}
+        for part in ("contacts", "steels")
+    }
+    return many | {"fine": {name: Pressed(*row) for name, row in found["fine"].items()}}
+
+
+def at(rows: list[Pressed], pressure: float) -> Pressed:
+    return next(row for row in rows if math.isclose(row.pressure, pressure))
+
+
+def by_model(rows: list[Pressed]) -> float:
+    """Pressure that leaves what is allowed [Pa]."""
+    return reaches(rows, [row.deformation for row in rows])
+
+
+def power(rows: list[Pressed], low: float, high: float) -> float:
+    """Of the pressure, with which the deformation grows."""
+    first, last = at(rows, low), at(rows, high)
+    return math.log(last.deformation / first.deformation) / math.log(high / low)
+
+
+def page(found: dict[str, Any]) -> str:
+    contacts, steels = found["contacts"], found["steels"]
+    groove, flat = contacts[GROOVE], contacts[FLAT]
+    iso = {name: at(rows, CONTACTS[name].pressure) for name, rows in contacts.items()}
+    rated = [name for name in contacts if name != FLAT]
+    allowed = {name: by_model(contacts[name]) for name in rated}
+    margins = [100 * (allowed[name] / CONTACTS[name].pressure - 1) for name in rated]
+    fine = [abs(found["fine"][n].deformation / iso[n].deformation - 1) for n in contacts]
+    grows = power(groove, 4.2e9, 5.0e9)
+    race = CONTACTS[GROOVE].race
+    rating = {
+        p0: bearings.static_load_rating([race], BALLS, pressure=p0, E_star=modulus)
+        for p0, modulus in ((4.2e9, bearings.rating.STEEL), (allowed[GROOVE], E_STAR))
+    }
+    ratios = [at(groove, p).deformation / at(flat, p).deformation for p in (4.2e9, 6e9)]
+    return TEXT.read_text(encoding="utf-8").format(
+        ball=1e3 * BALL, pitch=1e3 * PITCH, balls=BALLS, fine=FINE,
+        contacts=table([contact_row(name, contacts[name], iso[name]) for name in contacts]),
+        steels=table([steel_row(name, rows) for name, rows in steels.items()]),
+        grids=100 * max(fine),
+        least=min(iso[name].deformation for name in rated) / ALLOWED,
+        largest=max(iso[name].deformation for name in rated) / ALLOWED,
+        low=1e-9 * min(allowed.values()), high=1e-9 * max(allowed.values()),
+        margin_low=min(margins), margin_high=max(margins),
+        power=grows, two=2 ** (1 / grows), power_high=power(groove, 5.5e9, 6.0e9),
+        rating=1e-3 * rating[4.2e9], capacity=1e-3 * rating[allowed[GROOVE]],
+        ratio_low=ratios[0], ratio_high=ratios[1],
+        ratio_palmgren=at(groove, 4.2e9).palmgren / at(flat, 4.2e9).palmgren,
+        palmgren=1e4 * at(groove, 4.2e9).palmgren,
+        flat_palmgren=1e4 * at(flat, 4.2e9).palmgren,
+        flat_model=1e4 * at(flat, 4.2e9).deformation,
+        softer=at(steels["52100, all stresses 10 % lower"], 4.2e9).deformation
+        / at(steels[STEEL], 4.2e9).deformation,
+        strain=100 * at(groove, 4.2e9).strain,
+        across=2e3 * race_ellipse(),
+    )  # fmt: skip
+
+
+def race_ellipse() -> float:
+    """Long semi-axis in the groove at 4.2 GPa [m]."""
+    from samcontact import hertz
+
+    race = CONTACTS[GROOVE].race
+    return hertz.elliptic(race.Rx, race.Ry, E_STAR, p0=4.2e9).a_y
+
+
+def contact_row(name: str, rows: list[Pressed], iso: Pressed) -> dict[str, str]:
+    line = math.isnan(iso.palmgren)
+    formula = reaches(rows, [row.palmgren for row in rows]) if not line else math.nan
+    load = f"{iso.load:.0f} N/mm" if line else f"{1e-3 * iso.load:.2f} kN"
+    return {
+        "contact": name,
+        "p₀ of ISO 76 [GPa]": f"{1e-9 * iso.pressure:.1f}" + (" (as in a groove)" * (name == FLAT)),
+        "load": load,
+        "model [1e-4 D]": f"{1e4 * iso.deformation:.2f}",
+        "Palmgren [1e-4 D]": "" if line else f"{1e4 * iso.palmgren:.2f}",
+        "largest plastic strain": f"{100 * iso.strain:.2f} %",
+        "p₀ of 1e-4 D, model [GPa]": f"{1e-9 * by_model(rows):.2f}",
+        "p₀ of 1e-4 D, Palmgren [GPa]": "" if line else f"{1e-9 * formula:.2f}",
+    }
+
+
+def steel_row(name: str, rows: list[Pressed]) -> dict[str, str]:
+    deformation = at(rows, 4.2e9).deformation
+    reached = by_model(rows)
+    return {
+        "steel": name,
+        "at 4.2 GPa [1e-4 D]": f"{1e4 * deformation:.2f}",
+        "p₀ of 1e-4 D [GPa]": f"{1e-9 * reached:.2f}" if reached > 0 else "beyond these",
+        "largest plastic strain at 4.2 GPa": f"{100 * at(rows, 4.2e9).strain:.2f} %",
+    }
+
+
+def draw(found: dict[str, Any]) -> Any:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(9.6, 4.0), layout="constrained")
+    left, right = figure.subplots(1, 2, sharex=True, sharey=True)
+    for number, name in enumerate((GROOVE, FLAT)):
+        rows = found["contacts"][name]
+        pressures = [1e-9 * row.pressure for row in rows]
+        colour = f"C{number}"
+        left.plot(pressures, [row.deformation for row in rows], "o-", color=colour, label=name)
+        left.plot(
+            pressures, [row.palmgren for row in rows], "--", color=colour, label=f"{name}, Palmgren"
+        )
+    for name, rows in found["steels"].items():
+        style = "--" if name.startswith("perf") else ":" if "%" in name else "-"
+        known = [row for row in rows if row.deformation > 0]
+        right.plot(
+            [1e-9 * row.pressure for row in known], [row.deformation for row in known], style,
+            label=name, marker=".",
+        )  # fmt: skip
+    for ax in (left, right):
+        ax.axhline(ALLOWED, color="k", linewidth=0.8)
+        ax.axvline(4.2, color="k", linewidth=0.8)
+        ax.set(yscale="log", xlabel="largest Hertz pressure [GPa]", ylim=(1e-6, 1e-3))
+        ax.grid(alpha=0.3)
+        ax.legend(frameon=False, fontsize=7.5, loc="lower right")
+    left.set(ylabel="permanent deformation / diameter", title=f"{STEEL}, both bodies")
+    right.set_title(GROOVE)
+    return figure
