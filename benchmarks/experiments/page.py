@@ -62,6 +62,7 @@ def page(found: dict[str, list[tuple[float, Print]]]) -> str:
         until=until,
         enters=float(np.interp(TABOR[0], values, x)),
         most=values[-1],
+        peak=max(one.max_pressure / one.yield_stress for one in curve),
         last=x[-1],
         hardening=table(hardening_table(found["hardening"])),
         off=math.ceil(100 * max(0.0, factors.max() / TABOR[1] - 1, 1 - factors.min() / TABOR[0])),
@@ -88,7 +89,6 @@ def curve_table(rows: list[tuple[float, Print]]) -> list[dict[str, Any]]:
                 "on coarser grids": ", ".join(f"{one.constraint:.3f}" for one in grids[:-1]),
                 "Hertz": f"{hertz(x):.3f}" if x < 5 else "",
                 "cavity": f"{float(cavity(x)):.3f}" if grows else "",
-                "largest pressure / Y": f"{last.max_pressure / last.yield_stress:.2f}",
                 "largest plastic strain R/a": f"{last.max_strain / last.radius:.2f}",
             }
         )
