@@ -352,7 +352,9 @@ def test_every_field_of_every_section_is_tried():
         "description",
         "estimate_error",
         "directory",
+        "column",
         "figures",
+        "format",
         "body",
         "volume",
     }

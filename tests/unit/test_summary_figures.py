@@ -168,3 +168,53 @@ def test_bad_input_is_named(tmp_path):
         plotting.summary_figures(to_dataset(simulation, states), tmp_path, body=3)
     with pytest.raises(ValueError, match=r"volume .* got 2"):
         to_dataset(simulation, states, volume=[2])
+    with pytest.raises(ValueError, match="format must be one of 'png', 'pdf', 'svg', got 'jpg'"):
+        plotting.summary_figures(to_dataset(simulation, states), tmp_path, format="jpg")
+    with (
+        pytest.raises(ValueError, match="width must be one of 'single', 'double', 'screen'"),
+        plotting.column("wide"),
+    ):
+        pass
+
+
+@pytest.mark.parametrize(("width", "mm"), [("single", 88.0), ("double", 180.0)])
+def test_figures_as_wide_as_a_column(width, mm, tmp_path, drawn):
+    """Nothing is cut off, nothing overlaps, and letters are those of print."""
+    simulation = make_simulation(body2=WARM)
+    grid = simulation.grid = make_grid(nx=21, ny=15, nz=8, dz=1e-4)
+    simulation.initial_gap = np.zeros((21, 15))
+    states = [FakeState(grid, load) for load in (1500.0, 0.0)]
+    dataset = to_dataset(simulation, states)
+    with plotting.column(width):
+        written = plotting.summary_figures(dataset, tmp_path)
+        for path in written:
+            figure = drawn[path.stem]
+            image = matplotlib.image.imread(path)
+            assert image.shape[1] == pytest.approx(mm / 25.4 * 200, abs=1.1)
+            border = np.concatenate([image[0], image[-1], image[:, 0], image[:, -1]])
+            assert border[:, :3].min() == 1.0, path.name  # white: nothing goes beyond
+            assert overlaps(figure) == [], path.name
+            sizes = {text.get_fontsize() for ax in figure.axes for text in texts(ax)}
+            assert min(sizes) >= 5.5
+            assert max(sizes) <= 8.0
+    assert matplotlib.rcParams["font.size"] == 10.0
+
+
+@pytest.mark.parametrize("ending", ["pdf", "svg"])
+def test_vectors_are_the_same_again(ending, tmp_path):
+    """With letters that stay letters in a PDF, and pixels for the colours of a field only."""
+    simulation = make_simulation()
+    state = FakeState(simulation.grid, 1500.0)
+    state.gap = 1e-3 * np.abs(simulation.grid.x)[:, None] + 1e-3 * np.abs(simulation.grid.y)
+    dataset = to_dataset(simulation, [state])
+    for folder in "ab":
+        written = plotting.summary_figures(dataset, tmp_path / folder, format=ending)
+        assert {path.suffix for path in written} == {f".{ending}"}
+    for path in written:
+        found = path.read_bytes()
+        assert found == (tmp_path / "a" / path.name).read_bytes()
+        colours = b"/Subtype /Image" if ending == "pdf" else b"<image"
+        fields = ("pressure_map", "gap_map", "sections", "print_map", "residual")
+        assert (colours in found) == (path.stem in fields), path.name
+        if ending == "pdf":
+            assert b"/Type0" in found  # TrueType, as journals ask

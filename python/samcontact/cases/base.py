@@ -91,6 +91,8 @@ class OutputPlace(Section):
 
     directory: Annotated[str, Field(min_length=1)] | None = None
     figures: bool = True
+    format: Literal["png", "pdf", "svg"] = "png"
+    column: Literal["screen", "single", "double"] = "screen"
 
 
 class CaseFile(Section):

@@ -24,7 +24,7 @@ _FIGURES = (
 _OWN = re.compile(
     r"(results|series|wear|fatigue)\.nc|(series|wear)\.csv|(report|results)\.html|(rolling|stick_slip)\.gif"
     r"|results(_\d{5,})?(_track)?(_surface)?\.vt[ru]|results(_surface)?\.pvd"
-    rf"|({'|'.join(_FIGURES)})\.png"
+    rf"|({'|'.join(_FIGURES)})\.(png|pdf|svg)"
 )
 """Names of the files that runs, reports and exports write into the folder of a run."""
 

@@ -160,11 +160,16 @@ class _Run:
             shown = case.output.figures and figures
             written += write_fatigue(case, states, self.directory, console, figures=shown)
         if case.output.figures and figures:
-            from ..plotting import summary_figures
+            from ..plotting import column, summary_figures
 
-            written += summary_figures(
-                self._shown(dataset), self.directory, body=body, hertz=reference
-            )
+            with column(case.output.column):
+                written += summary_figures(
+                    self._shown(dataset),
+                    self.directory,
+                    body=body,
+                    hertz=reference,
+                    format=case.output.format,
+                )
         return written + (self._animations() if animate else [])
 
     def _animations(self) -> list[Path]:

@@ -17,6 +17,7 @@ from rich.console import Console
 from .._quantities import TUGGING, WEAR
 from ..asperities.series import of_passes
 from ..plotting import tugging, wear
+from ..plotting.parts import column
 from ..plotting.parts import save as save_figure
 from ..results.dataset import completeness
 from .errors import StoppedEarlyError, tell_partial, to_try_on
@@ -116,8 +117,9 @@ def _solve(
             console.print(f"still wearing after {dataset.sizes['cycle']} cycles", highlight=False)
         kind.rows(dataset).to_csv(written[-1])
         if case.output.figures and figures:
-            drawn = kind.draw(result, dataset)
-            written += [save_figure(drawn[name], directory / f"{name}.png") for name in drawn]
+            with column(case.output.column):
+                for name, figure in kind.draw(result, dataset).items():
+                    written.append(save_figure(figure, directory / f"{name}.{case.output.format}"))
         return written
 
     with checkpoints_of(directory, case) as checkpoints:

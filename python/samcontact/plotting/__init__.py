@@ -18,6 +18,7 @@ from .contact import (
 )
 from .fatigue import fatigue_depth, fatigue_map, fatigue_section
 from .maps import surface_map, track_map
+from .parts import column
 from .shaking_down import shakedown_map, strain_per_cycle
 from .slip_animation import stick_slip_animation
 from .slipping import (
@@ -33,6 +34,7 @@ from .view import save_view, view
 
 __all__ = [
     "axis_profile",
+    "column",
     "creep_curve",
     "fatigue_depth",
     "fatigue_map",

@@ -3,14 +3,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
+import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
+from matplotlib.transforms import Bbox
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, finite, finite_array
@@ -28,8 +33,53 @@ INTERFACE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0,
 COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
 
 
+_COLUMNS = {"single": (88.0, 7.0), "double": (180.0, 8.0)}
+"""Width [mm] and size of letters [pt] of figures for columns of journals."""
+_WIDE = 6.5  # [in] A figure that is more takes the double column.
+_PAD = 0.08  # [in]
+_AS_WIDE = "as wide as a column"
+_in_column: ContextVar[str] = ContextVar("_in_column", default="screen")
+
+
+@contextmanager
+def column(width: str = "single") -> Iterator[None]:
+    """Figures made within are as wide as a column of a journal, with letters of its size.
+
+    Make and save them within: ``with plotting.column("double"): plotting.summary_figures(...)``.
+    What has several panels side by side takes the double column. Functions that get an `ax` draw
+    into the figure it has.
+
+    Parameters
+    ----------
+    width : {"single", "double", "screen"}
+        88 mm with letters of 7 pt, 180 mm with 8 pt, or as without it.
+
+    Raises
+    ------
+    ValueError
+        Another width.
+    """
+    choice("width", width, (*_COLUMNS, "screen"))
+    looks: Any = {}
+    if width in _COLUMNS:
+        thin = dict.fromkeys(("axes.linewidth", "xtick.major.width", "ytick.major.width"), 0.6)
+        looks = {"font.size": _COLUMNS[width][1], **thin}
+    token = _in_column.set(width)
+    try:
+        with matplotlib.rc_context(looks):
+            yield
+    finally:
+        _in_column.reset(token)
+
+
 def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
-    figure = Figure(figsize=(width, height), layout="compressed", dpi=200)
+    """Of this size [in], or in the same proportions as wide as a column."""
+    given = _in_column.get()
+    name = "double" if given == "single" and width > _WIDE else given
+    size = _COLUMNS[name][0] / 25.4 if name in _COLUMNS else width
+    figure = Figure(figsize=(size, height * size / width), layout="compressed", dpi=200)
+    if name in _COLUMNS:
+        figure.set_gid(_AS_WIDE)
     FigureCanvasAgg(figure)
     return figure
 
@@ -37,14 +87,28 @@ def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
 def save(figure: Figure | None, path: Path) -> Path:
     """Write a figure (that of an axes is never none) without what is blank around it."""
     assert figure is not None
-    draw(figure, path)
+    draw(figure, path, **_OPTIONS.get(path.suffix, {}))
     return path
+
+
+_OPTIONS: dict[str, dict[str, Any]] = {
+    ".pdf": {"dpi": 400, "metadata": {"CreationDate": None}},
+    ".svg": {"dpi": 400, "metadata": {"Date": None}},
+}
+"""Colours of fields are pixels there too; no date, so that a run gives the same files again."""
 
 
 def draw(figure: Figure, target: Path | BinaryIO, **options: Any) -> None:
     """The same into a file or a buffer, with options of Matplotlib."""
+    box: Any = "tight"
     try:
-        figure.savefig(target, bbox_inches="tight", pad_inches=0.08, **options)
+        if figure.get_gid() == _AS_WIDE:  # nothing is cut off at the sides
+            figure.draw_without_rendering()  # which lays it out
+            shown = figure.get_tightbbox()
+            ends = (shown.y0 - _PAD, figure.get_figwidth(), shown.y1 + _PAD)
+            box = Bbox.from_extents(0.0, *ends)
+        with matplotlib.rc_context({"pdf.fonttype": 42, "svg.hashsalt": "samcontact"}):
+            figure.savefig(target, bbox_inches=box, pad_inches=_PAD, **options)
     except RuntimeError as error:  # a matplotlibrc asks for LaTeX, which is not installed
         raise OSError(f"cannot draw a figure: {error}") from error
 

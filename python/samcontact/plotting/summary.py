@@ -39,8 +39,9 @@ def summary_figures(
     *,
     body: int = 2,
     hertz: HertzContact | None = None,
+    format: str = "png",
 ) -> list[Path]:
-    """Write the standard figures of a run as PNG files.
+    """Write the standard figures of a run as files.
 
     Profiles and sections run through the middle, or where there is most to see if that is
     elsewhere, as on rough surfaces.
@@ -56,11 +57,14 @@ def summary_figures(
         Whose stresses and print are shown.
     hertz : PointContact or EllipticContact, optional
         Hertz contact at the load of the peak.
+    format : {"png", "pdf", "svg"}
+        Of the files; in the last two lines and letters are vectors.
 
     Returns
     -------
     list of Path
-        pressure.png, pressure_map.png, gap_map.png and load_approach.png; with a volume
+        With the ending of the format: pressure.png, pressure_map.png, gap_map.png and
+        load_approach.png; with a volume
         axis_stress.png and sections.png; of bodies that stick and slip stick_slip.png (of the
         largest force) and fretting_loop.png or, where they roll, rolling_force.png and, where the
         creepage changes, creep_curve.png; for a heated body
@@ -72,8 +76,9 @@ def summary_figures(
     Raises
     ------
     ValueError
-        An unknown body.
+        An unknown body or format.
     """
+    choice("format", format, ("png", "pdf", "svg"))
     scene = Scene(dataset, choice("body", body, (1, 2)), hertz)
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
@@ -89,7 +94,7 @@ def summary_figures(
             figures |= track_summary(scene.track, travel)
     elif f"residual_displacement_body{body}" in dataset:
         figures |= _of_the_print(scene)
-    return [save(figure, folder / f"{name}.png") for name, figure in figures.items()]
+    return [save(figure, folder / f"{name}.{format}") for name, figure in figures.items()]
 
 
 def increments_shown(dataset: xr.Dataset, body: int) -> set[int]:

@@ -102,7 +102,7 @@ def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
         "title": True,
         "description": True,
         "estimate_error": True,
-        "output": {"directory", "figures", "volume"},
+        "output": {"directory", "figures", "format", "column", "volume"},
     }
     fields = case.model_dump(exclude=unimportant)
     heights = [_digest(case, name, digests) for name in ("surface", "relief1", "relief2")]
