@@ -143,7 +143,10 @@ def finish(ax: Axes) -> Axes:
 
 def counted(ax: Axes) -> Axes:
     """Ticks along x at whole numbers only: of passes, cycles, increments."""
-    ax.xaxis.set_major_locator(MaxNLocator(integer=True))
+    ax.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
+    left, right = ax.get_xlim()
+    if right - left < 1.0:  # there is one
+        ax.set_xlim(left - 0.5, right + 0.5)
     return ax
 
 

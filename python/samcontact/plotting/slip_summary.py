@@ -53,8 +53,15 @@ def _of_rolling(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
     xi, force = creepages(dataset, direction)
     if np.ptp(xi) > 1e-3 * np.abs(xi).max():
         figures["creep_curve"] = new_figure()
-        ax = creep_curve(
-            xi, force, figures["creep_curve"].subplots(), largest=largest_force(dataset)
+        ax = figures["creep_curve"].subplots()
+        ax.plot(100 * xi, force, "o", markersize=2, color="0.7", label="increments")
+        ends = np.append(np.abs(np.diff(xi)) > 1e-3 * np.abs(xi).max(), True)
+        creep_curve(
+            xi[ends],
+            force[ends],
+            ax,
+            largest=largest_force(dataset),
+            label="the last of each creepage",
         )
         ax.set_ylabel(CONTACT[DIRECTIONS[direction][0]].label)
     return figures

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every figure that a run writes by default looks as it was stored after it had been looked at.
+
+`python tests/unit/test_default_images.py` stores them anew: look at each before it is kept.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from PIL import Image
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from case_texts import BODIES, GRID, MOVING, TUGGING, WEAR
+from samcontact.commands.folder import _FIGURES
+from samcontact.commands.main import main
+
+STORED = Path(__file__).parents[1] / "images"
+WIDTH = 280
+"""Pixels of what is stored."""
+LIMIT = 0.05
+THERMAL = "[body2.thermal]\nconductivity = 50.2\nexpansion = 11.7e-6\ndiffusivity = 1.4e-5\n"
+SURFACE = "[grid]\nnx = 27\nny = 25\ndx = 25e-6\ndy = 25e-6\n"
+ELASTIC = 'law = "elastic"\nE = 210e9\nnu = 0.3\n'
+PRESSED = "[[path]]\nload = 300.0\nincrements = 1\n[[path]]\nload = 300.0\n"
+BALLS = (
+    f'{SURFACE}[body1]\n{ELASTIC}[body2]\n{ELASTIC}[surface]\nshape = "paraboloid"\nRx = 7.5e-3\n'
+)
+CASES = {
+    "heated": f"""title = "heated"
+{GRID}
+{BODIES.replace("[surface]", THERMAL + "[surface]")}
+[heat]
+factor = 0.05
+history = [1e-3, 1.0]
+[[path]]
+load = 700.0
+increments = 3
+duration = 10e-3
+[[path]]
+load = 0.0
+increments = 1
+duration = 10e-3
+""",
+    "rolling": MOVING,
+    "tugging": TUGGING,
+    "wear": WEAR.replace("figures = false", "figures = true"),
+    "fretting": f"""title = "fretting"
+{BALLS}[contact]
+friction = {{coulomb = 0.3}}
+{PRESSED}increments = 5
+fret = {{tangential_load_x = 60.0, cycles = 1}}
+""",
+    "traction": f"""title = "rolling with creepage"
+{BALLS}[contact]
+friction = {{coulomb = 0.4}}
+{PRESSED}increments = 6
+advance = [-150.15e-6, -149.85e-6]
+[[path]]
+load = 300.0
+increments = 6
+advance = [-150.4e-6, -149.6e-6]
+""",
+    "scar": f"""title = "fretting wear"
+{BALLS}[contact]
+friction = {{coulomb = 0.3}}
+{PRESSED}increments = 2
+fret = {{tangential_load_x = 60.0, cycles = 1}}
+[wear]
+energy = 1e-14
+repeats = 50000
+cycles = 2
+""",
+}
+
+
+def drawn(case, folder):
+    """The figures of a case, small."""
+    file = folder / f"{case}.toml"
+    file.write_text(CASES[case])
+    outcome = CliRunner().invoke(
+        main, ["run", str(file), "--output", str(folder / case), "--quiet"]
+    )
+    assert outcome.exit_code == 0, outcome.output
+    found = {}
+    for path in sorted((folder / case).glob("*.png")):
+        with Image.open(path) as image:
+            height = round(WIDTH * image.height / image.width)
+            found[path.stem] = image.convert("RGB").resize((WIDTH, height), Image.Resampling.BOX)
+    return found
+
+
+def difference(image, other):
+    """Of two images, 0 to 1: the largest of means over squares of 10 pixels.
+
+    A letter that moves by a pixel changes these little, a line that is missing or elsewhere more.
+    """
+    assert abs(image.height - other.height) <= 0.04 * other.height
+    size = other.width // 10, other.height // 10
+    means = [
+        np.asarray(one.resize(other.size).resize(size, Image.Resampling.BOX), dtype=float)
+        for one in (image, other)
+    ]
+    return float(np.abs(means[0] - means[1]).max()) / 255
+
+
+def stored(case):
+    return {path.stem: path for path in sorted((STORED / case).glob("*.jpg"))}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_figures_look_as_those_stored(case, tmp_path):
+    found, expected = drawn(case, tmp_path), stored(case)
+    assert list(found) == list(expected)
+    for name, path in expected.items():
+        with Image.open(path) as image:
+            assert difference(found[name], image.convert("RGB")) < LIMIT, name
+
+
+def test_every_figure_of_a_run_is_stored():
+    names = {name.replace("[12]", body) for name in _FIGURES for body in "12"}
+    there = {name for case in CASES for name in stored(case)}
+    of_body_1 = {name for name in names if name.endswith("body1")}  # drawn as those of body 2
+    assert there | of_body_1 == names | (there & of_body_1)
+
+
+def test_a_flaw_is_seen():
+    """A line less, or cells instead of what is smooth, are more than fonts make."""
+    with Image.open(STORED / "heated" / "pressure.jpg") as image:
+        shown = image.convert("RGB")
+    without = np.array(shown)
+    without[np.ptp(without.astype(int), axis=2) > 40] = 255  # what has colour
+    assert difference(Image.fromarray(without), shown) > 1.5 * LIMIT
+    with Image.open(STORED / "heated" / "sections.jpg") as image:
+        shown = image.convert("RGB")
+    coarse = shown.resize((14, shown.height // 20), Image.Resampling.BOX)
+    assert difference(coarse.resize(shown.size, Image.Resampling.NEAREST), shown) > 1.5 * LIMIT
+
+
+if __name__ == "__main__":
+    import tempfile
+
+    for case in CASES:
+        (STORED / case).mkdir(parents=True, exist_ok=True)
+        for old in stored(case).values():
+            old.unlink()
+        with tempfile.TemporaryDirectory() as folder:
+            for name, image in drawn(case, Path(folder)).items():
+                image.save(STORED / case / f"{name}.jpg", quality=90, optimize=True)
