@@ -31,6 +31,8 @@ void require_valid(const BandSplit& split) {
   require(split.fading_nodes > 0, "fading_nodes", "> 0", split.fading_nodes);
   for (const auto& [name, depth] : {std::pair{"near_moves", split.near_moves},
                                     {"middle_moves", split.middle_moves},
+                                    {"near_stressed", split.near_stressed},
+                                    {"middle_stressed", split.middle_stressed},
                                     {"near_bound", split.near_bound},
                                     {"middle_bound", split.middle_bound}}) {
     require(depth > 0, name, "> 0", depth);

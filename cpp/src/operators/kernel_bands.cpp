@@ -51,10 +51,11 @@ class BandTables {
 
   /// Layers whose strain moves the surface by a band: below, that has fallen to 1e-4.
   int strained_layers(Band band, const Grid& grid) const {
-    if (band == Band::far) return grid.nz;
-    const double depth = (band == Band::near ? bands_.near_moves : bands_.middle_moves) *
-                         std::max(cells_.dx, cells_.dy);
-    return static_cast<int>(std::min<double>(grid.nz, std::ceil(depth / grid.dz)));
+    return layers(band, grid, bands_.near_moves, bands_.middle_moves);
+  }
+  /// Layers which tractions stress by a band: below, that has fallen to 1e-5.
+  int stressed_layers(Band band, const Grid& grid) const {
+    return layers(band, grid, bands_.near_stressed, bands_.middle_stressed);
   }
 
   /// [component][j][i] at nodes 0..offsets - 1 of the band.
@@ -94,6 +95,12 @@ class BandTables {
     Field near, middle, far;
   };
 
+  /// Of a grid, down to a depth in cells; all of the far band.
+  int layers(Band band, const Grid& grid, double near, double middle) const {
+    if (band == Band::far) return grid.nz;
+    const double depth = (band == Band::near ? near : middle) * std::max(cells_.dx, cells_.dy);
+    return static_cast<int>(std::min<double>(grid.nz, std::ceil(depth / grid.dz)));
+  }
   std::shared_ptr<const Split> split(const Key& key, const Parities& parities,
                                      const Exact& exact) const;
   Field tables(Band band, const Key& key, const KernelOffsets& offsets, const Parities& parities,
@@ -355,6 +362,9 @@ class BandMedium : public VolumeMedium {
     const KernelOffsets count(static_cast<int>(offsets.x.size()),
                               static_cast<int>(offsets.y.size()));
     return tables_->heat_stress(band_, heating, count, z);
+  }
+  int stressed_layers(const Grid& grid) const override {
+    return tables_->stressed_layers(band_, grid);
   }
   std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
                                                   const VolumeTransform& transform,

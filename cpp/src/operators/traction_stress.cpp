@@ -141,7 +141,7 @@ void TractionStress::add(Part part, kernels::Parity input, const Field& traction
           spectra.data() + (static_cast<std::size_t>(ky) * out.components + c) * layers() * hx;
       const auto own = parity(part, places[c]);
       const double signed_scale = scale * mirror_sign(out.symmetry, own, input);
-      for (int k = 0; k < out.nz; ++k, quarter += hx) {
+      for (int k = 0; k < std::min(out.nz, layers()); ++k, quarter += hx) {
         add_parity_product(quarter, own, signed_scale, in, out.row(ky, c, k), *transform_);
       }
     }

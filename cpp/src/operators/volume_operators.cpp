@@ -30,6 +30,13 @@ VolumeTransform make_transform(const Grid& grid, const VolumeOptions& options) {
   return {grid, options.symmetry, mx, my};
 }
 
+/// Of the layers' middles.
+std::vector<double> stressed_depths(const Grid& grid, const Medium& medium) {
+  std::vector<double> depths = grid.z();
+  depths.resize(medium.stressed_layers(grid));
+  return depths;
+}
+
 }  // namespace
 
 VolumeOperators::VolumeOperators(const Grid& grid, SharedMedium medium,
@@ -40,7 +47,8 @@ VolumeOperators::VolumeOperators(const Grid& grid, SharedMedium medium,
       options_(options),
       transform_(make_transform(grid, options)),
       shallower_(std::move(shallower)),
-      traction_stress_(grid, transform_, medium_, options.heat, grid.z(), options.tensor) {
+      traction_stress_(grid, transform_, medium_, options.heat, stressed_depths(grid, *medium_),
+                       options.tensor) {
   if (!shallower_) return;
   // One of them is enough.
   const std::lock_guard lock(shallower_->mutex_);

@@ -27,6 +27,8 @@ struct BandSplit {
   int middle_ring = 10, fading_nodes = 6;
   /// Cells of depth below which strain does not move the surface by near and middle bands.
   double near_moves = 12.0, middle_moves = 30.0;
+  /// Cells of depth below which tractions do not stress the body by near and middle bands.
+  double near_stressed = 18.0, middle_stressed = 60.0;
   /// Cells of depth below which the bound of the stress of tractions goes without these bands.
   double near_bound = 10.0, middle_bound = 28.0;
 

@@ -42,6 +42,8 @@ class Medium {
   virtual Field stress(Traction traction, const Grid& grid, const KernelOffsets& offsets, double z,
                        Tensor tensor) const = 0;
 
+  /// Layers of a grid in which tractions stress the body; 0 below.
+  virtual int stressed_layers(const Grid& grid) const { return grid.nz; }
   /// The same at any offsets, of a grid without period.
   virtual Field stress(Traction traction, const Grid& grid, const CellOffsets& offsets, double z,
                        Tensor tensor) const = 0;
