@@ -35,7 +35,8 @@ void to_system(void* p, std::size_t bytes) { ::operator delete(p, alignment_of(b
 /// region without fields is kept for the next solve: no more memory than was in use before.
 class Regions {
  public:
-  /// Smaller ones cost little, and larger ones are worth huge pages of their own.
+  /// Smaller ones cost little, and larger ones are worth huge pages of their own: few of them would
+  /// fit into a region, and leave much of it empty.
   static bool suits(std::size_t bytes) { return bytes >= smallest && bytes <= largest; }
 
   /// Null where the system has no region to give.
@@ -83,7 +84,7 @@ class Regions {
  private:
   using Holes = std::map<std::size_t, std::size_t>;  // offset and length, ascending, none touching
 
-  static constexpr std::size_t smallest = std::size_t{1} << 16, largest = std::size_t{1} << 26;
+  static constexpr std::size_t smallest = std::size_t{1} << 16, largest = std::size_t{1} << 24;
   static constexpr std::size_t region = std::size_t{1} << 27;
 
   /// With a line between fields, lest their equal indices fall on equal places of the cache.

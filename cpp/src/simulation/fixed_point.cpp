@@ -2,11 +2,13 @@
 #include "samcontact/simulation/fixed_point.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/anderson.hpp"
 #include "samcontact/simulation/plastic_increment.hpp"
 
@@ -16,7 +18,10 @@ namespace {
 using contact::Anderson;
 using contact::norm;
 
-constexpr int anderson_depth = 8;
+/// Steps that the acceleration remembers, and of many unknown numbers, where they are much memory
+/// and an evaluation more in thirty is less.
+constexpr int anderson_depth = 8, depth_of_many = 4;
+constexpr std::size_t many = 2'000'000;
 /// The contact is solved this much more tightly than the plastic fixed point.
 constexpr double contact_share = 1e-2;
 /// Coarsest and finest tolerance of a contact solve inside the fixed point.
@@ -120,35 +125,46 @@ class FixedPoint {
     return std::clamp(contact_share * share * residual, tightest, loosest);
   }
 
-  /// mapped = G(x), f = G(x) - x.
+  /// mapped = G(x).
   void evaluate() {
     result_ = problem_.evaluate(x_, contact_tol_, mapped_);
-    f_.resize(x_.size());
-    for (std::size_t i = 0; i < f_.size(); ++i) f_[i] = mapped_[i] - x_[i];
-    const double change = norm(f_);
+    change_ = std::sqrt(ordered_chunks(x_.size(), [this](std::size_t begin, std::size_t end) {
+      std::array<double, reduce_chunk> f;
+      for (std::size_t i = begin; i < end; ++i) f[i - begin] = mapped_[i] - x_[i];
+      return ordered_dot(f.data(), f.data(), end - begin);
+    }));
     const double scale = std::max(norm(mapped_), negligible * result_.yield_strain_norm);
-    residual_ = scale > 0 ? change / scale : (change > 0 ? 1.0 : 0.0);
+    residual_ = scale > 0 ? change_ / scale : (change_ > 0 ? 1.0 : 0.0);
   }
 
   void advance() {
-    const double size = norm(f_);
     if (std::exchange(coarse_, false)) {
       best_ = INFINITY;
-    } else if (size < best_) {
-      best_ = size;
-      best_x_ = x_;
-      best_f_ = f_;
-    } else if (size > astray * best_) {
+      is_best_ = false;
+    } else if (change_ < best_) {
+      best_ = change_;
+      is_best_ = true;
+      best_x_ = {};
+      best_f_ = {};
+    } else if (std::exchange(is_best_, false)) {
+      best_x_ = anderson_.last_x(x_);
+      best_f_ = anderson_.last_f();
+    }
+    // Vectors of unknowns are most of the memory of large contacts: f takes the place of G(x).
+    Field f = std::move(mapped_);
+    for (std::size_t i = 0; i < f.size(); ++i) f[i] -= x_[i];
+    if (change_ > astray * best_) {
       // Start anew from the best point with a damped plain step.
       anderson_.reset();
       const std::size_t n = x_.size();
       x_ = best_x_;
-      f_ = best_f_;
+      f = best_f_;
       x_.resize(n, 0.0);
-      f_.resize(n, 0.0);
-      for (double& v : f_) v *= 0.5;
+      f.resize(n, 0.0);
+      for (double& v : f) v *= 0.5;
     }
-    anderson_.next(x_, f_);
+    if (x_.size() > many) anderson_.set_depth(depth_of_many);
+    anderson_.next(x_, std::move(f));
     evaluate();
     ++counters_.plastic_iterations;
   }
@@ -157,11 +173,14 @@ class FixedPoint {
   void restart() {
     anderson_.reset();
     best_ = INFINITY;
+    is_best_ = false;
     evaluate();
     ++counters_.plastic_iterations;
   }
 
   State finish(int iterations) {
+    anderson_.reset();
+    x_ = {};
     State state = problem_.finish(mapped_, result_);
     state.plastic_iterations = iterations;
     state.plastic_residual = iterations > 0 ? residual_ : 0.0;
@@ -175,11 +194,12 @@ class FixedPoint {
   Counters& counters_;
   PlasticIncrement problem_;
   Anderson anderson_{anderson_depth};
-  Field x_, f_, mapped_, best_x_, best_f_;
+  Field x_, mapped_, best_x_, best_f_;
   PlasticIncrement::Result result_;
   const double elastic_tol_;  // of the contact where nothing flows
-  double contact_tol_, residual_ = 1.0, best_ = INFINITY;
-  bool coarse_ = false;  // whether the last residual tells little, as its contact was too coarse
+  double contact_tol_, change_ = 0.0, residual_ = 1.0, best_ = INFINITY;
+  bool is_best_ = false;  // whether the best point is the last one, which the acceleration keeps
+  bool coarse_ = false;   // whether the last residual tells little, as its contact was too coarse
 };
 
 }  // namespace

@@ -353,6 +353,9 @@ void PlasticBody::flow(std::uint32_t cell, const plasticity::Tensor& increment, 
 
 std::shared_ptr<const PlasticState> PlasticBody::finish() {
   const Box box = from_planes_on(zones_.around(), scene_.grid, symmetry_);
+  // Before there is memory for the history twice.
+  volume_.reset();
+  given_stress_.clear();
   const PlasticFields fields{std::move(zones_), std::move(strain_), std::move(equivalent_),
                              std::move(backstress_)};
   return std::make_shared<const PlasticState>(history_.get(), symmetry_, tensor_, fields, box);

@@ -322,15 +322,15 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.met = {};
   remember_flow(state, mapped);
   scatter(mapped);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) finish(b, mapped, state);
-  remember_slip(state);
-  if (!target_.is_prescribed()) {
-    const Box surface = Box::surface(scene_.grid);
-    const bool known = std::all_of(bodies_.begin(), bodies_.end(), [&](const PlasticBody& body) {
-      return !state.plastic[body.index()] || body.surface().contains(surface);
-    });
-    if (known) state.contact_gap = result.contact.gap;
+  active_.stress = {};
+  bool known = !target_.is_prescribed();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const bool moves = bodies_[b].surface().contains(Box::surface(scene_.grid));
+    finish(b, mapped, state);
+    known = known && (moves || !state.plastic[bodies_[b].index()]);
   }
+  remember_slip(state);
+  if (known) state.contact_gap = result.contact.gap;
   return state;
 }
 

@@ -17,21 +17,30 @@ class Anderson {
   explicit Anderson(int depth) : depth_(depth) {}
 
   void reset();
+  /// Steps that the history has from the next call on.
+  void set_depth(int depth) { depth_ = depth; }
 
   /// x: where the residual f = G(x) - x was taken; replaced by the next iterate. From one call to
   /// the next x may become longer: the new entries were zero before, in x and in f.
-  void next(Field& x, const Field& f);
+  void next(Field& x, Field f);
+
+  /// Residual of the last call, empty before; and where that was, from what it was replaced by, as
+  /// far as the history knows.
+  const Field& last_f() const { return last_f_; }
+  Field last_x(const Field& x) const;
 
  private:
   struct Step {
     std::vector<float> dx, df;
   };
-  void remember(const Field& x, const Field& f);
+  void remember(const Field& f);
+  void advance(Field& x);
 
   int depth_;
-  Field last_x_, last_f_;
-  std::deque<Step> steps_;  // oldest first
-  Eigen::MatrixXd gram_;    // of the df
+  Field last_f_;
+  std::vector<float> last_dx_;  // of the step that it led to
+  std::deque<Step> steps_;      // oldest first
+  Eigen::MatrixXd gram_;        // of the df
 };
 
 /// Euclidean norm, the same digits for any number of threads.
