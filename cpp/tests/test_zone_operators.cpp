@@ -165,9 +165,8 @@ TEST_CASE("strain and tractions in zones do what they do in the whole box") {
       CHECK(moved.rms() < (axis == Axis::z ? 3e-4 : 1e-3));
       CHECK(moved.max() < (axis == Axis::z ? 3e-4 : 1e-3));
     }
-    // Harder than flow: weak strain beside a much stronger zone at the end of its ring.
-    CHECK(errors.residual.rms() < 4e-3);
-    CHECK(errors.residual.max() < 1e-2);
+    CHECK(errors.residual.rms() < 1.5e-3);
+    CHECK(errors.residual.max() < 3e-3);
     CHECK(errors.elastic.rms() < 6e-4);
     CHECK(errors.elastic.max() < 6e-4);
   }

@@ -70,6 +70,9 @@ def indented(body, upper=RIGID, n=26, loads=(2.0, 4.0, 6.0, 0.0)):
     return run, [run.step(load=load) for load in loads]
 
 
+ROUGHLY = 1e-6  # well within image_tol: images of layers are sums of their own
+
+
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 def test_layers_that_hardly_differ_are_the_homogeneous_body():
     def steel(E):
@@ -86,15 +89,15 @@ def test_layers_that_hardly_differ_are_the_homogeneous_body():
     assert expected[-1].max_equivalent_plastic_strain() > 1e-3
     for one, same in zip(found, expected, strict=True):
         scale = max(same.pressure.max(), 1e6)
-        assert one.pressure == pytest.approx(same.pressure, abs=1e-9 * scale)
-        assert one.approach == pytest.approx(same.approach, rel=1e-9)
+        assert one.pressure == pytest.approx(same.pressure, abs=ROUGHLY * scale)
+        assert one.approach == pytest.approx(same.approach, rel=ROUGHLY)
         for name in ("stress", "residual_stress", "backstress"):
             fields = [getattr(state, name)() for state in (one, same)]
-            assert fields[0] == pytest.approx(fields[1], abs=1e-9 * 1e9)
+            assert fields[0] == pytest.approx(fields[1], abs=ROUGHLY * 1e9)
         print_left = same.residual_displacement()
-        assert one.residual_displacement() == pytest.approx(print_left, abs=1e-9 * 1e-7)
+        assert one.residual_displacement() == pytest.approx(print_left, abs=ROUGHLY * 1e-7)
         assert one.equivalent_plastic_strain() == pytest.approx(
-            same.equivalent_plastic_strain(), abs=1e-9 * 1e-3
+            same.equivalent_plastic_strain(), abs=ROUGHLY * 1e-3
         )
 
 

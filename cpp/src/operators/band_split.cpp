@@ -13,6 +13,7 @@ void require_valid(const BandSplit& split) {
   require(far > middle && far % (2 * middle) == 0, "far_spacing",
           "an even multiple of middle_spacing", far);
   require(split.near_range > middle, "near_range", "more than middle_spacing", split.near_range);
+  require(split.wide_ring > 0, "wide_ring", "> 0", split.wide_ring);
   require(split.middle_range > split.near_range && split.middle_range > far, "middle_range",
           "more than near_range and far_spacing", split.middle_range);
   for (const auto& [name, a] : {std::pair{"middle_sharpness", split.middle_sharpness},

@@ -20,6 +20,10 @@ double* zeros(std::size_t count) {
   return buffer.data();
 }
 
+Box with_ring(const Box& zone, int ring) {
+  return {zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
+}
+
 /// Weights of the strain along one axis, of a zone of `count` cells and its ring, where it fades
 /// out from a part on.
 Field fades(int count, int ring, double fades_from) {
@@ -42,7 +46,16 @@ std::vector<fft::RowRun> rows_of(const std::vector<Box>& boxes, const Box& plane
 
 }  // namespace
 
+int ring_around(const Box& zone, const std::vector<Box>& zones, const BandSplit& split) {
+  const Box box = with_ring(zone, split.near_range);
+  const bool close = std::any_of(zones.begin(), zones.end(), [&](const Box& other) {
+    return other != zone && !box.intersected(other).empty();
+  });
+  return close ? std::max(split.wide_ring, split.near_range) : split.near_range;
+}
+
 struct ZoneOperators::Around {
+  int ring;
   Box box;                 // zone and ring, layers of all zones in it
   int mx, my;              // the plane
   std::vector<int> zones;  // that have cells in it
@@ -100,9 +113,9 @@ ZoneOperators::~ZoneOperators() {
 }
 
 void ZoneOperators::add_ring(const Box& zone) {
-  const int ring = tables_->split().near_range;
+  const int ring = ring_around(zone, zones_, tables_->split());
   const double fades_from = tables_->split().ring_fades_from;
-  Box box{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
+  Box box = with_ring(zone, ring);
   std::vector<int> inside;
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     if (box.intersected(zones_[z]).empty()) continue;
@@ -115,7 +128,8 @@ void ZoneOperators::add_ring(const Box& zone) {
   Grid plane(mx, my, grid_.dx, grid_.dy, box.nz, grid_.dz);
   plane.period = {mx, my, 0.0};
   const auto operators = tables_->of(Band::near, plane);
-  around_.push_back({box,
+  around_.push_back({ring,
+                     box,
                      mx,
                      my,
                      std::move(inside),
@@ -361,7 +375,7 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   cut(tractions.shear_x, here.shear_x);
   cut(tractions.shear_y, here.shear_y);
   add_others(zone, strain);
-  const fft::RowRun rows{tables_->split().near_range, box.nx};
+  const fft::RowRun rows{around.ring, box.nx};
   // A plane with a period has no images to be found from the strain.
   const double unused = 0.0;
   Field sum(parts * size);

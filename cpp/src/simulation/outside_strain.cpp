@@ -41,7 +41,7 @@ Zones acting_zones(const PlasticState& history, const Zones& zones,
     const Box acting = box.intersected({-reach, box.j0, grid.nx + 2 * reach, box.ny, box.nz});
     if (!acting.empty()) boxes.push_back(acting);
   }
-  return boxes.size() == zones.count() ? zones : Zones(merged(boxes, tables.split().near_range));
+  return boxes.size() == zones.count() ? zones : Zones(merged(boxes, tables.split()));
 }
 
 OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,

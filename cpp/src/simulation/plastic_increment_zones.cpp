@@ -82,7 +82,7 @@ std::vector<Box> PlasticIncrement::zones_to_begin_with(const PlasticBody& body) 
     const auto flow = boxes_around(columns_of(from_.last_flow->bodies[body.index()].cells));
     boxes.insert(boxes.end(), flow.begin(), flow.end());
   }
-  return merged(boxes, scene_.split.near_range);
+  return merged(boxes, scene_.split);
 }
 
 void PlasticIncrement::take_up_zones(PlasticBody& body) {
@@ -100,7 +100,7 @@ bool PlasticIncrement::fit_zones(PlasticBody& body) {
   std::vector<Box> boxes = body.zones().boxes();
   const auto near = boxes_around(body.yielding_columns(*scans_[body.index()], heat_));
   boxes.insert(boxes.end(), near.begin(), near.end());
-  boxes = merged(boxes, scene_.split.near_range);
+  boxes = merged(boxes, scene_.split);
   const bool asks = first || from_.travel != Travel{};
   if (asks && !is_worth_splitting(body, boxes)) {
     if (!first) set_box(body, choice_.fitted(body.zones().around(), {}));
@@ -115,7 +115,7 @@ bool PlasticIncrement::grow_zones(PlasticBody& body, std::vector<Box> more) {
   if (more.empty()) return false;
   std::vector<Box> boxes = body.zones().boxes();
   boxes.insert(boxes.end(), more.begin(), more.end());
-  set_zones(body, Zones(merged(boxes, scene_.split.near_range)), true);
+  set_zones(body, Zones(merged(boxes, scene_.split)), true);
   return true;
 }
 

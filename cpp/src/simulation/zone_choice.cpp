@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "samcontact/fft/plan.hpp"
+#include "samcontact/operators/zone_operators.hpp"
 #include "samcontact/simulation/zones.hpp"
 
 namespace samcontact::simulation {
@@ -57,19 +58,24 @@ Box left_over(const Box& box, const std::vector<Box>& zones) {
 /// Unites and cuts boxes to zones that cost least.
 class Merging {
  public:
-  explicit Merging(int ring) : ring_(ring) {}
+  explicit Merging(const operators::BandSplit& split) : split_(split) {}
 
-  double cost(const Box& zone) const { return padded(zone.nx) * padded(zone.ny) * zone.nz; }
+  /// Of a zone that stands alone.
+  double cost(const Box& zone) const { return cost(zone, split_.near_range); }
   double cost(const std::vector<Box>& zones) const {
-    return std::accumulate(zones.begin(), zones.end(), 0.0,
-                           [this](double sum, const Box& zone) { return sum + cost(zone); });
+    return std::accumulate(zones.begin(), zones.end(), 0.0, [&](double sum, const Box& zone) {
+      return sum + cost(zone, operators::ring_around(zone, zones, split_));
+    });
   }
   void unite(std::vector<Box>& boxes) const;
   /// The same cells in disjoint boxes.
   std::vector<Box> made_disjoint(const std::vector<Box>& boxes) const;
 
  private:
-  double padded(int cells) const { return fft::fast_plane_size(cells + 2 * ring_); }
+  static double cost(const Box& zone, int ring) {
+    const auto padded = [ring](int cells) { return fft::fast_plane_size(cells + 2 * ring); };
+    return static_cast<double>(padded(zone.nx)) * padded(zone.ny) * zone.nz;
+  }
   /// The cheapest way to hold the cells of two boxes that meet without uniting them: one of them as
   /// deep as both need, and what the other has beside it.
   std::vector<Box> parted(const Box& a, const Box& b) const;
@@ -77,7 +83,7 @@ class Merging {
   /// meet: else it might be cut into the two again.
   bool better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) const;
 
-  int ring_;
+  const operators::BandSplit& split_;
 };
 
 std::vector<Box> Merging::parted(const Box& a, const Box& b) const {
@@ -179,8 +185,8 @@ std::vector<Box> boxes_around(const Columns& columns) {
   return boxes;
 }
 
-std::vector<Box> merged(const std::vector<Box>& boxes, int ring) {
-  const Merging merging(ring);
+std::vector<Box> merged(const std::vector<Box>& boxes, const operators::BandSplit& split) {
+  const Merging merging(split);
   std::vector<Box> needed;
   for (const Box& box : boxes) {
     const Box left = left_over(box, needed);
@@ -194,20 +200,16 @@ std::vector<Box> merged(const std::vector<Box>& boxes, int ring) {
 
 double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
                      const operators::BandSplit& split) {
-  const Merging merging(split.near_range);
+  const Merging merging(split);
   Box all = surface;
-  double sum = 0.0;
-  for (const Box& zone : zones) {
-    all = all.united(zone);
-    sum += merging.cost(zone);
-  }
+  for (const Box& zone : zones) all = all.united(zone);
   const auto nodes = [&split](int cells, Band band) {
     return static_cast<double>(cells) / split.spacing(band) + 2 * split.window_width;
   };
   const double middle = nodes(all.nx, Band::middle) * nodes(all.ny, Band::middle);
   const double far = (nodes(all.nx, Band::far) + split.fading_nodes) *
                      (nodes(all.ny, Band::far) + split.fading_nodes);
-  return sum + (middle + 4 * far) * all.nz;
+  return merging.cost(zones) + (middle + 4 * far) * all.nz;
 }
 
 double cost_of_box(const Box& box) { return 4.0 * box.nx * box.ny * box.nz; }

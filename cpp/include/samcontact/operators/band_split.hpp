@@ -20,7 +20,10 @@ struct BandSplit {
   double gone_at = 0.9, clear_band = 0.8;
   /// Nodes that a cell reaches: 4, 6, 8 or 10.
   int window_width = 6;
-  /// Part of the ring around a zone from which on the strain in it fades out.
+  /// Cells of the ring around a zone, near_range of one that stands alone, where others are close:
+  /// beyond, the near band is 1e-2 of what it is at its range.
+  int wide_ring = 10;
+  /// Part of the ring from which on the strain in it fades out.
   double ring_fades_from = 0.75;
   /// Nodes between the ends of the middle plane, and those at the end of the far lattice that must
   /// stay empty: there its tables fade out.

@@ -19,8 +19,8 @@ struct Columns {
 std::vector<Box> boxes_around(const Columns& columns);
 
 /// Disjoint boxes that hold all of these: two become one where that costs less; of two that meet,
-/// else one gives way. ring: cells around a zone that are swept with it.
-std::vector<Box> merged(const std::vector<Box>& boxes, int ring);
+/// else one gives way. split: of rings of cells that are swept with zones.
+std::vector<Box> merged(const std::vector<Box>& boxes, const operators::BandSplit& split);
 
 /// Work of an evaluation in such zones over that in one box, which `box` says; both in cells of
 /// transforms and sweeps. surface: where displacement is known.
