@@ -122,6 +122,8 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
                             ActiveCells& active) {
   require_memory_of(zones, bytes_of(zones, split, scene_.grid, method_),
                     bytes_of(zones_, split_, scene_.grid, method_));
+  // The old one first: the two together may not fit.
+  volume_.reset();
   const int parts = operators::count(tensor_);
   const std::size_t cells = zones.cells();
   const std::size_t terms = body().backstresses();
@@ -145,8 +147,6 @@ void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* co
   zones_ = zones;
   factor_.clear();
   material_.clear();
-  // The old one first: the two together may not fit.
-  volume_.reset();
   split_ = split;
   const auto tables = split ? scene_.zone_tables(index_, tensor_, heating_) : nullptr;
   if (split) {
