@@ -219,6 +219,25 @@ def test_zones_of_a_rough_surface_are_those_of_one_box():
     assert found == pytest.approx(expected, rel=2e-3)
 
 
+def test_zones_of_two_balls_hold_flow_above_and_below_the_case():
+    """The core yields apart from what flows at the surface."""
+    grid = sc.Grid(96, 64, SIZE, SIZE, 18, SIZE)
+    x, y, radius = grid.x[:, None], grid.y, 200e-6
+    gap = np.minimum(
+        ((x + 22e-6) ** 2 + (y + 11e-6) ** 2) / (2 * radius),
+        ((x - 18e-6) ** 2 + (y - 9e-6) ** 2) / (1.6 * radius),
+    )
+    hard = sc.Material.linear_hardening(210e9, 0.3, 0.7e9, 20e9)
+    body = hard.with_yield_profile([0.0, 8e-6, 12e-6], [2.2, 2.2, 1.0])
+    sims = [simulation(RIGID, body, grid=grid, gap=gap, zones=zones) for zones in ("auto", "one")]
+    for load in (0.3, 0.6, 0.05):
+        zones, one = (sim.step(load=load) for sim in sims)
+        assert_few_errors(zones, one, [2], 1e-3)
+    flows = zones.equivalent_plastic_strain().max(axis=(0, 1)) > 0
+    assert flows[[0, 9, 12]].tolist() == [True, False, True]
+    assert [zone_counts(sim)[1] for sim in sims] == [2, 1]
+
+
 def test_large_surfaces_yield_where_small_ones_do():
     """Columns of a bound of the stress and of the stress itself."""
     z, factor = [0.0, 2e-6, 6e-6], [1.3, 1.3, 0.9]

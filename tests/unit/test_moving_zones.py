@@ -14,6 +14,7 @@ from rough_scenes import (
     WIDE,
     WIDE_PERCENT,
     assert_few_errors,
+    rms,
     rolling,
     rough_gap,
     same,
@@ -35,8 +36,9 @@ def moved(sim, cells):
     [
         ((STEEL, RIGID), (24, 24), 4, {"reach": 48 * SIZE, "friction": 0.2}),
         ((SOFT, KINEMATIC), (16, 12.5), 2, {"friction": 0.1}),
+        ((STEEL, RIGID), (16, 15.9), 2, {"friction": sc.Coulomb(0.2)}),
     ],
-    ids=["rolling", "between the cells"],
+    ids=["rolling", "between the cells", "with creepage"],
 )
 def test_zones_left_behind_act_as_in_one_box(bodies, cells, steps, options):
     sims = [rolling(*bodies, zones=zones, **options) for zones in ("auto", "one")]
@@ -45,6 +47,7 @@ def test_zones_left_behind_act_as_in_one_box(bodies, cells, steps, options):
     for step in range(steps):
         zones, one = (moved(sim, cells if step else (0, 0)) for sim in sims)
         assert_few_errors(zones, one, inelastic, 5e-4)
+        assert not one.shear.any() or rms(zones.shear, one.shear) < 5e-4
         counts.append(max(zone_counts(sims[0])))
         assert max(zone_counts(sims[1])) == 1
     assert sum(count > 1 for count in counts) >= 2
