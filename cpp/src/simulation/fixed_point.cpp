@@ -19,8 +19,8 @@ using contact::Anderson;
 using contact::norm;
 
 /// Steps that the acceleration remembers, and of many unknown numbers, where they are much memory
-/// and an evaluation more in thirty is less.
-constexpr int anderson_depth = 8, depth_of_many = 4;
+/// and an evaluation more in ten to thirty is less.
+constexpr int anderson_depth = 8, depth_of_many = 3;
 constexpr std::size_t many = 2'000'000;
 /// The contact is solved this much more tightly than the plastic fixed point.
 constexpr double contact_share = 1e-2;
