@@ -222,3 +222,28 @@ def test_results_tell_the_strength_of_each_layer(tmp_path):
     start, depth = drawn[r"$\sigma_{xx} = \sigma_{yy}$ at first"]
     assert start[depth < 5.9] == pytest.approx(-1000.0)
     assert np.abs(start[depth > 6.0]).max() == 0
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+def test_contacts_move_over_layers_as_over_the_homogeneous_body():
+    usual, other = (
+        sc.Material.swift(E, 0.3, 945e6, 20.0, 0.121).with_kinematic_hardening(20e9, 100.0)
+        for E in (210e9, 210e9 * (1 + 1e-12))
+    )
+    grid = sc.Grid(26, 26, 4e-6, 4e-6, nz=16, dz=3e-6)
+    gap = sc.surfaces.paraboloid(grid, 1e-3)
+    found = []
+    for body in (usual, sc.Layered([(other, 6e-6), (usual, 6e-6)], usual)):
+        run = sc.Simulation(grid, RIGID, body, gap, zones="one", friction=0.2)
+        run.step(load=4.0)
+        run.step(load=4.0, advance=(4e-6, 4e-6))
+        rolled = run.step(load=4.0, advance=(4e-6, 4e-6))
+        found.append((rolled.pressure, run.step(load=0.0).track(2)))
+    (pressure, track), (same_pressure, same) = found
+    assert pressure == pytest.approx(same_pressure, abs=1.0)
+    strain = track.equivalent_plastic_strain()
+    assert strain.max() > 5e-4
+    assert same.equivalent_plastic_strain() == pytest.approx(strain, abs=1e-12)
+    assert same.residual_stress() == pytest.approx(track.residual_stress(), abs=1.0)
+    print_left = track.residual_displacement()
+    assert same.residual_displacement() == pytest.approx(print_left, abs=1e-9 * 1e-7)
