@@ -63,18 +63,18 @@ def test_each_depth_flows_by_the_law_of_its_layer():
     assert state.initial_stress()[0, 0, 0] == pytest.approx(body.residual_stress_at(grid.z)[0])
 
 
-def indented(body, upper=RIGID, n=26, loads=(2.0, 4.0, 6.0, 0.0)):
+def indented(body, upper=RIGID, n=26, loads=(2.0, 4.0, 6.0, 0.0), image_tol=1e-3):
     grid = sc.Grid(n, n, 4e-6, 4e-6, nz=20, dz=3e-6)
     gap = sc.surfaces.paraboloid(grid, 1e-3)
-    run = sc.Simulation(grid, upper, body, gap, zones="one")
+    run = sc.Simulation(grid, upper, body, gap, zones="one", image_tol=image_tol)
     return run, [run.step(load=load) for load in loads]
 
 
-ROUGHLY = 1e-6  # well within image_tol: images of layers are sums of their own
-
-
+@pytest.mark.parametrize(("apart", "tol"), [(0.0, 1e-9), (1e-12, 2e-5)])
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_layers_that_hardly_differ_are_the_homogeneous_body():
+def test_layers_that_hardly_differ_are_the_homogeneous_body(apart, tol):
+    """Images of layered bodies are found in another way, both to image_tol."""
+
     def steel(E):
         material = sc.Material.voce(E, 0.3, 1.2e9, 1.8e9, 30.0).with_yield_profile(
             [0.0, 20e-6], [1.3, 0.8]
@@ -82,23 +82,21 @@ def test_layers_that_hardly_differ_are_the_homogeneous_body():
         material = material.with_residual_stress([0.0, 15e-6], [-3e8, 1e8], [-1e8, 0.0])
         return material.with_kinematic_hardening([40e9, 5e9], [300.0, 0.0])
 
-    usual, other = steel(210e9), steel(210e9 * (1 + 1e-12))
+    usual, other = steel(210e9), steel(210e9 * (1 + apart))
     layered = sc.Layered([(other, 6e-6), (usual, 9e-6), (other, 3e-6)], usual)
-    _, expected = indented(usual)
-    _, found = indented(layered)
+    _, expected = indented(usual, image_tol=1e-6)
+    _, found = indented(layered, image_tol=1e-6)
     assert expected[-1].max_equivalent_plastic_strain() > 1e-3
     for one, same in zip(found, expected, strict=True):
-        scale = max(same.pressure.max(), 1e6)
-        assert one.pressure == pytest.approx(same.pressure, abs=ROUGHLY * scale)
-        assert one.approach == pytest.approx(same.approach, rel=ROUGHLY)
-        for name in ("stress", "residual_stress", "backstress"):
-            fields = [getattr(state, name)() for state in (one, same)]
-            assert fields[0] == pytest.approx(fields[1], abs=ROUGHLY * 1e9)
-        print_left = same.residual_displacement()
-        assert one.residual_displacement() == pytest.approx(print_left, abs=ROUGHLY * 1e-7)
-        assert one.equivalent_plastic_strain() == pytest.approx(
-            same.equivalent_plastic_strain(), abs=ROUGHLY * 1e-3
-        )
+        assert one.approach == pytest.approx(same.approach, rel=tol, abs=tol * 1e-7)
+        for name in (
+            "pressure", "stress", "residual_stress", "backstress", "equivalent_plastic_strain",
+            "residual_displacement",
+        ):  # fmt: skip
+            fields = [getattr(state, name) for state in (one, same)]
+            fields = [field() if callable(field) else field for field in fields]
+            scale = max(np.abs(fields[1]).max(), 1e-12)
+            assert fields[0] == pytest.approx(fields[1], abs=tol * scale), name
 
 
 def forces_on_blocks(grid, stress):
@@ -234,16 +232,19 @@ def test_contacts_move_over_layers_as_over_the_homogeneous_body():
     gap = sc.surfaces.paraboloid(grid, 1e-3)
     found = []
     for body in (usual, sc.Layered([(other, 6e-6), (usual, 6e-6)], usual)):
-        run = sc.Simulation(grid, RIGID, body, gap, zones="one", friction=0.2)
+        run = sc.Simulation(grid, RIGID, body, gap, zones="one", friction=0.2, image_tol=1e-6)
         run.step(load=4.0)
         run.step(load=4.0, advance=(4e-6, 4e-6))
         rolled = run.step(load=4.0, advance=(4e-6, 4e-6))
         found.append((rolled.pressure, run.step(load=0.0).track(2)))
     (pressure, track), (same_pressure, same) = found
-    assert pressure == pytest.approx(same_pressure, abs=1.0)
+    assert pressure == pytest.approx(same_pressure, abs=1e-5 * pressure.max())
     strain = track.equivalent_plastic_strain()
     assert strain.max() > 5e-4
-    assert same.equivalent_plastic_strain() == pytest.approx(strain, abs=1e-12)
-    assert same.residual_stress() == pytest.approx(track.residual_stress(), abs=1.0)
+    assert same.equivalent_plastic_strain() == pytest.approx(strain, abs=2e-5 * strain.max())
+    stress = track.residual_stress()
+    assert same.residual_stress() == pytest.approx(stress, abs=2e-5 * np.abs(stress).max())
     print_left = track.residual_displacement()
-    assert same.residual_displacement() == pytest.approx(print_left, abs=1e-9 * 1e-7)
+    assert same.residual_displacement() == pytest.approx(
+        print_left, abs=2e-5 * np.abs(print_left).max()
+    )

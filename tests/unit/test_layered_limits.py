@@ -102,15 +102,13 @@ def test_flow_in_nearly_incompressible_layers_is_that_of_the_homogeneous_body():
     usual, other = (yielding(E, 0.499, 3e7) for E in (5e9, 5e9 * (1 + 1e-12)))
     layered = sc.Layered([(other, 8e-6), (usual, 4e-6), (other, 8e-6)], usual)
     one, two = (
-        sc.Simulation(grid, RIGID, body, gap, zones="one").step(load=0.2)
+        sc.Simulation(grid, RIGID, body, gap, zones="one", image_tol=1e-6).step(load=0.2)
         for body in (usual, layered)
     )
     assert one.max_equivalent_plastic_strain() > 1e-3
-    assert two.pressure == pytest.approx(one.pressure, abs=1e-8 * one.pressure.max())
-    assert two.residual_stress() == pytest.approx(one.residual_stress(), abs=1e-8 * 3e7)
-    assert two.residual_displacement() == pytest.approx(
-        one.residual_displacement(), abs=1e-8 * 1e-7
-    )
+    for name in ("stress", "residual_stress", "residual_displacement"):
+        fields = [getattr(state, name)() for state in (two, one)]
+        assert fields[0] == pytest.approx(fields[1], abs=2e-5 * np.abs(fields[1]).max())
 
 
 def test_a_nanometre_on_a_millimetre_is_a_membrane():
