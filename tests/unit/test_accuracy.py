@@ -111,6 +111,29 @@ def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
     assert results.scalars(dataset)["max_residual_von_mises_body2_best"].notnull().sum() == 2
 
 
+def test_a_graded_body_is_that_of_finer_grids():
+    """A hardened case that is pressed along the surface."""
+    graded = SWIFT | {
+        "yield_profile": {"z": [0.0, 1.2e-4, 2.4e-4], "factor": [1.4, 1.3, 1.0]},
+        "residual_stress": {"z": [0.0, 1e-4, 2e-4], "sxx": [-4e8, -3e8, 0.0]},
+    }
+    found = sc.to_accuracy(YIELDING | {"body2": graded}, 0.05)
+    assert found.reached
+    # of the same case to 0.01, whose last grid has 257 x 257 cells
+    truth = {
+        "max_pressure": 4.0326e9,
+        "approach": 2.33482e-5,
+        "contact_area": 5.513e-7,
+        "max_residual_von_mises_body2": 4.786e8,
+        "print_depth_body2": 1.6514e-7,
+    }
+    for name, exact in truth.items():
+        assert abs(found.values[name] - exact) <= found.errors[name] <= 0.05 * exact
+    # Kinks of strength lie between layers: what is largest there is known to the accuracy only.
+    assert found.values["max_von_mises_body2"] == pytest.approx(2.4347e9, rel=0.005)
+    assert found.values["max_equivalent_plastic_strain_body2"] == pytest.approx(1.683e-3, rel=0.05)
+
+
 def test_only_segments_that_flow_have_many_increments():
     path = [{"approach": 2.5e-5}, {"load": 900.0, "start": 1800.0}, {"load": 0.0}]
     case = SectionsOfCase.model_validate({"title": "x", "accuracy": 0.1, **YIELDING, "path": path})
