@@ -117,7 +117,7 @@ void compare_with_subsets() {
       CHECK(ball.radius() == doctest::Approx(radius_of_subsets(points)).epsilon(rounding));
       const Eigen::Map<const Eigen::VectorXd> centre(ball.centre().data(), D);
       for (const auto& point : points)
-        CHECK((point - centre).norm() <= ball.radius() * (1 + 1e-12));
+        CHECK((point - centre).norm() <= ball.radius() * (1 + 1e-14));
     }
   }
 }
