@@ -31,14 +31,15 @@ class SmallestBall {
   SmallestBall(const double* points, std::size_t count, double* work, std::size_t first = 0)
       : points_(points), count_(count), squares_(work) {
     take(point(first));
-    double largest = 0.0;
+    double largest = squared_distances(points, count, D, centre_.data(), squares_);
     // Exact arithmetic would end before; rounding could go round in circles.
     for (int round = 0; round < 200; ++round) {
-      largest = squared_distances(points, count, D, centre_.data(), squares_);
-      const double held = square(held_[0], centre_);
-      if (!(largest > held * (1 + 1e-14))) break;
+      const double held = std::sqrt(square(held_[0], centre_));
+      if (!(std::sqrt(largest) > held * (1 + 1e-14) + rounding())) break;
       const std::size_t far = std::find(squares_, squares_ + count_, largest) - squares_;
-      if (!take_in(point(far))) break;
+      const bool taken = take_in(point(far));
+      largest = squared_distances(points, count, D, centre_.data(), squares_);
+      if (!taken) break;
     }
     radius_ = std::sqrt(largest);
   }
@@ -53,6 +54,13 @@ class SmallestBall {
     held_[0] = centre_ = p;
     weight_[0] = 1.0;
     size_ = 1;
+  }
+
+  /// Of distances, where the points lie far from the origin.
+  double rounding() const {
+    double size = 0.0;
+    for (const double c : centre_) size = std::max(size, std::fabs(c));
+    return 4 * std::numeric_limits<double>::epsilon() * size;
   }
 
   Point point(std::size_t n) const {
