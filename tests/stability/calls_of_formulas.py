@@ -317,7 +317,7 @@ CALLS = [
     ("shakedown.elliptic", sc.shakedown.elliptic, {"k": 2.0, "friction": 0.1}),
     *(
         (f"shakedown.{name}", getattr(sc.shakedown, name), {"friction": 0.2, "nu": NU})
-        for name in ("line_kinematic", "point", "point_kinematic")
+        for name in ("line_kinematic", "point", "point_kinematic", "point_safe")
     ),
     *(
         (

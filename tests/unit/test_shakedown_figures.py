@@ -8,7 +8,7 @@ import samcontact as sc
 from samcontact import plotting, shakedown
 
 
-@pytest.mark.parametrize(("contact", "curves"), [("line", 4), ("point", 2)])
+@pytest.mark.parametrize(("contact", "curves"), [("line", 4), ("point", 3)])
 def test_map_of_limits(contact, curves, monkeypatch):
     monkeypatch.setattr("samcontact.plotting.shaking_down._FRICTION", np.array([0.0, 0.3, 0.5]))
     ax = plotting.shakedown_map(contact=contact)

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from scipy.optimize import minimize
+from scipy.optimize import minimize, minimize_scalar
 
 import samcontact as sc
 from samcontact import shakedown
@@ -22,7 +22,7 @@ PASSING = np.linspace(-8.0, 8.0, 1601)
 def test_line_contact_by_melan(friction, ratio):
     limit = shakedown.line(friction)
     assert limit.ratio == pytest.approx(ratio, rel=5e-4)
-    assert limit.exact
+    assert limit.kind == "exact"
     assert (limit.depth == 0.0) == (friction > 0.36)
 
 
@@ -88,6 +88,25 @@ def test_a_circle_is_decided_in_its_middle(friction):
     assert shakedown.point(friction).ratio <= limit.ratio * (1 + 1e-12)
 
 
+@pytest.mark.parametrize("friction", [0.0, 0.25, 0.5])
+def test_a_circle_that_is_safe(friction):
+    """Below the bound sigma_xx alone makes the passage elastic, at every place across the way."""
+    safe = shakedown.point_safe(friction)
+    first = math.sqrt(3.0) * sc.critical.onset_sliding(1.0, 1.0, 0.3, 1.0, friction).C
+    assert first < safe.ratio <= shakedown.point(friction).ratio * (1 + 1e-12)
+    for y in (0.0, 0.2, 0.5, 0.8, 0.98, 1.1):
+        for z in (safe.depth, 0.0, 0.1, 0.3, 0.5, 0.8):
+            stress = POINT.stress(PASSING[::4], y, z, 0.3, friction)
+
+            def largest(residual, stress=stress):
+                moved = stress.copy()
+                moved[0] += residual
+                return asked(moved, "von_mises").max()
+
+            needed = minimize_scalar(largest, bounds=(-2.0, 2.0), method="bounded").fun
+            assert needed * safe.ratio < 1.0 + 1e-6
+
+
 def test_ellipses_between_line_and_circle():
     assert 1.0 / shakedown.elliptic(1.0).ratio == pytest.approx(0.21389, abs=5e-6)
     assert 1.0 / shakedown.elliptic(5.0).ratio == pytest.approx(0.24759, abs=5e-6)
@@ -97,7 +116,7 @@ def test_ellipses_between_line_and_circle():
     assert shear.max() * shakedown.elliptic(1.0).ratio == pytest.approx(1.0, rel=1e-4)
     ratios = [shakedown.elliptic(k).ratio for k in (0.01, 0.1, 1.0, 10.0, 100.0)]
     assert all(np.diff(ratios) < 0)
-    assert shakedown.elliptic(2.0, 0.5) == shakedown.Limit(2.0, 0.0, exact=False)
+    assert shakedown.elliptic(2.0, 0.5) == shakedown.Limit(2.0, 0.0, "upper")
 
 
 def test_ellipse_against_the_pressure_on_cells():

@@ -30,8 +30,7 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     contact : {"line", "point"}
-        A line contact, whose limits are exact; or a circle, with an upper bound of perfect
-        plasticity.
+        A line contact, whose limits are exact; or a circle, with bounds of perfect plasticity.
     nu : float, optional
         Poisson's ratio.
 
@@ -39,7 +38,8 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
     -------
     matplotlib.axes.Axes
         p0/k by the coefficient of friction, k being the yield stress in shear, with von Mises'
-        criterion; dashed with Tresca's. A dot where the surface begins to decide.
+        criterion; dashed with Tresca's, or the lower bound. A dot where the surface begins to
+        decide.
 
     Raises
     ------
@@ -65,17 +65,11 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
         ]
     else:
         curves = [
-            (
-                "shakedown, kinematic hardening",
-                "tab:blue",
-                lambda m: shakedown.point_kinematic(m, nu),
-            ),
-            (
-                "shakedown, perfectly plastic, at most",
-                "tab:red",
-                lambda m: shakedown.point(m, nu),
-            ),
-        ]
+            ("shakedown, kinematic hardening", "tab:blue",
+             lambda m: shakedown.point_kinematic(m, nu)),
+            ("shakedown, perfectly plastic, at most", "tab:red", lambda m: shakedown.point(m, nu)),
+            ("the same, at least", "--tab:red", lambda m: shakedown.point_safe(m, nu)),
+        ]  # fmt: skip
     for label, colour, function in curves:
         limits = [function(float(mu)) for mu in _FRICTION]
         ratios = np.array([limit.ratio for limit in limits])
