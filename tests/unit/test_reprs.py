@@ -248,6 +248,7 @@ def public_objects():
     cycle = sc.wear.Cycle(1, (0.1,), (0.1,), (0.1,), (0.1,), (0.1,), 1.0, 1.0, 1.0, 9.0, (9.0,))
     scar = sc.wear.FrettingCycle(1, 2, 0.1, (0.1,), (0.1,), (0.1,), 0.1, 1.0, 1.0, 1.0, 9.0)
     worn = {2: np.stack([gap] * 5)}
+    pass_ = sc.shakedown.Cycle(1, 1e-3 / 3, 1e-3 / 7)
     bent = sc.Simulation(grid, steel, steel, gap)
     bent.set_plastic_strain(2, np.full((6, 40, 30, 3), 1e-3))
     load = sc.flattening.kogut_etsion(np.linspace(1e-9, 1e-7, 500), 1e-3, 1e11, 0.3, 1e9)
@@ -277,6 +278,8 @@ def public_objects():
         scar, sc.wear.FrettingResult(grid, (2,), [scar] * 50, True, None, relief, worn, {2: 0},
                                      (state,) * 4, None),
         sc.fatigue.passing(state), sc.fatigue.findley(sc.fatigue.passing(state), k=1 / 3),
+        sc.shakedown.line(0.3), pass_, sc.shakedown.ShakedownResult(
+            "ratcheting", 1e-3 / 3, 1e-3 / 7, (pass_,) * 50, 60, 1e-4 / 3, 1, 1e-3 / 9, state, {}),
         steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
         parse_case(CASE.format(tugging=CONTACT, **fields)),

@@ -119,6 +119,8 @@ def run(
             if repeated.cycles:
                 error.result = repeated.result()  # type: ignore[attr-defined]
             raise
+        finally:
+            repeated.take_back()
     if repeated.verdict == UNDECIDED:
         last = repeated.cycles[-1]
         warnings.warn(
@@ -224,10 +226,16 @@ class _Repeated:
             self._most = min(MOST, 2 * made.cycles)
             return True
         self.rejected += 1
-        self._most, self._changes = max(made.cycles // 2, 2), []
-        stand_at(self.simulation, made.state)
-        self._number -= made.cycles
+        self._most, self._changes, self._jump = max(made.cycles // 2, 2), [], made
+        self.take_back()
         return False
+
+    def take_back(self) -> None:
+        """Of a jump that no cycle has confirmed, if there is one."""
+        if self._jump is not None:
+            stand_at(self.simulation, self._jump.state)
+            self._number -= self._jump.cycles
+            self._jump = None
 
     def _judged(self) -> str:
         last = self.cycles[-1]
