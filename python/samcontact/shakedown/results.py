@@ -27,7 +27,10 @@ class Cycle:
     flow: float
     """Largest equivalent plastic strain that is added in it [-]."""
     net: float
-    """Largest sqrt(2/3 e:e) of the plastic strain e between its beginning and its end [-]."""
+    """Largest equivalent of the plastic strain between its beginning and its end [-].
+
+    That is the square root of 2/3 e_ij e_ij, which flow to and fro does not raise.
+    """
 
 
 @dataclass(frozen=True, eq=False, repr=False)
