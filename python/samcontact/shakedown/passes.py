@@ -41,7 +41,7 @@ def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, An
     Examples
     --------
     >>> import samcontact as sc
-    >>> grid = sc.Grid(4, 1, 1e-6, 1e-3, dz=1e-6, periodic="xy")
+    >>> grid = sc.Grid(4, 1, 1e-6, 1e-5, dz=1e-6, periodic="xy")
     >>> for step in passes(grid, [[0.0], [1e9], [2e9], [1e9]], cells=2):
     ...     print(step["pressure"].ravel())
     [0.e+00 1.e+09 2.e+09 1.e+09]
