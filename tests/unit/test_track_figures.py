@@ -202,9 +202,9 @@ class Recorder(matplotlib.animation.AbstractMovieWriter):
 
     def grab_frame(self, **_):
         above, middle, below, *_ = self.fig.axes
-        (mesh,) = middle.collections
+        (image,) = middle.images
         lines = [ax.get_lines()[0].get_xydata().copy() for ax in (above, below)]
-        self.frames.append((above.get_title(), *lines, np.array(mesh.get_array())))
+        self.frames.append((above.get_title(), *lines, np.array(image.get_array())))
 
     def finish(self):
         pass

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
-from matplotlib.collections import QuadMesh
+from matplotlib.image import AxesImage
 from matplotlib.lines import Line2D
 
 from .._checks import FloatArray, choice, positive
@@ -94,7 +94,7 @@ def rolling_animation(
     above, middle, below = figure.subplots(3, 1, sharex=True, height_ratios=[1.5, ratio, 1.5])
     pressure_line = _pressure_panel(above, pressures)
     largest = shown.factor * max(float(np.nanmax(s)) for s in sections)
-    mesh, frame = _section_panel(middle, across, depth, quantity, largest)
+    image, frame = _section_panel(middle, across, depth, quantity, largest)
     print_line = _print_panel(below, prints, body)
     below.set_xlim(across[0], across[-1])
 
@@ -102,7 +102,7 @@ def rolling_animation(
         state = states[number]
         place = -state.travel[body - 1]
         pressure_line.set_data((np.asarray(grid.x) - state.origin + place) * 1e6, pressures[number])
-        mesh.set_array(sections[number].T * shown.factor)
+        image.set_data(sections[number].T * shown.factor)
         print_line.set_data(prints[number][0] * 1e6, prints[number][1] * 1e6)
         ends = edges(windows[number], grid.dx)[[0, -1]] * 1e6
         for line, end in zip(frame, ends, strict=True):
@@ -110,7 +110,7 @@ def rolling_animation(
         above.set_title(
             f"load {state.load:.4g} N, contact at {place * 1e6 + 0.0:.4g} µm", fontsize="medium"
         )
-        return [pressure_line, mesh, print_line, *frame]
+        return [pressure_line, image, print_line, *frame]
 
     draw(0)
     figure.align_ylabels()
@@ -131,14 +131,20 @@ def _pressure_panel(ax: Axes, pressures: list[FloatArray]) -> Line2D:
 
 def _section_panel(
     ax: Axes, across: FloatArray, depth: FloatArray, quantity: str, largest: float
-) -> tuple[QuadMesh, list[Line2D]]:
+) -> tuple[AxesImage, list[Line2D]]:
     """The section, and the frame of what is under load."""
     shown = CONTACT[quantity]
     empty = np.zeros((len(depth) - 1, len(across) - 1))
-    mesh = ax.pcolormesh(
-        across, depth, empty, cmap=shown.colours, vmin=0.0, vmax=largest or 1.0, rasterized=True
+    image = ax.imshow(
+        empty,
+        cmap=shown.colours,
+        vmin=0.0,
+        vmax=largest or 1.0,
+        extent=(across[0], across[-1], depth[-1], depth[0]),
+        aspect="auto",
+        interpolation="bilinear",
     )
-    ax.figure.colorbar(mesh, ax=ax)
+    ax.figure.colorbar(image, ax=ax)
     framed = quantity == "von_mises"
     grey = "" if quantity == "equivalent_plastic_strain" else ", grey: not computed"
     edge = ", dotted: edge of the grid" if framed else ""
@@ -146,8 +152,7 @@ def _section_panel(
     ax.set_facecolor("0.85")
     frame = [ax.axvline(color="C3", linestyle=":", linewidth=framed) for _ in range(2)]
     ax.set_ylabel("depth z [µm]")
-    ax.invert_yaxis()
-    return mesh, frame
+    return image, frame
 
 
 def _print_panel(ax: Axes, prints: list[tuple[FloatArray, FloatArray]], body: int) -> Line2D:

@@ -143,10 +143,10 @@ def finish(ax: Axes) -> Axes:
 
 def counted(ax: Axes) -> Axes:
     """Ticks along x at whole numbers only: of passes, cycles, increments."""
-    ax.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
+    ax.xaxis.set_major_locator(MaxNLocator(integer=True))
     left, right = ax.get_xlim()
     if right - left < 1.0:  # there is one
-        ax.set_xlim(left - 0.5, right + 0.5)
+        ax.set_xlim(left - 1.0, right + 1.0)
     return ax
 
 
