@@ -36,6 +36,7 @@ executed_pages = ["index", "tutorial"]
 nb_execution_mode = "off"  # they come with outputs
 nb_merge_streams = True
 
+python_maximum_signature_line_length = 72  # then a line for each parameter
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_type_aliases = {name: name for name in ("ArrayLike", "FloatArray")}
@@ -89,6 +90,13 @@ def _whole_formulas(app, doctree):
             node.children = [nodes.Text(rf"\[{node.astext()}\]")]
 
 
+def _no_bases(app, doctree):
+    """What has no base is told to have `object`."""
+    for node in list(doctree.findall(nodes.paragraph)):
+        if node.astext() == "Bases: object":
+            node.parent.remove(node)
+
+
 def _wide_pictures(app, doctree, docname):
     """Pictures wider than eight inches get a class: on a phone they need more than its width."""
     for node in doctree.findall(nodes.image):
@@ -102,6 +110,7 @@ def _wide_pictures(app, doctree, docname):
 def setup(app):
     app.connect("doctree-resolved", _wide_pictures)
     app.connect("doctree-read", _whole_formulas)
+    app.connect("doctree-read", _no_bases)
     app.connect("autodoc-process-signature", _plain_names)
     app.connect("autodoc-process-bases", _bases)
     app.connect("include-read", _link_to_pages)

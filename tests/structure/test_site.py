@@ -77,6 +77,13 @@ def test_signatures_name_their_types_in_one_word(site):
         assert spelled_out not in plain
 
 
+def test_long_signatures_have_a_line_for_each_parameter(site):
+    text = (site / "api" / "contact.html").read_text()
+    signature = text.partition('id="samcontact.ContactSolver"')[2].partition("</dt>")[0]
+    assert signature.count("<dd>") > 5
+    assert not re.search(r"Bases: <code[^>]*><span[^>]*>object<", text)
+
+
 def test_parameters_are_none_of_the_words_between(site):
     """As are words of a sentence that stands among them, taken for names."""
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
@@ -134,7 +141,7 @@ return {
 
 def test_pages_in_a_browser_without_a_network(site):
     """Pictures and formulas are there; a phone shows the whole width, and labels of pictures."""
-    pages = ["index", "tutorial", "theory", "gallery", "case_reference", "api/contact"]
+    pages = ["index", "tutorial", "questions", "theory", "gallery", "case_reference", "api/contact"]
     pages += ["gallery/friction", "notebooks/02_yield_and_hardening", "genindex"]
     offline = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"
     with chromium(offline) as driver, served(site) as (address, _):
