@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The command: a real tiny run end to end, its output and exit codes."""
 
+import re
 import subprocess
 import sys
 
 import pytest
 
 import samcontact
-from case_texts import MINIMAL, SWIFT
+from case_texts import MINIMAL, SWIFT, TUGGING
 from command import check_failure, invoke
 from samcontact import results
 
@@ -45,6 +46,23 @@ def test_run_writes_results_figures_and_tables(case_file, tmp_path):
         assert data.attrs["case"] == MINIMAL
         # the table shows what is stored
         assert f"{float(data['max_pressure'][1]) * 1e-6:.1f}" in text
+
+
+@pytest.mark.parametrize("text", [MINIMAL, TUGGING], ids=["contact", "tugging"])
+def test_figures_for_print(text, tmp_path):
+    """In the format and width that [output] asks for; a run without leaves none of them behind."""
+    file = tmp_path / "scene.toml"
+    file.write_text(text + '[output]\nformat = "svg"\ncolumn = "single"\n')
+    assert invoke("run", file, "--output", tmp_path / "out", "--quiet").exit_code == 0
+    drawn = list((tmp_path / "out").glob("*.svg"))
+    assert len(drawn) >= 3
+    assert not list((tmp_path / "out").glob("*.png"))
+    for figure in drawn:
+        width = float(re.search(r'width="([\d.]+)pt"', figure.read_text()).group(1))
+        assert width / 72 * 25.4 == pytest.approx(88.0, abs=0.2)
+    outcome = invoke("run", file, "--output", tmp_path / "out", "--quiet", "--no-figures")
+    assert outcome.exit_code == 0
+    assert not list((tmp_path / "out").glob("*.svg"))
 
 
 def test_run_quietly_without_figures_into_the_default_directory(case_file, monkeypatch, tmp_path):
