@@ -136,7 +136,15 @@ def _section(scene: Scene, quantity: str, number: int) -> Made:
     values, shown = scene.field(quantity, number), CONTACT[quantity]
     figure = new_figure(5.0, scene.section_height)
     y = scene.row(values)
-    ax = plotting.section(values, scene.grid, figure.subplots(), quantity=quantity, position=y)
+    ax = plotting.section(
+        values,
+        scene.grid,
+        figure.subplots(),
+        quantity=quantity,
+        position=y,
+        interfaces=scene.interfaces,
+        contact=scene.dataset["pressure"].sel(increment=number).values,
+    )
     add_to_title(ax, elsewhere("y", y, scene.grid.dy))
     low, high = (f"{shown.factor * float(value):.4g}" for value in (values.min(), values.max()))
     text = (
