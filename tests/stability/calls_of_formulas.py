@@ -123,11 +123,7 @@ CALLS = [
         SOFT.with_thermal,
         {"conductivity": 50.0, "expansion": 1e-5, "diffusivity": 1e-5},
     ),
-    (
-        "Material.with_softening",
-        SOFT.with_softening,
-        {"law": sc.softening.JohnsonCook(1800.0, 1.0)},
-    ),
+    ("Material.with_softening", SOFT.with_softening, {"law": sc.softening.JohnsonCook(1.8e3, 1.0)}),
     ("Material.yield_stress", SOFT.yield_stress, {"g": [0.0, 1e-3]}),
     ("Material.plastic_work", SOFT.plastic_work, {"g": [0.0, 1e-3]}),
     ("Material.uniaxial_stress", SOFT.uniaxial_stress, {"strain": [0.0, 1e-3]}),
@@ -227,8 +223,7 @@ CALLS = [
     ("critical.onset_sliding", sc.critical.onset_sliding, {**SPHERE, "friction": 0.2}),
     *(
         (
-            f"flattening.{name}", getattr(sc.flattening,
-            name),
+            f"flattening.{name}", getattr(sc.flattening, name),
             {"interference": [0.0, 1e-6], **SPHERE},
         )
         for name in ("jackson_green", "kogut_etsion")

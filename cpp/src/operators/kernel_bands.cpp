@@ -13,6 +13,7 @@
 #include "samcontact/fft/parity_spectrum.hpp"
 #include "samcontact/operators/cell_influence.hpp"
 #include "samcontact/operators/node_spread.hpp"
+#include "samcontact/operators/scaled_images.hpp"
 #include "samcontact/operators/smooth_continuation.hpp"
 #include "samcontact/operators/volume_medium.hpp"
 
@@ -320,28 +321,6 @@ Field BandTables::far_tables(const Split& split, const KernelOffsets& offsets,
   return out;
 }
 
-/// The images of a lattice of nodes are those of what it stands for.
-class FarResidualStress : public ResidualStress {
- public:
-  FarResidualStress(std::unique_ptr<ResidualStress> whole, double scale)
-      : whole_(std::move(whole)), scale_(scale) {}
-
-  void apply(VolumeSpectrum& spectrum) const override { whole_->apply(spectrum); }
-  Field far_field(Tensor tensor, const double* strain) const override {
-    Field images = whole_->far_field(tensor, strain);
-    for (double& value : images) value *= scale_;
-    return images;
-  }
-  void correct(Tensor tensor, const Field& far_field, int layer, double* stress) const override {
-    whole_->correct(tensor, far_field, layer, stress);
-  }
-  std::size_t bytes() const override { return whole_->bytes(); }
-
- private:
-  std::unique_ptr<ResidualStress> whole_;
-  double scale_;
-};
-
 class BandMedium : public VolumeMedium {
  public:
   using VolumeMedium::residual_displacement;
@@ -385,7 +364,7 @@ class BandMedium : public VolumeMedium {
     of_band.blends = band_ == Band::near;
     auto whole = tables_->medium()->residual_stress(grid, transform, of_band);
     if (band_ != Band::far) return whole;
-    return std::make_unique<FarResidualStress>(std::move(whole), own(0.0, 0.0));
+    return std::make_unique<ScaledImages>(std::move(whole), own(0.0, 0.0));
   }
   std::unique_ptr<ResidualDisplacement> residual_displacement(
       Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,

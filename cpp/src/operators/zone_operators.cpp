@@ -20,10 +20,6 @@ double* zeros(std::size_t count) {
   return buffer.data();
 }
 
-Box with_ring(const Box& zone, int ring) {
-  return {zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
-}
-
 /// Weights of the strain along one axis, of a zone of `count` cells and its ring, where it fades
 /// out from a part on.
 Field fades(int count, int ring, double fades_from) {
@@ -45,14 +41,6 @@ std::vector<fft::RowRun> rows_of(const std::vector<Box>& boxes, const Box& plane
 }
 
 }  // namespace
-
-int ring_around(const Box& zone, const std::vector<Box>& zones, const BandSplit& split) {
-  const Box box = with_ring(zone, split.near_range);
-  const bool close = std::any_of(zones.begin(), zones.end(), [&](const Box& other) {
-    return other != zone && !box.intersected(other).empty();
-  });
-  return close ? std::max(split.wide_ring, split.near_range) : split.near_range;
-}
 
 struct ZoneOperators::Around {
   int ring;
@@ -115,7 +103,7 @@ ZoneOperators::~ZoneOperators() {
 void ZoneOperators::add_ring(const Box& zone) {
   const int ring = ring_around(zone, zones_, tables_->split());
   const double fades_from = tables_->split().ring_fades_from;
-  Box box = with_ring(zone, ring);
+  Box box{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
   std::vector<int> inside;
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     if (box.intersected(zones_[z]).empty()) continue;

@@ -26,6 +26,15 @@ Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodeSp
   return {spread_one(cells.pressure), spread_one(cells.shear_x), spread_one(cells.shear_y)};
 }
 
+int ring_around(const Box& zone, const std::vector<Box>& zones, const BandSplit& split) {
+  const int ring = split.near_range;
+  const Box box{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
+  const bool close = std::any_of(zones.begin(), zones.end(), [&](const Box& other) {
+    return other != zone && !box.intersected(other).empty();
+  });
+  return close ? std::max(split.wide_ring, split.near_range) : split.near_range;
+}
+
 ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor,
                        double image_tol, const BandSplit& split, const Heating& heating)
     : grid_(grid),

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "samcontact/fft/plan.hpp"
-#include "samcontact/operators/zone_operators.hpp"
+#include "samcontact/operators/zone_tables.hpp"
 #include "samcontact/simulation/zones.hpp"
 
 namespace samcontact::simulation {

@@ -12,10 +12,6 @@
 
 namespace samcontact::operators {
 
-/// Cells of the ring around a zone, in which strain of others acts on it through the near band:
-/// wider where some are close, since what is cut off there lies beside strain as strong.
-int ring_around(const Box& zone, const std::vector<Box>& zones, const BandSplit& split);
-
 /// Not thread-safe; several threads work inside. Digits do not depend on their number.
 class ZoneOperators {
  public:
