@@ -65,8 +65,8 @@ std::vector<SweptLayer> swept_layers(const Stack& body, int nz, double dz) {
     found.push_back({body.substrate, INFINITY, nz - first, dz});
   } else if (first < nz) {
     throw std::invalid_argument("layers of cells must end above the rigid substrate, at " +
-                                to_text(top) + " m, got " + std::to_string(nz) + " of dz = " +
-                                to_text(dz) + " m");
+                                to_text(top) + " m, got " + std::to_string(nz) +
+                                " of dz = " + to_text(dz) + " m");
   }
   return found;
 }
