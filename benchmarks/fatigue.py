@@ -52,5 +52,5 @@ def judge(meter: Meter, cells: int, method: str) -> dict[str, Any]:
     else:
         sc.fatigue.orthogonal_shear(cycle)  # which leaves the stress
         meter(lambda: getattr(sc.fatigue, method)(cycle, **CRITERIA[method]))
-    points = cycle.shape[0] * cycle.shape[1] * cycle.shape[2]
+    points = cycle.points_shape[0] * cycle.points_shape[1] * cycle.points_shape[2]
     return {"cells": points, "across": cells, "errors": {}}

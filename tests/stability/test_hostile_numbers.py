@@ -21,7 +21,7 @@ MADE_BY_THE_PACKAGE = {
     "Accurate", "ContactSolution", "FoundLoad", "GridErrors", "State", "Track",
     "asperities.Tugging",
     "bearings.LoadZone",
-    "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalPlace",
+    "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalLinePlace", "critical.CriticalPlace",
     "critical.CriticalSlidingSphere", "critical.CriticalSphere", "energy.EnergyBalance",
     "fatigue.Cycle",
     "fatigue.FatigueField",

@@ -33,7 +33,7 @@ def test_a_pass_is_what_material_goes_through():
     simulation = ball_on(body=soft)
     states = simulation.run(steps, progress=False)  # unloaded at the end, as far from the contact
     seen = cycle(states, 2)
-    assert seen.shape[0] == 48 - 32
+    assert seen.points_shape[0] == 48 - 32
     steady = passing(states[10], 2)
     for criterion in (dang_van, crossland):
         whole = criterion(seen, slope=0.3)

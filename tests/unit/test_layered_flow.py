@@ -175,7 +175,7 @@ def test_a_history_that_a_layer_cannot_have_is_refused():
 
 def test_a_load_of_first_yield_is_not_found_for_several_laws():
     run, _ = indented(sc.Layered(SANDWICH, STEEL), loads=())
-    with pytest.raises(ValueError, match="or of layers"):
+    with pytest.raises(ValueError, match="not for layers, which body2 has"):
         sc.find_load(lambda load: (run, [{"load": load}]), "yield", largest_load=10.0)
 
 

@@ -27,7 +27,7 @@ constexpr std::size_t large_surface = 65000;
 
 /// Memory of an increment a cell of its box where all of them flow and it is divided; as measured,
 /// docs/architecture.md has the parts.
-constexpr double fast_bytes = 950, exact_bytes = 1800;
+constexpr double fast_bytes = 600, exact_bytes = 1800;
 
 /// The same of zones, and a cell of the grid above them.
 constexpr double zone_bytes = 600, lattice_bytes = 40;

@@ -32,7 +32,7 @@ def dang_van(states: States, body: int | None = None, slope: float | None = None
 
     Parameters
     ----------
-    states : Cycle, sequence of State, or array_like of shape (moments, 6, ...)
+    states : Cycle, sequence of State, or array_like of shape (n, 6, ...)
         See `cycle`; of one steady state, `passing`.
     body : {1, 2}, optional
         Of states; default 2.
@@ -208,7 +208,7 @@ def fatemi_socie(
     def at(cycle: Cycle, block: slice) -> tuple[FloatArray, FloatArray]:
         stress = cycle._stress(block)
         layers = block.stop - block.start
-        halved = 0.5 / np.broadcast_to(moduli, cycle.shape[-1:])[block]
+        halved = 0.5 / np.broadcast_to(moduli, cycle.points_shape[-1:])[block]
         shear = stress * np.repeat(halved, stress.shape[2] // layers)
         if cycle._strained:
             shear += cycle._plastic_strain(block)
@@ -262,14 +262,14 @@ def _over_blocks(
     at: Callable[[Cycle, slice], tuple[FloatArray, FloatArray | None]],
 ) -> FatigueField:
     """The field, put together of blocks; `fields`: how many of them lie in memory at once."""
-    values = np.empty(given.shape)
+    values = np.empty(given.points_shape)
     normals: FloatArray | None = None
     for block in given._blocks(fields):
         found, planes = at(given, block)
-        shape = (block.stop - block.start, *given.shape[:-1])
+        shape = (block.stop - block.start, *given.points_shape[:-1])
         values[..., block] = np.moveaxis(found.reshape(shape), 0, -1)
         if planes is not None:
-            normals = np.empty((3, *given.shape)) if normals is None else normals
+            normals = np.empty((3, *given.points_shape)) if normals is None else normals
             normals[..., block] = np.moveaxis(planes.reshape(3, *shape), 1, -1)
     if normals is not None:
         read_only(normals)

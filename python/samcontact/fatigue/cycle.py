@@ -46,7 +46,7 @@ class Cycle(Shown):
         return self._paths.moments
 
     @property
-    def shape(self) -> tuple[int, ...]:
+    def points_shape(self) -> tuple[int, ...]:
         """Of a field of its points."""
         return self._paths.shape
 
@@ -62,8 +62,8 @@ class Cycle(Shown):
 
     def _blocks(self, fields: int) -> Iterator[slice]:
         """Along the last axis, as many as fit at once."""
-        last = self.shape[-1]
-        one = 48.0 * self.moments * math.prod(self.shape[:-1]) * fields
+        last = self.points_shape[-1]
+        one = 48.0 * self.moments * math.prod(self.points_shape[:-1]) * fields
         there = _memory.available()
         fit = last if there is None else int(_PART * there / (_COPIES * one))
         if fit < 1:
@@ -78,7 +78,7 @@ class Cycle(Shown):
         if "stress" in known:
             return known["stress"]
         stress = self._paths.stress(block).reshape(self.moments, 6, -1)
-        if block == slice(0, self.shape[-1]):
+        if block == slice(0, self.points_shape[-1]):
             known["stress"] = read_only(stress)
         return stress
 
@@ -86,10 +86,10 @@ class Cycle(Shown):
         return self._paths.plastic_strain(block).reshape(self.moments, 6, -1)
 
     def __repr__(self) -> str:
-        return f"Cycle(moments={self.moments}, shape={self.shape})"
+        return f"Cycle(moments={self.moments}, points_shape={self.points_shape})"
 
     def _rows(self) -> Rows:
-        rows = [("moments", str(self.moments)), ("points", counts(*self.shape))]
+        rows = [("moments", str(self.moments)), ("points", counts(*self.points_shape))]
         for axis, values in self.places.items():
             rows.append((axis, f"{lengths(values[0])} to {lengths(values[-1])}"))
         return rows
@@ -104,7 +104,7 @@ def cycle(
 
     Parameters
     ----------
-    states : sequence of State, or array_like of shape (moments, 6, ...)
+    states : sequence of State, or array_like of shape (n, 6, ...)
         At least two moments, of one simulation: those of a pass or a loop, at its steady state;
         what is not in the sequence, such as the unloaded body, is not in the cycle. Or stress [Pa]
         of any origin, components xx, yy, zz, yz, xz, xy, tension positive.
