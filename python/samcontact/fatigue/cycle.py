@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from .. import _memory
 from .._checks import MOST_STRESS, FloatArray, choice, real_array
@@ -51,9 +51,12 @@ class Cycle(Shown):
         return self._paths.shape
 
     @property
-    def places(self) -> Mapping[str, FloatArray]:
-        """Coordinates of the points along each axis of a field [m]: "x" (on the body, from where
-        the contact stood at the start), "y", "z"; none of an array."""
+    def places(self) -> Mapping[str, NDArray[np.float64]]:
+        """Coordinates of the points along each axis of a field [m].
+
+        Of "x" (on the body, from where the contact stood at the start), "y" and "z"; none of an
+        array.
+        """
         return self._places
 
     @cached_property
