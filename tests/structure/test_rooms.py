@@ -47,7 +47,7 @@ FOLDERS = {
     "plotting": {"hertz", "results", "shakedown"},
     "asperities": {"runs"},
     "wear": {"runs", "hertz"},
-    "shakedown": {"runs", "hertz"},
+    "shakedown": {"runs", "hertz", "fatigue"},
     "cases": {"hertz", "paths", "measured", "asperities", "wear", "fatigue"},
     "accuracy": {"runs", "hertz", "cases", "results"},
     "sweeps": {"runs", "cases", "results", "accuracy"},

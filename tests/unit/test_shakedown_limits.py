@@ -9,7 +9,6 @@ from scipy.optimize import minimize, minimize_scalar
 
 import samcontact as sc
 from samcontact import shakedown
-from samcontact.shakedown.enclosing import enclosing_radius
 
 # Johnson (1985), section 9.2: p0/k of a line contact by friction.
 MELAN = {0.0: 4.000, 0.1: 3.564, 0.2: 3.202, 0.3: 2.900, 0.35: 2.767, 0.4: 2.500, 0.5: 2.000}
@@ -141,27 +140,6 @@ def test_first_yield_is_below_shakedown():
         for criterion in ("tresca", "von_mises"):
             first = shakedown.first_yield(friction, criterion=criterion).ratio
             assert first < shakedown.line(friction, criterion=criterion).ratio
-
-
-@pytest.mark.parametrize("dimension", [2, 3])
-def test_enclosing_ball(dimension):
-    rng = np.random.default_rng(dimension)
-    for count in (1, 2, 3, 5, 40, 400):
-        points = rng.normal(size=(count, dimension))
-        radius = enclosing_radius(points)
-        found = minimize(
-            lambda v, points=points: v[-1], [*points.mean(axis=0), 50.0], method="SLSQP",
-            constraints={
-                "type": "ineq",
-                "fun": lambda v, points=points: v[-1] - np.sum((points - v[:-1]) ** 2, axis=1),
-            },
-            options={"ftol": 1e-14, "maxiter": 500},
-        )  # fmt: skip
-        assert radius == pytest.approx(math.sqrt(max(found.x[-1], 0.0)), rel=1e-7, abs=1e-7)
-    angle = np.linspace(0.0, 6.0, 100)
-    ring = np.stack([np.cos(angle), np.sin(angle), *[0 * angle] * (dimension - 2)], axis=1)
-    assert enclosing_radius(np.concatenate([ring, ring, 0.5 * ring])) == pytest.approx(1.0)
-    assert enclosing_radius(np.zeros((7, dimension))) == 0.0
 
 
 def test_refuses():

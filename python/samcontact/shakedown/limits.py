@@ -12,9 +12,9 @@ import scipy
 
 from .._checks import FloatArray, choice, non_negative, poisson_ratio, positive
 from .._repr import Rows, Shown
+from ..fatigue import crossland
 from ..hertz.field import field
 from ..hertz.plane_field import plane_field
-from .enclosing import enclosing_radius
 
 _DEPTHS = np.concatenate([[0.0, 1e-3, 0.01], np.linspace(0.05, 1.2, 24)])
 _ALONG = np.concatenate(
@@ -68,20 +68,15 @@ def _coefficient(friction: float) -> float:
     return value
 
 
-def _worst_depth(strength: Callable[[float, float], float]) -> tuple[float, float]:
-    """Largest k over p0 that any depth asks for, and that depth.
-
-    strength: of a depth; or a value it is seen not to exceed.
-    """
-    asked: list[float] = []
-    for depth in _DEPTHS:
-        asked.append(strength(depth, max(asked, default=0.0)))
+def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
+    """Largest k over p0 that any depth asks for, and that depth."""
+    asked = [strength(depth) for depth in _DEPTHS]
     worst = int(np.argmax(asked))
     if worst == 0:
         return asked[0], 0.0
     bounds = (_DEPTHS[worst - 1], _DEPTHS[min(worst + 1, len(_DEPTHS) - 1)])
     found = scipy.optimize.minimize_scalar(
-        lambda depth: -strength(depth, 0.0),
+        lambda depth: -strength(depth),
         bounds=bounds,
         method="bounded",
         options={"xatol": 1e-7},
@@ -94,6 +89,13 @@ def _deviator(stress: FloatArray) -> FloatArray:
     xx, yy, zz, _, xz, _ = stress
     across = (yy - 0.5 * (xx + zz)) / math.sqrt(3.0)
     return np.stack([0.5 * (xx - zz), across, xz], axis=-1)
+
+
+def _smallest_ball(deviator: FloatArray) -> float:
+    """Radius of the smallest ball around points of `_deviator`."""
+    shears = np.zeros((len(deviator), 6, 1))
+    shears[:, 3:, 0] = deviator  # whose squares add up to J2
+    return float(crossland(shears, slope=0.0).largest)
 
 
 def _both_signs(deviator: FloatArray) -> FloatArray:
@@ -160,10 +162,10 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> L
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     if choice("criterion", criterion, ("tresca", "von_mises")) == "tresca":
-        asked, depth = _worst_depth(lambda z, _: _tresca(_line_path(z, nu, friction)))
+        asked, depth = _worst_depth(lambda z: _tresca(_line_path(z, nu, friction)))
     else:
         asked, depth = _worst_depth(
-            lambda z, least: enclosing_radius(_both_signs(_line_path(z, nu, friction)), least)
+            lambda z: _smallest_ball(_both_signs(_line_path(z, nu, friction)))
         )
     return Limit(1.0 / asked, depth, EXACT)
 
@@ -195,9 +197,7 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
     Melan (1938); Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
-    asked, depth = _worst_depth(
-        lambda z, least: enclosing_radius(_line_path(z, nu, friction), least)
-    )
+    asked, depth = _worst_depth(lambda z: _smallest_ball(_line_path(z, nu, friction)))
     return Limit(1.0 / asked, depth, EXACT)
 
 
@@ -230,9 +230,9 @@ def point(friction: float = 0.0, nu: float = 0.3) -> Limit:
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
 
-    def asked(depth: float, least: float) -> float:
+    def asked(depth: float) -> float:
         path = _point_path(depth, nu, friction)
-        return enclosing_radius(path if depth > 0.0 else _both_signs(path), least)
+        return _smallest_ball(path if depth > 0.0 else _both_signs(path))
 
     largest, depth = _worst_depth(asked)
     return Limit(1.0 / largest, depth, UPPER)
@@ -264,7 +264,7 @@ def point_safe(friction: float = 0.0, nu: float = 0.3) -> Limit:
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     along = np.array([0.5, -0.5 / math.sqrt(3.0), 0.0])  # of the centre, by sigma_xx
 
-    def asked(depth: float, _: float) -> float:
+    def asked(depth: float) -> float:
         path = _point_path(depth, nu, friction)
         reach = 2.0 * float(np.abs(path).max())
         found = scipy.optimize.minimize_scalar(
@@ -298,9 +298,7 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
         An argument is outside its range.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
-    asked, depth = _worst_depth(
-        lambda z, least: enclosing_radius(_point_path(z, nu, friction), least)
-    )
+    asked, depth = _worst_depth(lambda z: _smallest_ball(_point_path(z, nu, friction)))
     return Limit(1.0 / asked, depth, EXACT)
 
 
@@ -363,7 +361,7 @@ def first_yield(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     tresca = choice("criterion", criterion, ("tresca", "von_mises")) == "tresca"
 
-    def asked(depth: float, _: float) -> float:
+    def asked(depth: float) -> float:
         half, across, shear = _line_path(depth, nu, friction).T
         radius = np.hypot(half, shear)
         if tresca:
