@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The documentation site: python -m sphinx -W docs build/site."""
 
-import re
 import sys
 from importlib.util import find_spec
 from pathlib import Path
@@ -9,6 +8,7 @@ from pathlib import Path
 from docutils import nodes
 from PIL import Image
 from pydantic import BaseModel
+from sphinx.util.inspect import TypeAliasForwardRef
 
 import samcontact
 
@@ -40,6 +40,8 @@ python_maximum_signature_line_length = 72  # then a line for each parameter
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_type_aliases = {name: name for name in ("ArrayLike", "FloatArray")}
+# Names of these also where they stand in unions, and as types of properties.
+TypeAliasForwardRef.__repr__ = lambda self: self.name
 autodoc_default_options = {
     "members": True,
     "show-inheritance": True,
@@ -65,14 +67,10 @@ def _link_to_pages(app, relative_path, parent_docname, content):
     content[0] = content[0].replace("](CHANGELOG.md)", "](changes.md)").replace("](docs/", "](")
 
 
-def _plain_names(app, what, name, obj, options, signature, returns):
-    """Names of `autodoc_type_aliases` also where they stand in unions; no fields of cases."""
+def _no_fields_of_cases(app, what, name, obj, options, signature, returns):
     if isinstance(obj, type) and issubclass(obj, BaseModel):
         return "", None
-    texts = (
-        re.sub(r"TypeAliasForwardRef\('(\w+)'\)", r"\1", s or "") for s in (signature, returns)
-    )
-    return tuple(text or None for text in texts)
+    return signature, returns
 
 
 def _bases(app, name, obj, options, bases):
@@ -111,6 +109,6 @@ def setup(app):
     app.connect("doctree-resolved", _wide_pictures)
     app.connect("doctree-read", _whole_formulas)
     app.connect("doctree-read", _no_bases)
-    app.connect("autodoc-process-signature", _plain_names)
+    app.connect("autodoc-process-signature", _no_fields_of_cases)
     app.connect("autodoc-process-bases", _bases)
     app.connect("include-read", _link_to_pages)

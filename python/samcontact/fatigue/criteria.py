@@ -23,11 +23,12 @@ __all__ = ["crossland", "dang_van", "fatemi_socie", "findley", "orthogonal_shear
 _STEEPEST = 10.0
 """Of slopes, which are pure numbers below 1 for metals; what is above is a stress."""
 
-States = Cycle | Sequence[State] | ArrayLike
 Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
 
 
-def dang_van(states: States, body: int | None = None, slope: float | None = None) -> FatigueField:
+def dang_van(
+    states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, slope: float | None = None
+) -> FatigueField:
     """Dang Van's criterion: the largest tau(t) + slope sigma_h(t) of the cycle.
 
     Parameters
@@ -63,7 +64,9 @@ def dang_van(states: States, body: int | None = None, slope: float | None = None
                    lambda stress: _core.fatigue.dang_van(stress, number))  # fmt: skip
 
 
-def crossland(states: States, body: int | None = None, slope: float | None = None) -> FatigueField:
+def crossland(
+    states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, slope: float | None = None
+) -> FatigueField:
     """Crossland's criterion: sqrt(J2,a) + slope times the largest sigma_h of the cycle.
 
     Parameters
@@ -95,7 +98,9 @@ def crossland(states: States, body: int | None = None, slope: float | None = Non
                    lambda stress: _core.fatigue.crossland(stress, number))  # fmt: skip
 
 
-def orthogonal_shear(states: States, body: int | None = None, axis: str = "x") -> FatigueField:
+def orthogonal_shear(
+    states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, axis: str = "x"
+) -> FatigueField:
     """Amplitude of the shear on planes parallel to the surface, half its range in the cycle.
 
     Parameters
@@ -125,7 +130,9 @@ def orthogonal_shear(states: States, body: int | None = None, axis: str = "x") -
     return _scalar("orthogonal_shear", {"axis": axis}, states, body, half_range)
 
 
-def findley(states: States, body: int | None = None, k: float | None = None) -> FatigueField:
+def findley(
+    states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, k: float | None = None
+) -> FatigueField:
     """Findley's criterion: the largest tau_a + k sigma_n,max over all planes.
 
     Parameters
@@ -162,7 +169,7 @@ def findley(states: States, body: int | None = None, k: float | None = None) -> 
 
 
 def fatemi_socie(
-    states: States,
+    states: Cycle | Sequence[State] | ArrayLike,
     body: int | None = None,
     k: float | None = None,
     yield_stress: float | None = None,
@@ -232,7 +239,7 @@ def _slope(name: str, value: Any) -> float:
     return found
 
 
-def _as_cycle(states: States, body: int | None) -> Cycle:
+def _as_cycle(states: Cycle | Sequence[State] | ArrayLike, body: int | None) -> Cycle:
     if not isinstance(states, Cycle):
         return cycle(states, body)
     if body is not None:
@@ -243,7 +250,7 @@ def _as_cycle(states: States, body: int | None) -> Cycle:
 def _scalar(
     criterion: str,
     parameters: dict[str, Any],
-    states: States,
+    states: Cycle | Sequence[State] | ArrayLike,
     body: int | None,
     of_stress: Callable[[FloatArray], FloatArray],
 ) -> FatigueField:
