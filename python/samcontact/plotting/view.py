@@ -72,7 +72,8 @@ def view(
         raise ValueError(f"dataset must hold {quantity} of body {body} in all cells at {number}")
     pv = _pyvista()
     with pv.vtk_verbosity("off"):
-        return _drawn(pv, scene, number, quantity)
+        plotter: pyvista.Plotter = _drawn(pv, scene, number, quantity)
+    return plotter
 
 
 def _drawn(pv: Any, scene: Scene, number: int, quantity: str) -> Any:
