@@ -38,7 +38,7 @@ def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
     return tuple(layers)
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, init=False)
 class Layered(Shown):
     """Layers on a substrate, perfectly bonded: a coated body, to be used like a `Material`.
 
@@ -76,9 +76,10 @@ class Layered(Shown):
     thermal: ClassVar[None] = None
     softening: ClassVar[None] = None
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "layers", _checked_layers(self.layers))
-        require_type("substrate", self.substrate, Material)
+    def __init__(self, layers: Sequence[tuple[Material, float]], substrate: Material) -> None:
+        object.__setattr__(self, "layers", _checked_layers(layers))
+        require_type("substrate", substrate, Material)
+        object.__setattr__(self, "substrate", substrate)
         for name, material in self._named_materials():
             for what in ("thermal", "softening"):
                 if getattr(material, what) is not None:
@@ -220,8 +221,8 @@ def require_homogeneous(why: str, *bodies: Any) -> None:
         require_type(f"body{n}", body, Material)
 
 
-def require_flow_below_layers(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
-    """Raise ValueError for plastic flow that layers do not serve; whether there is any."""
+def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
+    """Whether bodies of layers may flow; ValueError where the flow of one is not served."""
     flows = False
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Layered) or not body.is_plastic:

@@ -25,7 +25,7 @@ from .checkpoint import loaded, reduced, snapshot, stand_at, write_checkpoint
 from .friction import Coulomb, require_heat_of
 from .grid import Grid
 from .heat import Heat
-from .layered import Body, backstresses_of, require_bodies, require_flow_below_layers
+from .layered import Body, backstresses_of, require_bodies, require_servable_flow
 from .relief import Relief, relief_rows
 from .state import State
 
@@ -131,7 +131,7 @@ class Simulation(Running, Windowed, Shown):
     ) -> None:
         require_type("grid", grid, Grid)
         require_bodies(body1, body2)
-        layered = require_flow_below_layers(grid, residual_stress, body1, body2)
+        layered = require_servable_flow(grid, residual_stress, body1, body2)
         self.body1, self.body2 = body1, body2
         self._configure(
             Settings(
