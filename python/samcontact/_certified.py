@@ -8,7 +8,6 @@ largest cell and the number of cells do.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -17,10 +16,11 @@ from numpy.typing import ArrayLike
 
 from ._checks import FloatArray
 from ._tensors import von_mises
+from .layered import Body, materials_of
 from .material import Material
 
 if TYPE_CHECKING:
-    from .layered import Body
+    from .grid import Grid
     from .state import State
 
 OF_CONTACT = ("load", "approach", "max_pressure", "contact_area")
@@ -59,8 +59,8 @@ def value(state: State, name: str) -> float:
 def parts(state: State, name: str) -> tuple[float, ...]:
     """The same as the values whose largest it is, each of which converges by itself.
 
-    Of a field of the volume the largest below the surface and that of the surface: which of them is
-    larger may depend on the grid.
+    Of a field of the volume the largest below the surface and that of the surface, of each layer
+    that inside of it and those of its faces: which of them is larger may depend on the grid.
     """
     if name in ("load", "approach"):
         return (float(getattr(state, name)),)
@@ -72,35 +72,80 @@ def parts(state: State, name: str) -> tuple[float, ...]:
     if kind == "print_depth":
         own = state._in_own_box("residual_displacement", body)
         return (peak_value(state.residual_displacement(body) if own is None else own),)
+    ranges = _ranges(_bodies(state)[body - 1], state.grid)
+    largest = np.zeros(_count(len(ranges)))
+    for field in _fields(state, kind, body):
+        of_materials = [
+            _parts_of_material(field[:, :, own], is_layer=own is not ranges[-1]) for own in ranges
+        ]
+        largest = np.maximum(largest, np.concatenate(of_materials))
+    if kind == "max_von_mises":
+        largest = np.minimum(largest, _bounds(state, body, ranges))
+    return tuple(float(part) for part in largest)
+
+
+def _bodies(state: State) -> tuple[Body, Body]:
+    return state._simulation.body1, state._simulation.body2
+
+
+def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
+    """Scalar fields that together have the largest value of a quantity of the volume."""
     zones = state.zones(body)
     if not zones and kind != "max_von_mises":
-        return 0.0, 0.0
-    field = _FIELDS[kind]
+        return []
+    name = _FIELDS[kind]
     if len(zones) > 1:
-        fields = [getattr(zone, field)() for zone in zones]
+        found = [getattr(zone, name)() for zone in zones]
     else:
-        own = None if field == "equivalent_plastic_strain" else state._in_own_box(field, body)
-        fields = [getattr(state, field)(body) if own is None else own]
-    found = [below_and_at_surface(f if f.ndim == 3 else von_mises(f)) for f in fields]
-    below, surface = (max(values) for values in zip(*found, strict=True))
-    most = _largest_yield_stress(state, body) if kind == "max_von_mises" else math.inf
-    return min(below, most), min(surface, most)
+        own = None if name == "equivalent_plastic_strain" else state._in_own_box(name, body)
+        found = [getattr(state, name)(body) if own is None else own]
+    return [field if field.ndim == 3 else von_mises(field) for field in found]
 
 
-def _largest_yield_stress(state: State, body: int) -> float:
-    """Which no stress of the body exceeds, whatever a parabola does; inf where it is not known."""
-    material = (state._simulation.body1, state._simulation.body2)[body - 1]
-    if not isinstance(material, Material) or state.max_plastic_strain(body) == 0:
-        return math.inf
-    if any((material.kinematic, material.softening, material.yield_profile)):
-        return math.inf
-    strain = value(state, f"max_equivalent_plastic_strain_body{body}")
-    return float(material.yield_stress(max(strain, state.max_equivalent_plastic_strain(body))))
+def _ranges(body: Body, grid: Grid) -> list[slice]:
+    """Layers of cells of each material: stress jumps, and flow ends, between two of them."""
+    if isinstance(body, Material) or grid.dz is None:
+        return [slice(None)]
+    cuts = np.rint(body.interfaces / grid.dz).astype(int).tolist()
+    return [slice(*ends) for ends in zip([0, *cuts], [*cuts, None], strict=True)]
 
 
-def has_parts(name: str) -> int:
+def _parts_of_material(cells: FloatArray, *, is_layer: bool) -> list[float]:
+    """Largest value inside of it, at its top and, of a layer, at its bottom."""
+    found = list(below_and_at_surface(cells))
+    return [*found, below_and_at_surface(cells[:, :, ::-1])[1]] if is_layer else found
+
+
+def _count(materials: int) -> int:
+    """Of parts that so many materials have."""
+    return 3 * materials - 1
+
+
+def _bounds(state: State, body: int, ranges: Sequence[slice]) -> FloatArray:
+    """Yield stress of each material, which no stress exceeds, whatever a parabola does.
+
+    Infinite where it is not known.
+    """
+    bounds = np.full(_count(len(ranges)), np.inf)
+    if state.max_plastic_strain(body) == 0:
+        return bounds
+    fields = _fields(state, "max_equivalent_plastic_strain", body)
+    materials = materials_of(_bodies(state)[body - 1])
+    for n, (material, own) in enumerate(zip(materials, ranges, strict=True)):
+        if any((material.kinematic, material.softening, material.yield_profile)):
+            continue
+        strains = [field[:, :, own] for field in fields]
+        parts = [_parts_of_material(strain, is_layer=True) for strain in strains]
+        most = max(strain.max(initial=0.0) for strain in strains)
+        bounds[3 * n : 3 * n + 3] = material.yield_stress(max(most, np.max(parts)))
+    return bounds
+
+
+def has_parts(name: str, bodies: Sequence[Body]) -> int:
     """How many parts a quantity has."""
-    return 2 if name[: -len("_body1")] in _FIELDS else 1
+    if name[: -len("_body1")] not in _FIELDS:
+        return 1
+    return _count(len(materials_of(bodies[int(name[-1]) - 1])))
 
 
 def values(state: State, wanted: Sequence[str]) -> dict[str, float]:

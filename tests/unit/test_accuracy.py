@@ -82,6 +82,47 @@ def test_coated_bodies_are_closer_than_the_stated_error(name):
     assert found.to_dataset().sizes["x"] == found.runs[-1][0]
 
 
+def layered(*thicknesses, E=400e9):
+    layers = [{"law": "elastic", "E": E, "nu": 0.25, "thickness": h} for h in thicknesses]
+    return SWIFT | {"layers": layers}
+
+
+def test_steel_that_yields_below_a_coating_is_closer_than_the_stated_error():
+    """Against finite elements, whose cells are a quarter of the finest here."""
+    known = json.loads((REFERENCE / "layers" / "yielding" / "case.json").read_text())
+    found = sc.to_accuracy(
+        {
+            "body1": {"law": "rigid"}, "body2": layered(known["coating"]["thickness_m"]),
+            "surface": {"shape": "paraboloid", "Rx": known["R_m"]},
+            "path": [{"load": known["W_N"]}],
+        },
+        0.2,
+        quantities=["max_pressure", "approach", "max_equivalent_plastic_strain_body2"],
+    )  # fmt: skip
+    assert found.reached
+    truth = known["summary"]
+    exact = truth["p_center_Pa"], truth["approach_max_m"], truth["gamma_p_max_anywhere"]
+    for (name, value), expected in zip(found.values.items(), exact, strict=True):
+        assert abs(value - expected) <= found.errors[name] <= 0.01 * expected
+    # The coating bends: its stress is largest at the interface, and jumps there.
+    inside, *faces, below, top = _certified.parts(found.states[-1], "max_von_mises_body2")
+    assert inside < max(faces) == pytest.approx(truth["loaded"]["max_vm_Pa"], rel=5e-3)
+    assert top < below == pytest.approx(2.6094e9, rel=2e-3)
+
+
+def test_layers_that_flow_end_between_cells_on_all_grids():
+    bodies = {"body1": layered(1e-4), "body2": layered(6e-5, 5e-5)}
+    case = SectionsOfCase.model_validate({"title": "x", "accuracy": 0.1, **ELASTIC, **bodies})
+    scene = Refinable(case)
+    depths = [scene.on(level, 1).grid.dz for level in range(9)]
+    for dz in depths:
+        cells = np.array([6e-5, 1e-4, 11e-5]) / dz
+        assert cells == pytest.approx(np.round(cells), abs=1e-9)
+    shrink = np.array(depths[1:]) / depths[:-1]
+    assert shrink[:4] == pytest.approx(math.sqrt(0.5), rel=0.1)
+    assert shrink[4:] == pytest.approx(math.sqrt(0.5), rel=0.03)
+
+
 def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
     found = sc.to_accuracy(YIELDING, 0.05)
     assert found.reached
@@ -229,6 +270,8 @@ def test_no_time_leaves_errors_of_three_grids():
         ({"path": [{"load": 1.0, "increments": 3}]}, r"path\[0\].increments are chosen"),
         ({"accuracy": {"print": 0.1}}, "'print' is none of this case"),
         ({"accuracy": 2.0}, "accuracy"),
+        ({"body2": layered(1e-5, math.pi * 1e-5)}, "layers: their bottoms.*multiples of one"),
+        ({"body1": layered(1e-8)}, "layers: their bottoms, 1e-08 m deep.*e-06 m at least"),
     ],
 )
 def test_what_cannot_be_is_refused_by_name(change, message):

@@ -7,6 +7,7 @@ import itertools
 import math
 import time
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -44,6 +45,11 @@ _NO_NUMBERS = {
 }  # fmt: skip
 """Fields of a case on which no value on a grid depends."""
 _DEPTH = 1.2  # of the layers of elastic bodies, over the smaller semi-axis
+_FEWEST_IN_LAYER = 3
+"""Cells of the first grid through what all layers that flow are multiples of: what is largest at
+an interface is continued from so many."""
+_FLATTEST = 8.0
+"""Width of a cell of the first grid over that length, at most."""
 
 
 class Solved(NamedTuple):
@@ -130,9 +136,10 @@ class Refinable:
         """Whether the number of increments matters."""
         drives = {name for step in case.steps() for name in ("load", "approach") if name in step}
         given = drives if len(drives) == 1 else set()
-        # Stress that jumps at interfaces has no largest value that cells tell.
-        self.layered = any(isinstance(body, Layered) for body in self.bodies)
-        names = _certified.names(self.bodies, case.output.body, volume=not self.layered)
+        layered = any(isinstance(body, Layered) for body in self.bodies)
+        self.elastic_layers = layered and not self.yields
+        """Of which stress is none of the values: cells lie on both sides of interfaces."""
+        names = _certified.names(self.bodies, case.output.body, volume=not self.elastic_layers)
         self.names = [name for name in names if name not in given]
         contact: Any = case.contact
         self.tol = float(contact.tol)
@@ -141,6 +148,7 @@ class Refinable:
         """Segments in which nothing flows: one increment of them is as good as many."""
         along_x = ROOM_OF_WAY if case.moves else ROOM
         self.half = along_x * self.semi_axes[0], ROOM * self.semi_axes[1]
+        self._part_of_layers = self._part_of_all_layers()
 
     @property
     def who(self) -> Identity:
@@ -150,7 +158,7 @@ class Refinable:
     @property
     def parts(self) -> list[int]:
         """How many values of a run belong to each quantity, the largest of which it is."""
-        return [_certified.has_parts(name) for name in self.names]
+        return [_certified.has_parts(name, self.bodies) for name in self.names]
 
     @cached_property
     def semi_axes(self) -> tuple[float, float]:
@@ -204,9 +212,10 @@ class Refinable:
         cells = self.cells(level)
         sizes = [a / cells for a in self.semi_axes]
         counts = [2 * math.ceil(half / d) + 1 for half, d in zip(self.half, sizes, strict=True)]
-        layers = 0 if self.yields or self.layered else math.ceil(_DEPTH * cells) + 2
+        free = self.yields or self.elastic_layers
+        layers = 0 if free else math.ceil(_DEPTH * cells) + 2
         grid = GridSection(
-            nx=counts[0], ny=counts[1], dx=sizes[0], dy=sizes[1], nz=layers, dz=min(sizes)
+            nx=counts[0], ny=counts[1], dx=sizes[0], dy=sizes[1], nz=layers, dz=self._dz(level)
         )
         path = []
         for number, segment in enumerate(self.case.path):
@@ -225,6 +234,32 @@ class Refinable:
         shortest = min([heat.history[0], *(step["duration"] for step in case.steps())])
         history = [shortest, heat.history[1]]
         return case.model_copy(update={"heat": heat.model_copy(update={"history": history})})
+
+    def _dz(self, level: int) -> float:
+        """Depth of cells [m]; where layers flow a part of what all thicknesses are multiples of."""
+        if self._part_of_layers is None:
+            return min(self._sizes(level))
+        cells = max(_FEWEST_IN_LAYER, math.ceil(self._part_of_layers / min(self._sizes(0))))
+        return self._part_of_layers / round(cells * RATIO**level)
+
+    def _part_of_all_layers(self) -> float | None:
+        """The largest length [m] of which all layers that flow have a whole number."""
+        depths = [
+            float(depth) for body in self.bodies if isinstance(body, Layered) and body.is_plastic
+            for depth in body.interfaces
+        ]  # fmt: skip
+        if not depths:
+            return None
+        part = common_part(depths)
+        least = min(self._sizes(0)) / _FLATTEST
+        if part is None or part < least:
+            told = ", ".join(f"{depth:.6g}" for depth in depths)
+            raise ValueError(
+                f"layers: their bottoms, {told} m deep, must be multiples of one length of "
+                f"{least:.2g} m at least, of which cells of all depths are a part: round the "
+                "thicknesses, or give [grid] instead of accuracy"
+            )
+        return part
 
     def _count(self, number: int, increments: int) -> int:
         """Increments of a segment, where most have as many as given."""
@@ -284,6 +319,16 @@ class Refinable:
 
     def _sizes(self, level: int) -> list[float]:
         return [a / self.cells(level) for a in self.semi_axes]
+
+
+def common_part(lengths: Sequence[float]) -> float | None:
+    """The largest length of which all are multiples, up to 64 times in the first; None without."""
+    for parts in range(1, 65):
+        part = lengths[0] / parts
+        counts = [length / part for length in lengths]
+        if all(abs(count - round(count)) < 1e-8 * count for count in counts):
+            return part
+    return None
 
 
 def marks_of(case: Case) -> list[int]:
