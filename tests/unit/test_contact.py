@@ -79,6 +79,26 @@ class TestFriction:
         displacement = penetration(grid, solution.pressure, *pair, 1.0)
         assert_complementary(grid, solution, gap, displacement, TOL)
 
+    @pytest.mark.parametrize("part", [None, 1e-4, 0.01])
+    def test_what_the_shear_moved_goes_with_it(self, part):
+        """Unloaded, or to a small approach, from a pressure whose shear held the surfaces apart."""
+        grid, gap, exact = scene(RIGID, CERAMIC)
+        gap = gap + 1e-9 * np.cos(1e6 * grid.x[:, None])
+        solver = sc.ContactSolver(grid, RIGID, CERAMIC, 1.0)
+        loaded = solver.solve(gap, load=exact.load)
+        lowest = gap.min()
+        if part is None:
+            drive = {"load": 0.0}
+        else:
+            drive = {"approach": lowest + part * (loaded.approach - lowest)}
+        alone = solver.solve(gap, **drive)
+        after = solver.solve(gap, **drive, initial_pressure=loaded.pressure)
+        assert after.approach == alone.approach
+        scale = abs(alone.gap).max()
+        np.testing.assert_allclose(after.gap, alone.gap, rtol=0, atol=1e-7 * scale)
+        assert after.load == pytest.approx(alone.load, rel=1e-6)
+        assert (after.load > 0) == (part is not None)
+
     def test_incompressible_on_rigid_is_not_coupled(self):
         """The coupling has the factor 1 - 2 nu, so it fades as nu goes to 0.5."""
         shifts = []

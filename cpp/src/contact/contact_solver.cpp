@@ -14,6 +14,10 @@ namespace {
 
 constexpr int max_coupling_iterations = 200;
 
+bool is_zero(const Field& field) {
+  return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
+}
+
 /// Largest pressure on the sides of the grid across x and across y.
 std::array<double, 2> border_pressure(const Grid& grid, const Field& pressure) {
   std::array<double, 2> largest{};
@@ -210,7 +214,9 @@ Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pres
     }
     const double change =
         change_in_contact(coupling, previous, solution.tractions.pressure, load_driven);
-    outer_error = scale > 0 ? change / scale : 0.0;
+    // Surfaces that are apart may be so because of shear that is gone.
+    const bool parted = solution.load == 0 && !is_zero(previous);
+    outer_error = parted ? 1.0 : scale > 0 ? change / scale : 0.0;
     solution.error += outer_error;
     for (std::size_t i = 0; i < gap.size(); ++i) solution.gap[i] += coupling[i] - previous[i];
     if (load_driven) {
