@@ -148,3 +148,23 @@ def test_below_layers_on_a_rigid_substrate_no_stress_is_told():
         run = sc.Simulation(grid, RIGID, body, np.zeros((8, 8)))
         found = run.step(pressure=pressure).stress()
         assert found == pytest.approx(stress, abs=1e-3)
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
+@pytest.mark.parametrize("stiff", [1 / 20, 20.0])
+@pytest.mark.parametrize("periodic", ["x", "y"])
+def test_displacement_counts_from_as_far_as_the_grid_is_long(stiff, periodic):
+    """Also where layers bend over more than the grid; else a shift would pull at its bodies."""
+    along, across = (20, 1.0), (1, 3.0)
+    (nx, dx), (ny, dy) = (along, across) if periodic == "y" else (across, along)
+    grid = sc.Grid(nx, ny, dx, dy, periodic=periodic)
+    coated = sc.Layered([(sc.Material.elastic(stiff, 0.1), 3.0)], sc.Material.elastic(1.0, 0.2))
+    load = np.zeros(grid.surface_shape)
+    load.flat[0] = 1.0
+    pressed = sc.ContactSolver(grid, coated, RIGID, on_border="warn")
+    u = pressed.displacement(load, body=1).ravel()
+    assert abs(3 * u[-1] - 3 * u[-2] + u[-3]) < 0.03 * u[-3]
+    flat = np.zeros(grid.surface_shape)
+    solver = sc.ContactSolver(grid, coated, coated, sc.Coulomb(0.3), on_border="warn")
+    shifted = solver.solve(flat, load=1.0, shift=(1e-3, 2e-3))
+    assert (shifted.tangential_load > 0).all()

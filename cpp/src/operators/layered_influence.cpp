@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "samcontact/kernels/buried_displacement.hpp"
 #include "samcontact/kernels/layered_wave.hpp"
@@ -179,14 +180,17 @@ CellInfluence layered_compliance_of_cell(const Stack& stack, Traction traction, 
     const DisplacementRest rest(stack, traction, axis);
     const double factor = component(rest.far, traction, axis, 1.0, 0.0);
     const double reference = grid.period.reference > 0 ? grid.period.reference : grid.dx;
-    const auto offsets = CellOffsets::lattice(nx, 1).in_metres(grid.dx, grid.dy);
-    const Field rings = kernels::ring_strip_sums(rest.waves(), grid.dx, offsets.x);
-    const auto line = [&](double x) {
-      return distant_line_primitive(x, rest.distance, parity.odd_x, reference);
+    std::vector<double> x = CellOffsets::lattice(nx, 1).in_metres(grid.dx, grid.dy).x;
+    x.push_back(reference);  // which may lie within the length over which stiff layers bend
+    Field added = kernels::ring_strip_sums(rest.waves(), grid.dx, x);
+    const auto line = [&](double at) {
+      return distant_line_primitive(at, rest.distance, parity.odd_x, reference);
     };
-    for (int i = 0; i < nx; ++i) {
-      sums[i] += factor * (line((i + 0.5) * grid.dx) - line((i - 0.5) * grid.dx)) + rings[i];
+    for (int i = 0; i <= nx; ++i) {
+      added[i] += factor * (line(x[i] + 0.5 * grid.dx) - line(x[i] - 0.5 * grid.dx));
     }
+    const double there = parity.odd_x ? 0.0 : added[nx];
+    for (int i = 0; i < nx; ++i) sums[i] += added[i] - there;
     return sums;
   };
   return influence;
