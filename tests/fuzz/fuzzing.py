@@ -22,6 +22,8 @@ INPUTS = {
     "arguments of operators": (600, 12000),
     "arguments of contacts": (400, 8000),
     "arguments of steps": (300, 6000),
+    "scenes": (24, 10_000),
+    "studies": (5, 500),
 }
 
 

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Studies of drawn scenes: steady rolling, wear by slip, cycles to shakedown, fatigue."""
+
+import math
+
+import numpy as np
+from balances import assert_finite
+from drawn_paths import drawn_case
+from drawn_scenes import Scene, uniform
+
+import samcontact as sc
+from samcontact.cases import Case
+
+
+def drawn_ball(seed, inelastic=False):
+    """A ball of a drawn size on a grid that holds its contact; who may be alike."""
+    scene = Scene(seed)
+    cells = int(scene.draw.integers(9, 14))
+    layers = {"dz": scene.size} if inelastic else {}
+    grid = sc.Grid(cells, cells, scene.size, scene.size, **layers)
+    gap = sc.surfaces.paraboloid(grid, scene.R)
+    scene.heated = scene.layered = False
+    case = {"body1": scene.body(False), "body2": scene.body(inelastic)}
+    case |= {"title": "t", "grid": {"nx": 1, "ny": 1, "dx": 1.0, "dy": 1.0, "dz": 1.0}}
+    case |= {"surface": {"shape": "sphere", "R": 1.0}, "path": [{"load": 1.0}]}
+    made = Case.model_validate(case)
+    return scene, grid, made.body1.build(), made.body2.build(), gap
+
+
+def rolls(seed):
+    """Steady rolling with creepage, or under a force."""
+    scene, grid, body1, body2, gap = drawn_ball(seed)
+    draw = scene.draw
+    mu = float(draw.choice([0.05, 0.3, 1.0, math.inf]))
+    load = scene.load * uniform(draw, 0.2, 0.8)
+    creepage = (min(mu, 1.0) * scene.a / scene.R * draw.normal(size=2)).tolist()
+    drive = {"creepage": creepage, "spin": 0.3 * creepage[0] / scene.a}
+    if math.isfinite(mu) and draw.random() < 0.5:
+        drive = {"tangential_load": (mu * load * draw.uniform(-0.6, 0.6, 2)).tolist()}
+    friction = sc.Coulomb(mu)
+    found = sc.rolling.steady(
+        grid, body1, body2, gap, load=load, friction=friction, on_border="warn", **drive
+    )
+    assert found.converged
+    assert_finite(pressure=found.pressure, shear=found.shear, slip=found.slip)
+    assert abs(found.pressure.sum() * grid.cell_area - load) <= 1e-9 * load
+    assert found.work_per_way >= -1e-6 * load * np.hypot(*found.creepage)
+    if math.isfinite(mu):
+        most = mu * found.pressure.max()
+        assert (np.hypot(*found.shear) <= mu * found.pressure + 1e-6 * most).all()
+    if "tangential_load" in drive:
+        wanted = np.array(drive["tangential_load"])
+        assert np.abs(found.tangential_load - wanted).max() <= 1e-4 * load
+
+
+def wears(seed):
+    """Wear by slip: what is lost is the work of friction times the wear of each."""
+    scene, grid, body1, body2, gap = drawn_ball(seed)
+    draw = scene.draw
+    mu, load = uniform(draw, 0.1, 1.0), scene.load * uniform(draw, 0.2, 0.8)
+    pulls = [q * uniform(draw, 0.3, 0.8) * mu * load for q in (0, 1, -1)]
+    cycle = [{"load": load, "tangential_load": (q, 0.0)} for q in [*pulls, pulls[1]]]
+    energy = 1e-3 * scene.a**2 / scene.R / (mu * load * 0.1 * scene.a**2 / scene.R) * scene.a**2
+    found = sc.wear.fretting(
+        grid, body1, body2, gap, cycle=cycle, friction=sc.Coulomb(mu), energy=energy, cycles=2,
+        repeats=2, progress=False, on_border="warn",
+    )  # fmt: skip
+    assert len(found.cycles) >= 1
+    for done in found.cycles:
+        assert done.friction_work >= 0
+        lost = energy * done.friction_work
+        assert abs(done.volume[-1] - lost) <= 1e-6 * lost
+    assert_finite(heights=found.heights[2])
+
+
+def repeats(seed):
+    """Cycles until something is clear, or a warning that nothing is."""
+    scene, grid, body1, body2, gap = drawn_ball(seed, inelastic=True)
+    simulation = sc.Simulation(grid, body1, body2, gap, on_border="warn")
+    load = scene.load * uniform(scene.draw, 0.2, 0.8)
+    found = sc.shakedown.run(simulation, [{"load": load}, {"load": 0.0}], cycles=4, progress=False)
+    assert found.verdict in (
+        "elastic", "elastic shakedown", "plastic shakedown", "ratcheting", "undecided",
+    )  # fmt: skip
+    assert_finite(**{f"strain {n}": c.net for n, c in enumerate(found.cycles)})
+
+
+def tires(seed):
+    """Criteria of fatigue of a drawn case: no stress amplitude is negative, none is no number."""
+    simulation, path = Case.model_validate(drawn_case(seed)).build()
+    if not simulation.grid.has_volume or len(path) < 2:
+        return
+    states = simulation.run(path[:3], progress=False)
+    slope = float(np.random.default_rng(seed).uniform(0, 1))
+    found = [
+        sc.fatigue.dang_van(states, 2, slope), sc.fatigue.crossland(states, 2, slope),
+        sc.fatigue.findley(states, 2, slope), sc.fatigue.orthogonal_shear(states, 2, "x"),
+    ]  # fmt: skip
+    for field in found:
+        assert_finite(**{field.name: np.asarray(field.values)})
+    assert found[-1].values.min() >= 0
+
+
+STUDIES = {"steady rolling": rolls, "wear by slip": wears, "shakedown": repeats, "fatigue": tires}

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Thousands of drawn cases: solved within the laws and in balance, or refused with a reason.
+
+`python tests/fuzz/test_fuzz_scenes.py 2000 3000` solves the scenes of these numbers and tells what
+each came to.
+"""
+
+import sys
+import traceback
+import warnings
+from collections import Counter
+from functools import partial
+
+import pytest
+from balances import assert_energy, assert_increment
+from drawn_paths import drawn_case
+from drawn_studies import STUDIES
+from fuzzing import INPUTS, tried
+
+import samcontact as sc
+from samcontact.cases import Case
+
+FEW, MANY = INPUTS["scenes"]
+PART = 250
+"""Scenes of a slow test."""
+EXPECTED = (
+    sc.ResolutionWarning, sc.ElasticStrainWarning, sc.PlasticStrainWarning,
+    sc.GridTooSmallWarning, sc.UnitWarning, sc.shakedown.NotSteadyWarning,
+)  # fmt: skip
+REFUSALS = {
+    sc.GridTooSmallError: "enlarge",
+    sc.ConvergenceError: "take",
+    ValueError: "flow of body",  # of the whole half-space
+}
+
+
+def refusal(error):
+    """Its name, where it says what helps."""
+    if REFUSALS[type(error)] not in str(error):
+        raise error
+    return type(error).__name__
+
+
+def study(name, seed):
+    """What a study came to, or AssertionError."""
+    try:
+        STUDIES[name](seed)
+    except tuple(REFUSALS) as error:
+        return refusal(error)
+    return "solved"
+
+
+def solve(seed):
+    """All increments of a scene; what it came to, or AssertionError."""
+    simulation, path = Case.model_validate(drawn_case(seed)).build()
+    states = [simulation.state]
+    for step in path:
+        try:
+            states.append(simulation.step(**step))
+        except tuple(REFUSALS) as error:
+            assert simulation.state.load == states[-1].load
+            return refusal(error)
+        assert_increment(simulation, *states[-2:], step)
+    assert_energy(simulation, states)
+    return "solved"
+
+
+def outcomes(seeds, solve=solve):
+    """How many scenes came to what; the first that fails says its number."""
+    count = Counter()
+    with warnings.catch_warnings():
+        for category in EXPECTED:
+            warnings.simplefilter("ignore", category)
+        for seed in seeds:
+            try:
+                count[solve(seed)] += 1
+            except Exception as error:
+                raise AssertionError(f"drawn scene {seed}") from error
+    return count
+
+
+def test_scenes_are_solved_in_balance():
+    count = outcomes(range(FEW))
+    assert count["solved"] >= 0.8 * FEW
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("first", range(FEW, MANY + FEW, PART))
+def test_ten_thousand_scenes(first):
+    count = outcomes(range(first, first + PART))
+    assert count["solved"] >= 0.85 * PART
+    assert count["ConvergenceError"] <= 0.06 * PART
+
+
+@tried("studies")
+@pytest.mark.parametrize("name", STUDIES)
+def test_studies_are_solved_in_balance(name, count):
+    found = outcomes(range(count), partial(study, name))
+    assert found["solved"] >= 0.8 * count
+
+
+if __name__ == "__main__":
+    total = Counter()
+    warnings.simplefilter("error")
+    for number in range(int(sys.argv[1]), int(sys.argv[2])):
+        try:
+            total += (found := outcomes([number]))
+            if not found["solved"]:
+                print(number, *found, flush=True)
+        except AssertionError as failure:
+            total["FAILED"] += 1
+            cause = failure.__cause__
+            line = traceback.extract_tb(cause.__traceback__)[-1]
+            place = f"{line.filename.rpartition('/')[2]}:{line.lineno} {line.line}"
+            print(number, "FAILED", type(cause).__name__, str(cause)[:200], place, flush=True)
+    print(dict(total))
