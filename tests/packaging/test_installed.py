@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the wheel of this installation holds, and what it needs of the machine."""
+
+import re
+import subprocess
+import sys
+import sysconfig
+from importlib import metadata
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+DISTRIBUTION = metadata.distribution("samcontact")
+FILES = {str(path) for path in DISTRIBUTION.files or ()}
+(CORE,) = (path for path in DISTRIBUTION.files or () if path.match("samcontact/_core*.so"))
+# FFTW and OpenMP go into a wheel that is passed on (scripts/wheels.py); others are the system's.
+LIBRARIES = {"fftw3", "gomp", "omp", "stdc++", "gcc_s", "m", "c", "pthread"}
+
+
+def test_it_holds_the_package_and_nothing_else():
+    listing = ["--cached", "--others", "--exclude-standard", "python/samcontact"]
+    command = ["git", "-C", str(ROOT), "ls-files", *listing]
+    listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
+    wanted = {name.removeprefix("python/") for name in listed} | {str(CORE)}
+    packaged = {name for name in FILES if not re.search(r"\.dist-info/|\.pyc$|bin/", name)}
+    assert packaged == wanted
+    assert {"samcontact/py.typed", "samcontact/_core.pyi"} < packaged
+    assert any(name.endswith("dist-info/licenses/LICENSE") for name in FILES)
+
+
+def test_its_tag_is_of_this_python_and_platform():
+    tag = re.search(r"^Tag: (\S+)$", DISTRIBUTION.read_text("WHEEL"), re.MULTILINE)[1]
+    version = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    platform = re.sub(r"\W", "_", sysconfig.get_platform())
+    assert tag == f"{version}-{version}-{platform}"
+
+
+def test_its_core_needs_known_libraries_and_no_folder_of_this_machine():
+    core = Path(CORE.locate())
+    head = subprocess.run(["readelf", "-d", core], capture_output=True, text=True, check=True)
+    needed = set(re.findall(r"\(NEEDED\).*\[lib([\w+]+)\.so", head.stdout))
+    assert {"fftw3", "c"} < needed <= LIBRARIES
+    assert re.findall(r"\((?:RPATH|RUNPATH)\).*", head.stdout) == []
+    assert re.findall(rb"/(?:home|root|tmp|work|build)/[\w./-]*", core.read_bytes()) == []
+    assert str(ROOT).encode() not in core.read_bytes()
