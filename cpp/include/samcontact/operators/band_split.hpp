@@ -12,7 +12,7 @@ struct BandSplit {
   int middle_spacing = 2, far_spacing = 8;
   /// Cells beyond which the near band has no influence, and where tables of the middle one end,
   /// which are more than those of the near one.
-  int near_range = 6, middle_range = 16;
+  int near_range = 6, middle_range = 18;
   /// a of g for middle and far nodes: the larger, the less aliases and the longer the range.
   double middle_sharpness = 1.6, far_sharpness = 1.5;
   /// Part of the highest wavenumber of a lattice where its band of residual stress is gone, and up
