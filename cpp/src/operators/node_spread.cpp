@@ -184,4 +184,14 @@ void NodeSpread::gather(const double* nodes, const Box& of, const Box& box, doub
   }
 }
 
+void NodeSpread::gather_first(const double* nodes, int nx, int ny, double* cells) const {
+  double* row = scratch<1>(y_.count());
+  for (int i = 0; i < nx; ++i) {
+    const double* from = nodes + static_cast<std::ptrdiff_t>(x_.place(0) + i) * y_.count();
+    sum_of_rows(from, y_.count(), x_.weights(0), x_.width(), y_.count(), row);
+    add_windows(row + y_.place(0), y_.weights(0), y_.width(), ny, cells);
+    cells += ny;
+  }
+}
+
 }  // namespace samcontact::operators

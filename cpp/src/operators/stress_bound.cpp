@@ -7,6 +7,7 @@
 
 #include "samcontact/base/deviator.hpp"
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/multiversion.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -19,6 +20,11 @@ constexpr int parts = 5;
 double von_mises(const double* s, std::size_t step) {
   const double xx = s[0], yy = s[step], yz = s[2 * step], xz = s[3 * step], xy = s[4 * step];
   return std::sqrt(3 * second_invariant(xx, yy, yz, xz, xy));
+}
+
+SAMCONTACT_MULTIVERSION
+void put_von_mises(const double* s, std::size_t plane, double* out) {
+  for (std::size_t n = 0; n < plane; ++n) out[n] = von_mises(s + n, plane);
 }
 
 /// Adds the von Mises stress of a table [component][j][i], as it is at each offset.
@@ -108,40 +114,25 @@ int StressBound::blocks_y() const { return (tables_->grid().ny + block() - 1) / 
 
 Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& start,
                               const double* more, std::size_t step) const {
-  const Box rows = middle_.box();
   const Grid& grid = tables_->grid();
   const int nx = blocks_x() + 1, ny = blocks_y() + 1;
   const std::size_t plane = static_cast<std::size_t>(nx) * ny;
-  // First cells of blocks lie alike between the nodes.
-  const double *wx = middle_.x().weights(0), *wy = middle_.y().weights(0);
-  const int width = middle_.x().width();
-  const int a0 = middle_.x().place(0), b0 = middle_.y().place(0);
-  Field values(parts * plane), line(rows.ny);
+  Field values(parts * plane);
   const std::array<double, parts> uniform{start[0], start[1], 0.0, 0.0, start[2]};
   for (int c = 0; c < parts; ++c) {
+    double* to = values.data() + c * plane;
+    std::fill_n(to, plane, uniform[c]);
+    middle_.gather_first(nodes.data() + c * middle_.box().surface_size(), nx, ny, to);
+    if (more == nullptr) continue;
     for (int i = 0; i < nx; ++i) {
-      const double* from =
-          nodes.data() + (static_cast<std::size_t>(c) * rows.nx + a0 + i) * rows.ny;
-      for (int b = 0; b < rows.ny; ++b) {
-        double sum = 0.0;
-        for (int m = 0; m < width; ++m) {
-          sum += wx[m] * from[static_cast<std::ptrdiff_t>(m) * rows.ny + b];
-        }
-        line[b] = sum;
-      }
-      double* to = values.data() + c * plane + static_cast<std::size_t>(i) * ny;
-      for (int j = 0; j < ny; ++j) {
-        double sum = 0.0;
-        for (int m = 0; m < width; ++m) sum += wy[m] * line[b0 + j + m];
-        to[j] = sum + uniform[c];
-        if (more == nullptr) continue;
+      for (int j = 0; j < ny; ++j, ++to) {
         const int x = std::min(i * block(), grid.nx - 1), y = std::min(j * block(), grid.ny - 1);
-        to[j] += more[c * step + static_cast<std::size_t>(x) * grid.ny + y];
+        *to += more[c * step + static_cast<std::size_t>(x) * grid.ny + y];
       }
     }
   }
   Field out(plane);
-  for (std::size_t n = 0; n < plane; ++n) out[n] = von_mises(values.data() + n, plane);
+  put_von_mises(values.data(), plane, out.data());
   return out;
 }
 

@@ -66,6 +66,9 @@ class NodeSpread {
   /// Adds what nodes, a plane over the box `of` that has all which are reached, give to the cells
   /// of a box.
   void gather(const double* nodes, const Box& of, const Box& box, double* cells) const;
+  /// The same of every factor-th cell from cell 0 on, whose weights are all alike, [i][j]; nodes is
+  /// a plane over box().
+  void gather_first(const double* nodes, int nx, int ny, double* cells) const;
   /// The nodes that the cells of a box reach, as cells of another lattice.
   Box reached(const Box& box) const;
 
