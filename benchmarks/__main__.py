@@ -19,6 +19,7 @@ PARTS = (
     "plastic_smooth",
     "plastic_rough",
     "plastic_zones",
+    "plastic_zones_large",
     "operators",
     "images",
     "layers",
@@ -29,11 +30,16 @@ PARTS = (
     "scaling",
     "counts",
 )
+# Only where they are asked for.
+LARGE = ("plastic_zones_large",)
 
 
 def arguments(given: list[str] | None = None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
-    parser.add_argument("parts", nargs="*", help=f"default: all of {', '.join(PARTS)}")
+    usual = [name for name in PARTS if name not in LARGE]
+    parser.add_argument(
+        "parts", nargs="*", help=f"default: {', '.join(usual)}; also: {', '.join(LARGE)}"
+    )
     parser.add_argument("--quick", action="store_true", help="small sizes, about two minutes")
     parser.add_argument("--threads", type=int, default=1, help="OMP_NUM_THREADS (1)")
     parser.add_argument("--output", type=Path, default=ROOT / "results" / "benchmarks")
@@ -44,7 +50,7 @@ def arguments(given: list[str] | None = None) -> argparse.Namespace:
     unknown = set(chosen.parts) - set(PARTS)
     if unknown:
         parser.error(f"unknown part {', '.join(sorted(unknown))}: choose from {', '.join(PARTS)}")
-    chosen.parts = chosen.parts or list(PARTS)
+    chosen.parts = chosen.parts or usual
     return chosen
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ SLOPE = 0.06  # rms
 SHORTEST = 8  # cells of the shortest wave
 ROLL_OFF = 64  # cells
 HARDNESS = 4.2e9  # Pa: load over contact area, nearly
+LOADING = (0.5, 1.0)  # parts of the load
 BOWL = 3.0  # height of the border over the rms of the roughness: it keeps the contact inside
 
 
@@ -49,15 +51,17 @@ def gap(grid: sc.Grid) -> np.ndarray:
     return np.asarray(rough - rough.min() + BOWL * rough.std() * side**8)
 
 
-def run(meter: Meter, n: int, percent: float, zones: str) -> tuple[sc.Simulation, sc.State]:
+def run(
+    meter: Meter, n: int, percent: float, zones: str, parts: Sequence[float] = LOADING
+) -> tuple[sc.Simulation, list[sc.State]]:
+    """The states under parts of the load that brings about so much into contact."""
     grid = sc.Grid(n, n, CELL, CELL, dz=CELL)
     surface, area = gap(grid), (n * CELL) ** 2
 
-    def press() -> tuple[sc.Simulation, sc.State]:
+    def press() -> tuple[sc.Simulation, list[sc.State]]:
         simulation = sc.Simulation(grid, sc.Material.rigid(), STEEL, surface, tol=1e-3, zones=zones)
-        for part in (0.5, 1.0):
-            state = simulation.step(load=part * percent / 100 * HARDNESS * area)
-        return simulation, state
+        full = percent / 100 * HARDNESS * area
+        return simulation, [simulation.step(load=part * full) for part in parts]
 
     return meter(press)
 
@@ -82,15 +86,19 @@ def numbers(state: sc.State) -> dict[str, Any]:
     }
 
 
-def make_reference(meter: Meter, n: int, percent: float, file: str) -> dict[str, Any]:
-    simulation, state = run(meter, n, percent, "one")
-    np.savez(file, **numbers(state))
-    return summary(simulation, state)
+def make_reference(
+    meter: Meter, n: int, percent: float, file: str, parts: Sequence[float] = LOADING
+) -> dict[str, Any]:
+    simulation, states = run(meter, n, percent, "one", parts)
+    np.savez(file, **numbers(states[-1]))
+    return summary(simulation, states[-1])
 
 
-def solve(meter: Meter, n: int, percent: float, file: str) -> dict[str, Any]:
-    simulation, state = run(meter, n, percent, "auto")
-    ours = numbers(state)
+def solve(
+    meter: Meter, n: int, percent: float, file: str, parts: Sequence[float] = LOADING
+) -> dict[str, Any]:
+    simulation, states = run(meter, n, percent, "auto", parts)
+    ours = numbers(states[-1])
     with np.load(file) as whole:
         errors = {
             "pressure, rms": rms_error(ours["pressure"], whole["pressure"]),
@@ -98,4 +106,4 @@ def solve(meter: Meter, n: int, percent: float, file: str) -> dict[str, Any]:
             "mean gap": relative_error(ours["gap"], whole["gap"]),
             "largest plastic strain": relative_error(ours["strain"], whole["strain"]),
         }
-    return {**summary(simulation, state), "errors": errors}
+    return {**summary(simulation, states[-1]), "errors": errors}

@@ -18,6 +18,7 @@ from benchmarks import (
     harness,
     images,
     operators,
+    plastic_zones_large,
     plots,
     resolution,
     roughness,
@@ -275,7 +276,8 @@ def test_parts_are_complete(name, tmp_path):
 
 
 def test_choice_of_parts():
-    assert arguments([]).parts == list(PARTS)
+    assert set(PARTS) - set(arguments([]).parts) == {plastic_zones_large.NAME}
+    assert arguments([plastic_zones_large.NAME]).parts == [plastic_zones_large.NAME]
     assert arguments(["images", "--quick"]).parts == [images.NAME]
     with pytest.raises(SystemExit):
         arguments(["nothing"])
