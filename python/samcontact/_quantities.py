@@ -237,6 +237,9 @@ CONTACT = {
     "temperature": Q(
         "K", "rise of temperature", "K", "rise of temperature", kind="heat"
     ),
+    # of interfaces between layers
+    "interface": Q("m", "depths of the interfaces between layers"),
+    "interface_stress": Q("Pa", "stress above and below the interfaces, positive in tension"),
 }  # fmt: skip
 
 TRACK = {

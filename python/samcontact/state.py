@@ -13,6 +13,7 @@ import numpy as np
 from . import _memory
 from ._checks import MOST_CELLS, FloatArray, axis_number, choice, integer
 from ._frozen import Fixed
+from ._interfaces import stress_at_interfaces
 from ._kept import kept
 from ._repr import Rows, Shown, quantity
 from ._surface_state import SurfaceState
@@ -211,6 +212,32 @@ class State(SurfaceState, Fixed, Shown):
         See `Material.with_residual_stress`; 0 without.
         """
         return self._field("initial_stress", body)
+
+    def interface_stress(self, body: int = 2) -> FloatArray:
+        """Total stress on both sides of the interfaces of a layered body [Pa].
+
+        Parameters
+        ----------
+        body : {1, 2}
+
+        Returns
+        -------
+        ndarray, shape (2, 6, nx, ny, layers)
+            Above and below each interface, see `Layered.interfaces`. What the layers pull and shear
+            each other with, zz, yz and xz, is the same on both sides but for what the cells leave;
+            xx, yy and xy jump.
+
+        Raises
+        ------
+        ValueError
+            A body without layers, or one with an `offset`.
+
+        Notes
+        -----
+        That of tractions is exact at its depth, that of plastic strain is continued from three
+        cells of each side (fewer in thinner layers).
+        """
+        return self._field("interface_stress", body, lambda: stress_at_interfaces(self, body))
 
     def von_mises(self, body: int = 2) -> FloatArray:
         """Von Mises stress [Pa], shape (nx, ny, nz)."""

@@ -36,6 +36,9 @@ STICKING = sc.ContactSolver(GRID, STEEL, STEEL, sc.Coulomb(0.3))
 STUCK = STICKING.solve(GAP, load=LOAD)
 SIMULATION = sc.Simulation(**BODIES, gap=GAP, tol=1e-4)
 STATE = SIMULATION.step(load=LOAD)
+COATED_STATE = sc.Simulation(
+    sc.Grid(9, 9, 5e-5, 5e-5), STEEL, sc.Layered([(STEEL, 1e-6)], STEEL), GAP
+).step(load=LOAD)
 PRESSED = {"run": sc.Simulation(**BODIES, gap=GAP), "path": [{"load": LOAD}], "states": [STATE]}
 FIND = {
     "case": lambda load: (sc.Simulation(**BODIES, gap=GAP), [{"load": load}]),
@@ -226,6 +229,7 @@ CALLS = [
     ("State.track", STATE.track, {"body": 2, "margin": 1}),
     ("State.plastic_cells", STATE.plastic_cells, {}),
     *((f"State.{name}", getattr(STATE, name), {"body": 2}) for name in BODY_FIELDS),
+    ("State.interface_stress", COATED_STATE.interface_stress, {"body": 2}),
     ("State.residual_displacement", STATE.residual_displacement, {"body": 2, "axis": "x"}),
     *((f"Zone.{name}", getattr(ZONE, name), {}) for name in ZONE_FIELDS),
     *((f"Track.{name}", getattr(TRACK, name), {}) for name in TRACK_FIELDS),

@@ -62,6 +62,7 @@ CORE_USERS = {
     "__init__",
     "_expected",
     "_heating",
+    "_interfaces",
     "_laws",
     "_overlap",
     "_settings",

@@ -237,6 +237,10 @@ def test_a_simulation_with_layers_is_the_contact_of_its_solver(tmp_path):
     assert state.pressure == pytest.approx(found.pressure, rel=1e-4, abs=1.0)
     direct = solver.stress(state.pressure, state.depths)
     assert state.stress(2) == pytest.approx(direct, abs=1e-9 * np.abs(direct).max())
+    sides = solver.stress(state.pressure, [np.nextafter(4e-6, 0.0), 4e-6])
+    assert np.array_equal(state.interface_stress(), np.moveaxis(sides, -1, 0)[..., None])
+    with pytest.raises(ValueError, match="body1 must have layers, whose interfaces"):
+        state.interface_stress(1)
     simulation.save(tmp_path / "coated.h5")
     again = sc.Simulation.load(tmp_path / "coated.h5")
     assert again.body2 == simulation.body2
@@ -255,6 +259,24 @@ def test_results_of_a_run_have_its_layers():
         STEEL.E,
     ]
     assert "stress_body2" in dataset
+    between = dataset.interface_stress_body2.sel(side="above", component="zz")
+    assert between.sizes["interface_body2"] == 1
+    assert float(between.interface_body2[0]) == pytest.approx(4e-6)
+    assert float(between.min()) < -1e8
+
+
+def test_interfaces_of_the_upper_body_have_its_growth_stress_and_shear():
+    grown = NITRIDE.with_residual_stress([0.0], [-1e9], [-2e9], [1e8])
+    grid = sc.Grid(24, 24, 2e-6, 2e-6)
+    gap = sc.surfaces.paraboloid(grid, 2e-3)
+    run = sc.Simulation(grid, sc.Layered([(grown, 4e-6)], STEEL), RIGID, gap, friction=0.1)
+    state = run.step(load=0.3)
+    solver = sc.ContactSolver(grid, run.body1, RIGID, 0.1)
+    elastic = solver.stress(state.pressure, [np.nextafter(4e-6, 0.0), 4e-6], body=1)
+    above, below = state.interface_stress(1)[..., 0] - np.moveaxis(elastic, -1, 0)
+    start = np.array([-1e9, -2e9, 0.0, 0.0, 0.0, 1e8])
+    assert above == pytest.approx(np.broadcast_to(start[:, None, None], above.shape), rel=1e-9)
+    assert np.abs(below).max() == 0
 
 
 SOFT = sc.Material.perfect_plastic(210e9, 0.3, 1e9)

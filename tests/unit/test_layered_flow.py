@@ -248,3 +248,36 @@ def test_contacts_move_over_layers_as_over_the_homogeneous_body():
     assert same.residual_displacement() == pytest.approx(
         print_left, abs=2e-5 * np.abs(print_left).max()
     )
+
+
+def strain_along(stress, material, component):
+    """Elastic strain xx, yy or xy of a stress."""
+    E, nu = material.E, material.nu
+    if component == 5:
+        return stress[5] * (1 + nu) / E
+    return ((1 + nu) * stress[component] - nu * stress[:3].sum(axis=0)) / E
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+def test_layers_pull_each_other_and_stretch_together():
+    """Traction is the same on both sides of an interface, and so is strain along it."""
+    brass = sc.Material.linear_hardening(120e9, 0.33, 0.6e9, 20e9)
+    body = sc.Layered([(NITRIDE, 8e-6), (brass, 8e-6)], STEEL)
+    grid = sc.Grid(34, 34, 3e-6, 3e-6, dz=2e-6)
+    run = sc.Simulation(grid, RIGID, body, sc.surfaces.paraboloid(grid, 1e-3), friction=0.2)
+    state = [run.step(load=load) for load in (2.0, 3.0)][-1]
+    sides, plastic = state.interface_stress(), state.plastic_strain()
+    tractions = sides[:, 2:5]
+    assert np.abs(tractions[0] - tractions[1]).max() < 0.02 * np.abs(tractions).max()
+    materials = [NITRIDE, brass, STEEL]
+    for n, at in enumerate((4, 8)):
+        strains, flowed = [], []
+        for material, stress, first, along in zip(
+            materials[n:], sides[..., n], (at - 1, at), (-1, 1), strict=False
+        ):
+            near = [plastic[..., first + k * along] for k in range(3)]  # each constant in a cell
+            flowed.append((11 * near[0] - 7 * near[1] + 2 * near[2]) / 6)
+            strains.append([strain_along(stress, material, c) + flowed[-1][c] for c in (0, 1, 5)])
+        jump = np.abs(flowed[0] - flowed[1])[:2].max()
+        assert jump > 2e-3
+        assert np.abs(np.subtract(*strains)).max() < 0.06 * jump

@@ -12,6 +12,7 @@ import xarray as xr
 
 from .._checks import choice, integer
 from .._graded import PARTS
+from .._interfaces import SIDES
 from .._peak import peak_of_dataset
 from .._quantities import CONTACT
 from .._tensors import COMPONENTS
@@ -259,6 +260,23 @@ def _add_volume(
     for name, dims, body in [*wanted, *(("temperature", _VOLUME, body) for body in heated)]:
         fields = np.stack([getattr(state, name)(body=body) for state in stored])
         add(dataset, name, dims, fields, body)
+    for body in bodies:
+        if body not in gathered:
+            _add_interfaces(dataset, stored, body)
+
+
+def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> None:
+    """Of a body with layers, where tractions and fields share their cells."""
+    scene = stored[0]._simulation
+    layered = scene.body1 if body == 1 else scene.body2
+    if not isinstance(layered, Layered) or any(state.offset(body) for state in stored):
+        return
+    fields = np.stack([state.interface_stress(body=body) for state in stored])
+    dim = f"interface_body{body}"
+    dataset.coords["side"] = ("side", list(SIDES))
+    dataset.coords[dim] = CONTACT["interface"].variable(dim, layered.interfaces, body)
+    dims = ("volume_increment", "side", "component", "x", "y", dim)
+    add(dataset, "interface_stress", dims, fields, body)
 
 
 def _of_body(prefix: str, body: Body) -> dict[str, Any]:
