@@ -29,6 +29,7 @@ PARTS = (
     "fatigue",
     "scaling",
     "counts",
+    "threads",
 )
 # Only where they are asked for.
 LARGE = ("plastic_zones_large",)

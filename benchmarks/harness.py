@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import importlib
 import json
+import os
 import subprocess
 import sys
 import time
@@ -39,6 +40,8 @@ class Task:
     """Keyword arguments, JSON; also what tells tasks of equal case and method apart."""
     reference: str = ""
     """The method whose time, in the same case with otherwise equal arguments, is 1."""
+    threads: int = 0
+    """Of this one; 0: as the others."""
     hidden: bool = False
     """Only makes data for other tasks: no row in the tables."""
 
@@ -64,19 +67,21 @@ class Meter:
 
     def __init__(self) -> None:
         self.time = 0.0
+        self.cpu = 0.0  # s of the processor, of all threads
         self.memory = 0
 
     def __call__(self, work: Callable[[], T]) -> T:
         """Do the work, more than once when it is short; time and memory go to the meter."""
         before = peak_memory()
-        times = []
+        times, processor = [], []
         while len(times) < (3 if sum(times) < SHORT else 1):
-            start = time.perf_counter()
+            start, used = time.perf_counter(), time.process_time()
             result = work()
             times.append(time.perf_counter() - start)
+            processor.append(time.process_time() - used)
             if len(times) == 1:
                 self.memory = max(peak_memory() - before, 0)  # what is counted late is none
-        self.time = min(times)
+        self.time, self.cpu = min(times), min(processor)
         return result
 
 
@@ -130,7 +135,8 @@ def options_text(task: Task) -> str:
 def measure(task: Task) -> dict[str, Any]:
     """Do the measurement in a fresh process. One that fails becomes a row with its message."""
     command = [sys.executable, "-m", "benchmarks.harness", json.dumps(task.__dict__)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True)
+    threads = {"OMP_NUM_THREADS": str(task.threads)} if task.threads else {}
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, env=os.environ | threads)
     if done.returncode == 0:
         row: dict[str, Any] = json.loads(done.stdout.decode().splitlines()[-1])
         return row

@@ -26,6 +26,8 @@ LABELS = {
     "box_cells": "cells of the plastic box [-]",
     "us_per_cell_and_application": "time per cell and application [µs]",
     "bytes_per_cell": "peak memory per cell [bytes]",
+    "cells": "cells [-]",
+    "time_ratio": "time over that of the reference [-]",
 }
 APPLICATIONS = ("volume_applications", "surface_applications", "contact_iterations")
 

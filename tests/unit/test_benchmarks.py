@@ -25,6 +25,7 @@ from benchmarks import (
     scaling,
     slip,
     tables,
+    threads,
 )
 from benchmarks.__main__ import PARTS, arguments
 from benchmarks.finite_elements import __main__ as finite_elements
@@ -116,6 +117,16 @@ def test_exponent_of_a_power():
     assert scaling.exponents(rows)["time per application"] == pytest.approx(1.5)
     assert scaling.exponents(rows)["peak memory"] == pytest.approx(1.0)
     assert scaling.exponents(rows[:2]) == {}
+
+
+def test_threads_are_told_by_the_worst():
+    rows = [
+        {"case": "zones", "method": "2 threads", "cells": cells, "time_ratio": ratio}
+        for cells, ratio in ((1e3, 1.02), (2e5, 0.55), (1e6, 0.625))
+    ]
+    rows += [{"case": "zones", "method": threads.BASE, "cells": 1e3, "time_ratio": 1.0}]
+    (text,) = threads.notes(rows)
+    assert text.startswith("- zones: efficiency of two at least 0.80; small ones take 1.02 times")
 
 
 def test_sampled_strain_is_axisymmetric():

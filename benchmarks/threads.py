@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One thread and two: contact, increments and zones; sweeps in one process and in two.
+
+Times are those of the clock, so the machine must have two free processors.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import samcontact as sc
+
+from . import elastic_rough, plastic_zones, slip
+from .harness import ROOT, Meter, Task
+from .steel import LOAD, balls
+
+NAME = "threads"
+TITLE = "Threads"
+SERIES = ("case", "method")
+AXES = (("cells",), ("time_ratio",))
+BASE = "1 thread"
+SIZES = {
+    "contact": (64, 256, 1024),
+    "stick and slip": (64, 256, 1024),
+    "increments": (8, 24, 40),
+    "zones": (64, 256, 512),
+    "sweep": (4, 16),
+}
+LARGE = {"contact": 256**2, "stick and slip": 256**2, "increments": 1e5, "zones": 1e5, "sweep": 16}
+"""Cells, or cases, from which on the second thread has to pay."""
+
+
+def tasks(quick: bool, folder: Path) -> list[Task]:
+    return [
+        Task(NAME, case, method, "solve", {"case": case, "n": n, "method": method}, BASE, threads)
+        for case, sizes in SIZES.items()
+        for n in (sizes[:2] if quick else sizes)
+        for threads, method in ((1, BASE), (2, "2 threads"))
+    ]
+
+
+def solve(meter: Meter, case: str, n: int, method: str) -> dict[str, Any]:
+    """Any of them; harness sets the number of threads."""
+    if case == "contact":
+        found = elastic_rough.contact(meter, n, "tol 1e-8")
+        return {"cells": n * n, "across": n, "contact_iterations": found.iterations}
+    if case == "stick and slip":
+        return {**slip.solve(meter, n, 0.5, "tol 1e-6"), "errors": {}}
+    if case == "zones":
+        found = plastic_zones.run(meter, n, 5, "auto")
+        return plastic_zones.summary(*found)
+    return press(meter, n) if case == "increments" else sweep(meter, n, int(method[0]))
+
+
+def press(meter: Meter, n: int) -> dict[str, Any]:
+    """Two balls up and back, `n` cells on the Hertz radius."""
+
+    def run() -> sc.Simulation:
+        simulation = balls(n)
+        for part in (0.5, 1.0, 0.0):
+            simulation.step(load=part * LOAD)
+        return simulation
+
+    grid = meter(run).grid
+    return {"cells": grid.nx * grid.ny * grid.nz, "across": n}
+
+
+def sweep(meter: Meter, cases: int, processes: int) -> dict[str, Any]:
+    """So many loads of a case, in processes of one thread each, their start included."""
+    loads = [800.0 + 100.0 * k for k in range(cases)]
+
+    def run() -> Any:
+        with tempfile.TemporaryDirectory() as folder:
+            return sc.sweep(
+                ROOT / "cases" / "t1_two_balls.toml", {"path[0].load": loads},
+                executor=processes, output=folder, progress=False,
+            )  # fmt: skip
+
+    meter(run)
+    return {"cells": cases}
+
+
+def efficiency(row: dict[str, Any]) -> float:
+    """Of the second thread: 1 where it halves the time."""
+    return float(1 / (2 * row["time_ratio"]))
+
+
+def notes(rows: list[dict[str, Any]]) -> list[str]:
+    """The worst of the large ones, and of the small ones."""
+    lines = []
+    for case in SIZES:
+        both = [row for row in rows if row["case"] == case and row["method"] != BASE]
+        large = [efficiency(row) for row in both if row["cells"] >= LARGE[case]]
+        small = [row["time_ratio"] for row in both if row["cells"] < LARGE[case]]
+        told = [f"efficiency of two at least {min(large):.2f}"] if large else []
+        told += [f"small ones take {max(small):.2f} times as long as on one"] if small else []
+        lines += [f"- {case}: {'; '.join(told)}."] if told else []
+    return ["\n".join(lines)]
