@@ -118,6 +118,15 @@ void compare_with_subsets() {
       const Eigen::Map<const Eigen::VectorXd> centre(ball.centre().data(), D);
       for (const auto& point : points)
         CHECK((point - centre).norm() <= ball.radius() * (1 + 1e-14));
+      // a mean of points at the rim: no ball is smaller
+      for (int d = 0; d < D; ++d) {
+        double mean = 0.0;
+        for (std::size_t m = 0; m < ball.held(); ++m) {
+          CHECK(ball.weight(m) >= 0);
+          mean += ball.weight(m) * points[ball.holder(m)][d];
+        }
+        CHECK(mean == doctest::Approx(ball.centre()[d]).epsilon(1e-12));
+      }
     }
   }
 }

@@ -153,20 +153,20 @@ def _circle(points):
 
 def test_critical_planes_are_those_of_a_brute_search():
     """To the error that the docstring states; both look for a maximum from below."""
-    stress = random_paths(6, moments=9, seed=8)
+    stress = random_paths(4, moments=9, seed=8)
     found = findley(stress, k=0.3)
     strain = fatemi_socie(1e8 * stress, k=0.6, yield_stress=4e8, material=STEEL)
-    for n in range(6):
+    for n in range(4):
         path = tensors(stress)[:, n]
-        expected = brute_force(path, path, lambda a, b: a + 0.3 * b, planes=3000)
-        assert expected * (1 - 1e-3) < found.values[n] < expected * (1 + 2e-2)
+        expected = brute_force(path, path, lambda a, b: a + 0.3 * b, planes=1500)
+        assert expected * (1 - 1e-6) < found.values[n] < expected * (1 + 1e-2)
         half = path * 1e8 * 1.3 / 210e9
 
         def combine(a, b):
             return 2 * a * np.maximum(1 + 0.6 * b / 4e8, 0)
 
-        expected = brute_force(half, 1e8 * path, combine, planes=3000)
-        assert expected * (1 - 1e-3) < strain.values[n] < expected * (1 + 2e-2)
+        expected = brute_force(half, 1e8 * path, combine, planes=1500)
+        assert expected * (1 - 1e-6) < strain.values[n] < expected * (1 + 1e-2)
 
 
 def test_no_criterion_knows_the_axes():

@@ -7,64 +7,55 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "samcontact/base/multiversion.hpp"
+#include "samcontact/fatigue/plane_piece.hpp"
 #include "samcontact/fatigue/smallest_ball.hpp"
 
 namespace samcontact::fatigue {
 namespace {
 
-using Vector = std::array<double, 3>;
 constexpr double pi = std::numbers::pi;
+constexpr double none = -std::numeric_limits<double>::infinity();
 /// Between normals of the first look, along both angles. The shear on a plane changes by 1 - cos 2a
 /// over the angle a: 4 % where the nearest of them is 8 degrees off.
 constexpr double spacing = pi / 16;
 /// Of the largest amplitude: how far below the best a plane may be whose neighbourhood has a better
 /// one.
 constexpr double margin = 0.08;
-constexpr double finest = 4e-4;  // last step of the search [rad]
-constexpr int most_starts = 8;
+constexpr int most_starts = 8;  // no two of them neighbours
+const double neighbours = std::cos(0.8 * spacing), same = std::cos(0.01);
+constexpr double rounding = 1e-10;  // of the largest amplitude
 
-/// A plane: its normal and two directions in it.
-struct Plane {
-  Vector n, u, v;
+using Six = std::array<double, 6>;
+
+/// Factors of the components of a tensor in a . tensor . b.
+Six factors(const Vector& a, const Vector& b) {
+  return {a[0] * b[0],
+          a[1] * b[1],
+          a[2] * b[2],
+          a[1] * b[2] + a[2] * b[1],
+          a[0] * b[2] + a[2] * b[0],
+          a[0] * b[1] + a[1] * b[0]};
+}
+
+/// A plane as factors of the shear along both its directions, and of the normal stress.
+struct Factors {
+  Vector normal;
+  Six u, v, n;
+
+  explicit Factors(const Plane& plane)
+      : normal(plane.n),
+        u(factors(plane.u, plane.n)),
+        v(factors(plane.v, plane.n)),
+        n(factors(plane.n, plane.n)) {}
 };
 
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector unit(const Vector& a) {
-  const double length = std::sqrt(dot(a, a));
-  return {a[0] / length, a[1] / length, a[2] / length};
-}
-
-Plane plane_of(const Vector& n) {
-  const int least = static_cast<int>(
-      std::min_element(n.begin(), n.end(),
-                       [](double a, double b) { return std::fabs(a) < std::fabs(b); }) -
-      n.begin());
-  Vector axis{};
-  axis[least] = 1.0;
-  const Vector u = unit(cross(n, axis));
-  return {n, u, cross(n, u)};
-}
-
-/// The same plane with its directions turned in it.
-Plane turned(const Plane& plane, double angle) {
-  Plane out = plane;
-  const double c = std::cos(angle), s = std::sin(angle);
-  for (int d = 0; d < 3; ++d) {
-    out.u[d] = c * plane.u[d] + s * plane.v[d];
-    out.v[d] = c * plane.v[d] - s * plane.u[d];
-  }
-  return out;
-}
-
 /// Half of all directions, evenly; the axes are among them.
-std::vector<Plane> first_planes() {
-  std::vector<Plane> planes;
+std::vector<Factors> first_planes() {
+  std::vector<Factors> planes;
   const int rings = static_cast<int>(std::lround(pi / 2 / spacing));
   for (int r = 0; r <= rings; ++r) {
     const double polar = r * pi / 2 / rings;
@@ -75,21 +66,11 @@ std::vector<Plane> first_planes() {
     const int count = r == 0 ? 1 : equator ? whole / 2 : whole;
     for (int a = 0; a < count; ++a) {
       const double azimuth = 2 * pi * a / whole;
-      planes.push_back(plane_of(unit({std::sin(polar) * std::cos(azimuth),
+      planes.emplace_back(Plane(unit({std::sin(polar) * std::cos(azimuth),
                                       std::sin(polar) * std::sin(azimuth), std::cos(polar)})));
     }
   }
   return planes;
-}
-
-/// Factors of the components of a tensor in a . tensor . b.
-std::array<double, 6> factors(const Vector& a, const Vector& b) {
-  return {a[0] * b[0],
-          a[1] * b[1],
-          a[2] * b[2],
-          a[1] * b[2] + a[2] * b[1],
-          a[0] * b[2] + a[2] * b[0],
-          a[0] * b[1] + a[1] * b[0]};
 }
 
 struct Box {
@@ -99,7 +80,7 @@ struct Box {
 
 /// The path of two numbers, and the box around it.
 SAMCONTACT_MULTIVERSION
-Box project(const double* path, std::size_t row, const double* u, const double* v, double* along,
+Box project(const double* path, std::size_t row, const Six u, const Six v, double* along,
             double* across) {
   double low = std::numeric_limits<double>::infinity(), high = -low, left = low, right = -low;
 #pragma omp simd reduction(min : low, left) reduction(max : high, right)
@@ -115,137 +96,55 @@ Box project(const double* path, std::size_t row, const double* u, const double* 
     left = y < left ? y : left;
     right = y > right ? y : right;
   }
-  return {{(low + high) / 2, (left + right) / 2}, std::hypot(high - low, right - left) / 2};
+  const double width = high - low, length = right - left;
+  return {{(low + high) / 2, (left + right) / 2}, std::sqrt(width * width + length * length) / 2};
 }
 
+/// The normal stress of all moments, and the largest.
 SAMCONTACT_MULTIVERSION
-double largest(const double* path, std::size_t row, const double* n) {
-  double most = -std::numeric_limits<double>::infinity();
+double largest(const double* path, std::size_t row, const Six n, double* normal) {
+  double most = none;
 #pragma omp simd reduction(max : most)
   for (std::size_t t = 0; t < row; ++t) {
     const double x = n[0] * path[t] + n[1] * path[row + t] + n[2] * path[2 * row + t] +
                      n[3] * path[3 * row + t] + n[4] * path[4 * row + t] + n[5] * path[5 * row + t];
+    normal[t] = x;
     most = x > most ? x : most;
   }
   return most;
 }
 
-/// What the search asks of one cell; `Law` makes a value of the amplitude of shear and the largest
-/// normal stress, and grows with the amplitude.
-template <class Law>
-class Search {
- public:
-  Search(const double* shear, const double* stress, std::size_t row, double* work, const Law& law)
-      : shear_(shear), stress_(stress), row_(row), work_(work), law_(law) {}
-
-  /// The value on a plane; where it is not above `least` only what it is at most.
-  double value(const Plane& plane, double least) {
-    const auto u = factors(plane.u, plane.n), v = factors(plane.v, plane.n);
-    const auto n = factors(plane.n, plane.n);
-    const Box box = project(shear_, row_, u.data(), v.data(), work_, work_ + row_);
-    const double normal = largest(stress_, row_, n.data());
-    double most = law_(box.half_diagonal, normal);
-    scale_ = std::max(scale_, law_(box.half_diagonal, std::max(normal, 0.0)));
-    if (most <= least) return most;
-    double* squares = work_ + 2 * row_;
-    const double square = squared_distances(work_, row_, 2, box.centre.data(), squares);
-    most = law_(std::sqrt(square), normal);
-    if (most <= least) return most;
-    const std::size_t first = std::find(squares, squares + row_, square) - squares;
-    const SmallestBall<2> circle(work_, row_, squares, first);
-    return law_(circle.radius(), normal);
-  }
-
-  /// How much better one near a plane of the first look may be.
-  double reserve() const { return margin * scale_; }
-
- private:
-  const double *shear_, *stress_;
-  std::size_t row_;
-  double* work_;
-  Law law_;
-  double scale_ = 0.0;
-};
-
 struct Found {
   double value;
   Vector normal;
+  Holders holders;
 };
 
-/// The plane where a parabola through the values around another one is highest, not much further
-/// than they are; along u and v in their distance.
-std::array<double, 2> top_of(double middle, const std::array<double, 6>& around) {
-  double mean = 0.0, slope[2] = {}, bend[2] = {};
-  for (int side = 0; side < 6; ++side) {
-    const double angle = pi / 3 * side, gain = around[side] - middle;
-    mean += gain / 6;
-    slope[0] += gain * std::cos(angle) / 3;
-    slope[1] += gain * std::sin(angle) / 3;
-    bend[0] += gain * std::cos(2 * angle) / 3;
-    bend[1] += gain * std::sin(2 * angle) / 3;
-  }
-  // gain = slope . r + r . curvature . r, curvature = [[mean + bend0, bend1], [.., mean - bend0]]
-  const double determinant = mean * mean - bend[0] * bend[0] - bend[1] * bend[1];
-  if (!(mean < 0 && determinant > 0)) return {0.0, 0.0};
-  std::array<double, 2> top{
-      -(slope[0] * (mean - bend[0]) - slope[1] * bend[1]) / (2 * determinant),
-      -(slope[1] * (mean + bend[0]) - slope[0] * bend[1]) / (2 * determinant)};
-  const double length = std::hypot(top[0], top[1]);
-  for (double& part : top) part /= std::max(length / 1.5, 1.0);
-  return top;
-}
-
-/// Uphill from a plane in steps that become shorter; it ends early where it does not come near
-/// `least`.
-template <class Law>
-Found climb(Search<Law>& search, Found at, double least) {
-  constexpr double none = -std::numeric_limits<double>::infinity();
-  double turn = 0.0;  // of the hexagon: a ridge between two of its planes lies near one of the next
-  for (double step = spacing / 2; step > finest; step /= 3, turn += pi / 6) {
-    for (int tries = 0; tries < 4; ++tries) {
-      const Plane plane = turned(plane_of(at.normal), turn);
-      Found best = at;
-      const auto look = [&](double x, double y, double enough) {
-        Vector n;
-        for (int d = 0; d < 3; ++d) n[d] = plane.n[d] + step * (x * plane.u[d] + y * plane.v[d]);
-        const Plane next = plane_of(unit(n));
-        const double value = search.value(next, enough);
-        if (value > best.value) best = {value, next.n};
-        return value;
-      };
-      std::array<double, 6> around;
-      for (int side = 0; side < 6; ++side) {
-        around[side] = look(std::cos(pi / 3 * side), std::sin(pi / 3 * side), none);
-      }
-      const bool beside = best.value > at.value;
-      const auto [x, y] = top_of(at.value, around);
-      if (x != 0 || y != 0) look(x, y, best.value);
-      at = best;
-      if (!beside) break;
-    }
-    // what is left to gain shrinks with the step, at a kink too
-    if (at.value + search.reserve() * step / spacing < least) break;
-  }
-  return at;
+/// Whether two planes are less than an angle apart, whose cosine is given.
+bool are_near(const Vector& a, const Vector& b, double cosine) {
+  return std::fabs(dot(a, b)) > cosine;
 }
 
 /// The best of the planes looked at first, of neighbours one, in descending order.
 class Starts {
  public:
-  double best() const {
-    return count_ == 0 ? -std::numeric_limits<double>::infinity() : found_[0].value;
-  }
+  double best() const { return count_ == 0 ? none : found_[0].value; }
   std::span<const Found> found() const { return {found_.data(), static_cast<std::size_t>(count_)}; }
 
-  void offer(const Found& one) {
-    int at = 0;
-    while (at < count_ && !are_near(found_[at].normal, one.normal)) ++at;
-    if (at == count_ && count_ < most_starts) {
-      ++count_;
-    } else {
-      at = std::min(at, most_starts - 1);
-      if (found_[at].value >= one.value) return;
+  /// Whether a value there would be one of the best.
+  bool wants(const Vector& normal, double value) const {
+    for (const Found& one : found()) {
+      if (are_near(one.normal, normal, neighbours)) return one.value < value;
     }
+    return count_ < most_starts || found_[most_starts - 1].value < value;
+  }
+
+  void offer(const Found& one) {
+    if (!wants(one.normal, one.value)) return;
+    int at = 0;
+    while (at < count_ && !are_near(found_[at].normal, one.normal, neighbours)) ++at;
+    if (at == count_ && count_ < most_starts) ++count_;
+    at = std::min(at, count_ - 1);
     found_[at] = one;
     for (; at > 0 && found_[at].value > found_[at - 1].value; --at) {
       std::swap(found_[at], found_[at - 1]);
@@ -253,39 +152,158 @@ class Starts {
   }
 
  private:
-  static bool are_near(const Vector& a, const Vector& b) {
-    static const double least = std::cos(1.2 * spacing);
-    return std::fabs(dot(a, b)) > least;
-  }
   std::array<Found, most_starts> found_{};
   int count_ = 0;
 };
 
+/// The search of one cell; `Law` makes a value of the amplitude of shear and the largest normal
+/// stress, and grows with both.
 template <class Law>
-Found highest(Search<Law>& search, const std::vector<Plane>& planes) {
-  Starts starts;
-  for (const Plane& plane : planes) {
-    const double least = starts.best() - search.reserve();
-    const double value = search.value(plane, least);
-    if (value > least) starts.offer({value, plane.n});
+class Search {
+ public:
+  Search(const std::array<const double*, 2>& path, std::size_t row, double* work, const Law& law)
+      : shear_(path[0]), stress_(path[1]), row_(row), work_(work), law_(law) {}
+
+  /// Of all planes; bounds: room for a number of each of the first.
+  Found highest(const std::vector<Factors>& first, std::vector<std::pair<double, int>>& bounds) {
+    const Starts starts = scan(first, bounds);
+    Found top = starts.found()[0];
+    for (const Found& start : starts.found()) {
+      if (start.value + reserve() < top.value) break;
+      const Found climbed = climb(start, top.value);
+      if (climbed.value > top.value) top = climbed;
+    }
+    return top;
   }
-  Found top = starts.found()[0];
-  for (const Found& start : starts.found()) {
-    if (start.value + search.reserve() < top.value) break;
-    const Found climbed = climb(search, start, top.value);
-    if (climbed.value > top.value) top = climbed;
+
+ private:
+  /// How much better one near a plane of the first look may be.
+  double reserve() const { return margin * scale_; }
+
+  Starts scan(const std::vector<Factors>& first, std::vector<std::pair<double, int>>& bounds) {
+    bounds.clear();
+    for (const Factors& plane : first) {
+      bounds.emplace_back(at_most(plane, none), static_cast<int>(bounds.size()));
+      scale_ = std::max(scale_, law_(radius_, std::max(normal_, 0.0)));
+    }
+    std::make_heap(bounds.begin(), bounds.end());
+    Starts starts;
+    for (auto end = bounds.end(); end != bounds.begin(); --end) {
+      const auto [bound, number] = bounds.front();
+      const Factors& plane = first[number];
+      if (bound < starts.best() - reserve()) break;
+      if (starts.wants(plane.normal, bound)) starts.offer(look(plane, none));
+      std::pop_heap(bounds.begin(), end);
+    }
+    return starts;
   }
-  return top;
-}
+
+  /// What the value of a plane is at most, closer where that is above `least`: from the centre that
+  /// holders of a plane nearby give.
+  double at_most(const Factors& plane, double least, const Holders& near = {}) {
+    const Box box = project(shear_, row_, plane.u, plane.v, work_, work_ + row_);
+    normal_ = largest(stress_, row_, plane.n, work_ + 3 * row_);
+    radius_ = box.half_diagonal;
+    if (law_(radius_, normal_) > least) {
+      std::array<double, 2> centre = near.count == 0 ? box.centre : std::array<double, 2>{};
+      for (std::size_t m = 0; m < near.count; ++m) {
+        for (std::size_t d = 0; d < 2; ++d) {
+          centre[d] += near.weights[m] * work_[d * row_ + near.points[m]];
+        }
+      }
+      square_ = squared_distances(work_, row_, 2, centre.data(), work_ + 2 * row_);
+      radius_ = std::sqrt(square_);
+    }
+    return law_(radius_, normal_);
+  }
+
+  /// The value of a plane with its holders; where it is not above `least` only what it is at most.
+  Found look(const Factors& plane, double least, const Holders& near = {}) {
+    Found found{at_most(plane, least, near), plane.normal, {}};
+    if (found.value <= least) return found;
+    double *squares = work_ + 2 * row_, *normals = work_ + 3 * row_;
+    const std::size_t far = std::find(squares, squares + row_, square_) - squares;
+    const SmallestBall<2> circle(work_, row_, squares, far);
+    found.value = law_(circle.radius(), normal_);
+    Holders& holders = found.holders;
+    holders.count = circle.held();
+    for (std::size_t m = 0; m < holders.count; ++m) {
+      holders.points[m] = circle.holder(m);
+      holders.weights[m] = circle.weight(m);
+    }
+    holders.moment = std::find(normals, normals + row_, normal_) - normals;
+    return found;
+  }
+
+  /// From the top of one piece to that of the next, until a piece holds its own top.
+  Found rise(Found at) {
+    for (int round = 0; round < 20; ++round) {
+      const Piece piece(at.holders, shear_, stress_, row_);
+      const Top top = top_of(piece, law_, at.normal, spacing / 2);
+      const Found next = look(Factors(Plane(top.normal)), at.value, at.holders);
+      if (!(next.value > at.value)) break;
+      at = next;
+      if (at.value <= top.value + rounding * scale_) break;
+    }
+    return at;
+  }
+
+  /// Uphill; between pieces tops are many, so that planes around one are looked at, ever closer.
+  Found climb(Found at, double least) {
+    at = rise(at);
+    if (is_known(at.normal)) return at;
+    double turn = 0.0;  // of the hexagon: between its planes lie those of the next
+    for (double step = spacing / 2; step > spacing / 40; step /= 3, turn += pi / 6) {
+      for (int tries = 0; tries < 4; ++tries) {
+        if (at.value + reserve() * step / spacing < least) return at;
+        const Found better = around(at, step, turn);
+        if (!(better.value > at.value)) break;
+        at = rise(better);
+        if (is_known(at.normal)) return at;
+      }
+    }
+    tops_[count_++] = at.normal;
+    return at;
+  }
+
+  /// Whether another climb has ended there.
+  bool is_known(const Vector& normal) const {
+    return std::any_of(tops_.begin(), tops_.begin() + count_,
+                       [&](const Vector& top) { return are_near(top, normal, same); });
+  }
+
+  /// The best of a plane and six around it.
+  Found around(const Found& at, double step, double turn) {
+    const Plane plane(at.normal);
+    const double c = step * std::cos(turn), s = step * std::sin(turn);
+    Found best = at;
+    for (const auto& [x, y] : hexagon) {
+      const Factors next(Plane(plane.beside(c * x - s * y, s * x + c * y)));
+      const Found found = look(next, best.value, at.holders);
+      if (found.value > best.value) best = found;
+    }
+    return best;
+  }
+
+  const double *shear_, *stress_;
+  std::size_t row_;
+  double* work_;
+  Law law_;
+  double scale_ = 0.0;
+  std::array<Vector, most_starts> tops_{};
+  int count_ = 0;
+  // of the plane looked at last
+  double normal_ = 0.0, radius_ = 0.0, square_ = 0.0;
+};
 
 template <class Law>
 CriticalPlane over_cells(const Paths& shear, const Paths& stress, const Law& law) {
   const std::size_t cells = stress.cells, row = row_length(stress.moments);
-  const std::vector<Plane> planes = first_planes();
+  const std::vector<Factors> planes = first_planes();
   CriticalPlane out{Field(cells), Field(3 * cells)};
-  for_each_path<2>({shear, stress}, 3, [&](std::size_t cell, const auto& path, double* work) {
-    Search search(path[0], path[1], row, work, law);
-    const Found found = highest(search, planes);
+  for_each_path<2>({shear, stress}, 4, [&](std::size_t cell, const auto& path, double* work) {
+    thread_local std::vector<std::pair<double, int>> bounds;
+    const Found found = Search(path, row, work, law).highest(planes, bounds);
     out.value[cell] = found.value;
     for (int d = 0; d < 3; ++d) out.normal[d * cells + cell] = found.normal[d];
   });

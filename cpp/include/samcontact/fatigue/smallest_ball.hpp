@@ -30,14 +30,14 @@ class SmallestBall {
   /// at the rim.
   SmallestBall(const double* points, std::size_t count, double* work, std::size_t first = 0)
       : points_(points), count_(count), squares_(work) {
-    take(point(first));
+    take(first);
     double largest = squared_distances(points, count, D, centre_.data(), squares_);
     // Exact arithmetic would end before; rounding could go round in circles.
     for (int round = 0; round < 200; ++round) {
       const double held = std::sqrt(square(held_[0], centre_));
       if (!(std::sqrt(largest) > held * (1 + 1e-14) + rounding())) break;
       const std::size_t far = std::find(squares_, squares_ + count_, largest) - squares_;
-      const bool taken = take_in(point(far));
+      const bool taken = take_in(far);
       largest = squared_distances(points, count, D, centre_.data(), squares_);
       if (!taken) break;
     }
@@ -47,11 +47,16 @@ class SmallestBall {
   const Point& centre() const { return centre_; }
   /// All points are within it.
   double radius() const { return radius_; }
+  /// How many points hold it, at its rim; their numbers, and their weights in the centre.
+  std::size_t held() const { return static_cast<std::size_t>(size_); }
+  std::size_t holder(std::size_t m) const { return holders_[m]; }
+  double weight(std::size_t m) const { return weight_[m]; }
 
  private:
   /// A ball of one point.
-  void take(const Point& p) {
-    held_[0] = centre_ = p;
+  void take(std::size_t n) {
+    held_[0] = centre_ = point(n);
+    holders_[0] = n;
     weight_[0] = 1.0;
     size_ = 1;
   }
@@ -120,8 +125,9 @@ class SmallestBall {
     return foot;
   }
 
-  /// Makes the ball the smallest that holds q too; false where rounding leaves nothing to do.
-  bool take_in(const Point& q) {
+  /// Makes the ball the smallest that holds point n too; false where rounding leaves nothing to do.
+  bool take_in(std::size_t n) {
+    const Point q = point(n);
     double weight = 0.0;
     const double reach = square(q, held_[0]);
     for (int round = 0; round < D + 2; ++round) {
@@ -147,11 +153,13 @@ class SmallestBall {
       weight += step;
       if (dropped < 0) {
         held_[size_] = q;
+        holders_[size_] = n;
         weight_[size_++] = weight;
         return true;
       }
       --size_;
       held_[dropped] = held_[size_];
+      holders_[dropped] = holders_[size_];
       weight_[dropped] = weight_[size_];
     }
     return false;
@@ -161,6 +169,7 @@ class SmallestBall {
   std::size_t count_;
   double* squares_;
   std::array<Point, D + 2> held_;
+  std::array<std::size_t, D + 2> holders_;
   std::array<double, D + 2> weight_{};
   int size_ = 0;
   Point centre_{};
