@@ -14,6 +14,9 @@ from PIL import Image
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
+from matplotlib.figure import Figure
+from overlapping_texts import overlaps
+
 from case_texts import BODIES, GRID, MOVING, TUGGING, WEAR
 from samcontact.commands.folder import _FIGURES
 from samcontact.commands.main import main
@@ -48,6 +51,22 @@ duration = 10e-3
     "rolling": MOVING,
     "tugging": TUGGING,
     "wear": WEAR.replace("figures = false", "figures = true"),
+    "long": f"""title = "long contact"
+[grid]
+nx = 17
+ny = 17
+dx = 55e-6
+dy = 500e-6
+[body1]
+{ELASTIC}[body2]
+{ELASTIC}[surface]
+shape = "paraboloid"
+Rx = 5.1e-3
+Ry = 165e-3
+[[path]]
+load = 11000.0
+increments = 1
+""",
     "fretting": f"""title = "fretting"
 {BALLS}[contact]
 friction = {{coulomb = 0.3}}
@@ -93,6 +112,7 @@ cycles = 2
 ALIKE = {("wear", "last_cycle_body2"): "wear/first_cycle_body2"}
 """Figures that look as others, which are stored."""
 FIRST_IN_OTHERS = {
+    "long": ("load_approach", "pressure"),
     "fretting": ("gap_map", "pressure", "pressure_map"),
     "fatigue": (
         "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "print",
@@ -103,13 +123,23 @@ FIRST_IN_OTHERS = {
 
 
 def drawn(case, folder):
-    """The figures of a case, small."""
+    """The figures of a case, small, of which no text lies over another."""
     file = folder / f"{case}.toml"
     file.write_text(CASES[case])
-    outcome = CliRunner().invoke(
-        main, ["run", str(file), "--output", str(folder / case), "--quiet"]
-    )
+    hidden, save = {}, Figure.savefig
+
+    def look_and_save(figure, target, **options):
+        hidden[target] = overlaps(figure)
+        save(figure, target, **options)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Figure, "savefig", look_and_save)
+        outcome = CliRunner().invoke(
+            main, ["run", str(file), "--output", str(folder / case), "--quiet"]
+        )
     assert outcome.exit_code == 0, outcome.output
+    assert hidden
+    assert not any(hidden.values()), hidden
     found = {}
     for path in sorted((folder / case).glob("*.png")):
         with Image.open(path) as image:

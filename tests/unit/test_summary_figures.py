@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from core_fakes import ELASTIC, SWIFT, FakeState, make_grid, make_simulation
 from drawn_fields import shows
+from overlapping_texts import overlaps, texts
 
 import samcontact as sc
 from samcontact import plotting
@@ -41,34 +42,6 @@ def longest_blank(image):
         runs = (len(list(run)) for blank, run in itertools.groupby(lines) if blank)
         longest = max(longest, max(runs, default=0) / lines.size)
     return longest
-
-
-def texts(ax):
-    """All that is written in and beside axes; ticks beyond their ends are not drawn."""
-    found = [ax.title, ax.xaxis.label, ax.yaxis.label, *ax.texts]
-    if ax.get_legend() is not None:
-        found += ax.get_legend().get_texts()
-    for axis in (ax.xaxis, ax.yaxis):
-        low, high = sorted(axis.get_view_interval())
-        for place, label in zip(axis.get_ticklocs(), axis.get_ticklabels(), strict=True):
-            if low <= place <= high:
-                found.append(label)
-    return [text for text in found if text.get_visible() and text.get_text().strip()]
-
-
-def overlaps(figure):
-    """Pairs of texts one of which is drawn over the other."""
-    figure.draw_without_rendering()
-    boxes = [
-        (text.get_text(), text.get_window_extent().shrunk(0.9, 0.9))
-        for ax in figure.axes
-        for text in texts(ax)
-    ]
-    return [
-        (a, b)
-        for (a, first), (b, second) in itertools.combinations(boxes, 2)
-        if first.overlaps(second)
-    ]
 
 
 # cells along x and y, layers: flat, deep, long

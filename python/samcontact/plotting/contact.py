@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, finite, finite_array
@@ -366,9 +365,6 @@ def axis_profile(
     if body is not None:
         _add_strength(ax, body, depths)
     ax.set_ylim(float(depths[-1]) * 1e6, 0.0)
-    ax.xaxis.set_major_locator(
-        MaxNLocator(5, steps=[1, 2, 5, 10])
-    )  # five digits and a sign are wide
     ax.set_xlabel("stress on the axis [MPa]")
     ax.set_ylabel("depth z [µm]")
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)

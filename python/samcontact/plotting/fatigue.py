@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.ticker import MaxNLocator
 
 from .._checks import FloatArray, choice, finite, positive
 from .parts import axes_or_new, finish, nearest, place
+from .ticks import FittedLocator
 
 if TYPE_CHECKING:
     from ..fatigue import FatigueField
@@ -186,7 +186,7 @@ def _coloured(
     drawn.set_rasterized(True)  # bands of vectors have seams between them
     i, j = (int(n) + 1 for n in np.unravel_index(int(values.argmax()), values.shape))
     ax.plot(sides[0][i], sides[1][j], "x", color="white", markersize=7, markeredgewidth=1.6)
-    ax.figure.colorbar(drawn, ax=ax, label=f"[{unit}]", ticks=MaxNLocator(6))
+    ax.figure.colorbar(drawn, ax=ax, label=f"[{unit}]", ticks=FittedLocator())
     ax.set_title(f"{_name(field)}{note}", fontsize="medium")
     ax.set_aspect("equal")
     return ax

@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.axis import Axis
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
@@ -15,7 +14,8 @@ from scipy import ndimage
 
 from .._checks import BoolArray, FloatArray
 from .._quantities import CONTACT, Quantity
-from .parts import axes_or_new
+from .parts import LYING, axes_or_new
+from .ticks import FittedLocator, fit_ticks
 
 _FLAT = 0.45  # depth over width: a label beside such a section would be longer than it
 _SHORT = 0.22  # here so would the whole label of the depth
@@ -95,7 +95,8 @@ def show_surface(
     ax = axes_or_new(ax)
     if inside is not None and cells:
         values = np.where(inside > 0, values, np.nan)
-    drawn = _show(ax, plane, values, quantity, note, titled=True, cells=cells)
+    below = plane.ratio < LYING
+    drawn = _show(ax, plane, values, quantity, note, titled=True, cells=cells, below=below)
     if inside is not None and not cells:
         clip(ax, drawn, plane, inside)
     ax.set_xlabel(f"{name} [µm]")
@@ -198,8 +199,12 @@ def _show(
     titled: bool,
     equal: bool = True,
     cells: bool = False,
+    below: bool = False,
 ) -> list[Any]:
-    """What is drawn; a field that is zero has no colours and says so instead."""
+    """What is drawn, with its bar of colours beside or below it.
+
+    A field that is zero has no colours and says so instead.
+    """
     shown, label = values * quantity.factor, quantity.label + note
     ax.grid(False)  # settings may ask for one, which would lie over the colours
     drawn: list[Any] = []
@@ -218,20 +223,15 @@ def _show(
             drawn[0].set_rasterized(True)  # bands of vectors have seams between them
             if len(lines):
                 drawn.append(ax.contour(*field, levels=lines, linestyles="solid", **_LINE))
-        bar = ax.figure.colorbar(ScalarMappable(**look), ax=ax, label="" if titled else label)
-        bar.ax.set_ylim(max(bands[0], norm.vmin), min(bands[-1], norm.vmax))
-        if equal:
-            _fewer_ticks(bar.ax.yaxis, plane.ratio, 14)
+        beside: dict[str, Any] = {"label": "" if titled else label, "ticks": FittedLocator()}
+        ends = max(bands[0], norm.vmin), min(bands[-1], norm.vmax)
+        if below:
+            beside |= {"location": "bottom", "aspect": 40, "fraction": 0.3}
+        bar = ax.figure.colorbar(ScalarMappable(**look), ax=ax, **beside)
+        (bar.ax.set_xlim if below else bar.ax.set_ylim)(*ends)
     if titled or zero:
         ax.set_title(label, fontsize="medium")
     if equal:
         ax.set_aspect("equal")
-        _fewer_ticks(ax.yaxis, plane.ratio, 14)
-        _fewer_ticks(ax.xaxis, 1.0 / plane.ratio, 7)
+    fit_ticks(ax)
     return drawn
-
-
-def _fewer_ticks(axis: Axis, ratio: float, most: int) -> None:
-    """Along a side that is this part of the other: labels must not run into each other."""
-    if most * ratio < 6:
-        axis.set_major_locator(MaxNLocator(max(int(most * ratio), 1)))

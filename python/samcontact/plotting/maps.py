@@ -31,6 +31,7 @@ def surface_map(
     *,
     quantity: str = "pressure",
     contact: ArrayLike | None = None,
+    across: str = "x",
     cells: bool = False,
 ) -> Axes:
     """Pressure, gap or print from above, with a colour bar and a line around the contact.
@@ -49,6 +50,9 @@ def surface_map(
         Above zero where the bodies touch; the pressure tells where between two cells the contact
         ends. Default where there is pressure, or the gap is less than 1e-6 of its maximum; a print
         has a line around the contact if it is given here.
+    across : {"x", "y"}, optional
+        Coordinate from left to right. "y" turns the map by a quarter, with x downward: for contacts
+        that are long along y.
     cells : bool, optional
         Show each cell in its colour, instead of what is smooth through their centres.
 
@@ -59,9 +63,10 @@ def surface_map(
     Raises
     ------
     ValueError
-        Wrong shape of the field, or an unknown quantity.
+        Wrong shape of the field, or an unknown quantity or coordinate.
     """
     choice("quantity", quantity, tuple(SURFACES))
+    choice("across", across, ("x", "y"))
     values = finite_array(quantity, field, (grid.nx, grid.ny))
     if contact is not None:
         pressed = finite_array("contact", np.asarray(contact, dtype=float), values.shape)
@@ -71,15 +76,20 @@ def surface_map(
         closed = values <= _CLOSED * values.max()
         pressed = values if quantity == "pressure" else closed.astype(np.float64)
     plane = Plane(edges(grid.x, grid.dx), edges(grid.y, grid.dy))
+    if across == "y":
+        plane, values, pressed = Plane(*plane[::-1]), values.T, pressed.T
     inside, note = None, ""
     edge = inside_of_contact(np.maximum(pressed, 0.0))
     ends = bool(np.any(pressed > 0) and not np.all(pressed > 0))
     if quantity in _BLANK and ends:
         inside, note = edge if quantity == "pressure" else -edge, _BLANK[quantity]
     shown = CONTACT[SURFACES[quantity]]
-    ax = show_surface(ax, plane, values, shown, "x", note, inside=inside, cells=cells)
+    ax = show_surface(ax, plane, values, shown, across, note, inside=inside, cells=cells)
     if ends and not cells:
         outline(ax, plane, edge, linestyles="dashed" if quantity == "print" else "solid")
+    if across == "y":
+        ax.set_ylabel("x [µm]")
+        ax.set_ylim(*sorted(ax.get_ylim(), reverse=True))
     return ax
 
 

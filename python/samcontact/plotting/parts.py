@@ -14,11 +14,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import Bbox
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, finite, finite_array
+from .ticks import FittedLocator, fit_ticks
 
 if TYPE_CHECKING:
     from ..grid import Grid
@@ -30,6 +30,8 @@ SECTIONS = (
 SURFACES = {"pressure": "pressure", "gap": "gap", "print": "residual_displacement"}
 """What is shown of the surface, and which quantity it is."""
 INTERFACE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
+LYING = 0.2
+"""Height over width of maps that are so flat that their bar of colours is below them."""
 COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
 
 
@@ -131,6 +133,11 @@ def section_height(width: float, across: float, depth: float) -> float:
     return min(max(0.75 * width * depth / across, 0.5), 1.5 * width) + 0.95
 
 
+def map_height(width: float, across: float, down: float) -> float:
+    """The same of a map, which has its bar of colours below it if it is flat."""
+    return section_height(width, across, down) + (0.55 if down < LYING * across else 0.0)
+
+
 def axes_or_new(ax: Axes | None) -> Axes:
     return new_figure().subplots() if ax is None else ax
 
@@ -138,12 +145,13 @@ def axes_or_new(ax: Axes | None) -> Axes:
 def finish(ax: Axes) -> Axes:
     ax.grid(True, linewidth=0.4, alpha=0.5)
     ax.set_axisbelow(True)
+    fit_ticks(ax)
     return ax
 
 
 def counted(ax: Axes) -> Axes:
     """Ticks along x at whole numbers only: of passes, cycles, increments."""
-    ax.xaxis.set_major_locator(MaxNLocator(integer=True))
+    ax.xaxis.set_major_locator(FittedLocator(integer=True))
     left, right = ax.get_xlim()
     if right - left < 1.0:  # there is one
         ax.set_xlim(left - 1.0, right + 1.0)
@@ -168,7 +176,8 @@ def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
 
 def place(name: str, value: float) -> str:
     """Where a row lies, as labels tell it."""
-    return f"{name} = {value * 1e6 + 0.0:.4g} µm"
+    shown = value * 1e6 + 0.0
+    return f"{name} = {shown:{'.4g' if abs(shown) < 1e4 else '.0f'}} µm"
 
 
 def elsewhere(name: str, value: float, cell: float) -> str:

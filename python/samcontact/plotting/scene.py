@@ -17,12 +17,15 @@ from ..results.motion import track_of
 from ..results.reading import graded_of, grid_of
 from ..results.zones import on_grid
 from .contact import HertzContact
-from .parts import row_of_interest, section_height
+from .parts import map_height, row_of_interest, section_height
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..layered import Body
+
+
+_LONG = 2.5  # times as long along y as along x: its maps lie
 
 
 @dataclass
@@ -96,6 +99,15 @@ class Scene:
     def interfaces(self) -> FloatArray:
         """Depths between layers of the body [m]."""
         return np.cumsum(self.dataset.attrs.get(f"body{self.body}_thickness", ()))
+
+    @property
+    def map_look(self) -> tuple[str, tuple[float, float]]:
+        """Which coordinate is from left to right in maps, and their figure's size [in]."""
+        grid = self.grid
+        long, wide = grid.ny * grid.dy, grid.nx * grid.dx
+        if long <= _LONG * wide:
+            return "x", (5.0, 3.6)
+        return "y", (5.0, map_height(5.0, long, wide))
 
     @property
     def section_height(self) -> float:

@@ -21,10 +21,10 @@ from .contact import (
     temperature_profile,
 )
 from .maps import surface_map, track_map
-from .parts import add_to_title, elsewhere, new_figure, row_of_interest, save, section_height
+from .parts import add_to_title, elsewhere, map_height, new_figure, save
 from .scene import Scene
 from .slip_summary import slip_figures
-from .track import print_along, track_section, track_summary
+from .track import print_along, residual_along, track_summary
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -119,7 +119,8 @@ def _moment(scene: Scene, position: int) -> str:
 def _of_the_peak(scene: Scene) -> dict[str, Figure]:
     """Pressure and gap, and stresses where there is a volume."""
     grid, number = scene.grid, scene.number(scene.peak)
-    figures = {name: _panel() for name in ("pressure", "pressure_map", "gap_map")}
+    across, size = scene.map_look
+    figures = {"pressure": _panel(), "pressure_map": _panel(*size), "gap_map": _panel(*size)}
     pressure = scene.surface("pressure", scene.peak)
     y = scene.row(pressure)
     ax = figures["pressure"].axes[0]
@@ -127,7 +128,7 @@ def _of_the_peak(scene: Scene) -> dict[str, Figure]:
     add_to_title(ax, _moment(scene, scene.peak), elsewhere("y", y, grid.dy))
     for name in ("pressure", "gap"):
         ax, field = figures[f"{name}_map"].axes[0], scene.surface(name, scene.peak)
-        surface_map(field, grid, ax, quantity=name, contact=pressure)
+        surface_map(field, grid, ax, quantity=name, contact=pressure, across=across)
     if scene.has("stress", number):
         figures["axis_stress"] = _panel(4.6, 4.2)
         ax, stress = figures["axis_stress"].axes[0], scene.field("stress", number)
@@ -171,12 +172,14 @@ def _of_the_hottest(scene: Scene) -> dict[str, Figure]:
 def _of_the_print(scene: Scene) -> dict[str, Figure]:
     """What stays of a contact in its place: the print, and the residual stress."""
     grid, depth = scene.grid, scene.surface("residual_displacement", -1)
-    figures = {name: _panel() for name in ("print", "print_map")}
+    across, size = scene.map_look
+    figures = {"print": _panel(), "print_map": _panel(*size)}
     y = scene.row(depth)
     ax = print_profile(depth, grid, figures["print"].axes[0], position=y)
     add_to_title(ax, _moment(scene, -1), elsewhere("y", y, grid.dy))
     pressed = scene.surface("pressure", scene.peak)
-    surface_map(depth, grid, figures["print_map"].axes[0], quantity="print", contact=pressed)
+    below: Any = {"quantity": "print", "contact": pressed, "across": across}
+    surface_map(depth, grid, figures["print_map"].axes[0], **below)
     if scene.has("residual_stress", number := scene.number(-1)):
         residual = scene.field("residual_von_mises", number)
         y = scene.row(residual)
@@ -199,14 +202,9 @@ def _of_the_track(track: xr.Dataset) -> dict[str, Figure]:
     grid, length = grid_of(track), float(np.ptp(track["x"].values))
     figures = {"print": _panel()}
     print_along(track, figures["print"].axes[0])
-    figures["print_map"] = _panel(_WIDTH, section_height(_WIDTH, length, grid.ny * grid.dy))
+    figures["print_map"] = _panel(_WIDTH, map_height(_WIDTH, length, grid.ny * grid.dy))
     track_map(track, figures["print_map"].axes[0])
     if grid.nz == 0:  # nothing but its print is stored
         return figures
-    height = section_height(_WIDTH, length, grid.nz * (grid.dz or 0.0))
-    figures["residual"] = _panel(_WIDTH, height)
-    residual, y = track["residual_von_mises"].values, track["y"].values
-    row = float(y[row_of_interest(residual.max(axis=(0, 2)), y)])
-    ax = track_section(track, figures["residual"].axes[0], position=row)
-    add_to_title(ax, elsewhere("y", row, grid.dy))
+    figures["residual"] = residual_along(track, _WIDTH)
     return figures

@@ -229,6 +229,31 @@ def print_along(track: xr.Dataset, ax: Axes) -> Axes:
     return ax
 
 
+def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
+    """The residual stress along a track with a volume, where there is most, as a figure [in]."""
+    near, grid = _strained_part(track), grid_of(track)
+    length = float(np.ptp(near["x"].values))
+    figure = new_figure(width, section_height(width, length, grid.nz * (grid.dz or 0.0)))
+    row = _row_of_residual(track)
+    ax = track_section(near, figure.subplots(), position=row)
+    add_to_title(ax, elsewhere("y", row, grid.dy))
+    return figure
+
+
+def _row_of_residual(track: xr.Dataset) -> float:
+    """Value of y with the largest residual stress [m], or the middle."""
+    residual, y = track["residual_von_mises"].values, track["y"].values
+    return float(y[row_of_interest(residual.max(axis=(0, 2)), y)])
+
+
+def _strained_part(track: xr.Dataset) -> xr.Dataset:
+    """Of a track with a volume: where it has yielded, and half as much beside it."""
+    x, strain = track["x"].values, track["equivalent_plastic_strain"].values
+    left, right = _extent(x, strain.max(axis=(1, 2)))
+    part: xr.Dataset = track.isel(x=(x >= left) & (x <= right))
+    return part
+
+
 def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
     """From where to where there is something, with as much again beside it at most."""
     there = x[sizes > 0.02 * sizes.max()] if np.any(sizes) else x
@@ -254,16 +279,17 @@ def track_summary(track: xr.Dataset, travel: FloatArray) -> dict[str, Figure]:
     shown = [row for row in sorted(rows) if depth[row] > 0.02 * depth.max()]
     track_print(track, across, axis="y", positions=[float(x[row]) for row in shown or rows])
 
+    shown_part = _strained_part(track)
     grid, width = grid_of(track), 7.0
-    depth_of_grid = grid.nz * (grid.dz or 0.0)
-    heights = [section_height(width, float(np.ptp(x)), depth_of_grid)] * len(_RESIDUAL)
-    heights.append(min(section_height(width, grid.ny * grid.dy, depth_of_grid), 3.4))
-    sections = new_figure(width, sum(heights))
+    depth_of_grid, inner = grid.nz * (grid.dz or 0.0), 0.78 * width
+    heights = [inner * depth_of_grid / float(np.ptp(shown_part["x"].values))] * len(_RESIDUAL)
+    heights.append(min(inner * depth_of_grid / (grid.ny * grid.dy), 2.6))
+    sections = new_figure(width, sum(heights) + 0.75 * len(heights))
+    sections.set_layout_engine("constrained")  # compressed, all are as narrow as the last
     panels = sections.subplots(len(heights), 1, height_ratios=heights)
-    residual, across_track = track["residual_von_mises"].values, track["y"].values
-    y = float(across_track[row_of_interest(residual.max(axis=(0, 2)), across_track)])
+    y = _row_of_residual(track)
     for ax, quantity in zip(panels, _RESIDUAL, strict=False):
-        track_section(track, ax, quantity=quantity, position=y)
+        track_section(shown_part, ax, quantity=quantity, position=y)
         add_to_title(ax, elsewhere("y", y, grid.dy))
     track_section(track, panels[-1], plane="x", position=most)
     add_to_title(panels[-1], place("x", most))

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.ticker import MaxNLocator
 
 from .._checks import FloatArray, choice
 from .._quantities import TUGGING
@@ -169,7 +168,6 @@ def _interference_label(critical: CriticalSphere | None) -> str:
 
 
 def _against_offset(ax: Axes, critical: CriticalSphere | None) -> Axes:
-    ax.xaxis.set_major_locator(MaxNLocator(6))  # numbers are long
     return _finished(ax, "offset X/R", "interference" if critical is None else None)
 
 

@@ -23,10 +23,9 @@ from ..plotting.parts import (
     draw,
     elsewhere,
     finish,
+    map_height,
     new_figure,
     place,
-    row_of_interest,
-    section_height,
 )
 from ..plotting.scene import Scene
 from . import slipping
@@ -89,9 +88,10 @@ def _contact(scene: Scene) -> Iterator[Made]:
         text += f"{pressure.max() * 1e-9:.4g} GPa."
         yield f"Pressure along {axis}, {_moment(scene, number)}", text, figure
     for name in ("pressure", "gap"):
-        figure, field = new_figure(), scene.surface(name, scene.peak)
-        ax = figure.subplots()
-        plotting.surface_map(field, scene.grid, ax, quantity=name, contact=pressure)
+        across, size = scene.map_look
+        figure, field = new_figure(*size), scene.surface(name, scene.peak)
+        look: Any = {"quantity": name, "contact": pressure, "across": across}
+        plotting.surface_map(field, scene.grid, figure.subplots(), **look)
         text = f"The {name} of the whole grid from above."
         yield f"Map of the {name}, {_moment(scene, number)}", text, figure
     if not np.any(np.isfinite(scene.dataset["approach"])):
@@ -187,8 +187,10 @@ def _remains(scene: Scene) -> Iterator[Made]:
         yield f"Print, {_moment(scene, number)}", text, figure
     if f"residual_displacement_body{scene.body}" in data:
         values = scene.surface("residual_displacement", -1)
-        figure = new_figure()
-        plotting.surface_map(values, scene.grid, figure.subplots(), quantity="print")
+        across, size = scene.map_look
+        pressed, figure = scene.surface("pressure", scene.peak), new_figure(*size)
+        seen: Any = {"quantity": "print", "contact": pressed, "across": across}
+        plotting.surface_map(values, scene.grid, figure.subplots(), **seen)
         caption = f"Map of the print, body {scene.body}, {_moment(scene, number)}"
         yield caption, "Permanent displacement of the whole surface from above.", figure
     if scene.has("residual_stress", number):
@@ -204,18 +206,17 @@ def _track(scene: Scene) -> Iterator[Made]:
     text = f"Permanent displacement along the track, at most {depth.max() * 1e9:.4g} nm."
     yield f"Print of the track, {when}", text, figure
     length, y = float(np.ptp(track["x"].values)), track["y"].values
-    figure = new_figure(5.0, section_height(5.0, length, float(np.ptp(y))))
+    figure = new_figure(5.0, map_height(5.0, length, float(np.ptp(y))))
     plotting.track_map(track, figure.subplots())
     yield f"Map of the print of the track, {when}", "The track from above.", figure
     if "residual_von_mises" not in track:
         return
-    residual = track["residual_von_mises"].values
-    row = float(y[row_of_interest(residual.max(axis=(0, 2)), y)])
-    figure = new_figure(5.0, section_height(5.0, length, scene.grid.nz * (scene.grid.dz or 0.0)))
-    ax = plotting.track_section(track, figure.subplots(), position=row)
-    add_to_title(ax, elsewhere("y", row, scene.grid.dy))
-    text = f"Section along the track at {place('y', row)}, up to {residual.max() * 1e-6:.4g} MPa."
-    yield f"Residual von Mises stress of the track, {when}", text, figure
+    text = f"Section along the track, up to {track['residual_von_mises'].max() * 1e-6:.4g} MPa."
+    yield (
+        f"Residual von Mises stress of the track, {when}",
+        text,
+        plotting.track.residual_along(track),
+    )
 
 
 def _convergence(scene: Scene) -> Iterator[Made]:

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Texts of a figure that lie over each other, or over axes that are not theirs."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+SLACK = 0.5  # [pt]
+
+
+def overlaps(figure):
+    """Pairs of what lies over each other; a text of a plot may lie in it, as a legend does."""
+    figure.draw_without_rendering()
+    renderer = figure.canvas.get_renderer()
+    shrink = -SLACK * figure.dpi / 72
+    boxes = [
+        (text.get_text(), ax, text.get_window_extent(renderer).padded(shrink))
+        for ax in figure.axes
+        for text in texts(ax)
+    ]
+    pairs = [
+        (one, other)
+        for (one, _, a), (other, _, b) in combinations(boxes, 2)
+        if a.overlaps(b) and a.width > 0 and b.width > 0
+    ]
+    areas = [(ax, ax.get_window_extent(renderer).padded(shrink)) for ax in figure.axes]
+    return pairs + [
+        (name, "another plot")
+        for name, own, box in boxes
+        for ax, area in areas
+        if ax is not own and box.overlaps(area)
+    ]
+
+
+def texts(ax):
+    """What can be read of axes: labels, title, legend, texts, and ticks that are within."""
+    legend = ax.get_legend()
+    found = [ax.xaxis.label, ax.yaxis.label, ax.title, *ax.texts]
+    found += [ax.xaxis.get_offset_text(), ax.yaxis.get_offset_text()]
+    found += [] if legend is None else [*legend.get_texts(), legend.get_title()]
+    for axis in (ax.xaxis, ax.yaxis):
+        low, high = sorted(axis.get_view_interval())
+        room = 1e-9 * (high - low)
+        for tick in axis.get_major_ticks():
+            if low - room <= tick.get_loc() <= high + room:
+                found += [tick.label1, tick.label2]
+    return [text for text in found if text.get_visible() and text.get_text().strip()]
