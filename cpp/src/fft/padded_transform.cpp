@@ -51,6 +51,26 @@ void PaddedTransform::forward(const double* plane, Complex* spectrum, std::size_
   }
 }
 
+void PaddedTransform::filter(const double* plane, const Product& product, double* out,
+                             ComplexField& work) const {
+  const std::size_t size = spectrum_size();
+  work.resize(size);
+#pragma omp parallel if (size >= worth_threads_cells)
+  {
+    rows_.forward(plane, nx_, work.data(), mx_);
+    ComplexField spectrum(mx_), result(mx_);
+#pragma omp for schedule(static)
+    for (int ky = 0; ky < mh(); ++ky) {
+      Complex* column = work.data() + static_cast<std::ptrdiff_t>(ky) * mx_;
+      std::fill(column + nx_, column + mx_, Complex{});
+      fftw_execute_dft(column_forward_.get(), raw(column), raw(spectrum.data()));
+      product(ky, spectrum.data(), result.data());
+      fftw_execute_dft(column_inverse_.get(), raw(result.data()), raw(column));
+    }
+    rows_.inverse(work.data(), mx_, nx_, out);
+  }
+}
+
 void PaddedTransform::inverse(Complex* spectrum, double* plane, std::size_t stride,
                               Threads threads) const {
   const int h = mh();

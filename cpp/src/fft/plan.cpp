@@ -80,6 +80,7 @@ int fast_plane_size(int n) {
 }
 
 int fast_row_size(int n) {
+  if (n > longest_side_by_side) return fast_line_size(n);
   for (int m = n + n % 2; m <= n + n / 8; m += 2) {
     const int odd = odd_part(m);
     if (odd == 1 || odd == 5 || odd == 9) return m;

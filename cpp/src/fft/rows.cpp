@@ -9,14 +9,17 @@
 #include "samcontact/base/multiversion.hpp"
 
 // Even and odd samples of a row are real and imaginary part of a complex row of half the length.
-// FFTW takes a millisecond to plan a real transform, and this is not slower. Eight rows lie side by
-// side, [j][row], so that the passes before and after the transform need no shuffling.
+// FFTW takes a millisecond to plan a real transform, and this is not slower. Short rows lie side by
+// side, eight of them [j][row], so that the passes before and after the transform need no
+// shuffling. Long ones, of which eight do not stay in the fastest cache, follow each other: their
+// transforms take half the time.
 
 namespace samcontact::fft {
 namespace {
 
 constexpr std::ptrdiff_t block = 8;  // rows at a time: one 128-byte run per ky
 constexpr std::ptrdiff_t ahead = 8;  // rows of columns that are fetched before they are needed
+constexpr std::ptrdiff_t chunk = 8;  // numbers of following rows, transposed at a time
 
 /// Successive rows of columns are pages apart, which processors do not foresee.
 template <int for_writing>
@@ -56,21 +59,28 @@ void scatter(const double* samples, std::ptrdiff_t n, double* plane) {
   }
 }
 
-/// Spectra of the real rows, [k] of h + 1 with `stride` numbers between, from those of the complex
-/// ones, [k] of h.
-SAMCONTACT_MULTIVERSION
-void unfold(const double* halves, int h, const Complex* turn, double* columns, std::size_t stride) {
-  double* last = columns + h * stride;
+/// The first and last numbers of the spectra of the real rows, from the first of the complex ones.
+void unfold_ends(const double* halves, double* first, double* last) {
   for (std::ptrdiff_t r = 0; r < 2 * block; r += 2) {
-    columns[r] = halves[r] + halves[r + 1];
+    first[r] = halves[r] + halves[r + 1];
     last[r] = halves[r] - halves[r + 1];
-    columns[r + 1] = last[r + 1] = 0.0;
+    first[r + 1] = last[r + 1] = 0.0;
   }
-  for (int k = 1; k <= h / 2; ++k) {
-    const double* low = halves + static_cast<std::size_t>(2 * block) * k;
-    const double* high = halves + static_cast<std::size_t>(2 * block) * (h - k);
-    double* to_low = columns + k * stride;
-    double* to_high = columns + (h - k) * stride;
+}
+
+void fold_ends(const double* first, const double* last, double* halves) {
+  for (std::ptrdiff_t r = 0; r < 2 * block; r += 2) {
+    halves[r] = first[r] + last[r];
+    halves[r + 1] = first[r] - last[r];
+  }
+}
+
+/// Spectra of the real rows, `stride` numbers from k to k, from those of the complex ones: of
+/// `count` k going up from the low pointers, and of h - k going down from the high ones.
+SAMCONTACT_MULTIVERSION
+void unfold(const double* low, const double* high, std::ptrdiff_t count, const Complex* turn,
+            double* to_low, double* to_high, std::ptrdiff_t stride) {
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
     fetch<1>(to_low + ahead * stride);
     fetch<1>(to_high - ahead * stride);
     const double c = 0.5 * turn[k].real(), s = 0.5 * turn[k].imag();
@@ -83,21 +93,17 @@ void unfold(const double* halves, int h, const Complex* turn, double* columns, s
       to_high[r] = even_re - re;
       to_high[r + 1] = im - even_im;
     }
+    low += 2 * block;
+    high -= 2 * block;
+    to_low += stride;
+    to_high -= stride;
   }
 }
 
 SAMCONTACT_MULTIVERSION
-void fold(const double* columns, std::size_t stride, int h, const Complex* turn, double* halves) {
-  const double* last = columns + h * stride;
-  for (std::ptrdiff_t r = 0; r < 2 * block; r += 2) {
-    halves[r] = columns[r] + last[r];
-    halves[r + 1] = columns[r] - last[r];
-  }
-  for (int k = 1; k <= h / 2; ++k) {
-    const double* low = columns + k * stride;
-    const double* high = columns + (h - k) * stride;
-    double* to_low = halves + static_cast<std::size_t>(2 * block) * k;
-    double* to_high = halves + static_cast<std::size_t>(2 * block) * (h - k);
+void fold(const double* low, const double* high, std::ptrdiff_t stride, int count,
+          const Complex* turn, double* to_low, double* to_high) {
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
     fetch<0>(low + ahead * stride);
     fetch<0>(high - ahead * stride);
     const double c = turn[k].real(), s = turn[k].imag();
@@ -110,32 +116,49 @@ void fold(const double* columns, std::size_t stride, int h, const Complex* turn,
       to_high[r] = even_re + odd_im;
       to_high[r + 1] = odd_re - even_im;
     }
+    low += stride;
+    high -= stride;
+    to_low += 2 * block;
+    to_high -= 2 * block;
   }
 }
 
-/// Room for a block of rows, of one thread: what it has once taken stays with it.
-struct Room {
-  ComplexField samples, halves, columns;
-  Field rows;
-};
-
-/// rest: rows of n numbers that are no whole block.
-Room& room_for(int h, std::ptrdiff_t rest, int n) {
-  static thread_local Room room;
-  const auto at_least = [](auto& field, std::size_t size) {
-    if (field.size() < size) field.resize(size);
-  };
-  at_least(room.samples, static_cast<std::size_t>(block) * h);
-  at_least(room.halves, static_cast<std::size_t>(block) * h);
-  if (rest > 0) at_least(room.rows, static_cast<std::size_t>(block) * n);
-  if (rest > 0) at_least(room.columns, static_cast<std::size_t>(block) * (h + 1));
-  return room;
+/// `count` numbers of each of eight lines, `pitch` apart, side by side and back.
+SAMCONTACT_MULTIVERSION
+void from_lines(const double* lines, std::ptrdiff_t pitch, std::ptrdiff_t count,
+                double* side_by_side) {
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    for (std::ptrdiff_t r = 0; r < block; ++r) {
+      std::memcpy(side_by_side + 2 * r, lines + r * pitch + 2 * k, 2 * sizeof(double));
+    }
+    side_by_side += 2 * block;
+  }
 }
+
+SAMCONTACT_MULTIVERSION
+void to_lines(const double* side_by_side, std::ptrdiff_t count, double* lines,
+              std::ptrdiff_t pitch) {
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    for (std::ptrdiff_t r = 0; r < block; ++r) {
+      std::memcpy(lines + r * pitch + 2 * k, side_by_side + 2 * r, 2 * sizeof(double));
+    }
+    side_by_side += 2 * block;
+  }
+}
+
+/// Of following rows, so that equal places of eight of them do not compete for one of the cache.
+std::ptrdiff_t pitch_of(int h) { return (h + 3) / 4 * 4 + 4; }
 
 double* parts(Complex* z) { return reinterpret_cast<double*>(z); }
 const double* parts(const Complex* z) { return reinterpret_cast<const double*>(z); }
 
 }  // namespace
+
+/// Room for a block of rows, of one thread: what it has once taken stays with it.
+struct Rows::Room {
+  ComplexField samples, halves, columns;
+  Field rows;
+};
 
 std::vector<RowRun> runs_of(std::span<const char> used) {
   const int count = static_cast<int>(used.size());
@@ -154,60 +177,142 @@ std::vector<RowRun> runs_of(std::span<const char> used) {
 }
 
 Rows::Rows(int n, int m)
-    : n_(n),
-      m_(m),
-      forward_(plan_lines_side_by_side(m / 2, static_cast<int>(block), FFTW_FORWARD)),
-      inverse_(plan_lines_side_by_side(m / 2, static_cast<int>(block), FFTW_BACKWARD)),
-      turn_(static_cast<std::size_t>(m / 4) + 1) {
+    : n_(n), m_(m), side_by_side_(m <= longest_side_by_side), turn_(m / 4 + std::size_t{1}) {
+  const int h = m / 2;
+  const auto plan = [&](int sign) {
+    return side_by_side_ ? plan_lines_side_by_side(h, static_cast<int>(block), sign)
+                         : plan_line(h, sign);
+  };
+  forward_ = plan(FFTW_FORWARD);
+  inverse_ = plan(FFTW_BACKWARD);
   for (int k = 0; k <= m / 4; ++k) turn_[k] = std::polar(1.0, -2.0 * std::numbers::pi * k / m);
+}
+
+/// rest: rows of n numbers that are no whole block.
+Rows::Room& Rows::room_for(std::ptrdiff_t rest) const {
+  static thread_local Room room;
+  const auto at_least = [](auto& field, std::size_t size) {
+    if (field.size() < size) field.resize(size);
+  };
+  const int h = m_ / 2;
+  at_least(room.samples, static_cast<std::size_t>(side_by_side_ ? block : 1) * h);
+  at_least(room.halves, static_cast<std::size_t>(block) * (side_by_side_ ? h : pitch_of(h)));
+  if (rest > 0) at_least(room.rows, static_cast<std::size_t>(block) * n_);
+  if (rest > 0) at_least(room.columns, static_cast<std::size_t>(block) * (h + 1));
+  return room;
+}
+
+/// Of one block, whose columns are `step` numbers apart.
+void Rows::forward_side_by_side(const double* plane, Room& room, double* columns,
+                                std::ptrdiff_t step) const {
+  const int h = m_ / 2;
+  double* halves = parts(room.halves.data());
+  gather(plane, n_, parts(room.samples.data()));
+  fftw_execute_dft(forward_.get(), raw(room.samples.data()), raw(room.halves.data()));
+  unfold_ends(halves, columns, columns + h * step);
+  unfold(halves + 2 * block, halves + 2 * block * (h - 1), h / 2, turn_.data() + 1, columns + step,
+         columns + (h - 1) * step, step);
+}
+
+void Rows::inverse_side_by_side(const double* columns, std::ptrdiff_t step, Room& room,
+                                double* plane) const {
+  const int h = m_ / 2;
+  double* halves = parts(room.halves.data());
+  fold_ends(columns, columns + h * step, halves);
+  fold(columns + step, columns + (h - 1) * step, step, h / 2, turn_.data() + 1, halves + 2 * block,
+       halves + 2 * block * (h - 1));
+  fftw_execute_dft(inverse_.get(), raw(room.halves.data()), raw(room.samples.data()));
+  scatter(parts(room.samples.data()), n_, plane);
+}
+
+void Rows::forward_lines(const double* plane, std::ptrdiff_t rows, Room& room, double* columns,
+                         std::ptrdiff_t step) const {
+  const std::ptrdiff_t h = m_ / 2;
+  const std::ptrdiff_t pitch = 2 * pitch_of(h), last = 2 * block * (chunk - 1);
+  double* lines = parts(room.halves.data());
+  for (std::ptrdiff_t r = 0; r < rows; ++r) {
+    std::copy_n(plane + r * n_, n_, parts(room.samples.data()));
+    fftw_execute_dft(forward_.get(), raw(room.samples.data()),
+                     raw(room.halves.data() + r * pitch / 2));
+  }
+  alignas(64) double low[2 * block * chunk], high[2 * block * chunk];
+  from_lines(lines, pitch, 1, low);
+  unfold_ends(low, columns, columns + h * step);
+  for (std::ptrdiff_t k = 1; k <= h / 2; k += chunk) {
+    const std::ptrdiff_t count = std::min(chunk, h / 2 + 1 - k);
+    from_lines(lines + 2 * k, pitch, count, low);
+    from_lines(lines + 2 * (h - k - count + 1), pitch, count, high + 2 * block * (chunk - count));
+    unfold(low, high + last, count, turn_.data() + k, columns + k * step, columns + (h - k) * step,
+           step);
+  }
+}
+
+void Rows::inverse_lines(const double* columns, std::ptrdiff_t step, std::ptrdiff_t rows,
+                         Room& room, double* plane) const {
+  const std::ptrdiff_t h = m_ / 2;
+  const std::ptrdiff_t pitch = 2 * pitch_of(h), last = 2 * block * (chunk - 1);
+  double* lines = parts(room.halves.data());
+  alignas(64) double low[2 * block * chunk], high[2 * block * chunk];
+  fold_ends(columns, columns + h * step, low);
+  to_lines(low, 1, lines, pitch);
+  for (std::ptrdiff_t k = 1; k <= h / 2; k += chunk) {
+    const std::ptrdiff_t count = std::min(chunk, h / 2 + 1 - k);
+    fold(columns + k * step, columns + (h - k) * step, step, count, turn_.data() + k, low,
+         high + last);
+    to_lines(low, count, lines + 2 * k, pitch);
+    to_lines(high + 2 * block * (chunk - count), count, lines + 2 * (h - k - count + 1), pitch);
+  }
+  for (std::ptrdiff_t r = 0; r < rows; ++r) {
+    fftw_execute_dft(inverse_.get(), raw(room.halves.data() + r * pitch / 2),
+                     raw(room.samples.data()));
+    std::copy_n(parts(room.samples.data()), n_, plane + r * n_);
+  }
 }
 
 void Rows::forward(const double* plane, int count, Complex* columns, std::size_t stride) const {
   const int h = m_ / 2;
-  Room& room = room_for(h, count % block, n_);
-  ComplexField &samples = room.samples, &halves = room.halves, &rest_columns = room.columns;
-  Field& rest = room.rows;
-  std::fill_n(samples.begin() + block * ((n_ + 1) / 2), block * (h - (n_ + 1) / 2), Complex{});
+  Room& room = room_for(count % block);
+  const std::ptrdiff_t side = side_by_side_ ? block : 1;
+  double* samples = parts(room.samples.data());
+  std::fill(samples + side * (n_ + n_ % 2 * side_by_side_), samples + side * m_, 0.0);
 #pragma omp for schedule(static)
   for (int i0 = 0; i0 < count; i0 += block) {
     const std::ptrdiff_t rows = std::min<std::ptrdiff_t>(block, count - i0);
+    const bool whole = rows == block;
     const double* from = plane + static_cast<std::size_t>(i0) * n_;
-    if (rows < block) from = std::copy_n(from, rows * n_, rest.data()) - rows * n_;
-    gather(from, n_, parts(samples.data()));
-    fftw_execute_dft(forward_.get(), raw(samples.data()), raw(halves.data()));
-    if (rows == block) {
-      unfold(parts(halves.data()), h, turn_.data(), parts(columns + i0), 2 * stride);
-      continue;
+    double* to = parts(whole ? columns + i0 : room.columns.data());
+    const std::ptrdiff_t step = 2 * (whole ? static_cast<std::ptrdiff_t>(stride) : block);
+    if (side_by_side_) {
+      if (!whole) from = std::copy_n(from, rows * n_, room.rows.data()) - rows * n_;
+      forward_side_by_side(from, room, to, step);
+    } else {
+      forward_lines(from, rows, room, to, step);
     }
-    unfold(parts(halves.data()), h, turn_.data(), parts(rest_columns.data()), 2 * block);
-    for (int k = 0; k <= h; ++k) {
-      std::copy_n(rest_columns.data() + static_cast<std::size_t>(block) * k, rows,
-                  columns + k * stride + i0);
+    for (int k = 0; !whole && k <= h; ++k) {
+      std::copy_n(room.columns.data() + block * k, rows, columns + k * stride + i0);
     }
   }
 }
 
 void Rows::inverse(const Complex* columns, std::size_t stride, int count, double* plane) const {
   const int h = m_ / 2;
-  Room& room = room_for(h, count % block, n_);
-  ComplexField &samples = room.samples, &halves = room.halves, &rest_columns = room.columns;
-  Field& rest = room.rows;
+  Room& room = room_for(count % block);
 #pragma omp for schedule(static)
   for (int i0 = 0; i0 < count; i0 += block) {
     const std::ptrdiff_t rows = std::min<std::ptrdiff_t>(block, count - i0);
-    double* to = plane + static_cast<std::size_t>(i0) * n_;
-    if (rows == block) {
-      fold(parts(columns + i0), 2 * stride, h, turn_.data(), parts(halves.data()));
-    } else {
-      for (int k = 0; k <= h; ++k) {
-        std::copy_n(columns + k * stride + i0, rows,
-                    rest_columns.data() + static_cast<std::size_t>(block) * k);
-      }
-      fold(parts(rest_columns.data()), 2 * block, h, turn_.data(), parts(halves.data()));
+    const bool whole = rows == block;
+    for (int k = 0; !whole && k <= h; ++k) {
+      std::copy_n(columns + k * stride + i0, rows, room.columns.data() + block * k);
     }
-    fftw_execute_dft(inverse_.get(), raw(halves.data()), raw(samples.data()));
-    scatter(parts(samples.data()), n_, rows == block ? to : rest.data());
-    if (rows < block) std::copy_n(rest.data(), rows * n_, to);
+    const double* from = parts(whole ? columns + i0 : room.columns.data());
+    const std::ptrdiff_t step = 2 * (whole ? static_cast<std::ptrdiff_t>(stride) : block);
+    double* to = plane + static_cast<std::size_t>(i0) * n_;
+    if (!side_by_side_) {
+      inverse_lines(from, step, rows, room, to);
+      continue;
+    }
+    inverse_side_by_side(from, step, room, whole ? to : room.rows.data());
+    if (!whole) std::copy_n(room.rows.data(), rows * n_, to);
   }
 }
 

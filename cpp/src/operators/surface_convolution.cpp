@@ -51,21 +51,11 @@ void SurfaceConvolution::multiply(const ParityKernel& kernel, int ky, const Comp
 
 void SurfaceConvolution::apply(std::span<const ParityKernel> kernels, const double* in, double* out,
                                ComplexField& work) const {
-  const int mx = transform_.mx(), mh = transform_.mh();
-  work.resize(transform_.spectrum_size());
-  transform_.forward(in, work.data(), mx, fft::PaddedTransform::Threads::many);
-#pragma omp parallel if (work.size() >= worth_threads_cells)
-  {
-    ComplexField column(mx);
-#pragma omp for schedule(static)
-    for (int ky = 0; ky < mh; ++ky) {
-      Complex* values = work.data() + static_cast<std::size_t>(ky) * mx;
-      std::fill(column.begin(), column.end(), Complex{});
-      for (const ParityKernel& kernel : kernels) multiply(kernel, ky, values, column.data());
-      std::copy(column.begin(), column.end(), values);
-    }
-  }
-  transform_.inverse(work.data(), out, mx, fft::PaddedTransform::Threads::many);
+  const auto product = [&](int ky, const Complex* from, Complex* to) {
+    std::fill_n(to, transform_.mx(), Complex{});
+    for (const ParityKernel& kernel : kernels) multiply(kernel, ky, from, to);
+  };
+  transform_.filter(in, product, out, work);
 }
 
 void SurfaceConvolution::apply(std::span<const MatrixKernel> kernels, int inputs, const double* in,

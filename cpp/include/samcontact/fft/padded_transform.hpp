@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 
 #include "samcontact/base/aligned.hpp"
@@ -35,6 +36,12 @@ class PaddedTransform {
   enum class Threads { one, many };
 
   void forward(const double* plane, Complex* spectrum, std::size_t stride, Threads threads) const;
+  /// What makes column ky of a result's spectrum of that of a plane's: mx numbers, other places.
+  using Product = std::function<void(int ky, const Complex* in, Complex* out)>;
+  /// Forward, product and inverse, column by column: the spectrum passes once through memory. May
+  /// use several threads; out may be the plane, `work` is scratch that the caller keeps.
+  void filter(const double* plane, const Product& product, double* out, ComplexField& work) const;
+
   /// Destroys the spectrum.
   void inverse(Complex* spectrum, double* plane, std::size_t stride, Threads threads) const;
 

@@ -6,8 +6,7 @@
 #include <cstddef>
 
 #include "samcontact/base/aligned.hpp"
-#include "samcontact/fft/plan.hpp"
-#include "samcontact/fft/rows.hpp"
+#include "samcontact/fft/padded_transform.hpp"
 
 namespace samcontact::fft {
 
@@ -16,15 +15,15 @@ namespace samcontact::fft {
 class PeriodicTransform {
  public:
   /// mx >= nx and my >= ny, both even.
-  PeriodicTransform(int nx, int ny, int mx, int my);
+  PeriodicTransform(int nx, int ny, int mx, int my) : plane_(nx, ny, mx, my) {}
 
-  int nx() const { return nx_; }
-  int ny() const { return ny_; }
-  int mx() const { return mx_; }
-  int my() const { return my_; }
+  int nx() const { return plane_.nx(); }
+  int ny() const { return plane_.ny(); }
+  int mx() const { return plane_.mx(); }
+  int my() const { return plane_.my(); }
   /// Extents of the quarter plane: kernels [j][i], spectra [ky][kx].
-  int hx() const { return mx_ / 2 + 1; }
-  int hy() const { return my_ / 2 + 1; }
+  int hx() const { return mx() / 2 + 1; }
+  int hy() const { return plane_.mh(); }
   std::size_t quarter_size() const { return static_cast<std::size_t>(hx()) * hy(); }
 
   /// In place: kernel at offsets i <= mx/2, j <= my/2 -> its real spectrum divided by mx my.
@@ -38,12 +37,7 @@ class PeriodicTransform {
   double cost() const;
 
  private:
-  void filter_columns(const double* quarter, ComplexField& work) const;
-
-  int nx_, ny_, mx_, my_;
-  bool many_threads_;
-  Rows rows_;
-  Plan column_forward_, column_inverse_;
+  PaddedTransform plane_;
 };
 
 /// The cost of filtering nx rows on a grid of mx x my points, in the unit of cost().

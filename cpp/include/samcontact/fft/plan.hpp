@@ -51,8 +51,11 @@ int fast_line_size(int n);
 /// most an eighth longer than good_even_size(n).
 int fast_plane_size(int n);
 
-/// The same for rows (class Rows), at most an eighth longer: side by side, 9 does no harm, but 3
-/// and 15 do.
+/// Rows (class Rows) of at most so many points are transformed side by side.
+constexpr int longest_side_by_side = 256;
+
+/// The same for rows: side by side, 9 does no harm, but 3 and 15 do, and they are at most an eighth
+/// longer.
 int fast_row_size(int n);
 
 }  // namespace samcontact::fft

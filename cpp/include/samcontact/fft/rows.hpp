@@ -31,7 +31,19 @@ class Rows {
   void inverse(const Complex* columns, std::size_t stride, int count, double* plane) const;
 
  private:
+  struct Room;
+  Room& room_for(std::ptrdiff_t rest) const;
+  void forward_side_by_side(const double* plane, Room& room, double* columns,
+                            std::ptrdiff_t step) const;
+  void inverse_side_by_side(const double* columns, std::ptrdiff_t step, Room& room,
+                            double* plane) const;
+  void forward_lines(const double* plane, std::ptrdiff_t rows, Room& room, double* columns,
+                     std::ptrdiff_t step) const;
+  void inverse_lines(const double* columns, std::ptrdiff_t step, std::ptrdiff_t rows, Room& room,
+                     double* plane) const;
+
   int n_, m_;
+  bool side_by_side_;
   Plan forward_, inverse_;
   ComplexField turn_;  // exp(-2 pi i k / m), k <= m/4
 };
