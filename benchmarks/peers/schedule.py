@@ -24,6 +24,7 @@ SIZES = {
     "periodic_plastic": (24, 40),
     "slip": (32, 64, 128),
 }
+LARGER = {("rough", "light"): (4096,)}  # within the memory of a desktop
 QUICK_SIZES = {"hertz": (64, 128), "rough": (64, 128), "plastic": (12,), "stress": (48,)}
 QUICK_SIZES |= {"periodic": (128,), "periodic_plastic": (12,), "slip": (32,)}
 PROBLEMS = tuple(SIZES)
@@ -36,6 +37,12 @@ def cases(problem: str) -> tuple[str, ...]:
     named = {"rough": problems.ROUGH_CASES, "periodic": problems.PERIODIC_CASES}
     named["slip"] = dict.fromkeys(problems.PULLED)
     return tuple(named.get(problem, ("",)))
+
+
+def sizes(problem: str, case: str, *, quick: bool = False) -> tuple[int, ...]:
+    if quick:
+        return QUICK_SIZES[problem]
+    return SIZES[problem] + LARGER.get((problem, case), ())
 
 
 def installed(codes: tuple[str, ...] = tuple(CODES)) -> dict[str, str]:
@@ -127,15 +134,16 @@ def rounded_json(data: Any) -> str:
 
 def too_long(task: Task, results: Results, limit: float) -> bool:
     """Whether the code took so long on the size before that this one is hopeless."""
-    sizes = [n for n in (*SIZES[task.problem], *QUICK_SIZES[task.problem]) if n < task.n]
-    if not sizes:
+    every = sizes(task.problem, task.case) + sizes(task.problem, task.case, quick=True)
+    last = max((n for n in every if n < task.n), default=None)
+    if last is None:
         return False
-    before = results.rounds(Task(task.problem, task.case, max(sizes), task.code, task.tol))
+    before = results.rounds(Task(task.problem, task.case, last, task.code, task.tol))
     if not before:
         return False
     if "failed" in before[0]:
         return TOO_LONG in before[0]["failed"]
-    growth = GROWTH * (task.n / max(sizes)) ** 2 / 4
+    growth = GROWTH * (task.n / last) ** 2 / 4
     return growth * before[0]["with_setup_s"] > limit
 
 
@@ -164,8 +172,8 @@ def measure_all(
     places = [
         (problem, case, n)
         for problem in chosen
-        for n in (QUICK_SIZES if quick else SIZES)[problem]
         for case in cases(problem)
+        for n in sizes(problem, case, quick=quick)
     ]
     for problem, case, n in places:
         for task in references(problem, case, n, available):
