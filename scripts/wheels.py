@@ -75,6 +75,7 @@ def trial(python: str, wheel: Path, work: Path, quick: bool) -> None:
     if len(libraries) < 2 or not all(inside):
         sys.exit(f"libraries from elsewhere: {libraries}")
     if quick:
+        bare["PATH"] += os.pathsep + os.environ["PATH"]  # tests ask git, and start shells
         print(call(folder / "python", "-m", "pytest", *quick_tests(), cwd=ROOT, env=bare)[-300:])
 
 

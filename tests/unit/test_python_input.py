@@ -64,6 +64,7 @@ class TestArrays:
 
 
 class TestOneNumber:
+    @pytest.mark.filterwarnings("ignore:The .generic. unit:DeprecationWarning")  # of NumPy 2.5
     def test_a_span_of_time_is_none(self):
         with pytest.raises(TypeError, match="load must be a number"):
             sc.hertz.point(1e-2, 1e11, load=np.timedelta64(3, "s"))
