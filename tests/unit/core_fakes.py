@@ -27,6 +27,7 @@ class FakeState:
         shape = (grid.nx, grid.ny)
         self.shear, self.gap = np.zeros((2, *shape)), np.zeros(shape)
         self._window = SimpleNamespace(grid=grid, initial_gap=self.gap)
+        self._simulation = SimpleNamespace(body1=ELASTIC, body2=ELASTIC)
         self.converged, self.iterations, self.contact_iterations, self.substeps = True, 3, 20, 1
         self.plastic_residual, self.yield_excess = 1e-8, 2e-9
         if load > 0:
