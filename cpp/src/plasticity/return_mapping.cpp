@@ -131,10 +131,9 @@ double inner(const Tensor& a, const Tensor& b) {
          3.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 
-/// Newton's method, see equivalent_increment.
+/// Newton's method, see equivalent_increment, of a trial stress beyond yield.
 template <class Law>
 double solve(const Law& whole, double trial, double g, double stiffness, double start) {
-  if (trial <= whole.at(g).yield_stress) return 0.0;
   const auto& law = smooth(whole, g, [=](double strain, double stress) {
     return trial - stiffness * (strain - g) > stress;
   });
@@ -210,8 +209,9 @@ double von_mises(const Tensor& stress) { return equivalent(deviator(stress)); }
 
 double equivalent_increment(double trial, double g, double shear_modulus,
                             const Hardening& hardening, double start) {
-  return hardening.visit(
-      [&](const auto& law) { return solve(law, trial, g, 3 * shear_modulus, start); });
+  return hardening.visit([&](const auto& law) {
+    return trial > law.at(g).yield_stress ? solve(law, trial, g, 3 * shear_modulus, start) : 0.0;
+  });
 }
 
 Tensor advanced(const Tensor& backstress, const Backstress& law, const Tensor& increment,
