@@ -307,7 +307,7 @@ TEST_CASE("zones beside the grid act on it") {
 }
 
 TEST_CASE("what smooth continuation leaves, a coarse lattice holds") {
-  const SmoothContinuation split(4, 8, 0.8);
+  const SmoothContinuation split(4, 8, 0.8, 2);
   const int reach = split.reach();
   for (const auto& parity : {kernels::Parity{}, kernels::Parity{true, false, false},
                              kernels::Parity{true, true, false}}) {

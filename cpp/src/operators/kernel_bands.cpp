@@ -37,8 +37,8 @@ class BandTables {
         cells_(cells),
         bands_(bands),
         window_(bands.window_width),
-        near_(bands.middle_spacing, bands.near_range, bands.clear_band),
-        middle_(bands.far_spacing, bands.middle_range, bands.clear_band) {
+        near_(bands.middle_spacing, bands.near_range, bands.clear_band, bands.middle_spacing),
+        middle_(bands.far_spacing, bands.middle_range, bands.clear_band, bands.middle_spacing) {
     cells_.period = {};
   }
 
@@ -155,10 +155,6 @@ void replace(const Field& inside, int cells, double* table, int width) {
   }
 }
 
-void subtract(const Field& part, double* from) {
-  for (std::size_t n = 0; n < part.size(); ++n) from[n] -= part[n];
-}
-
 std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const Parities& parities,
                                                            const Exact& exact) const {
   {
@@ -168,6 +164,8 @@ std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const
   }
   const int wide = middle_.reach(), close = near_.reach();
   const int near_cells = near_.cells(), middle_cells = middle_.cells();
+  const int step = bands_.middle_spacing;
+  const int near_nodes = nodes_in(close, step), middle_nodes = nodes_in(wide, step);
   Field whole = exact(CellOffsets::lattice(wide, wide));
   auto split = std::make_shared<Split>();
   Field around(static_cast<std::size_t>(close) * close);
@@ -184,17 +182,19 @@ std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const
       }
     }
     replace(middle_.inside(table, parities[c]), middle_cells, table, wide);
-    subtract(near_.rest(around.data(), parities[c]), around.data());
-    subtract(middle_.rest(table, parities[c]), table);
-    for (int j = 0; j < close; j += bands_.middle_spacing) {
-      for (int i = 0; i < close; i += bands_.middle_spacing) {
-        split->middle.push_back(around[j * close + i] - table[j * wide + i]);
+    const Field near_rest = near_.rest(around.data(), parities[c]);
+    const Field middle_rest = middle_.rest(table, parities[c]);
+    const auto far_at = [&](int j, int i) {
+      return table[j * wide + i] - middle_rest[j / step * middle_nodes + i / step];
+    };
+    for (int j = 0; j < close; j += step) {
+      for (int i = 0; i < close; i += step) {
+        const double held = around[j * close + i] - near_rest[j / step * near_nodes + i / step];
+        split->middle.push_back(held - far_at(j, i));
       }
     }
     for (int j = 0; j < wide; j += bands_.far_spacing) {
-      for (int i = 0; i < wide; i += bands_.far_spacing) {
-        split->far.push_back(table[j * wide + i]);
-      }
+      for (int i = 0; i < wide; i += bands_.far_spacing) split->far.push_back(far_at(j, i));
     }
   }
   const std::lock_guard lock(mutex_);

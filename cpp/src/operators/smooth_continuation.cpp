@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "samcontact/base/smooth_step.hpp"
 
@@ -16,17 +17,36 @@ constexpr double least_value = 1e-7;
 /// Where a table begins to fade out and is gone, in widths of the square.
 constexpr int fades_from = 2, gone_at = 6;
 
+/// What a coarse lattice holds, by the distance in cells.
+Eigen::VectorXd low_pass(int factor, int count, double clear_band) {
+  constexpr int points = 4096;
+  const double highest = std::numbers::pi / factor;
+  Eigen::VectorXd filter = Eigen::VectorXd::Zero(count);
+  for (int n = 0; n < points; ++n) {
+    const double part = (n + 0.5) / points, turn = 2 * std::cos(part * highest);
+    const double weight = rising((1 - part) / (1 - clear_band)) / (points * factor);
+    // Chebyshev's recurrence.
+    double before = 0.5 * turn, cosine = 1.0;
+    for (double& sum : filter) {
+      sum += weight * cosine;
+      before = std::exchange(cosine, turn * cosine - before);
+    }
+  }
+  return filter;
+}
+
 }  // namespace
 
-SmoothContinuation::SmoothContinuation(int factor, int cells, double clear_band)
-    : cells_(cells), reach_(gone_at * cells), fade_(reach_) {
+SmoothContinuation::SmoothContinuation(int factor, int cells, double clear_band, int step)
+    : cells_(cells), reach_(gone_at * cells), step_(step), fade_(reach_) {
   for (int n = 0; n < reach_; ++n) {
     fade_[n] = rising(static_cast<double>(reach_ - n) / (reach_ - fades_from * cells));
   }
   const double cut = clear_band * std::numbers::pi / factor;
+  const Eigen::VectorXd filter = low_pass(factor, 2 * reach_, clear_band);
   for (const bool odd : {false, true}) {
     axes_[odd] = make_axis(cells, reach_, cut, odd);
-    axes_[odd].low = make_low(factor, reach_, clear_band, odd);
+    axes_[odd].low = make_low(filter, odd);
   }
 }
 
@@ -54,20 +74,13 @@ SmoothContinuation::Axis SmoothContinuation::make_axis(int cells, int reach, dou
   return axis;
 }
 
-Eigen::MatrixXd SmoothContinuation::make_low(int factor, int reach, double clear_band, bool odd) {
-  constexpr int points = 4096;
-  const double highest = std::numbers::pi / factor;
-  Eigen::VectorXd filter = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(reach));
-  for (int n = 0; n < points; ++n) {
-    const double part = (n + 0.5) / points;
-    const double weight = rising((1 - part) / (1 - clear_band)) / (points * factor);
-    for (int d = 0; d < 2 * reach; ++d) filter[d] += weight * std::cos(part * highest * d);
-  }
-  Eigen::MatrixXd low(reach, reach);
-  for (int n = 0; n < reach; ++n) {
-    for (int m = 0; m < reach; ++m) {
+Eigen::MatrixXd SmoothContinuation::make_low(const Eigen::VectorXd& filter, bool odd) const {
+  Eigen::MatrixXd low((reach_ + step_ - 1) / step_, reach_);
+  for (int row = 0; row < low.rows(); ++row) {
+    const int n = row * step_;
+    for (int m = 0; m < reach_; ++m) {
       const double mirrored = m == 0 ? 0.0 : (odd ? -1.0 : 1.0) * filter[n + m];
-      low(n, m) = filter[std::abs(n - m)] + mirrored;
+      low(row, m) = filter[std::abs(n - m)] + mirrored;
     }
   }
   return low;
@@ -79,7 +92,9 @@ SmoothContinuation::Rows SmoothContinuation::faded(const double* table) const {
 
 Field SmoothContinuation::rest(const double* table, kernels::Parity parity) const {
   const Rows whole = faded(table);
-  const Rows rest = whole - axes_[parity.odd_y].low * whole * axes_[parity.odd_x].low.transpose();
+  const Eigen::MatrixXd &x = axes_[parity.odd_x].low, &y = axes_[parity.odd_y].low;
+  Rows rest = whole(Eigen::seqN(0, y.rows(), step_), Eigen::seqN(0, x.rows(), step_));
+  rest -= y * whole * x.transpose();
   return {rest.data(), rest.data() + rest.size()};
 }
 

@@ -19,7 +19,8 @@ namespace samcontact::operators {
 /// doi:10.1002/j.1538-7305.1978.tb02104.x).
 class SmoothContinuation {
  public:
-  SmoothContinuation(int factor, int cells, double clear_band);
+  /// step: of rest().
+  SmoothContinuation(int factor, int cells, double clear_band, int step);
 
   int cells() const { return cells_; }
   /// Offsets 0..reach() - 1 of a table that are looked at: beyond, it is smooth.
@@ -27,8 +28,8 @@ class SmoothContinuation {
   /// table: [j][i], offsets 0..reach() - 1 in both directions. Returns the values inside, [j][i] of
   /// 0..cells() - 1.
   Field inside(const double* table, kernels::Parity parity) const;
-  /// What the coarse lattice cannot hold of a table that is smooth inside, [j][i] of 0..reach() -
-  /// 1: little, around the edge of the square.
+  /// What the coarse lattice cannot hold of a table that is smooth inside, [j][i] of every step-th
+  /// offset below reach(): little, around the edge of the square.
   Field rest(const double* table, kernels::Parity parity) const;
 
  private:
@@ -39,15 +40,16 @@ class SmoothContinuation {
     Eigen::VectorXd values;    // how much of each lies within the band
     Eigen::MatrixXd seen;      // [offset inside][offset]: the band's part of a table
     Eigen::VectorXd per_unit;  // of an orthonormal sequence, its value at an offset
-    Eigen::MatrixXd low;       // [offset][offset]: what the coarse lattice holds
+    Eigen::MatrixXd low;       // [every step-th offset][offset]: what the coarse lattice holds
   };
   static Axis make_axis(int cells, int reach, double cut, bool odd);
-  static Eigen::MatrixXd make_low(int factor, int reach, double clear_band, bool odd);
+  /// filter: of differences of offsets.
+  Eigen::MatrixXd make_low(const Eigen::VectorXd& filter, bool odd) const;
 
   /// A table that fades out.
   Rows faded(const double* table) const;
 
-  int cells_, reach_;
+  int cells_, reach_, step_;
   Eigen::VectorXd fade_;  // [offset]
   std::array<Axis, 2> axes_;
 };
