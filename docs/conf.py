@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The documentation site: python -m sphinx -W docs build/site."""
 
+import builtins
 import sys
 from importlib.util import find_spec
 from pathlib import Path
@@ -8,6 +9,7 @@ from pathlib import Path
 from docutils import nodes
 from PIL import Image
 from pydantic import BaseModel
+from sphinx.addnodes import pending_xref
 from sphinx.util.inspect import TypeAliasForwardRef
 
 import samcontact
@@ -24,6 +26,7 @@ extensions = [
     "sphinx.ext.mathjax",
     "sphinx.ext.napoleon",
     "sphinx.ext.viewcode",
+    "cards",
     "case_schema",
     "executed",
 ]
@@ -105,10 +108,20 @@ def _wide_pictures(app, doctree, docname):
                     node["classes"].append("wide")
 
 
+def _words_are_no_links(app, doctree):
+    """Of a type such as "array_like, shape (n,)" all words would be looked up as names."""
+    for node in list(doctree.findall(pending_xref)):
+        last = node.get("reftarget", "").rpartition(".")[2]
+        is_type = node.get("refdomain") == "py" and node.get("reftype") in ("class", "obj")
+        if is_type and last.islower() and not hasattr(builtins, last):
+            node.replace_self(node.children)
+
+
 def setup(app):
     app.connect("doctree-resolved", _wide_pictures)
     app.connect("doctree-read", _whole_formulas)
     app.connect("doctree-read", _no_bases)
+    app.connect("doctree-read", _words_are_no_links)
     app.connect("autodoc-process-signature", _no_fields_of_cases)
     app.connect("autodoc-process-bases", _bases)
     app.connect("include-read", _link_to_pages)

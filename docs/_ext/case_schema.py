@@ -35,6 +35,8 @@ def kind(annotation: Any) -> str:
         return " or ".join(dict.fromkeys(named))
     if origin is Literal:
         return ", ".join(f'"{value}"' if isinstance(value, str) else str(value) for value in parts)
+    if origin is dict:
+        return f"table of {several(kind(parts[1]))}, each by a name"
     if origin is list:
         return f"list of {several(kind(parts[0]))}"
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):

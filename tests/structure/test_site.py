@@ -114,6 +114,18 @@ def test_notebooks_and_tutorial_come_with_what_they_print_and_draw(site):
     assert "data:image/png;base64," in (site / "index.html").read_text()
 
 
+def test_every_notebook_has_its_picture(site):
+    text = (site / "notebooks.html").read_text()
+    linked = re.findall(r'href="notebooks/(\w+)\.html"><img alt="[^"]+" src="data:image/png', text)
+    assert linked == sorted(path.stem for path in (DOCS.parent / "notebooks").glob("*.ipynb"))
+
+
+def test_words_of_types_are_no_links(site):
+    text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
+    assert "(array_like, shape (nx, ny)" in re.sub(r"<[^>]*>", "", text)
+    assert not re.search(r"<a [^>]*><em>[a-z_]+</em></a>", text)
+
+
 def test_every_part_of_the_gallery_has_its_picture(site):
     text = (site / "gallery.html").read_text()
     parts = {path.stem for path in (DOCS / "gallery").glob("*.md")}
