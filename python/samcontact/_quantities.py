@@ -22,6 +22,7 @@ _FACTORS = {
 _SMALL_AREA = 1e-8  # [m^2]
 _COLOURS = {
     "magnitude": "viridis",
+    "criterion": "viridis",
     "signed": "RdBu_r",
     "strain": "magma_r",
     "heat": "inferno",
@@ -47,7 +48,8 @@ class Quantity(NamedTuple):
     digits: int = 5
     """Of the largest value on a terminal."""
     kind: str = ""
-    """Of a field: decides its colours. Only "signed" and "height" go below zero."""
+    """Of a field: decides its colours. Only "signed", "height" and "criterion" go below
+    zero."""
 
     @property
     def factor(self) -> float:
@@ -67,7 +69,7 @@ class Quantity(NamedTuple):
     @property
     def from_zero(self) -> bool:
         """Whether its colours begin at zero."""
-        return self.kind not in ("signed", "height")
+        return self.kind not in ("signed", "height", "criterion")
 
     @property
     def label(self) -> str:

@@ -13,14 +13,14 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from .._checks import FloatArray, choice, finite, positive
-from .parts import axes_or_new, finish, nearest, place
-from .ticks import FittedLocator
+from .._quantities import Quantity
+from .fields import Plane, show_surface
+from .parts import axes_or_new, edges, finish, nearest, place
 
 if TYPE_CHECKING:
     from ..fatigue import FatigueField
 
-_UNITS = {"Pa": (1e-6, "MPa"), "-": (1e2, "%")}
-_LEVELS = 40
+_UNITS = {"Pa": "MPa", "-": "%"}
 
 
 def fatigue_depth(
@@ -56,7 +56,7 @@ def fatigue_depth(
         _require_axes(field, "z")
     if len({field.unit for field in several}) > 1:
         raise ValueError("fields must have one unit: stress and strain go into two figures")
-    factor, unit = _UNITS[several[0].unit]
+    factor, unit = _quantity(several[0]).factor, _UNITS[several[0].unit]
     ax = axes_or_new(ax)
     for field in several:
         depth, values = field.places["z"] * 1e6, field.over_depth() * factor
@@ -119,8 +119,7 @@ def fatigue_section(
         note = f", {place(chosen, float(there[index]))}"
     elif plane not in (None, "xy".replace(across, "")):
         raise ValueError(f"plane must be {'xy'.replace(across, '')!r}, got {plane!r}")
-    ax = _coloured(field, ax, field.places[across], field.places["z"], values, note)
-    ax.set_xlabel(f"{across} [µm]")
+    ax = _coloured(field, ax, f"{across}z", values, note)
     ax.set_ylabel("depth z [µm]")
     ax.invert_yaxis()
     return ax
@@ -146,10 +145,8 @@ def fatigue_map(field: FatigueField, ax: Axes | None = None) -> Axes:
         A field without places along x and y.
     """
     _require_axes(field, "x", "y", "z")
-    x, y = field.places["x"], field.places["y"]
-    ax = _coloured(field, ax, x, y, field.values.max(axis=2), ", largest over depth")
+    ax = _coloured(field, ax, "xy", field.values.max(axis=2), ", largest over depth")
     ax.set_xlabel("x on the body [µm]")
-    ax.set_ylabel("y [µm]")
     return ax
 
 
@@ -167,31 +164,22 @@ def _name(field: FatigueField) -> str:
     return " ".join([field.name, *(f"({number})" for number in numbers)])
 
 
+def _quantity(field: FatigueField) -> Quantity:
+    return Quantity(field.unit, "", _UNITS[field.unit], _name(field), kind="criterion")
+
+
 def _coloured(
-    field: FatigueField,
-    ax: Axes | None,
-    across: FloatArray,
-    down: FloatArray,
-    values: FloatArray,
-    note: str,
+    field: FatigueField, ax: Axes | None, axes: str, values: FloatArray, note: str
 ) -> Axes:
-    factor, unit = _UNITS[field.unit]
-    ax = axes_or_new(ax)
-    ax.grid(False)
-    x, y = (_edges(side * 1e6) for side in (across, down))
-    # to the borders of the outer cells as in their middles
-    sides = [np.concatenate([e[:1], 0.5 * (e[1:] + e[:-1]), e[-1:]]) for e in (x, y)]
-    shown = np.pad(values, 1, mode="edge").T * factor
-    drawn = ax.contourf(*sides, shown, levels=_LEVELS, cmap="viridis")
-    drawn.set_rasterized(True)  # bands of vectors have seams between them
-    i, j = (int(n) + 1 for n in np.unravel_index(int(values.argmax()), values.shape))
-    ax.plot(sides[0][i], sides[1][j], "x", color="white", markersize=7, markeredgewidth=1.6)
-    ax.figure.colorbar(drawn, ax=ax, label=f"[{unit}]", ticks=FittedLocator())
-    ax.set_title(f"{_name(field)}{note}", fontsize="medium")
-    ax.set_aspect("equal")
+    """Values along two axes, with a cross where they are largest."""
+    sides = [field.places[axis] for axis in axes]
+    plane = Plane(*(edges(side, _step(side)) for side in sides))
+    ax = show_surface(ax, plane, values, _quantity(field), axes[0], note)
+    i, j = np.unravel_index(int(values.argmax()), values.shape)
+    most = sides[0][i] * 1e6, sides[1][j] * 1e6
+    ax.plot(*most, "x", color="white", markersize=7, markeredgewidth=1.6)
     return ax
 
 
-def _edges(centres: FloatArray) -> FloatArray:
-    half = 0.5 * (centres[1] - centres[0]) if len(centres) > 1 else 0.5
-    return np.append(centres - half, centres[-1] + half)
+def _step(centres: FloatArray) -> float:
+    return float(centres[1] - centres[0]) if len(centres) > 1 else 1e-6
