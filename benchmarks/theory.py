@@ -18,8 +18,8 @@ import numpy as np
 import samcontact as sc
 from samcontact import shakedown
 
-from .harness import ROOT
 from .finite_elements.page import table
+from .harness import ROOT
 
 PAGE = ROOT / "docs" / "theory.md"
 MARKED = re.compile(r"(<!-- table: (\w+) -->\n).*?(<!-- end of table -->)", re.DOTALL)

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the main jobs cost against their size, and what a much larger one would need."""

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What transforms of a surface that is spread over processes send: counted, not measured.
+
+Each process has rows of the surface. It transforms them, all processes exchange a block with each
+other (a transpose), and each transforms whole columns; after the product in wavenumbers the same
+backwards, so that a displacement takes two transposes.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+SIDE = 65_536  # cells
+RANKS = (64, 512, 4096)
+RATE = 10e9  # bytes/s that a process sends and receives; a network of 100 Gbit/s has 12.5e9
+COMPLEX = 16  # bytes
+STRAINS, STRESSES = 5, 6  # components of a plastic strain, and of its stress
+PERIODIC = ("rough", "zones")  # jobs
+# Bands of zones that reach over all of the surface: nodes of 2 x 2 cells, and of 8 x 8 on a plane
+# twice as wide of which the empty rows are not sent; in units of a plane of all cells.
+BANDS = 1 / 2**2 + 2 / 8**2
+
+
+class Count(NamedTuple):
+    """Of planes that go to wavenumbers and back in a solution."""
+
+    number: float
+    padded: bool
+
+
+def bytes_of_a_transpose(n: int, padded: bool) -> int:
+    """Of n rows of real numbers, twice as long where they are padded, as their half spectrum."""
+    return COMPLEX * n * ((2 * n if padded else n) // 2 + 1)
+
+
+def bytes_of_a_rank(n: int, ranks: int, padded: bool) -> float:
+    """What a process sends for one displacement; it keeps its own block."""
+    return 2 * bytes_of_a_transpose(n, padded) / ranks * (1 - 1 / ranks)
+
+
+def message(n: int, ranks: int, padded: bool) -> float:
+    """Bytes from one process to another in one transpose."""
+    return bytes_of_a_transpose(n, padded) / ranks**2
+
+
+def planes(job: str, largest: dict[str, dict[str, Any]]) -> Count:
+    """From what the largest solution that was measured has counted.
+
+    Larger rough surfaces repeat themselves; finer cells and the ball that slips are on a padded
+    plane. An iteration of zones sends the strain of its layers one way and their stress the other,
+    half a displacement each; the contact of an increment is that of the elastic surface.
+    """
+    row = largest[job]
+    if job != "zones":
+        return Count(row["transforms"], job not in PERIODIC)
+    volumes = 0.5 * (STRAINS + STRESSES) * row["layers"] * BANDS * row["volume_applications"]
+    return Count(volumes + largest["rough"]["transforms"] * row["increments"], False)

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The main jobs at any size: the same scene on more and more cells.
+
+Larger rough surfaces have more of the same roughness, so that the spots of contact become more; the
+others get finer cells. What is counted as cells is the surface's where nothing but the surface
+is asked for, and for zones; the volume's in the others.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+import samcontact as sc
+
+from .. import elastic_rough, slip
+from ..harness import Meter, work_of
+from ..plastic_zones import HARDNESS, SLOPE
+from ..rolling import CERAMIC, CONTACT_RADIUS, LOAD, RADIUS
+from ..steel import ELASTIC, STEEL, balls
+from ..steel import LOAD as OF_BALLS
+
+CELL = 1e-6  # m, of rough surfaces
+ELASTIC_PRESSURE = 1.7e8  # Pa, mean: about a twentieth of the surface is in contact
+PLASTIC_PRESSURE = 0.05 * HARDNESS
+STEPS = 8
+
+
+class Job(NamedTuple):
+    """A kind of scene: its function below, sizes that span three decades of cells, bytes of a cell
+    that it keeps below at the largest, and the exponent of its time over all sizes."""
+
+    name: str
+    function: str
+    unit: str
+    sizes: tuple[int, ...]
+    stated: float
+    exponent: float = 1.15
+
+
+SURFACES = (64, 128, 256, 512, 1024, 2048)
+RADII = (8, 12, 16, 24, 32, 48, 64, 80)
+JOBS = (
+    Job("elastic rough contact, finer cells", "finer", "surface", SURFACES, 120),
+    Job("elastic rough contact, larger surface", "rough", "surface", SURFACES, 120),
+    Job("stick and slip to 1e-4", "slipping", "surface", SURFACES, 500),
+    # On 2048 x 2048 cells rounds of cheap displacements stall, and exact ones go on.
+    Job("stick and slip to 1e-6", "slipping_fine", "surface", SURFACES, 500, 1.3),
+    Job("rough contact that yields, zones", "zones", "surface", (32, *SURFACES[:-1]), 5000),
+    Job("ball that yields", "ball", "volume", RADII, 400),
+    Job("rolling ball that yields", "rolling", "volume", (4, 6, 8, 12, 16, 24, 32, 40), 500),
+    Job("coated body that yields", "coated", "volume", RADII, 300),
+)
+
+
+def surface(n: int) -> tuple[sc.Grid, np.ndarray]:
+    """A self-affine surface that repeats itself, of a rigid flat: waves of 8 to 32 cells."""
+    grid = sc.Grid(n, n, CELL, CELL, dz=CELL, periodic="xy")
+    rough = sc.surfaces.rough_self_affine(
+        grid, 1e-6, 0.8, wavelength_min=8 * CELL, roll_off=32 * CELL, seed=7
+    )
+    slopes = np.gradient(rough, CELL)
+    return grid, rough * SLOPE / np.sqrt(np.mean(slopes[0] ** 2 + slopes[1] ** 2))
+
+
+def finer(meter: Meter, n: int) -> dict[str, Any]:
+    """The same twelve waves and a crown on ever finer cells, to a tolerance of 1e-8."""
+    found = elastic_rough.contact(meter, n, "tol 1e-8")
+    return {"cells": n * n, "contact": float(np.mean(found.pressure > 0)), "transforms": found.work}
+
+
+def rough(meter: Meter, n: int) -> dict[str, Any]:
+    """Elastic, pressed from nothing to the default tolerance."""
+    grid, gap = surface(n)
+    load = ELASTIC_PRESSURE * (n * CELL) ** 2
+    found = meter(lambda: sc.ContactSolver(grid, ELASTIC, ELASTIC).solve(gap, load=load))
+    share = float(np.mean(found.pressure > 0))
+    return {"cells": n * n, "contact": share, "transforms": found.work}
+
+
+def zones(meter: Meter, n: int) -> dict[str, Any]:
+    """Under a rigid flat, in two increments, spots yield in zones of their own."""
+    grid, gap = surface(n)
+    load = PLASTIC_PRESSURE * (n * CELL) ** 2
+
+    def press() -> tuple[sc.Simulation, sc.State]:
+        made = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap, tol=1e-3, zones="auto")
+        return made, [made.step(load=part * load) for part in (0.5, 1.0)][-1]
+
+    simulation, state = meter(press)
+    share = float(np.mean(state.pressure > 0))
+    more = {"contact": share, "plastic_cells": state.plastic_cells(), "layers": len(state.depths)}
+    more["increments"] = 2
+    return {"cells": n * n, **more, **work_of(simulation)}
+
+
+def slipping(meter: Meter, n: int, method: str = "tol 1e-4") -> dict[str, Any]:
+    """A ball pressed and pulled by half of the friction."""
+    found = slip.solve(meter, n, 0.5, method)
+    return {"cells": n * n, "transforms": found["work"] + found["shear_work"]}
+
+
+def slipping_fine(meter: Meter, n: int) -> dict[str, Any]:
+    """The same to a smaller tolerance."""
+    return slipping(meter, n, "tol 1e-6")
+
+
+def ball(meter: Meter, n: int) -> dict[str, Any]:
+    """1500 N in three increments and back, `n` cells on the Hertz radius."""
+
+    def press() -> sc.Simulation:
+        simulation = balls(n)
+        for part in (1 / 3, 2 / 3, 1.0, 0.0):
+            simulation.step(load=part * OF_BALLS)
+        return simulation
+
+    simulation = meter(press)
+    grid = simulation.grid
+    return {"cells": grid.nx * grid.ny * grid.nz, **work_of(simulation)}
+
+
+def rolling(meter: Meter, n: int) -> dict[str, Any]:
+    """Pressed in four increments, then steps of a quarter of the Hertz radius of `n` cells."""
+    d = CONTACT_RADIUS / n
+    grid = sc.Grid(5 * n + 1, 4 * n + 1, d, d, int(2.2 * n), d)
+    step = {"load": LOAD, "advance": (-0.25 * CONTACT_RADIUS, -0.25 * CONTACT_RADIUS)}
+    path = [{"load": LOAD * k / 4} for k in range(1, 5)] + [step] * STEPS
+
+    def roll() -> sc.Simulation:
+        gap = sc.surfaces.paraboloid(grid, RADIUS)
+        simulation = sc.Simulation(grid, CERAMIC, STEEL, gap, residual_stress="fast")
+        simulation.run(path, progress=False)
+        return simulation
+
+    simulation = meter(roll)
+    return {"cells": grid.nx * grid.ny * grid.nz, **work_of(simulation)}
+
+
+def coated(meter: Meter, n: int) -> dict[str, Any]:
+    """A rigid ball on a hard elastic coating, a quarter as thick as the contact's radius, on steel
+    that yields; two increments."""
+    load, radius = 900.0, 10e-3
+    modulus = sc.hertz.effective_modulus(sc.Material.rigid(), STEEL)
+    d = sc.hertz.point(radius, modulus, load=load).a / n
+    across = 2 * int(1.3 * n) + 1
+    grid = sc.Grid(across, across, d, d, dz=d)
+    body = sc.Layered(((sc.Material.elastic(300e9, 0.25), n // 4 * d),), STEEL)
+
+    def press() -> tuple[sc.Simulation, sc.State]:
+        gap = sc.surfaces.paraboloid(grid, radius)
+        simulation = sc.Simulation(grid, sc.Material.rigid(), body, gap)
+        return simulation, [simulation.step(load=part * load) for part in (0.5, 1.0)][-1]
+
+    simulation, state = meter(press)
+    return {"cells": across * across * len(state.depths), **work_of(simulation)}
+
+
+def measure(meter: Meter, job: str, n: int) -> dict[str, Any]:
+    """Any of them by its function's name, after the smallest, which loads what is loaded once."""
+    function = globals()[job]
+    (smallest,) = (known.sizes[0] for known in JOBS if known.function == job)
+    function(Meter(), smallest)
+    found: dict[str, Any] = function(meter, n)
+    return {**found, "n": n, "cpu_s": meter.cpu}

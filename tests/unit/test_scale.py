@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Growth of time and memory: the stored numbers keep their bounds, and the page is made of them."""
+
+import numpy as np
+import pytest
+
+from benchmarks.harness import Meter
+from benchmarks.scale import cluster, jobs
+from benchmarks.scale.__main__ import PAGE
+from benchmarks.scale.page import bytes_a_cell, growth, kept, of, overall, page
+
+STORED = kept()
+
+
+def test_the_page_is_made_of_the_stored_numbers():
+    assert PAGE.read_text(encoding="utf-8") == page(STORED)
+
+
+@pytest.mark.parametrize("job", jobs.JOBS, ids=lambda job: job.function)
+def test_stored_time_and_memory_keep_their_bounds(job):
+    rows = of(STORED, job)
+    assert [row["n"] for row in rows] == list(job.sizes)
+    assert rows[-1]["cells"] >= 900 * rows[0]["cells"]
+    assert overall(rows) <= job.exponent
+    assert bytes_a_cell(rows[-1]) <= job.stated
+
+
+@pytest.mark.parametrize("job", jobs.JOBS, ids=lambda job: job.function)
+def test_a_size_is_counted_as_stored(job):
+    """Cells and, but for rounding, what the solver counts do not depend on the machine."""
+    stored = of(STORED, job)[0]
+    found = getattr(jobs, job.function)(Meter(), job.sizes[0])
+    assert found["cells"] == stored["cells"]
+    for name in {"transforms", "volume_applications"} & set(stored):
+        assert found[name] == pytest.approx(stored[name], rel=0.2)
+
+
+def test_growth_is_the_exponent_of_the_last_decade():
+    cells = 4.0 ** np.arange(3, 10)
+    rows = [{"cells": n, "cpu_s": max(1e-3, 1e-8 * n**1.2)} for n in cells]
+    assert growth(rows) == pytest.approx(1.2)
+
+
+@pytest.mark.parametrize("padded", [False, True])
+def test_a_transpose_sends_the_half_spectrum(padded):
+    rows = np.fft.rfft(np.zeros((12, 24 if padded else 12)))
+    assert cluster.bytes_of_a_transpose(12, padded) == rows.astype(complex).nbytes
+    # each of four processes keeps a quarter of its quarter, there and back
+    sent = cluster.bytes_of_a_rank(12, 4, padded)
+    assert sent == pytest.approx(2 * 3 / 16 * rows.nbytes)
+    assert 2 * 3 * cluster.message(12, 4, padded) == pytest.approx(sent)
