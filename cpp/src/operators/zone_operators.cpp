@@ -20,13 +20,13 @@ double* zeros(std::size_t count) {
   return buffer.data();
 }
 
-/// Weights of the strain along one axis, of a zone of `count` cells and its ring, where it fades
-/// out from a part on.
-Field fades(int count, int ring, double fades_from) {
-  Field weights(count + 2 * ring);
-  for (int n = 0; n < count + 2 * ring; ++n) {
-    const int outside = std::max({0, ring - n, n - (ring + count) + 1});
-    const double r = std::max(0.0, outside - 0.5) / ring;
+/// Weights of the strain along one axis, of a zone of `count` cells and its ring, so many before
+/// and after, where it fades out from a part on.
+Field fades(int before, int count, int after, double fades_from) {
+  Field weights(before + count + after);
+  for (int n = 0; n < before + count + after; ++n) {
+    const double outside = std::max({0.0, before - n - 0.5, n - (before + count) + 0.5});
+    const double r = outside / (n < before ? before : after);
     const double s = std::clamp((r - fades_from) / (1 - fades_from), 0.0, 1.0);
     weights[n] = std::pow(std::cos(0.5 * std::numbers::pi * s), 2);
   }
@@ -43,7 +43,6 @@ std::vector<fft::RowRun> rows_of(const std::vector<Box>& boxes, const Box& plane
 }  // namespace
 
 struct ZoneOperators::Around {
-  int ring;
   Box box;                 // zone and ring, layers of all zones in it
   int mx, my;              // the plane
   std::vector<int> zones;  // that have cells in it
@@ -101,9 +100,10 @@ ZoneOperators::~ZoneOperators() {
 }
 
 void ZoneOperators::add_ring(const Box& zone) {
-  const int ring = ring_around(zone, zones_, tables_->split());
   const double fades_from = tables_->split().ring_fades_from;
-  Box box{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
+  Box box = with_ring(zone, zones_, tables_->split());
+  const int x0 = zone.i0 - box.i0, x1 = box.nx - zone.nx - x0;
+  const int y0 = zone.j0 - box.j0, y1 = box.ny - zone.ny - y0;
   std::vector<int> inside;
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     if (box.intersected(zones_[z]).empty()) continue;
@@ -111,19 +111,19 @@ void ZoneOperators::add_ring(const Box& zone) {
     box.nz = std::max(box.nz, zones_[z].nz);
   }
   // Deeper strain of others is as far away as the ring's end.
+  const int ring = std::max({x0, x1, y0, y1});
   box.nz = std::min(box.nz, zone.nz + static_cast<int>(std::ceil(ring * grid_.dx / grid_.dz)));
   const int mx = fft::fast_plane_size(box.nx), my = fft::fast_plane_size(box.ny);
   Grid plane(mx, my, grid_.dx, grid_.dy, box.nz, grid_.dz);
   plane.period = {mx, my, 0.0};
   const auto operators = tables_->of(Band::near, plane);
-  around_.push_back({ring,
-                     box,
+  around_.push_back({box,
                      mx,
                      my,
                      std::move(inside),
                      operators,
-                     fades(zone.nx, ring, fades_from),
-                     fades(zone.ny, ring, fades_from),
+                     fades(x0, zone.nx, x1, fades_from),
+                     fades(y0, zone.ny, y1, fades_from),
                      {},
                      VolumeSpectrum(operators->transform(), box.nz, tensor_)});
 }
@@ -363,7 +363,7 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   cut(tractions.shear_x, here.shear_x);
   cut(tractions.shear_y, here.shear_y);
   add_others(zone, strain);
-  const fft::RowRun rows{around.ring, box.nx};
+  const fft::RowRun rows{box.i0 - around.box.i0, box.nx};
   // A plane with a period has no images to be found from the strain.
   const double unused = 0.0;
   Field sum(parts * size);

@@ -26,13 +26,20 @@ Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodeSp
   return {spread_one(cells.pressure), spread_one(cells.shear_x), spread_one(cells.shear_y)};
 }
 
-int ring_around(const Box& zone, const std::vector<Box>& zones, const BandSplit& split) {
-  const int ring = split.near_range;
+Box with_ring(const Box& zone, const std::vector<Box>& zones, const BandSplit& split) {
+  const int ring = split.near_range, more = std::max(0, split.wide_ring - ring);
   const Box box{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
-  const bool close = std::any_of(zones.begin(), zones.end(), [&](const Box& other) {
-    return other != zone && !box.intersected(other).empty();
-  });
-  return close ? std::max(split.wide_ring, split.near_range) : split.near_range;
+  Box wide = box;
+  for (const Box& other : zones) {
+    if (other == zone || box.intersected(other).empty()) continue;
+    if (other.i0 < zone.i0) wide = wide.united({box.i0 - more, box.j0, 1, 1, 1});
+    if (other.j0 < zone.j0) wide = wide.united({box.i0, box.j0 - more, 1, 1, 1});
+    if (other.i0 + other.nx > zone.i0 + zone.nx)
+      wide = wide.united({box.i0 + box.nx + more - 1, box.j0, 1, 1, 1});
+    if (other.j0 + other.ny > zone.j0 + zone.ny)
+      wide = wide.united({box.i0, box.j0 + box.ny + more - 1, 1, 1, 1});
+  }
+  return wide;
 }
 
 ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor,

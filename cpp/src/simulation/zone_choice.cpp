@@ -61,10 +61,13 @@ class Merging {
   explicit Merging(const operators::BandSplit& split) : split_(split) {}
 
   /// Of a zone that stands alone.
-  double cost(const Box& zone) const { return cost(zone, split_.near_range); }
+  double cost(const Box& zone) const { return cost(std::vector{zone}); }
   double cost(const std::vector<Box>& zones) const {
     return std::accumulate(zones.begin(), zones.end(), 0.0, [&](double sum, const Box& zone) {
-      return sum + cost(zone, operators::ring_around(zone, zones, split_));
+      const Box box = operators::with_ring(zone, zones, split_);
+      const double plane =
+          static_cast<double>(fft::fast_plane_size(box.nx)) * fft::fast_plane_size(box.ny);
+      return sum + plane * zone.nz;
     });
   }
   void unite(std::vector<Box>& boxes) const;
@@ -72,10 +75,6 @@ class Merging {
   std::vector<Box> made_disjoint(const std::vector<Box>& boxes) const;
 
  private:
-  static double cost(const Box& zone, int ring) {
-    const auto padded = [ring](int cells) { return fft::fast_plane_size(cells + 2 * ring); };
-    return static_cast<double>(padded(zone.nx)) * padded(zone.ny) * zone.nz;
-  }
   /// The cheapest way to hold the cells of two boxes that meet without uniting them: one of them as
   /// deep as both need, and what the other has beside it.
   std::vector<Box> parted(const Box& a, const Box& b) const;

@@ -15,9 +15,9 @@
 
 namespace samcontact::operators {
 
-/// Cells of the ring around a zone, in which strain of others acts on it through the near band:
-/// wider where some are close, since what is cut off there lies beside strain as strong.
-int ring_around(const Box& zone, const std::vector<Box>& zones, const BandSplit& split);
+/// A zone with the ring around it in which strain of others acts on it through the near band: wider
+/// at sides beyond which some are close, since what is cut off there lies beside strain as strong.
+Box with_ring(const Box& zone, const std::vector<Box>& zones, const BandSplit& split);
 
 /// The tables that zones of one medium need, kept from one set of zones to the next. Thread-safe.
 class ZoneTables {
