@@ -6,6 +6,7 @@ from __future__ import annotations
 import difflib
 import math
 import os
+import sys
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import islice
@@ -187,8 +188,7 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
     """Return `value` as a float64 array of any shape; nothing is lost on the way."""
     if _has_unit(value):
         raise TypeError(f"{name} has a unit: convert it with samcontact.units.si")
-    parts = value if isinstance(value, (list, tuple)) else (value,)
-    lost = sum(int(np.sum(p.mask)) for p in parts if isinstance(p, np.ma.MaskedArray))
+    lost = _masked_values(value)
     if lost:  # NumPy would take what lies under the mask
         raise ValueError(
             f"{name} must be defined everywhere, got {lost} masked values: fill them first "
@@ -210,6 +210,15 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
         raise TypeError(
             f"{name} must be an array of numbers, got {type(value).__name__}: {error}"
         ) from error
+
+
+def _masked_values(value: ArrayLike) -> int:
+    """How many values are masked: none while nobody has loaded masked arrays, which naming them
+    would do, for longer than a small contact takes."""
+    if "numpy.ma" not in sys.modules:
+        return 0
+    parts = value if isinstance(value, (list, tuple)) else (value,)
+    return sum(int(np.sum(p.mask)) for p in parts if isinstance(p, np.ma.MaskedArray))
 
 
 def _require_numbers(given: NDArray[Any]) -> None:

@@ -94,9 +94,7 @@ class Scene:
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None
-        rows, columns = (
-            np.unique(np.linspace(0, n - 1, min(n, _POINTS), dtype=int)) for n in shape
-        )
+        rows, columns = (np.linspace(0, n - 1, min(n, _POINTS), dtype=int) for n in shape)
         a, b = np.abs(self.grid.x).max(), np.abs(self.grid.y).max()
         grids = np.meshgrid(self.grid.x[rows] / a, self.grid.y[columns] / b, indexing="ij")
         x, y = (v.ravel() for v in grids)

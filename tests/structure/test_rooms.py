@@ -284,6 +284,20 @@ def test_the_package_loads_no_file_or_figure_library():
     assert found.stdout.strip() == "[]"
 
 
+def test_a_first_solve_loads_nothing():
+    """NumPy loads its masked arrays when they are named, for longer than small contacts take."""
+    code = """if True:
+        import sys, samcontact as sc
+        grid = sc.Grid(64, 64, 1e-6, 1e-6)
+        gap = sc.surfaces.paraboloid(grid, 1e-2)
+        before = set(sys.modules)
+        body = sc.Material.elastic(210e9, 0.3)
+        sc.ContactSolver(grid, sc.Material.rigid(), body).solve(gap, load=0.1)
+        print(sorted(set(sys.modules) - before))"""
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == "[]"
+
+
 def public(owner, prefix):
     """Public functions, classes, methods and properties below a module or class, with names."""
     own = inspect.isclass(owner) and [name for base in owner.__mro__[:-1] for name in vars(base)]
