@@ -3,18 +3,10 @@
 
 import numpy as np
 import pytest
+from scaled_scenes import POWERS_OF_TWO, UNITS
 
 import samcontact as sc
 
-# What a metre, a newton, a second and a kelvin are in the other system.
-UNITS = {
-    "millimetre, newton, megapascal": (1e3, 1.0, 1.0, 1.0),
-    "micrometre, millinewton, millisecond": (1e6, 1e3, 1e3, 1.0),
-    "contact radius, load, time and temperature of the scene": (1 / 2.7e-4, 1 / 300, 1e4, 1 / 80),
-    "kilometre, meganewton, hour": (1e-3, 1e-6, 1 / 3600, 1.0),
-    "angstrom, nanonewton, nanosecond, millikelvin": (1e10, 1e9, 1e9, 1e3),
-}
-POWERS_OF_TWO = (2.0**10, 2.0**-3, 2.0**20, 2.0**-5)
 HISTORY = {"tol": 1e-11, "on_border": "warn"}
 
 

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "samcontact/base/cells_over.hpp"
 #include "samcontact/base/smooth_step.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
 #include "samcontact/operators/cell_influence.hpp"
@@ -100,7 +101,7 @@ class BandTables {
   int layers(Band band, const Grid& grid, double near, double middle) const {
     if (band == Band::far) return grid.nz;
     const double depth = (band == Band::near ? near : middle) * std::max(cells_.dx, cells_.dy);
-    return static_cast<int>(std::min<double>(grid.nz, std::ceil(depth / grid.dz)));
+    return std::min(grid.nz, cells_over(depth, grid.dz));
   }
   std::shared_ptr<const Split> split(const Key& key, const Parities& parities,
                                      const Exact& exact) const;

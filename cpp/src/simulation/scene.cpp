@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "samcontact/base/cells_over.hpp"
 #include "samcontact/operators/layered_half_space.hpp"
 #include "samcontact/simulation/yield_scan.hpp"
 
@@ -207,7 +208,7 @@ Box Scene::volume_below(const Field& pressure) const {
   Box box = Box::whole(grid);
   if (grid.nz > 0 || !grid.has_volume()) return box;
   const double depth = depth_in_radii * spot_radius(pressure, grid);
-  box.nz = std::max(fewest_layers, static_cast<int>(std::ceil(depth / grid.dz)));
+  box.nz = std::max(fewest_layers, cells_over(depth, grid.dz));
   return box;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "samcontact/base/cells_over.hpp"
 #include "samcontact/base/deviator.hpp"
 #include "samcontact/base/errors.hpp"
 
@@ -67,10 +68,10 @@ Strength::Strength(const plasticity::Body& body, const Grid& grid, const Relief&
   }
   if (variation.value.back() == 0 && !body.is_layered()) return;
   if (dz > 0) {
-    layers_ = static_cast<int>(std::ceil(deepest / dz));
+    layers_ = cells_over(deepest, dz);
     const auto most = std::max_element(relief.worn.begin(), relief.worn.end());
     const double worn = most == relief.worn.end() ? 0.0 : std::min(*most, deepest);
-    worn_layers_ = static_cast<int>(std::ceil(worn / dz));
+    worn_layers_ = cells_over(worn, dz);
   }
   variation_ = std::move(variation);
   double most = 0.0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "samcontact/base/cells_over.hpp"
 #include "samcontact/base/deviator.hpp"
 
 namespace samcontact::simulation {
@@ -16,7 +17,7 @@ using operators::Tensor;
 constexpr double cells_per_depth = 8.0;
 /// Depths follow each other by at most this part of the depth, or half a cell.
 constexpr double depth_step = 0.125;
-constexpr double most_layers = 1e6;
+constexpr int most_layers = 1'000'000;
 
 Grid coarsened(const Grid& grid, int factor) {
   const auto cells = [factor](int n) { return (n + factor - 1) / factor; };
@@ -35,8 +36,8 @@ std::vector<double> depths(const Grid& grid, const std::vector<LayerRange>& rang
 /// As deep as the window is wide, or the grid or what changes with depth if they are deeper.
 std::vector<int> scanned_layers(const Grid& grid, const Strength& strength) {
   const double half = 0.5 * std::min(grid.dx, grid.dy);
-  const double width = std::max(grid.nx * grid.dx, grid.ny * grid.dy) / grid.dz;
-  const int wide = static_cast<int>(std::min(std::ceil(width), most_layers));
+  const double width = std::max(grid.nx * grid.dx, grid.ny * grid.dy);
+  const int wide = std::min(cells_over(width, grid.dz), most_layers);
   const int graded = strength.is_graded() ? strength.layers() + 1 : 0;
   const int deepest = std::max({grid.nz, wide, graded});
   std::vector<int> layers;
