@@ -37,10 +37,10 @@ class FittedLocator(MaxNLocator):
 
     def _fit(self, ticks: FloatArray, span: float) -> bool:
         axis: Any = self.axis
-        if axis is None or len(ticks) < 2 or not span > 0:
+        if getattr(axis, "axes", None) is None or len(ticks) < 2 or not span > 0:
             return True
         across = axis.axis_name == "x"
-        box, dots = axis.axes.bbox, axis.axes.get_figure(root=True).dpi
+        box, dots = axis.axes.bbox, axis.axes.figure.dpi
         length = (box.width if across else box.height) * 72 / dots
         usual = rcParams["xtick.labelsize"] if across else rcParams["ytick.labelsize"]
         given = axis.get_tick_params().get("labelsize", usual)
