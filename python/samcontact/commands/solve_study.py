@@ -192,6 +192,6 @@ def _draw_wear(result: WearResult | FrettingResult, dataset: xr.Dataset) -> dict
 
 
 def _figure(ax: Axes) -> Figure:
-    figure = ax.get_figure(root=True)
-    assert figure is not None
+    figure = ax.figure
+    assert isinstance(figure, Figure)  # made by `new_figure`
     return figure
