@@ -15,6 +15,7 @@ TRIALS = {
     "kill: wear": (5, 50),
     "kill: tugging": (3, 50),
     "kill: sweep": (3, 50),
+    "kill: kinds of runs": (1, 50),
     "full disk": (12, 200),
     "interrupt: step": (8, 80),
     "interrupt: run": (5, 50),

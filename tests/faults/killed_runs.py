@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scripts of runs that are killed: each has `computed(folder)`, a digest of all that came out."""
+
+from pathlib import Path
+
+BEGIN = """
+import hashlib, sys, warnings
+import numpy as np
+import samcontact as sc
+warnings.simplefilter("ignore")
+elastic = sc.Material.elastic(210e9, 0.3)
+hard = sc.Material.elastic(300e9, 0.2)
+steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+MU = sc.Coulomb(0.3)
+
+def digest(*fields):
+    data = b"".join(np.ascontiguousarray(field, dtype=float).tobytes() for field in fields)
+    return hashlib.sha256(data).hexdigest()
+
+def ball(cells=15, **more):
+    grid = sc.Grid(cells, cells, 60e-6, 60e-6, dz=60e-6, **more)
+    return grid, sc.surfaces.paraboloid(grid, 7.5e-3)
+
+def of_states(states, slips=False):
+    fields = [[s.load, s.approach] for s in states]
+    fields += [f for s in states for f in (s.pressure, s.gap, s.shear, s.plastic_strain())]
+    if slips:
+        fields += [f for s in states for f in (s.slip, s.shift, [s.friction_work, s.twist])]
+    return digest(*fields)
+
+def followed(sim, path, folder, slips=False):
+    return of_states(sim.run(path, progress=False, checkpoint=folder), slips)
+"""
+BODIES = {
+    "fretting": """
+def computed(folder):
+    grid, gap = ball(11)
+    path = [{"load": 500.0}, *sc.paths.fretting_loop(load=500.0, force=(60.0, 20.0), increments=1)]
+    return followed(sc.Simulation(grid, hard, steel, gap, MU, on_border="warn"), path, folder, True)
+""",
+    "creepage": """
+def computed(folder):
+    grid, gap = ball()
+    way = 60e-6
+    path = [{"load": 400.0}, *4 * [{"load": 400.0, "advance": (-1.01 * way, -way), "twist": 1e-3}]]
+    sim = sc.Simulation(grid, elastic, steel, gap, MU, on_border="warn")
+    return followed(sim, path, folder, True)
+""",
+    "layers": """
+def computed(folder):
+    grid, gap = ball(12)
+    z = [0.0, 300e-6]
+    core = steel.with_yield_profile(z, [1.5, 1.0]).with_residual_stress(z, [-2e8, 0.0])
+    body = sc.Layered([(hard, 60e-6)], core)
+    path = [{"load": 300.0}, {"load": 600.0}, {"load": 0.0}]
+    return followed(sc.Simulation(grid, elastic, body, gap, on_border="warn"), path, folder)
+""",
+    "zones": """
+def computed(folder):
+    from rough_scenes import simulation, PERCENT
+    sim = simulation()
+    states = sim.run([{"load": q * PERCENT} for q in (0.5, 1.0, 0.2)], progress=False,
+                     checkpoint=folder)
+    assert len(states[1].zones(2)) > 1
+    return of_states(states)
+""",
+    "periodic": """
+def computed(folder):
+    grid, _ = ball(16, periodic="xy")
+    rough = sc.surfaces.rough_self_affine(grid, 0.5e-6, 0.8, seed=3)
+    table = sc.Material.tabulated(210e9, 0.3, [0.0, 1e-3, 0.02], [0.9e9, 1.1e9, 1.4e9])
+    path = [{"load": 100.0}, {"load": 200.0}, {"load": 50.0}]
+    return followed(sc.Simulation(grid, elastic, table, rough, MU), path, folder, True)
+""",
+    "heat of slip": """
+def computed(folder):
+    grid, gap = ball()
+    warm = elastic.with_thermal(50.0, 12e-6, 1.4e-5)
+    sim = sc.Simulation(grid, warm, warm, gap, MU, heat=sc.Heat(partition=0.5))
+    loop = sc.paths.fretting_loop(load=300.0, shift=(2e-6, 0.0), increments=2)
+    path = [step | {"duration": 1e-3} for step in [{"load": 300.0}, *loop]]
+    return followed(sim, path, folder, True)
+""",
+    "shakedown": """
+def computed(folder):
+    grid, gap = ball(11)
+    soft = sc.Material.perfect_plastic(210e9, 0.3, 1e9).with_kinematic_hardening(20e9)
+    sim = sc.Simulation(grid, elastic, soft, gap, on_border="warn")
+    found = sc.shakedown.run(sim, [{"load": 400.0}, {"load": 0.0}], cycles=6, progress=False,
+                             checkpoint=folder)
+    numbers = [[c.flow, c.net] for c in found.cycles]
+    return digest(numbers, sim.state.plastic_strain(), sim.state.residual_stress())
+""",
+    "fretting wear": """
+def computed(folder):
+    grid, gap = ball()
+    pulls = [{"load": 300.0, "tangential_load": (q, 0.0)} for q in (0.0, 50.0, -50.0, 50.0)]
+    found = sc.wear.fretting(grid, elastic, elastic, gap, cycle=pulls, friction=MU, energy=1e-13,
+                             cycles=4, repeats=200, checkpoint=folder + ".h5", progress=False)
+    return digest(found.heights[2], [c.friction_work for c in found.cycles])
+""",
+    "accuracy": """
+def computed(folder):
+    body, surface = dict(law="elastic", E=210e9, nu=0.3), dict(shape="paraboloid", Rx=7e-3)
+    case = dict(title="t", accuracy=0.2, quantities=["max_pressure"], path=[dict(load=300.0)],
+                body1=body, body2=body, surface=surface)
+    found = sc.to_accuracy(case, progress=False, checkpoint=folder)
+    return digest(*(found.values[name] for name in sorted(found.values)),
+                  *(found.errors[name] for name in sorted(found.errors)))
+""",
+    "found load": """
+def computed(folder):
+    def scene(load):
+        grid, gap = ball(13)
+        return sc.Simulation(grid, elastic, steel, gap, on_border="warn"), [{"load": load}]
+    found = sc.find_load(scene, "max_plastic_strain", 1e-3, tolerance=0.05, largest_load=2000.0,
+                         progress=False, checkpoint=folder)
+    return digest([found.load, found.value, found.load_error])
+""",
+}
+ANY = (
+    BEGIN
+    + f"""
+import pathlib, resource
+from samcontact.runs import lock
+sys.path.insert(0, {str(Path(__file__).parents[1])!r})
+KINDS = {BODIES!r}
+
+def computed(argument):
+    kind, way, folder = argument.split("|")
+    space = dict(globals())
+    exec(KINDS[kind], space)
+    if way.isdigit():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (int(way), resource.RLIM_INFINITY))
+    if way == "twice":
+        return refused(space["computed"], folder)
+    return space["computed"](folder)
+
+def refused(run, folder):
+    taken, told = lock._take, []
+    def take(*arguments):
+        handle = taken(*arguments)
+        if not told:
+            told.append("")
+            try:
+                run(folder)
+            except OSError as error:
+                told.append(str(error))
+        return handle
+    lock._take = take
+    return run(folder) + " " + told[-1]
+"""
+)
+"""Of any kind: `computed("kind|way|folder")`. The way is nothing, the largest size of a file, or
+"twice": with a second run in the folder, whose error follows the digest."""
