@@ -14,7 +14,7 @@ from scipy import ndimage
 
 from .._checks import BoolArray, FloatArray
 from .._quantities import CONTACT, Quantity
-from .parts import LYING, axes_or_new
+from .parts import LYING, axes_or_new, without_seams
 from .ticks import FittedLocator, fit_ticks
 
 _FLAT = 0.45  # depth over width: a label beside such a section would be longer than it
@@ -219,8 +219,7 @@ def _show(
             drawn = [ax.pcolormesh(*sides, shown.T, rasterized=True, **look)]
         else:
             field = plane.smooth(shown)
-            drawn = [ax.contourf(*field, levels=bands, **look)]
-            drawn[0].set_rasterized(True)  # bands of vectors have seams between them
+            drawn = [without_seams(ax.contourf(*field, levels=bands, **look))]
             if len(lines):
                 drawn.append(ax.contour(*field, levels=lines, linestyles="solid", **_LINE))
         beside: dict[str, Any] = {"label": "" if titled else label, "ticks": FittedLocator()}

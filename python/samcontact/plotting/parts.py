@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -13,6 +14,7 @@ import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 from numpy.typing import ArrayLike
@@ -210,3 +212,14 @@ def surface_line(
     if axis == "x":
         return np.asarray(grid.x), values[:, nearest(grid.y, position)]
     return np.asarray(grid.y), values[nearest(grid.x, position), :]
+
+
+def without_seams(bands: ContourSet) -> ContourSet:
+    """Filled contours as pixels in files of vectors, where there would be seams between them.
+
+    Before matplotlib 3.11 they stay vectors.
+    """
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="Rasterization of", category=UserWarning)
+        bands.set_rasterized(True)
+    return bands
