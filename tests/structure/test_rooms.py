@@ -48,7 +48,7 @@ FOLDERS = {
     "asperities": {"runs"},
     "wear": {"runs", "hertz"},
     "shakedown": {"runs", "hertz", "fatigue"},
-    "cases": {"hertz", "paths", "measured", "asperities", "wear", "fatigue"},
+    "cases": {"hertz", "paths", "measured", "asperities", "wear", "fatigue", "shakedown"},
     "accuracy": {"runs", "hertz", "cases", "results"},
     "sweeps": {"runs", "cases", "results", "accuracy"},
     "report": {"cases", "results", "plotting", "asperities"},

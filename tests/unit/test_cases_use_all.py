@@ -10,7 +10,7 @@ import pytest
 from pydantic import BaseModel, ValidationError
 
 from samcontact import wear
-from samcontact.cases import Case, TuggingCase, fatigue, tugging
+from samcontact.cases import Case, TuggingCase, fatigue, shakedown, tugging
 
 SWIFT = {
     "law": "swift", "E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121,
@@ -109,6 +109,9 @@ KINDS = {
                    "orthogonal_shear": "x", "yield_stress": 1e9,
                    "limit": {"dang_van": 3e8, "crossland": 3e8, "findley": 3e8,
                              "fatemi_socie": 4e-3, "orthogonal_shear": 4e8}}},
+    "repeated": BASE
+    | {"path": [{k: v for k, v in RAMP.items() if k != "advance"}],
+       "shakedown": {"cycles": 7, "tol": 2e-3, "accelerate": False}},
     "approach": BASE | {"path": [{"approach": 1e-7, "start": 1e-8}]},
     "marched": BASE
     | {"heat": MARCHED, "path": [{"load": 1.0, "duration": 1e-4},
@@ -215,6 +218,7 @@ def computed(tmp_path, monkeypatch):
     for name in fatigue.CRITERIA:
         monkeypatch.setattr(fatigue._criteria, name, lambda *seen, **given: repr((seen, given)))
     monkeypatch.setattr(wear, "run", record)
+    monkeypatch.setattr(shakedown, "run", lambda *given, **named: named)
     monkeypatch.setattr(wear, "fretting", record)
     monkeypatch.setattr(tugging, "tug", record)
 
@@ -232,6 +236,8 @@ def computed(tmp_path, monkeypatch):
         judged = []
         if case.fatigue is not None:
             judged = [case.fatigue.fields([simulation.state], 2), repr(case.fatigue.limit)]
+        if case.shakedown is not None:
+            judged.append(case.shakedown.solve(simulation, path, False))
         return told([list(surfaces), path, judged]), repr(simulation)
 
     return compute
@@ -331,7 +337,7 @@ def test_every_field_of_every_section_is_tried():
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
         "kinematic yield_profile layers surface path body1 body2 contact heat "
-        "tugging output fatigue limit"
+        "tugging output fatigue limit shakedown"
     )
     given = (
         "law kind shape title description estimate_error directory column "

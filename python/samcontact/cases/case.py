@@ -31,6 +31,7 @@ from .sections import (
     SurfaceSection,
     settings_of,
 )
+from .shakedown import ShakedownSection
 from .slipping import Reached, require_held
 from .tugging import TuggingCase
 from .used import require_all_used
@@ -88,6 +89,7 @@ class Case(CaseFile):
     path: Annotated[list[Segment], Field(min_length=1)]
     wear: WearSection | None = None
     fatigue: FatigueSection | None = None
+    shakedown: ShakedownSection | None = None
     output: OutputSection = OutputSection()
 
     @model_validator(mode="after")

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
@@ -27,6 +28,7 @@ def require_all_used(case: Case) -> None:
     _require_zones(case)
     _require_law_of_friction(case)
     _require_cycle(case)
+    _require_repeatable(case)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
         if changed(case, ["estimate_error"]):
@@ -59,6 +61,23 @@ def _require_cycle(case: Case) -> None:
         raise ValueError(
             "fatigue needs a path of at least 2 increments, which are its cycle; or give "
             'fatigue.passing = "x" where material passes through a steady contact'
+        )
+
+
+def _require_repeatable(case: Case) -> None:
+    """What [shakedown] needs: a body that can yield, and a path that ends where it began."""
+    if case.shakedown is None:
+        return
+    for name in ("wear", "accuracy"):
+        if getattr(case, name) is not None:
+            raise ValueError(f"shakedown is not for a case with {name}: leave one of them out")
+    if not (case.body1.is_plastic or case.body2.is_plastic):
+        raise ValueError("shakedown needs a body that can yield: give one, or leave it out")
+    ways = [math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)]
+    if max(map(abs, ways)) > 1e-12:
+        raise ValueError(
+            f"shakedown needs a path that brings both bodies back, but they have moved on by "
+            f"{tuple(ways)!r} m at its end: move them to and fro, or leave it out"
         )
 
 

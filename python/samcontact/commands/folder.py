@@ -20,9 +20,10 @@ _FIGURES = (
     "flash_temperature", "temperature", "track_print", "track_sections", "force_x", "force_z",
     "load_ratio", "wear_rate", "profile_body[12]", "surface_body[12]", "first_cycle_body[12]",
     "last_cycle_body[12]", "fretting", "fatigue_depth", "fatigue_strain", "fatigue_section",
+    "shakedown",
 )  # fmt: skip
 _OWN = re.compile(
-    r"(results|series|wear|fatigue)\.nc|(series|wear)\.csv|(report|results)\.html|(rolling|stick_slip)\.gif"
+    r"(results|series|wear|fatigue|shakedown)\.nc|(series|wear)\.csv|(report|results)\.html|(rolling|stick_slip)\.gif"
     r"|results(_\d{5,})?(_track)?(_surface)?\.vt[ru]|results(_surface)?\.pvd"
     rf"|({'|'.join(_FIGURES)})\.(png|pdf|svg)"
 )

@@ -27,6 +27,7 @@ from .errors import StoppedEarlyError, tell_partial, to_try_on
 from .fatigue import write_fatigue
 from .folder import publish
 from .interrupted import checkpoints_of
+from .shakedown import write_shakedown
 from .tables import CONTACT_COLUMNS, Sheet, numbers, of_contact, values_sheet
 
 if TYPE_CHECKING:
@@ -170,6 +171,9 @@ class _Run:
                     hertz=reference,
                     format=case.output.format,
                 )
+        if case.shakedown is not None and not stopped_by:
+            shown = case.output.figures and figures
+            written += write_shakedown(case, self.directory, console, figures=shown)
         return written + (self._animations() if animate else [])
 
     def _animations(self) -> list[Path]:

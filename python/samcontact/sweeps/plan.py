@@ -164,6 +164,11 @@ def _validated(
                     f"{case.source}: [fatigue] is not for a sweep, which keeps no states: leave "
                     "it out, or call samcontact.fatigue for each value"
                 )
+            if getattr(made, "shakedown", None) is not None:
+                raise CaseError(
+                    f"{case.source}: [shakedown] is not for a sweep, which solves the path once: "
+                    "leave it out, or call samcontact.shakedown.run for each value"
+                )
             made._source, made._text = case.source, case.text
             cases.append(made)
             continue

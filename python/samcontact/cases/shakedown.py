@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a case file says of its path repeated until it is clear what that comes to."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+from pydantic import Field
+
+from ..shakedown import ShakedownResult, run
+from .base import Finite, Section
+
+if TYPE_CHECKING:
+    from ..paths import Path
+    from ..simulation import Simulation
+
+
+class ShakedownSection(Section):
+    """[shakedown]: see `samcontact.shakedown.run`."""
+
+    cycles: Annotated[int, Field(ge=2)] = 100
+    tol: Annotated[Finite, Field(ge=1e-6, le=0.1)] = 1e-3
+    accelerate: bool = True
+
+    def solve(self, simulation: Simulation, path: Path, progress: bool) -> ShakedownResult:
+        """Repeat the path of a simulation that has not begun."""
+        return run(
+            simulation,
+            path,
+            cycles=self.cycles,
+            tol=self.tol,
+            accelerate=self.accelerate,
+            progress=progress,
+        )
