@@ -222,8 +222,8 @@ class State(SurfaceState, Fixed, Shown):
 
         Returns
         -------
-        ndarray, shape (2, 6, nx, ny, layers)
-            Above and below each interface, see `Layered.interfaces`. What the layers pull and shear
+        ndarray, shape (2, 6, nx, ny, m)
+            Above and below each of the m interfaces, see `Layered.interfaces`. What layers pull and shear
             each other with, zz, yz and xz, is the same on both sides but for what the cells leave;
             xx, yy and xy jump.
 
