@@ -223,9 +223,9 @@ class State(SurfaceState, Fixed, Shown):
         Returns
         -------
         ndarray, shape (2, 6, nx, ny, m)
-            Above and below each of the m interfaces, see `Layered.interfaces`. What layers pull and shear
-            each other with, zz, yz and xz, is the same on both sides but for what the cells leave;
-            xx, yy and xy jump.
+            Above and below each of the m interfaces, see `Layered.interfaces`. What layers pull and
+            shear each other with, zz, yz and xz, is the same on both sides but for what the cells
+            leave; xx, yy and xy jump.
 
         Raises
         ------
