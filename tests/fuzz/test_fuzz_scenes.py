@@ -88,8 +88,8 @@ def test_scenes_are_solved_in_balance():
 @pytest.mark.parametrize("first", range(FEW, MANY + FEW, PART))
 def test_ten_thousand_scenes(first):
     count = outcomes(range(first, first + PART))
-    assert count["solved"] >= 0.85 * PART
-    assert count["ConvergenceError"] <= 0.06 * PART
+    assert count["solved"] >= 0.8 * PART
+    assert count["ConvergenceError"] <= 0.1 * PART
 
 
 @tried("studies")
