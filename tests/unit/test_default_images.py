@@ -89,6 +89,8 @@ advance = [-150.4e-6, -149.6e-6]
 [fatigue]
 dang_van = 0.3
 fatemi_socie = 1.0
+[shakedown]
+cycles = 4
 [[path]]
 load = 700.0
 increments = 3

@@ -15,6 +15,7 @@ from matplotlib.axes import Axes
 from .. import shakedown
 from .._checks import choice, poisson_ratio
 from .parts import axes_or_new, finish
+from .ticks import FittedLocator
 
 if TYPE_CHECKING:
     from ..shakedown import Limit, ShakedownResult
@@ -118,6 +119,7 @@ def strain_per_cycle(
     flow = [cycle.flow / result.yield_strain for cycle in result.cycles]
     ax.plot(numbers, flow, "--", color=line.get_color(), linewidth=1)
     ax.set_yscale("log")
+    ax.xaxis.set_major_locator(FittedLocator(integer=True))
     ax.set(xlabel="cycle", ylabel="plastic strain in a cycle / yield strain")
     ax.legend(frameon=False, fontsize="small")
     return finish(ax)
