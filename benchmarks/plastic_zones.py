@@ -23,6 +23,7 @@ ROLL_OFF = 64  # cells
 HARDNESS = 4.2e9  # Pa: load over contact area, nearly
 LOADING = (0.5, 1.0)  # parts of the load
 BOWL = 3.0  # height of the border over the rms of the roughness: it keeps the contact inside
+SINKS_FROM = 1024  # cells, from where on the border is as much higher as larger surfaces sink
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
@@ -48,7 +49,8 @@ def gap(grid: sc.Grid) -> np.ndarray:
     rough *= SLOPE / np.sqrt(np.mean(slopes[0] ** 2 + slopes[1] ** 2))
     x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
     side = np.maximum(np.abs(x), np.abs(y)) / (0.5 * grid.nx * CELL)
-    return np.asarray(rough - rough.min() + BOWL * rough.std() * side**8)
+    bowl = BOWL * max(1.0, grid.nx / SINKS_FROM) * rough.std()
+    return np.asarray(rough - rough.min() + bowl * side**8)
 
 
 def run(
