@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fatigue of simulated contacts: which cells, which moments, which stress; and bad input."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -112,13 +114,17 @@ def test_digits_depend_neither_on_blocks_nor_on_the_memory(monkeypatch):
     from samcontact import _memory
 
     states = [(s := ball_on()).state, s.step(load=30.0), s.step(load=60.0)]
-    whole = [dang_van(states, slope=0.3), findley(states, k=0.3)]
+    criteria = (partial(dang_van, slope=0.3), partial(findley, k=0.3))
+    criteria += (partial(fatemi_socie, k=0.5, yield_stress=1e9),)
+    seen = cycle(states)
+    whole = [criterion(seen) for criterion in criteria]
     least = 2.5 * 48 * 3 * 48 * 16
     monkeypatch.setattr(_memory, "available", lambda: 2.2 * least / 0.4)  # two layers at once
-    parts = [dang_van(states, slope=0.3), findley(states, k=0.3)]
-    for one, other in zip(whole, parts, strict=True):
-        np.testing.assert_array_equal(one.values, other.values)
-    np.testing.assert_array_equal(whole[1].normals, parts[1].normals)
+    for given in (states, seen):  # the second has its stress already
+        parts = [criterion(given) for criterion in criteria]
+        for one, other in zip(whole, parts, strict=True):
+            np.testing.assert_array_equal(one.values, other.values)
+        np.testing.assert_array_equal(whole[1].normals, parts[1].normals)
 
 
 def test_margin_and_place():

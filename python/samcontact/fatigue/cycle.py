@@ -79,7 +79,8 @@ class Cycle(Shown):
         """Shape (moments, 6, points of a block), the last axis of a field slowest."""
         known: dict[str, FloatArray] = self.__dict__.setdefault("_known", {})
         if "stress" in known:
-            return known["stress"]
+            each = math.prod(self.points_shape[:-1])
+            return known["stress"][:, :, block.start * each : block.stop * each]
         stress = self._paths.stress(block).reshape(self.moments, 6, -1)
         if block == slice(0, self.points_shape[-1]):
             known["stress"] = read_only(stress)
