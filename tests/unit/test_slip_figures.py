@@ -64,6 +64,24 @@ def test_the_map_shows_each_cell_and_the_directions_of_slip(fretting):
     assert len(set(COLOURS)) == 2
 
 
+def test_a_map_that_lies_is_the_same_turned(fretting):
+    """By a quarter clockwise, in cells, arrows and labels."""
+    state = fretting[0][8]
+    stands, lies = (
+        plotting.stick_slip_map(state.pressure, state.slip, GRID, across=across) for across in "xy"
+    )
+    kinds = drawn_values(lies, GRID.y, GRID.x)
+    np.testing.assert_array_equal(kinds.T, drawn_values(stands, GRID.x, GRID.y))
+    one, two = (
+        next(item for item in ax.collections if isinstance(item, Quiver)) for ax in (stands, lies)
+    )
+    arrows = sorted(zip(one.X, one.Y, one.U, one.V, strict=True))
+    np.testing.assert_allclose(arrows, sorted(zip(two.Y, two.X, two.V, two.U, strict=True)))
+    assert (lies.get_xlabel(), lies.get_ylabel()) == ("y [µm]", "x [µm]")
+    low, high = lies.get_ylim()
+    assert low > high  # x downward
+
+
 def test_a_map_without_slip_says_so(fretting):
     state = fretting[0][0]
     ax = plotting.stick_slip_map(state.pressure, np.zeros((2, 21, 19)), GRID)
@@ -166,6 +184,7 @@ def test_an_animation_shows_each_increment(fretting, rolling, tmp_path):
     [
         (lambda s: plotting.stick_slip_map(s.pressure, s.slip[0], GRID), "slip must have shape"),
         (lambda s: plotting.stick_slip_map(s.pressure, s.slip, GRID, unit="km"), "unit must be"),
+        (lambda s: plotting.stick_slip_map(s.pressure, s.slip, GRID, across="z"), "across must be"),
         (lambda s: plotting.shear_profile(s.pressure, s.shear, GRID, -1.0), "friction must be"),
         (lambda s: plotting.creep_curve([1.0, 2.0], [1.0]), "force must have shape"),
         (lambda s: plotting.stick_slip_animation([]), "at least one state, got none"),

@@ -104,6 +104,15 @@ def show_surface(
     return ax
 
 
+def name_sides(ax: Axes, across: str) -> Axes:
+    """Labels of a map whose coordinate from left to right is `across`; of "y" it is turned."""
+    ax.set_xlabel(f"{across} [µm]")
+    ax.set_ylabel("y [µm]" if across == "x" else "x [µm]")
+    if across == "y":
+        ax.set_ylim(*sorted(ax.get_ylim(), reverse=True))
+    return ax
+
+
 def clip(ax: Axes, drawn: list[Any], plane: Plane, inside: FloatArray) -> None:
     """Show what is drawn only where a field is above zero."""
     region = ax.contourf(*plane.smooth(inside), levels=[0.0, 1.0 + float(inside.max())])

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from .._checks import choice, finite_array
 from .._quantities import CONTACT
 from ..results.reading import cell_size
-from .fields import Plane, inside_of_contact, outline, show_surface
+from .fields import Plane, inside_of_contact, name_sides, outline, show_surface
 from .parts import SURFACES, edges
 
 if TYPE_CHECKING:
@@ -87,10 +87,7 @@ def surface_map(
     ax = show_surface(ax, plane, values, shown, across, note, inside=inside, cells=cells)
     if ends and not cells:
         outline(ax, plane, edge, linestyles="dashed" if quantity == "print" else "solid")
-    if across == "y":
-        ax.set_ylabel("x [µm]")
-        ax.set_ylim(*sorted(ax.get_ylim(), reverse=True))
-    return ax
+    return name_sides(ax, across)
 
 
 def track_map(track: xr.Dataset, ax: Axes | None = None, *, cells: bool = False) -> Axes:

@@ -34,6 +34,8 @@ SURFACES = {"pressure": "pressure", "gap": "gap", "print": "residual_displacemen
 INTERFACE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
 LYING = 0.2
 """Height over width of maps that are so flat that their bar of colours is below them."""
+LONG = 2.5
+"""Times as long along y as along x: maps of such contacts lie."""
 COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
 
 

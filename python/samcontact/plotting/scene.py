@@ -17,15 +17,12 @@ from ..results.motion import track_of
 from ..results.reading import graded_of, grid_of
 from ..results.zones import on_grid
 from .contact import HertzContact
-from .parts import map_height, row_of_interest, section_height
+from .parts import LONG, map_height, row_of_interest, section_height
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..layered import Body
-
-
-_LONG = 2.5  # times as long along y as along x: its maps lie
 
 
 @dataclass
@@ -105,7 +102,7 @@ class Scene:
         """Which coordinate is from left to right in maps, and their figure's size [in]."""
         grid = self.grid
         long, wide = grid.ny * grid.dy, grid.nx * grid.dx
-        if long <= _LONG * wide:
+        if long <= LONG * wide:
             return "x", (5.0, 3.6)
         return "y", (5.0, map_height(5.0, long, wide))
 

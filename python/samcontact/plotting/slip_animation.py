@@ -14,7 +14,7 @@ from matplotlib.lines import Line2D
 from .._checks import FloatArray, positive
 from .._quantities import CONTACT
 from ..state import in_one_window
-from .parts import finish, new_figure
+from .parts import LONG, finish, new_figure
 from .slipping import stick_slip_map
 
 if TYPE_CHECKING:
@@ -60,15 +60,17 @@ def stick_slip_animation(states: Sequence[State], *, interval: float = 100.0) ->
     states = in_one_window(states)
     grid, course = states[0].grid, course_of(states)
     limits = _limits(states, grid)
-    figure = new_figure(9.0, 4.0)
-    left, right = figure.subplots(1, 2)
+    lies = bool(np.ptp(limits[1]) > LONG * np.ptp(limits[0]))
+    across = "y" if lies else "x"
+    figure = new_figure(7.0, 4.8) if lies else new_figure(9.0, 4.0)
+    left, right = figure.subplots(2, 1) if lies else figure.subplots(1, 2)
     point = _course_panel(right, course)
 
     def draw(number: int) -> list[Any]:
         state = states[number]
         left.clear()
-        stick_slip_map(state.pressure, state.slip, grid, left)
-        left.set(xlim=limits[0], ylim=limits[1])
+        stick_slip_map(state.pressure, state.slip, grid, left, across=across)
+        left.set(xlim=limits[lies], ylim=limits[0][::-1] if lies else limits[1])
         right.set_title(f"load {state.load:.4g} N", fontsize="medium")
         point.set_data([course.across[number]], [course.force[number]])
         return [left, point]

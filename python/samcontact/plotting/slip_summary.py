@@ -32,10 +32,11 @@ def slip_figures(scene: Scene) -> dict[str, Figure]:
     data = scene.dataset
     if "friction_work" not in data or not np.any(data["pressure"].values[chosen(data)] > 0):
         return {}
-    figures = {"stick_slip": new_figure()}
+    across, size = scene.map_look
+    figures = {"stick_slip": new_figure(*size)}
     slip = np.stack([data[f"slip_{axis}"].values[chosen(data)] for axis in "xy"])
     pressure = data["pressure"].values[chosen(data)]
-    stick_slip_map(pressure, slip, scene.grid, figures["stick_slip"].subplots())
+    stick_slip_map(pressure, slip, scene.grid, figures["stick_slip"].subplots(), across=across)
     along = driven(data)
     if along and "travel_body1" in data:
         if along[0] != "z":

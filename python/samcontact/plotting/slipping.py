@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, finite_array, non_negative
 from .._quantities import CONTACT
-from .fields import Plane, clip, inside_of_contact, inside_of_slip, outline
+from .fields import Plane, clip, inside_of_contact, inside_of_slip, name_sides, outline
 from .parts import axes_or_new, edges, finish, prefixed, surface_line
 
 if TYPE_CHECKING:
@@ -32,7 +32,13 @@ DIRECTIONS = {"x": ("tangential_load_x", "shift_x"), "y": ("tangential_load_y", 
 
 
 def stick_slip_map(
-    pressure: ArrayLike, slip: ArrayLike, grid: Grid, ax: Axes | None = None, *, unit: str = "m"
+    pressure: ArrayLike,
+    slip: ArrayLike,
+    grid: Grid,
+    ax: Axes | None = None,
+    *,
+    unit: str = "m",
+    across: str = "x",
 ) -> Axes:
     """Where the bodies stick and where they slip, from above, with arrows along the slip.
 
@@ -49,6 +55,9 @@ def stick_slip_map(
         Where to draw.
     unit : {"m", "1"}
         Of the slip; "1" per way rolled, as of a `RollingSolution`.
+    across : {"x", "y"}, optional
+        Coordinate from left to right. "y" turns the map by a quarter, with x downward: for contacts
+        that are long along y.
 
     Returns
     -------
@@ -57,19 +66,22 @@ def stick_slip_map(
     Raises
     ------
     ValueError
-        Wrong shape of a field, or an unknown unit.
+        Wrong shape of a field, or an unknown unit or coordinate.
     """
     choice("unit", unit, ("m", "1"))
+    choice("across", across, ("x", "y"))
     shape = (grid.nx, grid.ny)
     pressed = finite_array("pressure", pressure, shape)
     touching = pressed > 0
-    moved = finite_array("slip", slip, (2, *shape))
-    slips = touching & moved.any(axis=0)
+    moved = np.where(touching, finite_array("slip", slip, (2, *shape)), 0.0)
+    plane = Plane(edges(grid.x, grid.dx), edges(grid.y, grid.dy))
+    if across == "y":
+        plane, pressed, moved = Plane(*plane[::-1]), pressed.T, moved[::-1].transpose(0, 2, 1)
     ax = axes_or_new(ax)
     ax.grid(False)
     if touching.any():
-        _kinds(ax, np.hypot(*moved), np.maximum(pressed, 0.0), grid)
-    largest = _arrows(ax, np.where(slips, moved, 0.0), touching, grid)
+        _kinds(ax, np.hypot(*moved), np.maximum(pressed, 0.0), plane)
+    largest = _arrows(ax, moved, pressed > 0, plane)
     handles = [Patch(color=colour, label=label) for colour, label in zip(
         COLOURS, ("sticks", "slips"), strict=True)]  # fmt: skip
     ax.legend(handles=handles, loc="upper right", fontsize="small", framealpha=0.85, borderpad=0.3)
@@ -77,14 +89,11 @@ def stick_slip_map(
     title = f"slip up to {largest * factor:.3g} {name}" if largest > 0 else "no slip"
     ax.set_title(title, fontsize="medium")
     ax.set_aspect("equal")
-    ax.set_xlabel("x [µm]")
-    ax.set_ylabel("y [µm]")
-    return ax
+    return name_sides(ax, across)
 
 
-def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, grid: Grid) -> None:
+def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, plane: Plane) -> None:
     """The parts of the contact in their colours, and its edge."""
-    plane = Plane(edges(grid.x, grid.dx), edges(grid.y, grid.dy))
     inside, slips = inside_of_contact(pressure), inside_of_slip(slip, pressure > 0)
     levels = [slips.min() - 1.0, 0.0, slips.max() + 1.0]
     parts = ax.contourf(*plane.smooth(slips), levels=levels, colors=COLOURS)
@@ -92,24 +101,25 @@ def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, grid: Grid) -> None
     outline(ax, plane, inside)
 
 
-def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], grid: Grid) -> float:
-    """Draw some, the same part of the cells along x and y; the largest slip."""
+def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], plane: Plane) -> float:
+    """Draw some, the same part of the cells along both sides; the largest slip."""
     size: FloatArray = np.hypot(*slip)
     largest = float(size.max(initial=0.0))
     if not largest > 0:
         return 0.0
     cells = np.argwhere(touching)
-    sides = (np.ptp(cells, axis=0) + 1) * np.array([grid.dx, grid.dy])
-    apart = max(float(sides.max()) / _ARROWS, grid.dx, grid.dy)
-    every = [max(round(apart / d), 1) for d in (grid.dx, grid.dy)]
+    size_of_cell = np.array([side[1] - side[0] for side in plane])
+    sides = (np.ptp(cells, axis=0) + 1) * size_of_cell
+    apart = max(float(sides.max()) / _ARROWS, *size_of_cell)
+    every = [max(round(apart / d), 1) for d in size_of_cell]
     middle = cells.mean(axis=0).round().astype(int)
     shown = np.zeros(touching.shape, dtype=bool)
     shown[middle[0] % every[0] :: every[0], middle[1] % every[1] :: every[1]] = True
     shown &= size > 0.02 * largest
     i, j = np.nonzero(shown)
     ax.quiver(
-        np.asarray(grid.x)[i] * 1e6,
-        np.asarray(grid.y)[j] * 1e6,
+        plane.across[i] * 1e6 + 0.5e6 * size_of_cell[0],
+        plane.down[j] * 1e6 + 0.5e6 * size_of_cell[1],
         slip[0][shown] / largest,
         slip[1][shown] / largest,
         angles="xy",
