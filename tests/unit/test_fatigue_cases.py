@@ -8,7 +8,7 @@ import xarray as xr
 import samcontact as sc
 from case_texts import MINIMAL
 from command import check_failure, invoke
-from samcontact import cases
+from samcontact import cases, results
 
 FATIGUE = """
 [fatigue]
@@ -42,7 +42,7 @@ def test_the_path_is_the_cycle(run):
     outcome, folder = run(FATIGUE)
     assert outcome.exit_code == 0, outcome.output
     assert "Fatigue of body 2 over 3 moments" in outcome.stdout
-    with xr.open_dataset(folder / "fatigue.nc") as stored:
+    with results.open_results(folder / "fatigue.nc") as stored:
         found = stored.load()
     seen = sc.fatigue.cycle(states_of(FATIGUE))
     expected = {

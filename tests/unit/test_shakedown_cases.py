@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """[shakedown] of a case file: the command prints and writes what Python computes."""
 
+import re
+
 import numpy as np
 import pytest
-import xarray as xr
 
 from case_texts import BODIES, GRID, MINIMAL, MOVING
 from command import check_failure, invoke
-from samcontact import cases, shakedown
+from samcontact import cases, report, results, shakedown
 from samcontact.commands.folder import is_own
 
 SHAKEDOWN = "[shakedown]\ncycles = 4\ntol = 0.002\n"
@@ -23,13 +24,14 @@ def run(tmp_path):
     return run
 
 
-def test_the_path_is_repeated(run):
+def test_the_path_is_repeated(run, monkeypatch):
+    monkeypatch.setattr("samcontact.report.contact.contact_figures", lambda *_: [])
     outcome, folder = run(f"estimate_error = false\n{MINIMAL}\n{SHAKEDOWN}")
     assert outcome.exit_code == 0, outcome.output
     simulation, path = cases.parse_case(MINIMAL).build()
     expected = shakedown.run(simulation, path, cycles=4, tol=0.002, progress=False)
     assert len(expected.cycles) > 1
-    with xr.open_dataset(folder / "shakedown.nc") as found:
+    with results.open_results(folder / "shakedown.nc") as found:
         assert found.attrs["verdict"] == expected.verdict
         np.testing.assert_array_equal(found["flow"], [c.flow for c in expected.cycles])
         np.testing.assert_array_equal(found["net"], [c.net for c in expected.cycles])
@@ -38,6 +40,21 @@ def test_the_path_is_repeated(run):
     assert (folder / "shakedown.png").exists()
     # so that a later run without it leaves nothing of it behind
     assert all(is_own(folder / name) for name in ("shakedown.nc", "shakedown.png"))
+    page = invoke("report", folder)
+    assert page.exit_code in (0, 1), page.output
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    assert f"{expected.verdict} after {expected.cycles[-1].number} cycles" in text
+    (table,) = re.findall(r'<table id="shakedown-table">.*?</table>', text, re.DOTALL)
+    stored = re.findall(r'<data value="([^"]*)">', table)
+    assert [float(value) for value in stored] == [
+        value for cycle in expected.cycles for value in (cycle.flow, cycle.net)
+    ]
+    with (
+        results.open_results(folder / "results.nc") as other,
+        pytest.raises(ValueError, match=r"shakedown must be .* but has no flow, net, cycle"),
+    ):
+        report.write(other, folder / "other.html", shakedown=other)
+    assert not (folder / "other.html").exists()
 
 
 ELASTIC = MINIMAL.replace(BODIES, BODIES[: BODIES.index("[body2]")] + """[body2]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import xarray as xr
 from rich.console import Console
 
-from .. import results
+from .. import __version__, results
 from .._repr import quantity
 from .tables import Sheet
 
@@ -31,7 +31,8 @@ def write_fatigue(
     console.print(_sheet(fields, limits, body))
     dataset = xr.merge([field.to_dataset() for field in fields], combine_attrs="override")
     written = [directory / "fatigue.nc"]
-    results.save(dataset.assign_attrs(title=case.title, body=body), written[0])
+    told = {"title": case.title, "body": body, "samcontact_version": __version__}
+    results.save(dataset.assign_attrs(told), written[0])
     return written + (_figures(fields, limits, directory) if figures else [])
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from pathlib import Path
 
 import click
@@ -82,8 +83,13 @@ def report(run: Path, output: Path | None) -> None:
         target = output or source.with_name("report.html")
         if source.exists():  # else that is what is wrong
             _require_page(target)
-        with results.open_results(source) as dataset:
-            file = reports.write(dataset, target)
+        beside = source.with_name("shakedown.nc")
+        with ExitStack() as opened:
+            dataset = opened.enter_context(results.open_results(source))
+            repeated = None
+            if source.name == "results.nc" and beside.is_file():
+                repeated = opened.enter_context(results.open_results(beside))
+            file = reports.write(dataset, target, shakedown=repeated)
             failed = [check for check in reports.checks(dataset) if not check.passed]
         for check in failed:
             text = f"check failed: {check.name}: {check.shown}, limit {check.condition}"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import xarray as xr
 from rich.console import Console
 
-from .. import results
+from .. import __version__, results
 from .tables import Sheet
 
 if TYPE_CHECKING:
@@ -50,6 +50,7 @@ def _dataset(found: ShakedownResult, title: str) -> xr.Dataset:
         {"cycle": [cycle.number for cycle in found.cycles]},
         {
             "title": title,
+            "samcontact_version": __version__,
             "verdict": found.verdict,
             "rate": found.rate,
             "yield_strain": found.yield_strain,

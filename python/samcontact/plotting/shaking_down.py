@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
+from numpy.typing import ArrayLike
 
 from .. import shakedown
 from .._checks import choice, poisson_ratio
@@ -107,16 +108,18 @@ def strain_per_cycle(
         Over the yield strain, on a logarithmic scale: flow dashed, what is left solid, dots where a
         cycle was solved and gaps where it was extrapolated.
     """
-    ax = axes_or_new(ax)
-    numbers = [cycle.number for cycle in result.cycles]
-    (line,) = ax.plot(
-        numbers,
+    return draw_cycles(
+        [cycle.number for cycle in result.cycles],
         [cycle.net / result.yield_strain for cycle in result.cycles],
-        "o-",
-        markersize=3,
-        label=result.verdict if label is None else label,
+        [cycle.flow / result.yield_strain for cycle in result.cycles],
+        result.verdict if label is None else label,
+        axes_or_new(ax),
     )
-    flow = [cycle.flow / result.yield_strain for cycle in result.cycles]
+
+
+def draw_cycles(numbers: ArrayLike, net: ArrayLike, flow: ArrayLike, label: str, ax: Axes) -> Axes:
+    """`strain_per_cycle` of strains over the yield strain."""
+    (line,) = ax.plot(numbers, net, "o-", markersize=3, label=label)
     ax.plot(numbers, flow, "--", color=line.get_color(), linewidth=1)
     ax.set_yscale("log")
     ax.xaxis.set_major_locator(FittedLocator(integer=True))

@@ -12,7 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from .._atomic import replacing
 from .._verdict import Verdict
 from ..results.reading import parts_of_a_run
-from . import contact, tables, tugging, wear
+from . import contact, shaking_down, tables, tugging, wear
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _MANY = {"increment": "increments", "pass": "passes", "cycle": "cycles"}
 
 
-def write(dataset: xr.Dataset, path: str | Path) -> Path:
+def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None = None) -> Path:
     """Write the report of a run.
 
     It has the parameters, the values of each increment, figures, a comparison with Hertz where
@@ -35,6 +35,8 @@ def write(dataset: xr.Dataset, path: str | Path) -> Path:
         `WearResult.to_dataset`.
     path : str or Path
         The file, customarily ending in .html; its directory must exist. Replaced when it exists.
+    shakedown : xarray.Dataset, optional
+        Of ``shakedown.nc``, where the case has its path repeated: verdict, table and figure.
 
     Returns
     -------
@@ -44,10 +46,12 @@ def write(dataset: xr.Dataset, path: str | Path) -> Path:
     Raises
     ------
     ValueError
-        The dataset is not that of a run.
+        A dataset is not that of a run.
     OSError
         The file cannot be written.
     """
+    if shakedown is not None:
+        shaking_down.require_cycles(shakedown)
     environment = Environment(
         loader=PackageLoader("samcontact.report", "templates"),
         autoescape=True,
@@ -57,6 +61,10 @@ def write(dataset: xr.Dataset, path: str | Path) -> Path:
     )
     with parts_of_a_run():
         content = _content(dataset)
+        if shakedown is not None:
+            repeated = ("shakedown", "The path, repeated", shaking_down.table(shakedown))
+            content["values"] = [*content["values"], repeated]
+            content["figures"] = [*content["figures"], shaking_down.figure(shakedown)]
     text = environment.get_template("report.html.j2").render(**content)
     target = Path(path)
     with replacing(target) as part:
