@@ -52,7 +52,8 @@ def sjovall(epsilon: float, exponent: float = POINT) -> tuple[float, float]:
 def stribeck_load(radial_load: float, balls: int, contact_angle: float = 0.0) -> float:
     """Load of the most loaded ball by Stribeck's rule, 5 F_r/(Z cos(alpha)).
 
-    The rule covers the usual small clearance; `ball_load` has 4.37 instead, for none.
+    The rule covers the usual small clearance; `ball_load` has 4.37 instead, for none. Source:
+    Harris, *Rolling Bearing Analysis*, chapter 7.
 
     Parameters
     ----------

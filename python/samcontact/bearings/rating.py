@@ -64,7 +64,9 @@ def static_load_rating(
     -----
     The pressures stand for a permanent deformation of element and race together of about 1e-4 of
     the element's diameter; nothing here knows how they yield. The factors f_0 of the standard
-    (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) follow to their digits, as does its 44 of rollers.
+    (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) follow to their digits, as does its 44 of rollers:
+    they are made by the same formulas, so that this is no evidence of what a bearing bears.
+    Sources: ISO 76:2006, *Static load ratings*; ISO/TR 10657, *Explanatory notes on ISO 76*.
     """
     if len(races) == 0:
         raise ValueError("races must have one contact at least, got none")
@@ -109,6 +111,11 @@ def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -
     ------
     ValueError
         An argument is outside its range.
+
+    Notes
+    -----
+    Formula and pressures of `static_load_rating` stand for the same experience: that both have
+    about 1e-4 of the diameter together is no evidence of either.
     """
     Q, D = non_negative("load", load), positive("ball_diameter", ball_diameter)
     return PALMGREN * Q**2 / (D * race.Rx * race.Ry)
