@@ -5,6 +5,7 @@ import contextlib
 import os
 import subprocess
 import sys
+import tempfile
 import time
 
 import pytest
@@ -38,9 +39,8 @@ def start(script, *arguments, **options):
         [sys.executable, "-c", script, *map(str, arguments)],
         env=os.environ | {"OMP_NUM_THREADS": "1"},
         stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
         text=True,
-        **options,
+        **{"stderr": subprocess.PIPE} | options,
     )
 
 
@@ -77,14 +77,16 @@ class Nursery:
     """A process that has imported all, and forks to call `computed(argument)` of a script."""
 
     def __init__(self, script):
-        self.process = start(script + NURSERY, stdin=subprocess.PIPE)
+        # A pipe that nobody reads is full after many interrupts, and who writes there waits.
+        self.errors = tempfile.TemporaryFile("w+")  # noqa: SIM115
+        self.process = start(script + NURSERY, stdin=subprocess.PIPE, stderr=self.errors)
 
     def run(self, argument, seconds=None, number=None):
         """The result and how long it took; after these seconds the child gets a signal."""
         self.process.stdin.write(f"{argument}\n")
         self.process.stdin.flush()
         word, child = self._line()
-        assert word == "child", self.process.stderr.read()
+        assert word == "child", self.told()
         begun, result = time.perf_counter(), None
         if seconds is not None:
             time.sleep(seconds)
@@ -98,5 +100,11 @@ class Nursery:
         word, _, rest = self.process.stdout.readline().strip().partition(" ")
         return word, rest
 
+    def told(self):
+        """The end of what was written to the standard error."""
+        self.errors.seek(0)
+        return self.errors.read()[-4000:]
+
     def close(self):
         self.process.communicate()
+        self.errors.close()

@@ -39,7 +39,7 @@ def test_killed_and_interrupted(whole, nursery, tmp_path, count):
         for number in times.sample([signal.SIGKILL, signal.SIGINT], 2):
             moment = (trial + times.random()) / count * seconds
             nursery.run(argument, moment, number)
-        assert nursery.run(argument)[0] == digest
+        assert nursery.run(argument)[0] == digest, nursery.told()
         shutil.rmtree(folder)
 
 
