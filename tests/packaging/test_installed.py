@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the wheel of this installation holds, and what it needs of the machine."""
+"""What the installation that is tested holds, and what it needs of the machine."""
 
 import re
 import subprocess
@@ -8,8 +8,16 @@ import sysconfig
 from importlib import metadata
 from pathlib import Path
 
+import pytest
+
+import samcontact
+
 ROOT = Path(__file__).parents[2]
-DISTRIBUTION = metadata.distribution("samcontact")
+# Another one may be in the environment while the package is imported from a folder of sources.
+PLACE = Path(samcontact.__file__).parents[1]
+DISTRIBUTION = next(metadata.distributions(name="samcontact", path=[str(PLACE)]), None)
+if DISTRIBUTION is None:
+    pytest.skip(f"samcontact is imported from {PLACE}, not installed", allow_module_level=True)
 FILES = {str(path) for path in DISTRIBUTION.files or ()}
 (CORE,) = (path for path in DISTRIBUTION.files or () if path.match("samcontact/_core*.so"))
 # FFTW and OpenMP go into a wheel that is passed on (scripts/wheels.py); others are the system's.
