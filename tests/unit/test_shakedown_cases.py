@@ -5,9 +5,11 @@ import re
 
 import numpy as np
 import pytest
+import xarray as xr
 
+import samcontact as sc
 from case_texts import BODIES, GRID, MINIMAL, MOVING
-from command import check_failure, invoke
+from command import check_failure, invoke, pressed
 from samcontact import cases, report, results, shakedown
 from samcontact.commands.folder import is_own
 
@@ -16,10 +18,10 @@ SHAKEDOWN = "[shakedown]\ncycles = 4\ntol = 0.002\n"
 
 @pytest.fixture
 def run(tmp_path):
-    def run(text):
+    def run(text, *options):
         path = tmp_path / "scene.toml"
         path.write_text(text)
-        return invoke("run", path, "--output", tmp_path / "out"), tmp_path / "out"
+        return invoke("run", path, "--output", tmp_path / "out", *options), tmp_path / "out"
 
     return run
 
@@ -55,6 +57,30 @@ def test_the_path_is_repeated(run, monkeypatch):
     ):
         report.write(other, folder / "other.html", shakedown=other)
     assert not (folder / "other.html").exists()
+
+
+def test_cycles_are_kept_whatever_ends_the_run(run, monkeypatch):
+    text = f"estimate_error = false\n{MINIMAL}\n{SHAKEDOWN}"
+    step, left = sc.Simulation.step, [3 + 3 + 1]  # path, first cycle
+
+    def counted(self, **arguments):
+        left[0] -= 1
+        if left[0] == 0:
+            pressed()
+        return step(self, **arguments)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(sc.Simulation, "step", counted)
+        outcome, folder = run(text, "--no-figures")
+        assert outcome.exit_code == 130
+        assert "samcontact resume" in outcome.stderr
+        left[0] = 3 + 1  # only the second cycle is solved
+        assert invoke("resume", folder, "--quiet", "--no-figures").exit_code == 0
+    simulation, path = cases.parse_case(MINIMAL).build()
+    expected = shakedown.run(simulation, path, cycles=4, tol=0.002, progress=False)
+    with xr.open_dataset(folder / "shakedown.nc") as found:
+        np.testing.assert_array_equal(found["flow"], [c.flow for c in expected.cycles])
+    assert not (folder / "checkpoints").exists()
 
 
 ELASTIC = MINIMAL.replace(BODIES, BODIES[: BODIES.index("[body2]")] + """[body2]

@@ -11,6 +11,8 @@ from ..shakedown import ShakedownResult, run
 from .base import Finite, Section
 
 if TYPE_CHECKING:
+    from pathlib import Path as Folder
+
     from ..paths import Path
     from ..simulation import Simulation
 
@@ -22,7 +24,9 @@ class ShakedownSection(Section):
     tol: Annotated[Finite, Field(ge=1e-6, le=0.1)] = 1e-3
     accelerate: bool = True
 
-    def solve(self, simulation: Simulation, path: Path, progress: bool) -> ShakedownResult:
+    def solve(
+        self, simulation: Simulation, path: Path, progress: bool, checkpoint: Folder | None = None
+    ) -> ShakedownResult:
         """Repeat the path of a simulation that has not begun."""
         return run(
             simulation,
@@ -31,4 +35,5 @@ class ShakedownSection(Section):
             tol=self.tol,
             accelerate=self.accelerate,
             progress=progress,
+            checkpoint=checkpoint,
         )

@@ -10,6 +10,7 @@ import xarray as xr
 from rich.console import Console
 
 from .. import __version__, results
+from .interrupted import Checkpoints
 from .tables import Sheet
 
 if TYPE_CHECKING:
@@ -17,10 +18,17 @@ if TYPE_CHECKING:
     from ..shakedown import ShakedownResult
 
 
-def write_shakedown(case: Case, directory: Path, console: Console, *, figures: bool) -> list[Path]:
-    """A table of what repeated cycles come to, shakedown.nc and a figure; the files."""
+def write_shakedown(
+    case: Case, checkpoints: Checkpoints, console: Console, *, figures: bool
+) -> list[Path]:
+    """A table of what repeated cycles come to, shakedown.nc and a figure; the files.
+
+    Each cycle leaves a checkpoint: they take longer than the path.
+    """
     assert case.shakedown is not None
-    found = case.shakedown.solve(*case.build(), not console.quiet)
+    kept = checkpoints.remember() / "shakedown"
+    found = case.shakedown.solve(*case.build(), not console.quiet, kept)
+    directory = checkpoints.directory
     rows = found._rows()
     sheet = Sheet("The path, repeated")
     sheet.add("", [label for label, _ in rows])

@@ -26,7 +26,7 @@ from ..state import in_one_window
 from .errors import StoppedEarlyError, tell_partial, to_try_on
 from .fatigue import write_fatigue
 from .folder import publish
-from .interrupted import checkpoints_of
+from .interrupted import Checkpoints, checkpoints_of
 from .shakedown import write_shakedown
 from .tables import CONTACT_COLUMNS, Sheet, numbers, of_contact, values_sheet
 
@@ -73,7 +73,7 @@ def solve_contact(
                     if not states:
                         raise
                     error = stop
-            run = _Run(case, directory, console, simulation, in_one_window(states))
+            run = _Run(case, checkpoints, console, simulation, in_one_window(states))
             if error is not None:
                 told = run.partial(error, f"{len(states)} of {len(path)} increments", figures)
                 raise StoppedEarlyError(to_try_on(told, directory)) from error
@@ -108,7 +108,7 @@ def solve_to_accuracy(
                     error, found = stop, search.best()
                     if found is None:
                         raise
-            run = _Run(found.case, directory, console, found.simulation, found.states, found)
+            run = _Run(found.case, checkpoints, console, found.simulation, found.states, found)
             if error is None:
                 return run.write(figures=figures)
             told = run.partial(error, f"values of {len(search.grids)} grids", figures)
@@ -127,11 +127,15 @@ class _Run:
     """A simulation after the increments of a case, all or some."""
 
     case: Case
-    directory: Path
+    checkpoints: Checkpoints
     console: Console
     simulation: Simulation
     states: list[State]
     accurate: Accurate | None = None
+
+    @property
+    def directory(self) -> Path:
+        return self.checkpoints.directory
 
     def write(self, *, figures: bool, animate: bool = False, stopped_by: str = "") -> list[Path]:
         """Results, tables and figures; the files."""
@@ -173,7 +177,7 @@ class _Run:
                 )
         if case.shakedown is not None and not stopped_by:
             shown = case.output.figures and figures
-            written += write_shakedown(case, self.directory, console, figures=shown)
+            written += write_shakedown(case, self.checkpoints, console, figures=shown)
         return written + (self._animations() if animate else [])
 
     def _animations(self) -> list[Path]:
