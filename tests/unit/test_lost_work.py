@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 
 import samcontact as sc
-from case_texts import MINIMAL, TUGGING, WEAR
+from case_texts import MINIMAL, SCAR, TUGGING, WEAR
 from command import check_failure, fields, invoke, pressed
 from samcontact import plotting, report, results
 from samcontact.commands import interrupted, solve_contact
@@ -179,21 +179,26 @@ def test_no_room_for_anything(case_file, tmp_path, monkeypatch):
     assert "not all increments could be kept to go on from" in outcome.stderr
 
 
+# Case, file of the results, the increment that fails, the first one too many when it goes on.
+STUDIES = {
+    "tugging": (TUGGING.replace("passes = 2", "passes = 1"), "series.nc", 5, 1),
+    "wear": (WEAR.replace("cycles = 1", "cycles = 2"), "wear.nc", 3, 5),
+    "wear by slip": (SCAR.replace("20000", "2000"), "wear.nc", 8, 7),
+}
+
+
 class TestStudies:
     """Passes of asperities and cycles of wear."""
 
-    @pytest.fixture(params=["tugging", "wear"])
+    @pytest.fixture(params=STUDIES)
     def study(self, request, tmp_path):
-        text = {
-            "tugging": TUGGING.replace("passes = 2", "passes = 1"),
-            "wear": WEAR.replace("cycles = 1", "cycles = 2"),
-        }[request.param]
-        file = tmp_path / f"{request.param}.toml"
+        text, *rest = STUDIES[request.param]
+        file = tmp_path / "study.toml"
         file.write_text(text)
-        return file, {"tugging": "series.nc", "wear": "wear.nc"}[request.param]
+        return file, *rest
 
     def test_ctrl_c_after_the_last_increment(self, study, tmp_path, monkeypatch):
-        case, name = study
+        case, name, _, too_many = study
         out = tmp_path / "out"
         with monkeypatch.context() as patch:
             patch.setattr(results, "save", pressed)
@@ -203,8 +208,8 @@ class TestStudies:
         done = len(list((out / "checkpoints").glob("*.h5")))
         with monkeypatch.context() as patch:
             # nothing but the last cycle of wear is solved again
-            steps = 1 if name == "series.nc" else 5
-            patch.setattr(sc.Simulation, "step", stop_at(steps, AssertionError("solved again")))
+            again = stop_at(too_many, AssertionError("solved again"))
+            patch.setattr(sc.Simulation, "step", again)
             outcome = invoke("resume", out, *OPTIONS)
         assert outcome.exit_code == 0, outcome.output
         assert done > 0
@@ -212,10 +217,10 @@ class TestStudies:
         assert not (out / "checkpoints").exists()
 
     def test_an_error_leaves_what_was_computed(self, study, tmp_path, monkeypatch, undrawn):
-        case, name = study
+        case, name, failing, _ = study
         out = tmp_path / "out"
         with monkeypatch.context() as patch:
-            patch.setattr(sc.Simulation, "step", stop_at(3 if "wear" in name else 5, ERRORS[0]))
+            patch.setattr(sc.Simulation, "step", stop_at(failing, ERRORS[0]))
             outcome = invoke("run", case, "--output", out, *OPTIONS)
         what = "1 of up to 2 cycles" if "wear" in name else "1 of 1 passes, the last in part,"
         check_failure(outcome, 1, "no convergence: residual 0.1", f"{what} are in {out}")
