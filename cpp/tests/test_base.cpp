@@ -17,7 +17,7 @@ TEST_CASE("fields that come and go share memory, never at the same time") {
   std::uniform_int_distribution<std::size_t> sizes(1000, 1500000);
   std::uniform_int_distribution<int> coin(0, 2);
   std::vector<Field> fields;
-  for (int step = 0; step < 400; ++step) {
+  for (int step = 0; step < 160; ++step) {
     if (fields.size() > 24 || (coin(random) == 0 && !fields.empty())) {
       const auto which = fields.begin() + static_cast<std::ptrdiff_t>(random() % fields.size());
       const double mark = which->front();

@@ -108,7 +108,7 @@ void compare_with_subsets() {
   std::mt19937 random(7);  // NOLINT(bugprone-random-generator-seed): the same in every run
   for (const Kind kind : {Kind::scattered, Kind::repeated, Kind::on_line, Kind::on_plane,
                           Kind::on_sphere, Kind::on_circle, Kind::on_lattice, Kind::near}) {
-    for (int round = 0; round < 25; ++round) {
+    for (int round = 0; round < 10; ++round) {
       const Points points = points_of(kind, D, random);
       const auto ball = ball_of<D>(points);
       CAPTURE(static_cast<int>(kind));

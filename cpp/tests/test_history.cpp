@@ -25,8 +25,8 @@ PlasticFields numbered(const Zones& zones) {
 /// 100 spots, far apart: 2 % of the surface.
 Zones spots() {
   std::vector<Box> boxes;
-  for (int a = 0; a < 10; ++a) {
-    for (int b = 0; b < 10; ++b) boxes.push_back({1030 + 100 * a, 1024 + 100 * b, 29, 29, 4});
+  for (int a = 0; a < 4; ++a) {
+    for (int b = 0; b < 4; ++b) boxes.push_back({1030 + 300 * a, 1024 + 300 * b, 29, 29, 4});
   }
   return Zones(boxes);
 }

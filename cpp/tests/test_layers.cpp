@@ -273,7 +273,8 @@ TEST_CASE("eigenstrain in layers: symmetric, never feeding energy, and in reach 
       doctest::Contains("above the rigid substrate"), std::invalid_argument);
 }
 
-TEST_CASE("images of layers are within the tolerance: the same strain in a small and a wide box") {
+TEST_CASE("images of layers are within the tolerance: the same strain in a small and a wide box" *
+          doctest::test_suite("accuracy")) {
   const int n = 14, wide = 5 * n, from = (wide - n) / 2, nz = 9;
   const Grid small(n, n, 1.0, 1.0, nz, 0.5), large(wide, wide, 1.0, 1.0, nz, 0.5);
   const VolumeTransform here(small, Symmetry::none), there(large, Symmetry::none);

@@ -72,15 +72,16 @@ double largest_difference(const Field& a, const Field& b) {
 
 }  // namespace
 
-TEST_CASE("mirrored operators give the stored part of what whole ones give") {
+TEST_CASE("mirrored operators give the stored part of what whole ones give" *
+          doctest::test_suite("accuracy")) {
   constexpr double E = 210e9;
   const SharedMedium steel = half_space({E, 0.3});
-  for (const auto& [nx, ny] : {std::array{12, 10}, std::array{11, 9}, std::array{8, 13}}) {
+  for (const auto& [nx, ny] : {std::array{12, 9}, std::array{9, 12}}) {
     const Grid grid(nx, ny, 1.0, 1.3, 5, 0.8);
-    for (const Symmetry symmetry : {Symmetry::y, Symmetry::xy}) {
-      for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
-        const VolumeOperators whole(grid, steel,
-                                    {tensor, Symmetry::none, ResidualMethod::fast, 1e-5});
+    for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
+      const VolumeOperators whole(grid, steel,
+                                  {tensor, Symmetry::none, ResidualMethod::fast, 1e-5});
+      for (const Symmetry symmetry : {Symmetry::y, Symmetry::xy}) {
         const VolumeOperators part(grid, steel, {tensor, symmetry, ResidualMethod::fast, 1e-5});
         const Field strain = symmetric_strain(grid, symmetry, tensor);
         const Field half = stored(strain, grid, part.transform());

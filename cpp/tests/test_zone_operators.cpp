@@ -123,34 +123,55 @@ struct Errors {
   Error residual, elastic;     // stress of strain, and of tractions
 };
 
-Errors errors_of(const BandSplit& split, Tensor tensor, double image_tol = 1e-5) {
-  const auto medium = half_space(steel);
-  const int parts = count(tensor);
+/// What the whole box says of the strain and the tractions of the zones.
+struct Whole {
+  Whole(Tensor the_tensor, double tol) : tensor(the_tensor), image_tol(tol) {
+    std::size_t cells = 0;
+    for (const Box& zone : zones) cells += zone.volume_size();
+    strain = zone_strain(tensor, cells);
+    const Field everywhere = on_grid(strain, count(tensor), cells);
+    const VolumeOperators whole(grid, medium,
+                                {tensor, Symmetry::none, ResidualMethod::fast, image_tol, {}});
+    VolumeSpectrum spectrum = whole.make_spectrum();
+    forward(whole.transform(), everywhere.data(), spectrum);
+    for (const Axis axis : all_axes) {
+      Field& along = displacement[static_cast<int>(axis)];
+      along.assign(grid.surface_size(), 0.0);
+      whole.residual_displacement(axis).apply(spectrum, along.data());
+    }
+    residual = whole.stress(everywhere.data(), nullptr, -1.0);
+    elastic = whole.stress(nullptr, &loads, -1.0);
+  }
+
+  Tensor tensor;
+  double image_tol;
+  SharedMedium medium = half_space(steel);
+  Tractions loads{spots(1.0), spots(0.3), spots(-0.2)};
+  Field strain, residual, elastic;
+  std::array<Field, 3> displacement;
+};
+
+Errors errors_of(const BandSplit& split, const Whole& whole) {
+  const int parts = count(whole.tensor);
   ZoneOperators operators(
-      std::make_shared<const ZoneTables>(grid, medium, tensor, image_tol, split), zones);
-  const VolumeOperators whole(grid, medium,
-                              {tensor, Symmetry::none, ResidualMethod::fast, image_tol, {}});
-  const Field strain = zone_strain(tensor, operators.cells());
-  const Field everywhere = on_grid(strain, parts, operators.cells());
+      std::make_shared<const ZoneTables>(grid, whole.medium, whole.tensor, whole.image_tol, split),
+      zones);
   Errors errors;
-  Field displacement(grid.surface_size(), 0.0), reference(displacement.size());
-  operators.transform(strain, all_axes);
-  VolumeSpectrum spectrum = whole.make_spectrum();
-  forward(whole.transform(), everywhere.data(), spectrum);
+  operators.transform(whole.strain, all_axes);
+  Field displacement(grid.surface_size());
   for (const Axis axis : all_axes) {
+    std::fill(displacement.begin(), displacement.end(), 0.0);
     operators.displacement(axis, displacement.data());
-    whole.residual_displacement(axis).apply(spectrum, reference.data());
+    const Field& reference = whole.displacement[static_cast<int>(axis)];
     for (std::size_t n = 0; n < reference.size(); ++n) {
       errors.moved[static_cast<int>(axis)].add(displacement[n], reference[n]);
     }
   }
   const Tractions none{Field(grid.surface_size(), 0.0), {}, {}};
-  errors.residual =
-      against(stress_in_zones(operators, &strain, none, parts),
-              whole.stress(everywhere.data(), nullptr, -1.0), parts, operators.cells());
-  const Tractions loads{spots(1.0), spots(0.3), spots(-0.2)};
-  errors.elastic = against(stress_in_zones(operators, nullptr, loads, parts),
-                           whole.stress(nullptr, &loads, -1.0), parts, operators.cells());
+  errors.residual = against(stress_in_zones(operators, &whole.strain, none, parts), whole.residual,
+                            parts, operators.cells());
+  errors.elastic = against(stress_in_zones(operators, nullptr, whole.loads, parts), whole.elastic,
+                           parts, operators.cells());
   return errors;
 }
 
@@ -158,7 +179,7 @@ Errors errors_of(const BandSplit& split, Tensor tensor, double image_tol = 1e-5)
 
 TEST_CASE("strain and tractions in zones do what they do in the whole box") {
   for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
-    const Errors errors = errors_of({}, tensor);
+    const Errors errors = errors_of({}, Whole(tensor, 1e-5));
     for (const Axis axis : all_axes) {
       const Error& moved = errors.moved[static_cast<int>(axis)];
       // Along the surface the strains xx and yy act the most, whose tables fall off slowest.
@@ -172,37 +193,39 @@ TEST_CASE("strain and tractions in zones do what they do in the whole box") {
   }
 }
 
-TEST_CASE("heat that goes with the pressure does in zones what it does in the whole box") {
+TEST_CASE("heat that goes with the pressure does in zones what it does in the whole box" *
+          doctest::test_suite("accuracy")) {
   const auto medium = half_space(steel);
-  for (const Heating& heating : {at_rest, moving}) {
-    for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
-      const int parts = count(tensor);
-      const auto tables =
-          std::make_shared<const ZoneTables>(grid, medium, tensor, 1e-5, BandSplit{}, heating);
-      ZoneOperators operators(tables, zones);
-      const auto heat = std::make_shared<const HeatStress>(grid, medium, heating);
-      const VolumeOperators whole(grid, medium,
-                                  {tensor, Symmetry::none, ResidualMethod::fast, 1e-5, heat});
-      const VolumeOperators cold(grid, medium,
-                                 {tensor, Symmetry::none, ResidualMethod::fast, 1e-5, {}});
-      const Tractions loads{spots(1.0), spots(0.3), spots(-0.2)};
-      const Field hot = whole.stress(nullptr, &loads, -1.0);
-      const Error error =
-          against(stress_in_zones(operators, nullptr, loads, parts), hot, parts, operators.cells());
-      // At rest it falls off as 1/r.
-      CHECK(error.rms() < 1e-3);
-      CHECK(error.max() < 1.5e-3);
-      const Field without = cold.stress(nullptr, &loads, -1.0);
-      Error heated;
-      for (std::size_t n = 0; n < hot.size(); ++n) heated.add(hot[n], without[n]);
-      CHECK(heated.rms() > 0.1);
-    }
+  for (const auto& [heating, tensor] :
+       {std::pair{at_rest, Tensor::full}, {moving, Tensor::deviator}}) {
+    const int parts = count(tensor);
+    const auto tables =
+        std::make_shared<const ZoneTables>(grid, medium, tensor, 1e-5, BandSplit{}, heating);
+    ZoneOperators operators(tables, zones);
+    const auto heat = std::make_shared<const HeatStress>(grid, medium, heating);
+    const VolumeOperators whole(grid, medium,
+                                {tensor, Symmetry::none, ResidualMethod::fast, 1e-5, heat});
+    const VolumeOperators cold(grid, medium,
+                               {tensor, Symmetry::none, ResidualMethod::fast, 1e-5, {}});
+    const Tractions loads{spots(1.0), spots(0.3), spots(-0.2)};
+    const Field hot = whole.stress(nullptr, &loads, -1.0);
+    const Error error =
+        against(stress_in_zones(operators, nullptr, loads, parts), hot, parts, operators.cells());
+    // At rest it falls off as 1/r.
+    CHECK(error.rms() < 1e-3);
+    CHECK(error.max() < 1.5e-3);
+    const Field without = cold.stress(nullptr, &loads, -1.0);
+    Error heated;
+    for (std::size_t n = 0; n < hot.size(); ++n) heated.add(hot[n], without[n]);
+    CHECK(heated.rms() > 0.1);
   }
 }
 
-TEST_CASE("finer bands leave less in each operator, and what limits them is known") {
-  const auto errors = [](const BandSplit& split) {
-    const Errors found = errors_of(split, Tensor::deviator, 1e-7);
+TEST_CASE("finer bands leave less in each operator, and what limits them is known" *
+          doctest::test_suite("accuracy")) {
+  const Whole whole(Tensor::deviator, 1e-7);
+  const auto errors = [&](const BandSplit& split) {
+    const Errors found = errors_of(split, whole);
     return std::array{found.residual.rms(), found.residual.max(), found.elastic.rms(),
                       found.moved[0].rms(), found.moved[1].rms(), found.moved[2].rms()};
   };
@@ -240,7 +263,7 @@ TEST_CASE("the von Mises stress of tractions is within its bound") {
   depths.reserve(grid.nz);
   for (int k = 0; k < grid.nz; ++k) depths.push_back((k + 0.5) * grid.dz);
   for (const auto& [friction, heating] :
-       {std::pair{0.0, Heating{}}, {0.3, Heating{}}, {0.0, at_rest}, {0.3, moving}}) {
+       {std::pair{0.3, Heating{}}, {0.0, at_rest}, {0.3, moving}}) {
     const auto heat =
         heating.is_on() ? std::make_shared<const HeatStress>(grid, medium, heating) : nullptr;
     const VolumeOperators whole(
