@@ -15,9 +15,9 @@ COLD = sc.Material.elastic(E, NU)
 WARM = COLD.with_thermal(K, ALPHA, KAPPA)
 STEEL = sc.Material.swift(E, NU, 945e6, 20.0, 0.121).with_thermal(K, ALPHA, KAPPA)
 HERTZ = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(COLD, COLD), load=LOAD)
-CELLS = 25
+CELLS = 19
 SIZE = 2.9 * HERTZ.a / CELLS
-GRID = sc.Grid(CELLS, CELLS, SIZE, SIZE, 15, 45e-6)
+GRID = sc.Grid(CELLS, CELLS, SIZE, SIZE, 11, 60e-6)
 BALL = sc.surfaces.paraboloid(GRID, RADIUS)
 PRESSURE = HERTZ.pressure(GRID.x[:, None], GRID.y)
 FIELDS = ("temperature", "surface_temperature", "stress", "surface_displacement")
