@@ -64,7 +64,7 @@ sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=
     { [ -n "$1" ] && ! grep -qxF -e "$1" .venv/samcontact-extras 2> /dev/null; }; then
     echo "Building and installing samcontact (a minute the first time) ..."
     .venv/bin/python -m pip install --quiet --disable-pip-version-check \
-      --config-settings="cmake.define.SAMCONTACT_WERROR=$strict" ".$1"
+      ${1:+--no-compile} --config-settings="cmake.define.SAMCONTACT_WERROR=$strict" ".$1"
     echo "$state" > .venv/samcontact-state
     echo "$1" >> .venv/samcontact-extras
   fi
