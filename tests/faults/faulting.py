@@ -12,14 +12,14 @@ import pytest
 
 # Trials: in every run of the tests, and with the marker `slow`.
 TRIALS = {
-    "kill: run": (5, 50),
-    "kill: wear": (5, 50),
-    "kill: tugging": (3, 50),
-    "kill: sweep": (3, 50),
+    "kill: run": (3, 50),
+    "kill: wear": (3, 50),
+    "kill: tugging": (2, 50),
+    "kill: sweep": (2, 50),
     "kill: kinds of runs": (1, 50),
-    "full disk": (12, 200),
-    "interrupt: step": (8, 80),
-    "interrupt: run": (5, 50),
+    "full disk": (8, 200),
+    "interrupt: step": (5, 80),
+    "interrupt: run": (3, 50),
     "memory: estimates": (10, 10),
     "memory: refusals": (12, 12),
     "threads": (3, 20),
