@@ -136,8 +136,7 @@ def cycle(
             "states must be at least 2 states, got one: for a contact that rolls steadily hand "
             "samcontact.fatigue.passing(state) to the criterion"
         )
-    several = isinstance(states, Sequence) and not isinstance(states, np.ndarray)
-    given = list(states) if several else []  # type: ignore[arg-type]
+    given = list(states) if isinstance(states, Sequence) else []
     if any(isinstance(one, State) for one in given):
         if plastic_strain is not None:
             raise ValueError("plastic_strain must not be given with states, which have their own")

@@ -242,11 +242,12 @@ def shift(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
     layer = np.minimum(np.floor(place).astype(np.int64), count)
     part = np.where(place < count + 1, place - layer, 1.0)
     at = np.broadcast_to(layer, columns.shape)
-    ends, turned = (
-        tuple(np.take_along_axis(nodes, at + n, axis=-1) for n in (0, 1))
-        for nodes in (extended, slopes)
-    )
-    result[..., worn, :] = _hermite(part, ends, turned)  # type: ignore[arg-type]
+
+    def ends(nodes: FloatArray) -> tuple[FloatArray, FloatArray]:
+        upper, lower = (np.take_along_axis(nodes, at + n, axis=-1) for n in (0, 1))
+        return upper, lower
+
+    result[..., worn, :] = _hermite(part, ends(extended), ends(slopes))
     return np.asarray(result, dtype=np.float64)
 
 
