@@ -57,7 +57,8 @@ class Simulation(Running, Windowed, Shown):
         In [10 tol, 1): divide increments in which a body yields so that the error of their
         division stays below this, in pressure and equivalent plastic strain relative to their
         maxima. Each part is solved as a whole and in halves, which are extrapolated to second
-        order. By default increments are taken as given, with errors of first order.
+        order. More than 64 parts are a ValueError, which tells the tolerance that takes as many.
+        By default increments are taken as given, with errors of first order.
     on_border : {"error", "warn"}, optional
         What to do when the contact reaches the border of a grid that cannot grow; with "warn" it
         does not.

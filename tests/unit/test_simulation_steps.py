@@ -144,6 +144,19 @@ class TestHalving:
         assert 0 < change < 0.1 * np.abs(whole.plastic_strain()).max()
         np.testing.assert_allclose(getattr(state, driver), goal, rtol=1e-12)
 
+    def test_too_many_parts_tell_what_tolerance_can_be_had(self):
+        """With a tolerance of 1e-5 there are 41 parts; they go with its fourth root."""
+        grid = sc.Grid(7, 7, 1e-5, 1e-5, 3, 1e-5)
+        gap = surfaces.paraboloid(grid, 10e-3)
+        soft = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)
+        options = {"increment_tol": 1e-6, "tol": 1e-8, "on_border": "warn"}
+        sim = sc.Simulation(grid, sc.Material.elastic(210e9, 0.3), soft, gap, **options)
+        with pytest.raises(ValueError, match="asks for more than 64 parts") as refused:
+            sim.step(load=20.0)
+        assert sim.state.load == 0.0
+        enough = float(re.search(r"a larger tolerance, about (\S+)$", str(refused.value))[1])
+        assert enough == pytest.approx(1e-5 * (41 / 64) ** 4, rel=0.5)
+
 
 class TestDrivers:
     def test_load_and_approach_agree(self):

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "samcontact/base/errors.hpp"
@@ -130,6 +131,9 @@ void add_part(const State& earlier, State& state) {
   contact::add_scaled(1.0, earlier.slip, state.slip);
 }
 
+/// Parts of one increment that the tolerance may ask for: each is solved three or four times.
+constexpr int most_parts = 64;
+
 }  // namespace
 
 Division::Division(const State& from, const Target& target, const Settings& settings,
@@ -207,6 +211,16 @@ std::optional<State> Division::next_part(double end, double& factor) {
   return extrapolate(once, end, factor);
 }
 
+void Division::refuse(const std::string& parts) const {
+  // The length of parts goes with the fourth root of the tolerance.
+  const double enough = settings_.increment_tol / std::pow(done_, 4);
+  const bool known = short_parts_ >= most_parts && enough < 1.0;
+  throw std::invalid_argument("increment_tol " + to_text(settings_.increment_tol) + " asks for " +
+                              parts + " of the increment to " + describe(target_) +
+                              ": take smaller increments or a larger tolerance" +
+                              (known ? ", about " + to_short_text(enough) : ""));
+}
+
 State Division::walk() {
   const double least = std::ldexp(1.0, -settings_.max_halvings);
   double length = 1.0, factor = 2.0;
@@ -216,17 +230,17 @@ State Division::walk() {
       std::optional<State> next = next_part(goal, factor);
       if (!next) {
         length = factor * (goal - done_);
-        if (length >= least) continue;
-        throw std::invalid_argument("increment_tol " + to_text(settings_.increment_tol) +
-                                    " asks for parts smaller than " + to_text(least) +
-                                    " of the increment to " + describe(target_) +
-                                    ": take smaller increments or a larger tolerance");
+        if (length < least) refuse("parts smaller than " + to_text(least));
+        continue;
       }
       add_part(moment_, *next);
       moment_ = std::move(*next);
       ++substeps_;
       length = std::min(factor * (goal - done_), 1.0 - goal);
       done_ = goal;
+      if (factor < 2.0) ++short_parts_;  // the tolerance keeps them short, not convergence
+      if (short_parts_ >= most_parts && done_ < 1.0)
+        refuse("more than " + std::to_string(most_parts) + " parts");
     } catch (const ConvergenceError&) {
       length = 0.5 * (goal - done_);
       ++counters_.halvings;

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "samcontact/simulation/simulation.hpp"
 
@@ -19,7 +20,7 @@ class Division {
            ScansOf scans);
 
   /// The state at the target. Throws ConvergenceError where the smallest part does not converge,
-  /// std::invalid_argument where the tolerance asks for smaller ones.
+  /// std::invalid_argument where the tolerance asks for smaller ones, or for too many.
   State walk();
 
  private:
@@ -35,6 +36,9 @@ class Division {
   /// The same from a solution in one part, and one in two.
   std::optional<State> extrapolate(const State& once, double end, double& factor);
 
+  /// Throws std::invalid_argument: the tolerance asks for such parts.
+  [[noreturn]] void refuse(const std::string& parts) const;
+
   const State& from_;
   const Target& target_;
   const Settings& settings_;
@@ -43,6 +47,7 @@ class Division {
   State moment_;
   double done_ = 0.0;
   int iterations_ = 0, substeps_ = 0;
+  int short_parts_ = 0;  // of the substeps, those as short as the tolerance asks for
 };
 
 }  // namespace samcontact::simulation
