@@ -24,7 +24,8 @@ from samcontact.commands.main import main
 STORED = Path(__file__).parents[1] / "images"
 WIDTH = 280
 """Pixels of what is stored."""
-LIMIT = 0.05
+LIMIT = 0.06
+"""Matplotlib 3.10 and 3.11 differ by 0.051, a line that is missing by 0.118."""
 THERMAL = "[body2.thermal]\nconductivity = 50.2\nexpansion = 11.7e-6\ndiffusivity = 1.4e-5\n"
 SURFACE = "[grid]\nnx = 27\nny = 25\ndx = 25e-6\ndy = 25e-6\n"
 ELASTIC = 'law = "elastic"\nE = 210e9\nnu = 0.3\n'
@@ -166,7 +167,7 @@ def difference(image, other):
 
 def squares(image, x=0, y=0):
     """Means over squares of about 10 pixels of an image without its edge, moved by x, y."""
-    box = (2 + x, 2 + y, image.width - 2 + x, image.height - 2 + y)
+    box = (1 + x, 1 + y, image.width - 1 + x, image.height - 1 + y)
     size = image.width // 10, image.height // 10
     return np.asarray(image.resize(size, Image.Resampling.BOX, box), dtype=float)
 
