@@ -203,3 +203,42 @@ def test_sweeps_are_few_whatever_the_tolerance(tol, nu):
         assert found.sweeps <= 12
         assert found.operator_applications <= 24
         assert found.tangential_applications <= 40
+
+
+@pytest.mark.filterwarnings(
+    "ignore::samcontact.GridTooSmallWarning", "ignore::samcontact.ResolutionWarning"
+)
+def test_without_slip_there_may_be_no_solution():
+    """Two cells of the edge are pulled where they stick and overlap where they are free."""
+    body1, body2 = sc.Material.rigid(), sc.Material.elastic(210e9, 0.0)
+    ball = sc.hertz.point(7.5e-3, sc.hertz.effective_modulus(body1, body2), load=300.0)
+    grid = sc.Grid(13, 13, 3 * ball.a / 13, 3 * ball.a / 13)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+
+    def sheared(mu):
+        solver = sc.ContactSolver(grid, body1, body2, sc.Coulomb(mu), on_border="warn")
+        pressed = solver.solve(gap, load=300.0)
+        drive = {"approach": pressed.approach, "shift": (0.2 * ball.approach, 0.0)}
+        return pressed, drive, lambda: solver.solve(gap, previous=pressed, **drive)
+
+    pressed, drive, solve = sheared(math.inf)
+    with pytest.raises(sc.ConvergenceError, match=r"bodies unlike .* friction of at most 2$"):
+        solve()
+    # the same by pivots: the worst cell changes sides
+    n, matrix = gap.size, dense_matrix(grid, body1, body2)
+    wanted = matrix @ np.concatenate([pressed.shear.ravel(), pressed.pressure.ravel()])
+    wanted[:n] += drive["shift"][0]
+    wanted[2 * n :] = pressed.approach - gap.ravel()
+    touching, sets = pressed.pressure.ravel() > 0, []
+    while touching.tobytes() not in sets:
+        sets.append(touching.tobytes())
+        t, rows = np.zeros(3 * n), np.flatnonzero(np.tile(touching, 3))
+        t[rows] = np.linalg.solve(matrix[np.ix_(rows, rows)], wanted[rows])
+        apart = (matrix @ t - wanted)[2 * n :]
+        wrong = np.where(touching, t[2 * n :] / t.max(), apart / ball.approach)
+        worst = wrong.argmin()
+        assert wrong[worst] < -1e-6
+        touching = touching.copy()
+        touching[worst] ^= True
+    assert len(sets) - sets.index(touching.tobytes()) == 4
+    assert sheared(2.0)[2]().converged

@@ -26,6 +26,9 @@ constexpr double safety = 0.5;
 constexpr double shear_share = 0.5, fine = 1e-6, rounding = 1e-12;
 /// A shear of this share of its bound is on it.
 constexpr double on_circle = 1 - 1e-9;
+/// Friction of unlike bodies beyond which an increment may have no solution. A cell whose shear
+/// lifts it is pulled where it sticks, and overlaps where it is free.
+constexpr double always_solved = 2;
 /// A force this close to the largest has no definite motion.
 constexpr double least_margin = 1e-8;
 
@@ -292,8 +295,8 @@ class CoulombContact::Sweeps {
 
 namespace {
 
-void require_solved(const CoulombSolution& solution, Given normal,
-                    const ContactSettings& settings) {
+void require_solved(const CoulombSolution& solution, Given normal, const ContactSettings& settings,
+                    bool may_have_none) {
   const ShearSolution& shear = solution.tangential;
   if (!is_finite(solution.normal) || !all_finite(shear.shear) || !all_finite(shear.slip)) {
     throw ConvergenceError("stick and slip did not converge at " + describe(Drive{normal}) +
@@ -311,6 +314,12 @@ void require_solved(const CoulombSolution& solution, Given normal,
           "; reached: tangential_load = (" + to_text(shear.force[0]) + ", " +
           to_text(shear.force[1]) + ") N, torque = " + to_text(shear.force[2]) +
           " N m: take a smaller force or increment, or a larger tol";
+  if (may_have_none) {
+    text +=
+        "; bodies unlike with so much friction may have no solution, as cells at the edge can "
+        "neither stick nor part: take a friction of at most " +
+        to_text(always_solved);
+  }
   throw ConvergenceError(text, solution.normal.iterations + shear.iterations,
                          std::max(shear.error, solution.normal.error));
 }
@@ -331,7 +340,7 @@ void CoulombContact::require_contact(const Field& gap, Given normal,
 
 CoulombSolution CoulombContact::finished(CoulombSolution solution, Given normal,
                                          const ContactSettings& settings) const {
-  require_solved(solution, normal, settings);
+  require_solved(solution, normal, settings, is_coupled() && friction_ > always_solved);
   Solution& pressed = solution.normal;
   pressed.border_complaint =
       border_complaint(grid_, pressed.tractions.pressure, describe(Drive{normal}));
