@@ -58,9 +58,16 @@ nx = 17
 ny = 17
 dx = 55e-6
 dy = 500e-6
+nz = 6
+dz = 55e-6
 [body1]
 {ELASTIC}[body2]
-{ELASTIC}[surface]
+{ELASTIC}[[body2.layers]]
+law = "elastic"
+E = 300e9
+nu = 0.25
+thickness = 110e-6
+[surface]
 shape = "paraboloid"
 Rx = 5.1e-3
 Ry = 165e-3
@@ -115,7 +122,7 @@ cycles = 2
 ALIKE = {("wear", "last_cycle_body2"): "wear/first_cycle_body2"}
 """Figures that look as others, which are stored."""
 FIRST_IN_OTHERS = {
-    "long": ("load_approach", "pressure"),
+    "long": ("axis_stress", "load_approach", "pressure", "sections"),
     "fretting": ("gap_map", "pressure", "pressure_map"),
     "fatigue": (
         "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "print",

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 _FIGURES = (
     "stick_slip", "fretting_loop", "rolling_force", "creep_curve",
-    "pressure", "pressure_map", "gap_map", "load_approach", "axis_stress", "sections", "print",
-    "print_map", "residual",
+    "pressure", "pressure_map", "gap_map", "load_approach", "axis_stress", "interface", "sections",
+    "print", "print_map", "residual",
     "flash_temperature", "temperature", "track_print", "track_sections", "force_x", "force_z",
     "load_ratio", "wear_rate", "profile_body[12]", "surface_body[12]", "first_cycle_body[12]",
     "last_cycle_body[12]", "fretting", "fatigue_depth", "fatigue_strain", "fatigue_section",

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import xarray as xr
 from rich.console import Console
 
-from .. import __version__, results
+from .. import results
 from .interrupted import Checkpoints
 from .tables import Sheet
 
@@ -46,6 +46,8 @@ def write_shakedown(
 
 
 def _dataset(found: ShakedownResult, title: str) -> xr.Dataset:
+    from .. import __version__
+
     def told(name: str, meaning: str) -> tuple[str, list[float], dict[str, str]]:
         values = [float(getattr(cycle, name)) for cycle in found.cycles]
         return "cycle", values, {"units": "1", "long_name": meaning}

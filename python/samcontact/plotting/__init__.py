@@ -17,6 +17,7 @@ from .contact import (
     temperature_profile,
 )
 from .fatigue import fatigue_depth, fatigue_map, fatigue_section
+from .interface import interface_profile
 from .maps import surface_map, track_map
 from .parts import column
 from .shaking_down import shakedown_map, strain_per_cycle
@@ -40,6 +41,7 @@ __all__ = [
     "fatigue_map",
     "fatigue_section",
     "fretting_loop",
+    "interface_profile",
     "load_approach",
     "loaded_section",
     "pressure_profile",

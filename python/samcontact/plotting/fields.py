@@ -24,6 +24,7 @@ _TRACE = 1e-2  # of the largest strain: below it there is none
 _LINE: dict[str, Any] = {"colors": "k", "linewidths": 0.4, "alpha": 0.35}
 EDGE: dict[str, Any] = {"colors": "k", "linewidths": 0.9}
 """Of the line around a contact."""
+_BAR: dict[str, Any] = {"linewidth": 2.5, "solid_capstyle": "butt", "clip_on": False, "zorder": 3}
 
 
 class Plane(NamedTuple):
@@ -169,13 +170,13 @@ def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
     return np.asarray(kinds[tuple(nearest)], dtype=np.float64)
 
 
-def touching_along(ax: Axes, across: FloatArray, touching: BoolArray) -> None:
-    """A bar along the surface of a section over the cells that touch."""
+def touching_along(
+    ax: Axes, across: FloatArray, touching: BoolArray, height: float = 0.0, **options: Any
+) -> None:
+    """A bar along the surface of a section, or at a height, over the cells that touch."""
     for run in ndimage.find_objects(ndimage.label(touching)[0]):
         ends = across[[run[0].start, run[0].stop]] * 1e6
-        ax.plot(
-            ends, [0.0, 0.0], "k-", linewidth=2.5, solid_capstyle="butt", clip_on=False, zorder=3
-        )
+        ax.plot(ends, [height, height], "k-", **_BAR, **options)
 
 
 def scale_of(values: FloatArray, quantity: Quantity) -> tuple[Normalize, FloatArray, FloatArray]:

@@ -81,7 +81,8 @@ class Scene:
             return von_mises(self.field("residual_stress", number))
         stored = self.dataset[f"{name}_body{self.body}"].sel(volume_increment=number)
         stored = on_grid(stored, self.dataset)
-        axes = [axis for axis in ("component", "x", "y", "z") if axis in stored.dims]
+        last = f"interface_body{self.body}"
+        axes = [a for a in ("side", "component", "x", "y", "z", last) if a in stored.dims]
         field: FloatArray = stored.transpose(*axes).values
         return field
 

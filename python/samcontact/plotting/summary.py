@@ -20,6 +20,7 @@ from .contact import (
     section,
     temperature_profile,
 )
+from .interface import interface_figure
 from .maps import surface_map, track_map
 from .parts import add_to_title, elsewhere, map_height, new_figure, save
 from .scene import Scene
@@ -65,13 +66,12 @@ def summary_figures(
     list of Path
         With the ending of the format: pressure.png, pressure_map.png, gap_map.png and
         load_approach.png; with a volume
-        axis_stress.png and sections.png; of bodies that stick and slip stick_slip.png (of the
-        largest force) and fretting_loop.png or, where they roll, rolling_force.png and, where the
-        creepage changes, creep_curve.png; for a heated body
-        flash_temperature.png and, with a
-        volume, temperature.png (hottest increment); for an inelastic body print.png, print_map.png
-        and residual.png (last increment; all of its track when it moved) and, when it moved,
-        track_print.png and track_sections.png.
+        axis_stress.png, sections.png and, of a body with layers, interface.png; of bodies that
+        stick and slip stick_slip.png (of the largest force) and fretting_loop.png or, where they
+        roll, rolling_force.png and, where the creepage changes, creep_curve.png; for a heated body
+        flash_temperature.png and, with a volume, temperature.png (hottest increment); for an
+        inelastic body print.png, print_map.png and residual.png (last increment; all of its track
+        when it moved) and, when it moved, track_print.png and track_sections.png.
 
     Raises
     ------
@@ -133,6 +133,8 @@ def _of_the_peak(scene: Scene) -> dict[str, Figure]:
         figures["axis_stress"] = _panel(4.6, 4.2)
         ax, stress = figures["axis_stress"].axes[0], scene.field("stress", number)
         axis_profile(stress, grid, ax, body=scene.graded, interfaces=scene.interfaces)
+    if scene.has("interface_stress", number):
+        figures["interface"] = interface_figure(scene, number)
     if any(scene.has(name, number) for name in _SECTIONS):
         figures["sections"] = _sections(scene, number)
     return figures

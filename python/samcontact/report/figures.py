@@ -17,6 +17,7 @@ from .._peak import peak_of_dataset
 from .._quantities import CONTACT
 from .._tensors import von_mises
 from ..plotting.contact import HertzContact
+from ..plotting.interface import interface_figure
 from ..plotting.parts import (
     add_to_title,
     counted,
@@ -115,9 +116,24 @@ def _volume(scene: Scene) -> Iterator[Made]:
         when = f"body {scene.body}, {_moment(scene, number)}"
         text = f"Stresses on the axis against depth.{_utilisation(scene, stress)}"
         yield f"Stress under the middle, {when}", text, figure
+    if scene.has("interface_stress", number):
+        yield _interfaces(scene, number)
     for name in ("von_mises", "hydrostatic", "equivalent_plastic_strain"):
         if scene.has(name, number):
             yield _section(scene, name, number)
+
+
+def _interfaces(scene: Scene, number: int) -> Made:
+    stress = scene.field("interface_stress", number)
+    shear = float(np.hypot(stress[:, 3], stress[:, 4]).max())
+    tension = max(float(stress[:, :2].max()), 0.0), max(float(stress[:, 2].max()), 0.0)
+    along, across, sheared = (f"{CONTACT['stress'].factor * v:.4g}" for v in (*tension, shear))
+    text = (
+        "Stress on both sides of the interfaces along x. Anywhere at them tension is at most "
+        f"{along} MPa along them and {across} MPa across, shear at most {sheared} MPa."
+    )
+    when = f"body {scene.body}, {_moment(scene, number)}"
+    return f"Stress at the interfaces, {when}", text, interface_figure(scene, number)
 
 
 def _utilisation(scene: Scene, stress: FloatArray) -> str:

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of what the interfaces of a layered body bear."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
+
+from .._checks import FloatArray, choice, finite, finite_array, integer
+from .._quantities import CONTACT
+from .fields import touching_along
+from .parts import (
+    COMPONENTS,
+    axes_or_new,
+    edges,
+    elsewhere,
+    finish,
+    nearest,
+    new_figure,
+    row_of_interest,
+)
+
+if TYPE_CHECKING:
+    from ..grid import Grid
+    from .scene import Scene
+
+_MOST_PANELS = 3
+_MARK = "largest tension"
+_NO_TENSION = 1e-2
+"""Of the largest stress that is drawn: what is less is not marked."""
+_SIDES = (("above", "C0", "-"), ("below", "C1", "--"))
+_ABOVE: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "frameon": False}
+
+
+def interface_profile(
+    stress: ArrayLike,
+    grid: Grid,
+    ax: Axes | None = None,
+    *,
+    interface: int = 0,
+    interfaces: ArrayLike = (),
+    axis: str = "x",
+    position: float = 0.0,
+    contact: ArrayLike | None = None,
+) -> Axes:
+    """What layers pull and shear each other with at an interface, and what stretches each of them.
+
+    The stress along the interface jumps: it is drawn for the layer above and for the one below.
+    Normal and shear traction pass through; drawn is their mean of both sides, which differ by what
+    the cells of plastic strain leave. A side without any stress, as a rigid substrate, is left out.
+    The largest tension of these lines is marked.
+
+    Parameters
+    ----------
+    stress : array_like, shape (2, 6, nx, ny, m)
+        Above and below each interface [Pa], see `State.interface_stress`.
+    grid : Grid
+        Its grid.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    interface : int
+        Which, from 0, the one next to the surface.
+    interfaces : array_like, shape (m,), optional
+        Depths between layers [m], as `Layered.interfaces` has them: names the one shown.
+    axis : {"x", "y"}
+        Direction of the profile.
+    position : float
+        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
+    contact : array_like, shape (nx, ny), optional
+        Above zero where the bodies touch, e.g. the pressure: a bar along the upper side.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        Wrong shape of the stress, or an interface or axis that it does not have.
+    """
+    count = max(np.shape(stress)[-1:], default=1)
+    shape = (grid.nx, grid.ny)
+    sides = finite_array("stress", stress, (2, 6, *shape, count))
+    number = integer("interface", interface, 0, count - 1)
+    depths = finite_array("interfaces", interfaces, (count,) if np.size(interfaces) else (0,))
+    choice("axis", axis, ("x", "y"))
+    along_x = axis == "x"
+    across = grid.y if along_x else grid.x
+    row = [nearest(across, finite("position", position))]
+    touching = None if contact is None else finite_array("contact", contact, shape) > 0
+
+    s, step = (np.asarray(grid.x), grid.dx) if along_x else (np.asarray(grid.y), grid.dy)
+    ax = axes_or_new(ax)
+    shown = sides[..., number].take(row, axis=3 if along_x else 2)
+    _draw_lines(ax, s, shown.reshape(2, 6, -1), axis)
+    if touching is not None:
+        bar = touching.take(row, axis=1 if along_x else 0).ravel()
+        touching_along(ax, edges(s, step), bar, 1.0, transform=ax.get_xaxis_transform())
+    where = f"{depths[number] * 1e6:.4g} µm deep" if depths.size else "at the interface"
+    ax.set(xlabel=f"{axis} [µm]", ylabel=f"stress {where} [{CONTACT['stress'].shown}]")
+    ax.legend(ncols=3, **_ABOVE)
+    return finish(ax)
+
+
+def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
+    """Of both sides along one axis, shape (2, 6, n), and a mark where tension is largest."""
+    shown = sides * CONTACT["stress"].factor
+    known = [n for n in (0, 1) if shown[n].any()] or [0, 1]
+    passing = shown[known].mean(axis=0)
+    name = axis * 2
+    lines = [
+        (rf"$\sigma_{{{name}}}$ {side}", shown[n, COMPONENTS[name]], colour, style)
+        for n, (side, colour, style) in enumerate(_SIDES)
+        if n in known
+    ]
+    for name, colour, style in (("zz", "C2", "-"), (f"{axis}z", "C3", "-.")):
+        lines.append((rf"$\sigma_{{{name}}}$", passing[COMPONENTS[name]], colour, style))
+    for label, values, colour, style in lines:
+        ax.plot(s * 1e6, values, style, color=colour, linewidth=1.2, label=label)
+    normal = np.stack([values for _, values, _, _ in lines[:-1]])
+    most = float(normal.max())
+    # the same of mirrored halves
+    which, at = np.unravel_index(int(np.argmax(normal >= most - 1e-6 * abs(most))), normal.shape)
+    if most > _NO_TENSION * max(np.abs(values).max() for _, values, _, _ in lines):
+        label = f"{_MARK} {most:.4g} {CONTACT['stress'].shown}"
+        colour = lines[which][2]
+        ax.plot(
+            s[at] * 1e6, normal[which, at], "o", color=colour, markersize=4, zorder=3, label=label
+        )
+
+
+def interface_figure(scene: Scene, number: int) -> Figure:
+    """The interfaces of a body at an increment, those with the largest tension if there are many.
+
+    One below the other, in the row where the stress along them changes most.
+    """
+    stress, grid = scene.field("interface_stress", number), scene.grid
+    tension = stress[:, [0, 2]].max(axis=(0, 1, 2, 3))
+    shown = np.sort(np.argsort(-tension, kind="stable")[:_MOST_PANELS])
+    change = np.ptp(stress[:, COMPONENTS["xx"]][..., shown], axis=1).max(axis=(0, 2))
+    y = float(grid.y[row_of_interest(change, grid.y)])
+    figure = new_figure(5.0, 0.5 + 2.6 * len(shown))
+    panels = np.ravel(figure.subplots(len(shown), 1, sharex=True))
+    contact = scene.dataset["pressure"].sel(increment=number).values
+    for ax, interface in zip(panels, shown, strict=True):
+        interface_profile(
+            stress, grid, ax, interface=int(interface), interfaces=scene.interfaces,
+            position=y, contact=contact,
+        )  # fmt: skip
+    for ax in panels[1:]:
+        ax.get_legend().remove()
+        named = zip(*ax.get_legend_handles_labels(), strict=True)
+        if marks := [line for line, label in named if label.startswith(_MARK)]:
+            ax.legend(handles=marks, **_ABOVE)
+    for ax in panels[:-1]:
+        ax.set_xlabel("")
+    if where := elsewhere("y", y, grid.dy):
+        figure.suptitle(where, fontsize="medium")
+    return figure
