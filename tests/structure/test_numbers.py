@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Numbers on pages are made by what is named beside them, not typed."""
 
+import importlib
+import json
 import re
 from pathlib import Path
 
@@ -85,3 +87,15 @@ def test_limits_of_shakedown_are_those_of_the_theory():
     found, told = (re.findall(r"\d\.\d{3}", table) for table in (made, stated))
     assert len(found) == 5 * len(theory.FRICTIONS)
     assert [*map(float, found)] == pytest.approx([*map(float, told)], abs=1.01e-3)  # a digit
+
+
+def test_counts_of_drawn_scenes_are_those_of_a_run(monkeypatch):
+    monkeypatch.syspath_prepend(ROOT / "tests" / "fuzz")
+    counter = importlib.import_module("scene_counts")
+    counts = json.loads(counter.COUNTS.read_text(encoding="utf-8"))
+    assert list(counts) == list(counter.KINDS)
+    assert kept(TEXTS["docs/testing.md"], "drawn_scenes") == counter.table(counts)
+    assert counts["all"]["FAILED"] == 0
+    once = counter.counted(counter.outcomes(["0 solved", "3 convergence", "0 parts", "x 1"]))
+    assert once["all"]["convergence"] == once["all"]["parts"] == 1
+    assert sum(once["all"].values()) == 2
