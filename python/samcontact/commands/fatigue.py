@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import xarray as xr
 from rich.console import Console
 
-from .. import __version__, results
+from .. import results
 from .._repr import quantity
 from .tables import Sheet
 
@@ -23,6 +23,8 @@ def write_fatigue(
     case: Case, states: list[State], directory: Path, console: Console, *, figures: bool
 ) -> list[Path]:
     """A table of the largest values, fatigue.nc, and figures; the files."""
+    from .. import __version__
+
     assert case.fatigue is not None
     body = case.output.body
     with console.status("fatigue"):
