@@ -51,6 +51,7 @@ ShearResult SlipIteration::run(double tol, int most_steps) {
     in_vain = r_.error < progress * best ? 0 : in_vain + 1;
     best = in_vain == 0 ? r_.error : best;
     if (in_vain > steps_in_vain) {
+      if (best_shear.empty()) break;  // no error was a number
       ++r_.fallbacks;
       // Not from where steps in vain have led.
       r_.shear = best_shear;
