@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "samcontact/base/smooth_step.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
+#include "samcontact/fft/plan.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -70,6 +72,7 @@ std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const
   const int near_nodes = nodes_in(close, step), middle_nodes = nodes_in(wide, step);
   Field whole = exact(CellOffsets::lattice(wide, wide));
   auto split = std::make_shared<Split>();
+  const Field before = repeated_ ? whole : Field{};
   Field around(static_cast<std::size_t>(close) * close);
   for (std::size_t c = 0; c < parities.size(); ++c) {
     double* table = whole.data() + c * static_cast<std::size_t>(wide) * wide;
@@ -99,6 +102,7 @@ std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const
       for (int i = 0; i < wide; i += bands_.far_spacing) split->far.push_back(far_at(j, i));
     }
   }
+  if (repeated_) compare(parities, before, *split);
   const std::lock_guard lock(mutex_);
   return kept_.emplace(key, std::move(split)).first->second;
 }
@@ -145,13 +149,20 @@ void BandTables::sharpen(Band band, const KernelOffsets& offsets, int mx, int my
 Field BandTables::tables(Band band, const Key& key, const KernelOffsets& offsets,
                          const Parities& parities, const Exact& exact) const {
   const auto parts = split(key, parities, exact);
-  if (band == Band::far) return far_tables(*parts, offsets, parities, exact);
+  if (band == Band::far) {
+    return repeated_ ? joined_far_tables(*parts, offsets, parities, key)
+                     : far_tables(*parts, offsets, parities, exact);
+  }
   const Field& from = band == Band::near ? parts->near : parts->middle;
   const int size =
       band == Band::near ? near_.cells() : nodes_in(near_.reach(), bands_.middle_spacing);
   const std::size_t plane = static_cast<std::size_t>(offsets.nx) * offsets.ny;
   Field out(parities.size() * plane, 0.0);
   for (std::size_t c = 0; c < parities.size(); ++c) {
+    if (repeated_ && band == Band::middle) {
+      add_folded(from.data() + c * size * size, size, parities[c], offsets, out.data() + c * plane);
+      continue;
+    }
     for (int j = 0; j < std::min(size, offsets.ny); ++j) {
       std::copy_n(from.data() + (c * size + j) * size, std::min(size, offsets.nx),
                   out.data() + c * plane + static_cast<std::size_t>(j) * offsets.nx);
@@ -220,6 +231,50 @@ Field BandTables::far_tables(const Split& split, const KernelOffsets& offsets,
   }
   sharpen(Band::far, offsets, fft::good_even_size(2 * nx), fft::good_even_size(2 * ny), parities,
           out);
+  return out;
+}
+
+void BandTables::compare(const Parities& parities, const Field& whole, Split& split) const {
+  const int wide = middle_.reach(), step = bands_.far_spacing, kept = nodes_in(wide, step);
+  const int near = near_.cells(), middle = nodes_in(near_.reach(), bands_.middle_spacing);
+  const double near_share = 1.0 / (step * step),
+               middle_share = near_share * bands_.middle_spacing * bands_.middle_spacing;
+  split.less = split.far;
+  for (std::size_t c = 0; c < parities.size(); ++c) {
+    for (int j = 0; j < kept; ++j) {
+      for (int i = 0; i < kept; ++i) {
+        split.less[(c * kept + j) * kept + i] -=
+            whole[(c * wide + static_cast<std::size_t>(j) * step) * wide +
+                  static_cast<std::size_t>(i) * step];
+      }
+    }
+    split.held.push_back(
+        near_share * total(split.near.data() + c * near * near, near, near, false) +
+        middle_share * total(split.middle.data() + c * middle * middle, middle, middle, false));
+  }
+}
+
+Field BandTables::joined_far_tables(const Split& split, const KernelOffsets& offsets,
+                                    const Parities& parities, const Key& key) const {
+  const auto [what, traction, at, tensor] = key;
+  const int kept = nodes_in(middle_.reach(), bands_.far_spacing);
+  const auto [nx, ny] = offsets;
+  const std::size_t plane = static_cast<std::size_t>(nx) * ny;
+  if (what == What::heat) throw std::logic_error("heat on a surface whose ends are joined");
+  Field out = what == What::stress
+                  ? repeated_->stress(traction, at, tensor)
+                  : repeated_->residual_displacement(axis_along(traction), static_cast<int>(at));
+  for (std::size_t c = 0; c < parities.size(); ++c) {
+    double* table = out.data() + c * plane;
+    const bool is_even = !parities[c].odd_x && !parities[c].odd_y;
+    const double mean = is_even ? total(table, nx, ny, true) - split.held[c] : 0.0;
+    add_folded(split.less.data() + c * kept * kept, kept, parities[c], offsets, table);
+    if (!is_even) continue;
+    const double nodes = 4.0 * (nx - 1) * (ny - 1);
+    const double shift = (mean - total(table, nx, ny, true)) / nodes;
+    for (std::size_t n = 0; n < plane; ++n) table[n] += shift;
+  }
+  sharpen(Band::far, offsets, 2 * (nx - 1), 2 * (ny - 1), parities, out);
   return out;
 }
 

@@ -52,7 +52,7 @@ class HalfSpace : public Medium {
     const double nu = elastic_.nu;
     if (!grid.period.is_on()) return cell_stress(nu, traction, grid, nx, ny, z, tensor);
     const auto cell = [&](const Grid& own, bool turned) {
-      return stress_of_cell(nu, turned ? exchanged(traction) : traction, own, z);
+      return stress_influence(turned ? exchanged(traction) : traction, own, z);
     };
     return selected(sums_.sum(grid, CellOffsets::lattice(nx, ny), cell, exchanged_components),
                     tensor);
@@ -65,6 +65,13 @@ class HalfSpace : public Medium {
   Field residual_displacement(Axis axis, const Grid& grid, const CellOffsets& offsets,
                               int layer) const override {
     return cell_residual_displacement(elastic_.nu, axis, grid, offsets, layer);
+  }
+
+  CellInfluence stress_influence(Traction traction, const Grid& cell, double z) const override {
+    return stress_of_cell(elastic_.nu, traction, cell, z);
+  }
+  CellInfluence residual_influence(Axis axis, const Grid& cell, int layer) const override {
+    return residual_of_cell(elastic_.nu, axis, cell, layer);
   }
 
   std::unique_ptr<ResidualStress> residual_stress(const Grid& grid,
@@ -91,7 +98,7 @@ class HalfSpace : public Medium {
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
     const auto layer = [&](int k) {
       const auto cell = [&](const Grid& own, bool turned) {
-        return residual_of_cell(nu, turned ? exchanged(axis) : axis, own, k);
+        return residual_influence(turned ? exchanged(axis) : axis, own, k);
       };
       return sums_.sum(grid, CellOffsets::lattice(offsets.nx, offsets.ny), cell,
                        exchanged_components);

@@ -52,7 +52,7 @@ void LatticeModes::add_lattice(const LatticeAxis& x, const LatticeAxis& y,
       const double twins = (m > 0 ? 2.0 : 1.0) * (n > 0 ? 2.0 : 1.0);
       push(k_x, k_y,
            twins / (period_x * y.period) * window.at(std::hypot(k_x, k_y) / q1) *
-               of_cell(k_x, x.d) * of_cell(k_y, y.d));
+               of_cell(k_x, x.length) * of_cell(k_y, y.length));
     }
   }
 }
@@ -72,8 +72,8 @@ void LatticeModes::subtract_integral(const LatticeAxis& x, const LatticeAxis& y,
       const double angle = (a + 0.5) * pi / (2 * angles);
       const double k_x = q * std::cos(angle), k_y = q * std::sin(angle);
       push(k_x, k_y,
-           -share * last * q / (2 * pi * angles) * window.at(q / q1) * of_cell(k_x, x.d) *
-               of_cell(k_y, y.d) * of_images(k_x, x) * of_images(k_y, y));
+           -share * last * q / (2 * pi * angles) * window.at(q / q1) * of_cell(k_x, x.length) *
+               of_cell(k_y, y.length) * of_images(k_x, x) * of_images(k_y, y));
     }
   }
 }
@@ -97,12 +97,12 @@ LatticeModes LatticeModes::of_strips(const LatticeAxis& x) {
   LatticeModes modes;
   for (int m = 1; 2 * pi * m / x.period <= last; ++m) {
     const double k = 2 * pi * m / x.period;
-    modes.push(k, 0.0, 2 / x.period * window.at(k / q1) * of_cell(k, x.d));
+    modes.push(k, 0.0, 2 / x.period * window.at(k / q1) * of_cell(k, x.length));
   }
   const auto rule = kernels::gauss_legendre(static_cast<int>(0.5 * last * (x.extent() + x.d)) + 40);
   for (const auto& [at, share] : rule) {
     const double k = last * at;
-    modes.push(k, 0.0, -share * last / pi * window.at(k / q1) * of_cell(k, x.d));
+    modes.push(k, 0.0, -share * last / pi * window.at(k / q1) * of_cell(k, x.length));
   }
   return modes;
 }

@@ -70,16 +70,17 @@ Offsets CellOffsets::in_metres(double dx, double dy) const {
   return offsets;
 }
 
-std::shared_ptr<const PeriodicTable> PeriodicSums::table(const Grid& grid, int cells_x) const {
+std::shared_ptr<const PeriodicTable> PeriodicSums::table(const Grid& grid, int cells_x,
+                                                         int step) const {
   const std::lock_guard lock(mutex_);
   const auto found = std::ranges::find_if(tables_, [&](const auto& kept) {
-    return kept->serves(grid.dx, grid.dy, grid.period, cells_x);
+    return kept->serves(grid.dx, grid.dy, grid.period, cells_x, step);
   });
   if (found != tables_.end()) {
     tables_.splice(tables_.begin(), tables_, found);
   } else {
     tables_.push_front(
-        std::make_shared<const PeriodicTable>(grid.dx, grid.dy, grid.period, cells_x));
+        std::make_shared<const PeriodicTable>(grid.dx, grid.dy, grid.period, cells_x, step));
     if (tables_.size() > most_tables) tables_.pop_back();
   }
   return tables_.front();
@@ -98,12 +99,12 @@ std::shared_ptr<const Field> PeriodicSums::sums(const std::shared_ptr<const Peri
 }
 
 Field PeriodicSums::sum(const Grid& grid, const CellOffsets& offsets, const Make& make,
-                        std::span<const int> order, int name) const {
+                        std::span<const int> order, int name, int step) const {
   const bool direct = PeriodicTable::is_direct(grid);
   const Grid turned = direct ? grid : exchanged(grid);
   const CellOffsets along = direct ? offsets : CellOffsets{offsets.y, offsets.x};
   const int cells_x = 1 + *std::max_element(along.x.begin(), along.x.end());
-  const auto table = this->table(turned, cells_x);
+  const auto table = this->table(turned, cells_x, step);
   const CellInfluence influence = make(turned, !direct);
   const auto sums = this->sums(table, influence, name);
   const std::size_t count = influence.parities.size(), nx = offsets.x.size(), ny = offsets.y.size();

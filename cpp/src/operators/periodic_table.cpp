@@ -28,15 +28,17 @@ bool PeriodicTable::is_direct(const Grid& grid) {
   return period.y * grid.dy <= period.x * grid.dx;
 }
 
-bool PeriodicTable::serves(double dx, double dy, const Period& period, int cells_x) const {
-  return x_.d == dx && y_.d == dy && period_ == period && (period.x > 0 || x_.cells == cells_x);
+bool PeriodicTable::serves(double dx, double dy, const Period& period, int cells_x,
+                           int step) const {
+  return x_.d == dx && y_.d == dy && x_.length == dx / step && period_ == period &&
+         (period.x > 0 || x_.cells == cells_x);
 }
 
-PeriodicTable::PeriodicTable(double dx, double dy, const Period& period, int cells_x)
+PeriodicTable::PeriodicTable(double dx, double dy, const Period& period, int cells_x, int step)
     : period_(period),
-      x_{dx, period.x > 0 ? period.x / 2 + 1 : cells_x, period.x * dx},
+      x_{dx, period.x > 0 ? period.x / 2 + 1 : cells_x, period.x * dx, dx / step},
       near_x_(x_),
-      y_{dy, period.y / 2 + 1, period.y * dy} {
+      y_{dy, period.y / 2 + 1, period.y * dy, dy / step} {
   if (period.y > 1) {
     const bool square = period.x > 0 && x_.extent() <= uniform_from * y_.period;
     if (!square) {

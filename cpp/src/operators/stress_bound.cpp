@@ -55,12 +55,12 @@ Field near_norm(const ZoneTables& tables, Traction kind, double depth, const Gri
   return norm;
 }
 
-NodeSpread middle_nodes(const ZoneTables& tables) {
+NodePlanes middle_planes(const ZoneTables& tables) {
   // The corners of the last blocks lie one cell further.
   Box cells = Box::surface(tables.grid());
   cells.nx += tables.split().middle_spacing;
   cells.ny += tables.split().middle_spacing;
-  return tables.middle_nodes(cells);
+  return tables.middle_planes(cells, 0);
 }
 
 }  // namespace
@@ -75,11 +75,10 @@ struct StressBound::Group {
       : first(first_),
         depths(depths_),
         has_middle(has_middle_),
-        middle(of.tables_->lattice(Band::middle, of.middle_, 0), of.middle_transform_,
-               of.tables_->medium(Band::middle), of.tables_->heat(Band::middle), depths,
-               Tensor::deviator),
-        far(of.tables_->lattice(Band::far, of.far_, 0), of.far_transform_,
-            of.tables_->medium(Band::far), of.tables_->heat(Band::far), depths, Tensor::deviator) {}
+        middle(of.middle_.lattice(), of.middle_transform_, of.tables_->medium(Band::middle),
+               of.tables_->heat(Band::middle), depths, Tensor::deviator),
+        far(of.far_.lattice(), of.far_transform_, of.tables_->medium(Band::far),
+            of.tables_->heat(Band::far), depths, Tensor::deviator) {}
 };
 
 struct StressBound::Loads {
@@ -90,10 +89,10 @@ struct StressBound::Loads {
 StressBound::StressBound(std::shared_ptr<const ZoneTables> tables,
                          const std::vector<double>& depths)
     : tables_(std::move(tables)),
-      middle_(middle_nodes(*tables_)),
-      far_(tables_->far_nodes(middle_)),
-      middle_transform_(tables_->lattice(Band::middle, middle_, 0), Symmetry::none),
-      far_transform_(tables_->lattice(Band::far, far_, 0), Symmetry::none) {
+      middle_(middle_planes(*tables_)),
+      far_(tables_->far_planes(middle_, 0)),
+      middle_transform_(middle_.lattice(), Symmetry::none),
+      far_transform_(far_.lattice(), Symmetry::none) {
   const Grid& grid = tables_->grid();
   const double ends = tables_->split().middle_bound * std::min(grid.dx, grid.dy);
   for (std::size_t n = 0; n < depths.size();) {
@@ -122,7 +121,8 @@ Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& s
   for (int c = 0; c < parts; ++c) {
     double* to = values.data() + c * plane;
     std::fill_n(to, plane, uniform[c]);
-    middle_.gather_first(nodes.data() + c * middle_.box().surface_size(), nx, ny, to);
+    middle_.nodes().gather_first(nodes.data() + c * middle_.nodes().box().surface_size(), nx, ny,
+                                 to);
     if (more == nullptr) continue;
     for (int i = 0; i < nx; ++i) {
       for (int j = 0; j < ny; ++j, ++to) {
@@ -139,6 +139,7 @@ Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& s
 Field StressBound::near_part(double depth, const Tractions& tractions) const {
   const Grid& grid = tables_->grid();
   const int reach = tables_->split().near_range;
+  const bool joined = tables_->is_joined();
   if (depth >= tables_->split().near_bound * std::min(grid.dx, grid.dy)) return {};
   Field sum(grid.surface_size(), 0.0);
   Grid around(2 * reach, 2 * reach, grid.dx, grid.dy);
@@ -152,9 +153,17 @@ Field StressBound::near_part(double depth, const Tractions& tractions) const {
       for (int j = 0; j < grid.ny; ++j) {
         const double load = std::fabs(field[static_cast<std::size_t>(i) * grid.ny + j]);
         if (load == 0) continue;
-        for (int x = std::max(0, i - reach + 1); x < std::min(grid.nx, i + reach); ++x) {
+        for (int x = i - reach + 1; x < i + reach; ++x) {
+          if (!joined && (x < 0 || x >= grid.nx)) continue;
           const double* row = norm.data() + std::abs(x - i);
-          double* to = sum.data() + static_cast<std::size_t>(x) * grid.ny;
+          double* to = sum.data() + static_cast<std::size_t>((x + grid.nx) % grid.nx) * grid.ny;
+          if (joined && (j < reach - 1 || j + reach > grid.ny)) {
+            for (int y = j - reach + 1; y < j + reach; ++y) {
+              to[(y + grid.ny) % grid.ny] +=
+                  load * row[static_cast<std::ptrdiff_t>(std::abs(y - j)) * offsets.nx];
+            }
+            continue;
+          }
           for (int y = std::max(0, j - reach + 1); y < std::min(grid.ny, j + reach); ++y) {
             to[y] += load * row[static_cast<std::ptrdiff_t>(std::abs(y - j)) * offsets.nx];
           }
@@ -181,27 +190,25 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
                               : VolumeSpectrum(middle_transform_, 0, Tensor::deviator);
   check_interrupt();
   const Field more = given.more ? given.more(group.depths) : Field{};
-  const Box rows = middle_.box();
+  const Box rows = middle_.nodes().box();
   const std::size_t far_plane = far_transform_.plane_size();
   const std::size_t middle_plane = middle_transform_.plane_size();
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < count; ++k) {
     const Uninterrupted quiet;
-    Field far_layer(parts * far_plane), nodes(parts * rows.surface_size(), 0.0);
+    Field far_layer(parts * far_plane), nodes(parts * rows.surface_size(), 0.0), room;
     inverse(far_transform_, far, k, far_layer.data());
     if (group.has_middle) {
       Field layer(parts * middle_plane);
       inverse(middle_transform_, middle, k, layer.data());
-      const Box whole{rows.i0, rows.j0, middle_transform_.nx(), middle_transform_.ny(), 1};
       for (int c = 0; c < parts; ++c) {
-        extract(layer.data() + c * middle_plane, whole, nodes.data() + c * rows.surface_size(),
-                rows);
+        extract(middle_.sheet_of(layer.data() + c * middle_plane, room), middle_.sheet(),
+                nodes.data() + c * rows.surface_size(), rows);
       }
     }
-    const Box far_nodes{far_.box().i0, far_.box().j0, far_transform_.nx(), far_transform_.ny(), 1};
     for (int c = 0; c < parts; ++c) {
-      far_.gather(far_layer.data() + c * far_plane, far_nodes, rows,
-                  nodes.data() + c * rows.surface_size());
+      far_.nodes().gather(far_.sheet_of(far_layer.data() + c * far_plane, room), far_.sheet(), rows,
+                          nodes.data() + c * rows.surface_size());
     }
     const Field corners = at_corners(nodes, given.start[group.first + k],
                                      more.empty() ? nullptr : more.data() + k * grid.surface_size(),
@@ -229,10 +236,8 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
 void StressBound::for_each_depth(const Tractions& tractions, double shear_sign, const Given& given,
                                  const Use& use) const {
   const Grid& grid = tables_->grid();
-  const Grid middle = tables_->lattice(Band::middle, middle_, 0);
-  Loads loads{tractions, spread(tractions, Box::surface(grid), grid.ny, middle_, middle), {}};
-  loads.far =
-      spread(loads.middle, middle_.box(), middle.ny, far_, tables_->lattice(Band::far, far_, 0));
+  Loads loads{tractions, spread(tractions, Box::surface(grid), grid.ny, middle_), {}};
+  loads.far = spread(loads.middle, middle_.own(), middle_.pitch(), far_);
   for (const auto& group : groups_) look_at(*group, loads, shear_sign, given, use);
 }
 

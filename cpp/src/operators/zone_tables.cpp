@@ -12,18 +12,72 @@ namespace {
 /// Tables have so many layers, times a whole number: they outlast zones that grow.
 constexpr int layers_at_once = 8;
 
+/// The node of a period that one is.
+int folded(int node, int period) { return ((node % period) + period) % period; }
+
 }  // namespace
 
-Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodeSpread& nodes,
-                 const Grid& lattice) {
+NodePlanes::NodePlanes(NodeSpread nodes, const Grid& lattice, bool joined)
+    : nodes_(std::move(nodes)), lattice_(lattice), joined_(joined), sheet_(nodes_.box()) {
+  if (!joined_) sheet_.nx = lattice_.nx, sheet_.ny = lattice_.ny;
+}
+
+Box NodePlanes::own() const {
+  return joined_ ? Box{0, 0, lattice_.nx, lattice_.ny, 1} : nodes_.box();
+}
+
+void NodePlanes::fold(const double* sheet, double* plane) const {
+  const int nx = lattice_.nx, ny = lattice_.ny;
+  for (int a = 0; a < sheet_.nx; ++a) {
+    double* row = plane + static_cast<std::size_t>(folded(sheet_.i0 + a, nx)) * ny;
+    for (int b = 0; b < sheet_.ny; ++b) row[folded(sheet_.j0 + b, ny)] += *sheet++;
+  }
+}
+
+void NodePlanes::spread(const double* cells, int pitch, const Box& box, double* plane) const {
+  if (!joined_) return nodes_.spread(cells, pitch, box, plane, sheet_.ny);
+  Field sheet(sheet_size(), 0.0);
+  nodes_.spread(cells, pitch, box, sheet.data(), sheet_.ny);
+  fold(sheet.data(), plane);
+}
+
+const double* NodePlanes::sheet_of(const double* plane, Field& room) const {
+  if (!joined_) return plane;
+  const int nx = lattice_.nx, ny = lattice_.ny;
+  room.resize(sheet_size());
+  double* to = room.data();
+  for (int a = 0; a < sheet_.nx; ++a) {
+    const double* row = plane + static_cast<std::size_t>(folded(sheet_.i0 + a, nx)) * ny;
+    for (int b = 0; b < sheet_.ny; ++b) *to++ = row[folded(sheet_.j0 + b, ny)];
+  }
+  return room.data();
+}
+
+std::vector<fft::RowRun> NodePlanes::rows_of(const std::vector<Box>& boxes) const {
+  std::vector<char> used(lattice_.nx, 0);
+  for (const Box& box : boxes) {
+    for (int a = box.i0; a < box.i0 + box.nx; ++a) {
+      used[joined_ ? folded(a, lattice_.nx) : a - sheet_.i0] = 1;
+    }
+  }
+  return fft::runs_of(used);
+}
+
+Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodePlanes& planes) {
   const auto spread_one = [&](const Field& from) {
-    Field to;
-    if (from.empty()) return to;
-    to.assign(lattice.surface_size(), 0.0);
-    nodes.spread(from.data(), pitch, box, to.data(), lattice.ny);
+    if (from.empty()) return Field{};
+    Field to(planes.plane_size(), 0.0);
+    planes.spread(from.data(), pitch, box, to.data());
     return to;
   };
   return {spread_one(cells.pressure), spread_one(cells.shear_x), spread_one(cells.shear_y)};
+}
+
+bool can_be_split(const Grid& grid, const BandSplit& split) {
+  if (!grid.period.is_on()) return true;
+  const int step = 2 * split.far_spacing;
+  return grid.nx % step == 0 && grid.ny % step == 0 && grid.period.x == grid.nx &&
+         grid.period.y == grid.ny;
 }
 
 Box with_ring(const Box& zone, const std::vector<Box>& zones, const BandSplit& split) {
@@ -55,27 +109,26 @@ ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tens
   }
 }
 
-NodeSpread ZoneTables::middle_nodes(const Box& cells) const {
-  return {split_.middle_spacing, split_.window_width, cells};
+NodePlanes ZoneTables::middle_planes(const Box& cells, int layers) const {
+  return planes(Band::middle, {split_.middle_spacing, split_.window_width, cells}, layers);
 }
 
-NodeSpread ZoneTables::far_nodes(const NodeSpread& middle) const {
-  return {split_.far_spacing / split_.middle_spacing, split_.window_width, middle.box()};
+NodePlanes ZoneTables::far_planes(const NodePlanes& middle, int layers) const {
+  const int step = split_.far_spacing / split_.middle_spacing;
+  return planes(Band::far, {step, split_.window_width, middle.nodes().box()}, layers);
 }
 
-Grid ZoneTables::lattice(Band band, const NodeSpread& nodes, int layers) const {
-  const int step = split_.spacing(band), nx = nodes.x().count(), ny = nodes.y().count();
-  if (band == Band::far) {
-    const auto cells = [this](int n) {
-      return fft::fast_plane_size(2 * (n + split_.fading_nodes)) / 2;
-    };
-    return {cells(nx), cells(ny), step * grid_.dx, step * grid_.dy, layers, grid_.dz};
-  }
-  Grid lattice(fft::fast_plane_size(nx + split_.middle_ring),
-               fft::fast_plane_size(ny + split_.middle_ring), step * grid_.dx, step * grid_.dy,
-               layers, grid_.dz);
-  lattice.period = {lattice.nx, lattice.ny, 0.0};
-  return lattice;
+NodePlanes ZoneTables::planes(Band band, NodeSpread nodes, int layers) const {
+  const int step = split_.spacing(band);
+  const auto count = [&](int cells, int reached) {
+    if (is_joined()) return cells / step;
+    if (band == Band::middle) return fft::fast_plane_size(reached + split_.middle_ring);
+    return fft::fast_plane_size(2 * (reached + split_.fading_nodes)) / 2;
+  };
+  Grid lattice(count(grid_.nx, nodes.x().count()), count(grid_.ny, nodes.y().count()),
+               step * grid_.dx, step * grid_.dy, layers, grid_.dz);
+  if (is_joined() || band == Band::middle) lattice.period = {lattice.nx, lattice.ny, 0.0};
+  return {std::move(nodes), lattice, is_joined()};
 }
 
 ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {

@@ -12,6 +12,8 @@ namespace {
 
 /// Of the work of one box, that of zones must be less than this part.
 constexpr double worth = 0.7;
+/// Where nothing is padded, rings and what zones do one by one count for more.
+constexpr double worth_joined = 0.45;
 /// Of bodies that move: each increment needs new zones, and once what lies outside of them.
 constexpr double worth_moving = 0.4;
 /// The relative change from which on pressures hardly reach further.
@@ -37,10 +39,11 @@ Columns columns_of(const std::vector<Cell>& cells) {
 }
 
 /// Whether zones hold all neighbours of a cell.
-bool holds_around(const Zones& zones, const Cell& cell) {
+bool holds_around(const Zones& zones, const Cell& cell, const Period& period) {
+  const auto within = [](int n, int length) { return length > 0 ? (n + length) % length : n; };
   for (int i = cell.i - 1; i <= cell.i + 1; ++i) {
     for (int j = cell.j - 1; j <= cell.j + 1; ++j) {
-      if (zones.number({i, j, cell.k + 1}) < 0) return false;
+      if (zones.number({within(i, period.x), within(j, period.y), cell.k + 1}) < 0) return false;
     }
   }
   return true;
@@ -50,21 +53,35 @@ bool holds_around(const Zones& zones, const Cell& cell) {
 
 bool PlasticIncrement::may_split() const {
   return !settings_.one_zone && symmetry_ == fft::Symmetry::none &&
-         from_.method == operators::ResidualMethod::fast && !scene_.grid.period.is_on();
+         from_.method == operators::ResidualMethod::fast && scene_.may_split() &&
+         (!scene_.grid.period.is_on() || is_cold_and_at_rest());
+}
+
+bool PlasticIncrement::is_cold_and_at_rest() const {
+  const auto hot = [](const operators::Heating& heating) { return heating.factor != 0; };
+  return from_.travel == Travel{} && from_.advance == Travel{} && !scene_.march.is_on() &&
+         std::none_of(target_.heating.begin(), target_.heating.end(), hot);
+}
+
+std::vector<Box> PlasticIncrement::merged_zones(const std::vector<Box>& boxes) const {
+  return merged(within_period(boxes, scene_.grid.period), scene_.split);
 }
 
 bool PlasticIncrement::is_worth_splitting(const PlasticBody& body,
                                           const std::vector<Box>& boxes) const {
   if (boxes.size() < 2) return false;
-  const double cost = cost_of_zones(boxes, Box::surface(scene_.grid), scene_.split);
+  const bool joined = scene_.grid.period.is_on();
+  const double cost = cost_of_zones(boxes, Box::surface(scene_.grid), scene_.split, joined);
   const Box window = window_of(tractions_, scene_.grid), all = around(boxes);
   if (from_.travel != Travel{} && !window.empty()) {
     // One box leaves behind what does not flow.
     const Box needed = choice_.in_grid_or({}, window.united({0, 0, 0, 0, all.nz}));
-    return cost < worth_moving * cost_of_box(choice_.fitted(choice_.with_margin(needed), {}));
+    return cost <
+           worth_moving * cost_of_box(choice_.fitted(choice_.with_margin(needed), {}), joined);
   }
   const Box box = choice_.with_margin(all.united(window));
-  return cost < worth * cost_of_box(choice_.fitted(box, body.zones().around()));
+  return cost < (joined ? worth_joined : worth) *
+                    cost_of_box(choice_.fitted(box, body.zones().around()), joined);
 }
 
 std::vector<Box> PlasticIncrement::zones_to_begin_with(const PlasticBody& body) const {
@@ -82,7 +99,7 @@ std::vector<Box> PlasticIncrement::zones_to_begin_with(const PlasticBody& body) 
     const auto flow = boxes_around(columns_of(from_.last_flow->bodies[body.index()].cells));
     boxes.insert(boxes.end(), flow.begin(), flow.end());
   }
-  return merged(boxes, scene_.split);
+  return merged_zones(boxes);
 }
 
 void PlasticIncrement::take_up_zones(PlasticBody& body) {
@@ -100,7 +117,7 @@ bool PlasticIncrement::fit_zones(PlasticBody& body) {
   std::vector<Box> boxes = body.zones().boxes();
   const auto near = boxes_around(body.yielding_columns(*scans_[body.index()], heat_));
   boxes.insert(boxes.end(), near.begin(), near.end());
-  boxes = merged(boxes, scene_.split);
+  boxes = merged_zones(boxes);
   const bool asks = first || from_.travel != Travel{};
   if (asks && !is_worth_splitting(body, boxes)) {
     if (!first) set_box(body, choice_.fitted(body.zones().around(), {}));
@@ -115,7 +132,7 @@ bool PlasticIncrement::grow_zones(PlasticBody& body, std::vector<Box> more) {
   if (more.empty()) return false;
   std::vector<Box> boxes = body.zones().boxes();
   boxes.insert(boxes.end(), more.begin(), more.end());
-  set_zones(body, Zones(merged(boxes, scene_.split)), true);
+  set_zones(body, Zones(merged_zones(boxes)), true);
   return true;
 }
 
@@ -130,7 +147,7 @@ std::vector<Box> PlasticIncrement::rims_that_flow(std::size_t b) const {
     const Box& box = zones.boxes()[zone];
     const bool inside = i > box.i0 && i < box.i0 + box.nx - 1 && j > box.j0 &&
                         j < box.j0 + box.ny - 1 && k < box.nz - 1;
-    if (!inside && !holds_around(zones, {i, j, k}))
+    if (!inside && !holds_around(zones, {i, j, k}, scene_.grid.period))
       needed[zone] = needed[zone].united(widened({i, j, 1, 1, k + 1}, growth));
   }
   std::erase_if(needed, [](const Box& box) { return box.empty(); });

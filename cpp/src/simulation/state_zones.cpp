@@ -13,7 +13,8 @@ namespace samcontact::simulation {
 bool State::is_in_zones(int body) const {
   const auto& history = plastic[body];
   return history && flow_boxes[body].size() > 1 && history->symmetry() == fft::Symmetry::none &&
-         method == operators::ResidualMethod::fast && !scene_->grid.period.is_on();
+         method == operators::ResidualMethod::fast && scene_->may_split() &&
+         (!scene_->grid.period.is_on() || travel == Travel{});
 }
 
 bool State::shows_zones(int body) const {

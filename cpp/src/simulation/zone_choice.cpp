@@ -15,6 +15,9 @@ namespace {
 
 using operators::Band;
 
+/// Points of a transform over those of a plane.
+double padding(bool joined) { return joined ? 1.0 : 4.0; }
+
 /// Cells around what must be in a zone, and below it.
 constexpr int margin = 1;
 
@@ -184,6 +187,22 @@ std::vector<Box> boxes_around(const Columns& columns) {
   return boxes;
 }
 
+std::vector<Box> within_period(const std::vector<Box>& boxes, const Period& period) {
+  if (!period.is_on()) return boxes;
+  std::vector<Box> inside;
+  for (Box box : boxes) {
+    if (box.nx > period.x) box.i0 = 0, box.nx = period.x;
+    if (box.ny > period.y) box.j0 = 0, box.ny = period.y;
+    for (const int x : {-period.x, 0, period.x}) {
+      for (const int y : {-period.y, 0, period.y}) {
+        const Box part = box.moved(x, y).intersected({0, 0, period.x, period.y, box.nz});
+        if (!part.empty()) inside.push_back(part);
+      }
+    }
+  }
+  return inside;
+}
+
 std::vector<Box> merged(const std::vector<Box>& boxes, const operators::BandSplit& split) {
   const Merging merging(split);
   std::vector<Box> needed;
@@ -198,19 +217,23 @@ std::vector<Box> merged(const std::vector<Box>& boxes, const operators::BandSpli
 }
 
 double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
-                     const operators::BandSplit& split) {
+                     const operators::BandSplit& split, bool joined) {
   const Merging merging(split);
   Box all = surface;
   for (const Box& zone : zones) all = all.united(zone);
-  const auto nodes = [&split](int cells, Band band) {
-    return static_cast<double>(cells) / split.spacing(band) + 2 * split.window_width;
+  const auto nodes = [&](int cells, Band band, int more) {
+    return static_cast<double>(cells) / split.spacing(band) + (joined ? 0 : more);
   };
-  const double middle = nodes(all.nx, Band::middle) * nodes(all.ny, Band::middle);
-  const double far = (nodes(all.nx, Band::far) + split.fading_nodes) *
-                     (nodes(all.ny, Band::far) + split.fading_nodes);
-  return merging.cost(zones) + (middle + 4 * far) * all.nz;
+  const auto planes = [&](Band band, int more) {
+    return nodes(all.nx, band, more) * nodes(all.ny, band, more);
+  };
+  const double middle = planes(Band::middle, 2 * split.window_width);
+  const double far = planes(Band::far, 2 * split.window_width + split.fading_nodes);
+  return merging.cost(zones) + (middle + padding(joined) * far) * all.nz;
 }
 
-double cost_of_box(const Box& box) { return 4.0 * box.nx * box.ny * box.nz; }
+double cost_of_box(const Box& box, bool joined) {
+  return padding(joined) * box.nx * box.ny * box.nz;
+}
 
 }  // namespace samcontact::simulation

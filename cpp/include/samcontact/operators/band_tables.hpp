@@ -11,8 +11,8 @@
 
 #include "samcontact/base/cells_over.hpp"
 #include "samcontact/operators/band_split.hpp"
-#include "samcontact/operators/medium.hpp"
 #include "samcontact/operators/node_spread.hpp"
+#include "samcontact/operators/repeated_cells.hpp"
 #include "samcontact/operators/smooth_continuation.hpp"
 
 namespace samcontact::operators {
@@ -28,6 +28,8 @@ class BandTables {
         near_(bands.middle_spacing, bands.near_range, bands.clear_band, bands.middle_spacing),
         middle_(bands.far_spacing, bands.middle_range, bands.clear_band, bands.middle_spacing) {
     cells_.period = {};
+    if (cells.period.is_on())
+      repeated_ = std::make_unique<RepeatedCells>(medium_, cells, bands.far_spacing);
   }
 
   const SharedMedium& medium() const { return medium_; }
@@ -82,6 +84,10 @@ class BandTables {
   /// [component][j][i]: the short tables of near and middle nodes, and the inside of the far ones.
   struct Split {
     Field near, middle, far;
+    /// Where ends are joined: `far` less what is exact, and of all even components the sum of what
+    /// near and middle nodes hold, per far node.
+    Field less;
+    std::vector<double> held;
   };
 
   /// Of a grid, down to a depth in cells; all of the far band.
@@ -96,6 +102,9 @@ class BandTables {
                const Exact& exact) const;
   Field far_tables(const Split& split, const KernelOffsets& offsets, const Parities& parities,
                    const Exact& exact) const;
+  Field joined_far_tables(const Split& split, const KernelOffsets& offsets,
+                          const Parities& parities, const Key& key) const;
+  void compare(const Parities& parities, const Field& whole, Split& split) const;
   void sharpen(Band band, const KernelOffsets& offsets, int mx, int my, const Parities& parities,
                Field& tables) const;
 
@@ -104,6 +113,7 @@ class BandTables {
   BandSplit bands_;
   WindowTransform window_;
   SmoothContinuation near_, middle_;
+  std::unique_ptr<const RepeatedCells> repeated_;  // where the surface repeats itself
   mutable std::mutex mutex_;
   mutable std::map<Key, std::shared_ptr<const Split>> kept_;
 };

@@ -14,6 +14,7 @@ struct LatticeAxis {
   double d = 1.0;
   int cells = 1;
   double period = 0.0;  // 0: none
+  double length = d;    // of the cell that acts
   int apart = 0;        // images up to this one are added one by one
 
   double extent() const { return (cells - 1) * d; }

@@ -52,6 +52,11 @@ class Medium {
   virtual Field residual_displacement(Axis axis, const Grid& grid, const CellOffsets& offsets,
                                       int layer) const = 0;
 
+  /// The same of one cell, and all that its sums over a lattice need. Throws std::logic_error where
+  /// it is not known.
+  virtual CellInfluence stress_influence(Traction traction, const Grid& cell, double z) const;
+  virtual CellInfluence residual_influence(Axis axis, const Grid& cell, int layer) const;
+
   /// Operators of eigenstrain in the layers of a grid, the first of which starts at the surface.
   virtual std::unique_ptr<ResidualStress> residual_stress(
       const Grid& grid, const VolumeTransform& transform,

@@ -39,9 +39,10 @@ class PeriodicSums {
   using Make = std::function<CellInfluence(const Grid& grid, bool exchanged)>;
 
   /// Tables [component][j][i] on a periodic grid. order: of the components once exchanged. name: of
-  /// an influence that is asked for again, not negative.
+  /// an influence that is asked for again, not negative. step: by which the grid is coarser than
+  /// the cell; uniform loads are then those of a cell at each of its places alone.
   Field sum(const Grid& grid, const CellOffsets& offsets, const Make& make,
-            std::span<const int> order, int name = -1) const;
+            std::span<const int> order, int name = -1, int step = 1) const;
 
  private:
   struct Named {
@@ -49,7 +50,7 @@ class PeriodicSums {
     std::shared_ptr<const PeriodicTable> table;
     std::shared_ptr<const Field> sums;
   };
-  std::shared_ptr<const PeriodicTable> table(const Grid& grid, int cells_x) const;
+  std::shared_ptr<const PeriodicTable> table(const Grid& grid, int cells_x, int step) const;
   std::shared_ptr<const Field> sums(const std::shared_ptr<const PeriodicTable>& table,
                                     const CellInfluence& influence, int name) const;
 

@@ -30,11 +30,12 @@ struct CellInfluence {
 /// The sums on one kind of grid, y periodic, and the shorter period where x is too. Immutable.
 class PeriodicTable {
  public:
-  PeriodicTable(double dx, double dy, const Period& period, int cells_x);
+  /// step: by which the grid is coarser than the cells that act.
+  PeriodicTable(double dx, double dy, const Period& period, int cells_x, int step = 1);
 
   /// Whether a table along x serves these; else one with x and y exchanged does.
   static bool is_direct(const Grid& grid);
-  bool serves(double dx, double dy, const Period& period, int cells_x) const;
+  bool serves(double dx, double dy, const Period& period, int cells_x, int step) const;
 
   /// The sums on offsets 0..columns()-1, 0..rows()-1: [component][j][i].
   Field sum(const CellInfluence& influence) const;

@@ -55,7 +55,7 @@ class StressBound {
   Field near_part(double depth, const Tractions& tractions) const;
 
   std::shared_ptr<const ZoneTables> tables_;
-  NodeSpread middle_, far_;
+  NodePlanes middle_, far_;
   VolumeTransform middle_transform_, far_transform_;
   std::vector<std::unique_ptr<const Group>> groups_;
 };

@@ -28,6 +28,12 @@ constexpr Traction traction_along(Axis axis) {
   return axis == Axis::x ? Traction::shear_x : Traction::shear_y;
 }
 
+/// The reverse.
+constexpr Axis axis_along(Traction traction) {
+  if (traction == Traction::pressure) return Axis::z;
+  return traction == Traction::shear_x ? Axis::x : Axis::y;
+}
+
 /// Tractions on a surface [i][j] [Pa] in the body's own frame; empty arrays mean none.
 struct Tractions {
   Field pressure, shear_x, shear_y;

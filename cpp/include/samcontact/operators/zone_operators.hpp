@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "samcontact/operators/zone_tables.hpp"
+#include "samcontact/operators/low_bands.hpp"
 
 namespace samcontact::operators {
 
@@ -42,41 +42,41 @@ class ZoneOperators {
  private:
   /// A zone with the ring around it, on a periodic plane.
   struct Around;
-  struct Lattice;
+  /// A zone, or an image of it where the surface repeats itself.
+  struct Neighbour {
+    Box box{};
+    int zone = 0;
+  };
 
-  void make_lattices();
-  /// Of the lattices' planes, which ones zones read.
-  void find_rows();
-  void add_ring(const Box& zone);
+  /// The zones first, as they are numbered.
+  void find_neighbours();
+  void add_ring(int number);
   /// Takes the strain of a zone, without that of others.
   void transform_zone(int zone, const Field& strain, std::span<const Axis> axes);
   /// To what was taken of a zone, the strain of others in its ring; null: none at all.
   void add_others(std::size_t zone, const Field* strain);
   /// Whether a layer of a zone has strain in a box.
-  bool has_strain(int zone, int k, const Field& strain, const Box& box) const;
-  /// A layer of the strain in some zones, on the plane around one; of this thread, until it asks
-  /// again.
-  const double* strain_around(const Around& around, std::span<const int> zones, int k,
+  bool has_strain(const Neighbour& neighbour, int k, const Field& strain, const Box& box) const;
+  /// A layer of the strain in some neighbours, on the plane around a zone; of this thread, until it
+  /// asks again.
+  const double* strain_around(const Around& around, std::span<const int> neighbours, int k,
                               const Field& strain) const;
   void stress_of_zone(std::size_t zone, const Field* strain, const Tractions& tractions,
                       double shear_sign, const Use& use);
-  void spread_layer(int k, const Field& strain);
-  /// Adds what planes of far and middle nodes give to the cells of a box, one layer.
-  void gather_low(const double* far, const double* middle, const Box& box, double* cells) const;
-  void find_low_stress(bool strained, const Tractions& tractions, double shear_sign);
+  /// Adds the displacement by the near band, of a zone or of its image so many cells away.
+  void add_displacement(const Around& around, const double* of_zone, int x, int y,
+                        double* out) const;
 
   std::shared_ptr<const ZoneTables> tables_;
   const Grid& grid_;
   std::vector<Box> zones_;
+  std::vector<std::array<int, 2>> shifts_;  // by which the surface repeats itself; 0 first
+  std::vector<Neighbour> neighbours_;
   std::vector<std::size_t> first_;  // cells before each zone's
   std::size_t cells_ = 0;
-  int layers_ = 0;
   Tensor tensor_;
+  LowBands low_;
   std::vector<Around> around_;
-  std::unique_ptr<Lattice> middle_, far_;
-  Field far_strain_;  // [component][k][node] of the far lattice
-  Field far_stress_;  // [k][component][node]
-  Field low_;         // what middle and far bands give in the zones, [component][cell]
 };
 
 }  // namespace samcontact::operators

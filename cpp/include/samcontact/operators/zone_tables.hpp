@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "samcontact/base/box.hpp"
+#include "samcontact/fft/rows.hpp"
 #include "samcontact/operators/kernel_bands.hpp"
 #include "samcontact/operators/node_spread.hpp"
 #include "samcontact/operators/volume_operators.hpp"
@@ -18,6 +19,47 @@ namespace samcontact::operators {
 /// A zone with the ring around it in which strain of others acts on it through the near band: wider
 /// at sides beyond which some are close, since what is cut off there lies beside strain as strong.
 Box with_ring(const Box& zone, const std::vector<Box>& zones, const BandSplit& split);
+
+/// The planes of a band's nodes. Where a surface repeats itself their ends are joined: spreading
+/// and gathering then take a sheet that goes on beyond them, else it is the plane.
+class NodePlanes {
+ public:
+  /// lattice: of the operators on the planes.
+  NodePlanes(NodeSpread nodes, const Grid& lattice, bool joined);
+
+  const NodeSpread& nodes() const { return nodes_; }
+  const Grid& lattice() const { return lattice_; }
+  std::size_t plane_size() const { return lattice_.surface_size(); }
+  /// The nodes of a sheet: its rows are as long as the box.
+  const Box& sheet() const { return sheet_; }
+  std::size_t sheet_size() const { return sheet_.surface_size(); }
+  /// The nodes of a plane that a coarser lattice takes, in rows of pitch() numbers.
+  Box own() const;
+  int pitch() const { return lattice_.ny; }
+  bool is_joined() const { return joined_; }
+  /// Adds a sheet to the plane, with what it has beyond the ends, where these are joined.
+  void fold(const double* sheet, double* plane) const;
+  /// The sheet of a plane, in `room` where they differ.
+  const double* sheet_of(const double* plane, Field& room) const;
+  /// Adds what the cells of a box, in rows of `pitch` numbers, give to the plane.
+  void spread(const double* cells, int pitch, const Box& box, double* plane) const;
+  /// Rows of the plane that some boxes of its nodes hold.
+  std::vector<fft::RowRun> rows_of(const std::vector<Box>& boxes) const;
+
+ private:
+  NodeSpread nodes_;
+  Grid lattice_;
+  bool joined_;
+  Box sheet_;
+};
+
+/// Tractions on the cells of a box, or on nodes, in rows of `pitch` numbers, on the planes of a
+/// lattice.
+Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodePlanes& planes);
+
+/// Whether the operators on a grid can be split in bands: where it repeats itself, it does so along
+/// x and y, in whole far nodes.
+bool can_be_split(const Grid& grid, const BandSplit& split);
 
 /// The tables that zones of one medium need, kept from one set of zones to the next. Thread-safe.
 class ZoneTables {
@@ -36,11 +78,10 @@ class ZoneTables {
   const std::shared_ptr<const HeatStress>& heat(Band band) const {
     return heat_[static_cast<int>(band)];
   }
-  /// What the cells of a box reach, and of those what reaches far nodes.
-  NodeSpread middle_nodes(const Box& cells) const;
-  NodeSpread far_nodes(const NodeSpread& middle) const;
-  /// The planes of some nodes of a band, and so many layers.
-  Grid lattice(Band band, const NodeSpread& nodes, int layers) const;
+  bool is_joined() const { return grid_.period.is_on(); }
+  /// What the cells of a box reach, and of those what reaches far nodes; of so many layers.
+  NodePlanes middle_planes(const Box& cells, int layers) const;
+  NodePlanes far_planes(const NodePlanes& middle, int layers) const;
   /// On a lattice; of some layers more than it has.
   Operators of(Band band, Grid lattice) const;
   /// Those that nobody uses go.
@@ -53,6 +94,8 @@ class ZoneTables {
   std::size_t bytes() const;
 
  private:
+  NodePlanes planes(Band band, NodeSpread nodes, int layers) const;
+
   Grid grid_;
   Tensor tensor_;
   double image_tol_;
@@ -63,10 +106,5 @@ class ZoneTables {
   mutable std::map<std::array<int, 4>, Operators> kept_;
   mutable std::vector<Field> spare_;  // the smallest first
 };
-
-/// Tractions on the cells of a box, or on nodes, in rows of `pitch` numbers, on the nodes of a
-/// lattice.
-Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodeSpread& nodes,
-                 const Grid& lattice);
 
 }  // namespace samcontact::operators

@@ -84,6 +84,9 @@ class PlasticIncrement {
   void set_box(PlasticBody& body, const Box& box) { set_zones(body, Zones({box})); }
   /// Whether strain may be solved for in small zones.
   bool may_split() const;
+  bool is_cold_and_at_rest() const;
+  /// Disjoint zones that hold some boxes.
+  std::vector<Box> merged_zones(const std::vector<Box>& boxes) const;
   /// Whether that is less work than in one box.
   bool is_worth_splitting(const PlasticBody& body, const std::vector<Box>& boxes) const;
   /// Small zones for a body with a history: those of before; of a body that has moved all history

@@ -41,6 +41,8 @@ class Scene {
   const HeatMarch march;
   const int reach;
   const operators::BandSplit split;  // of zones
+  /// Whether its grid lets zones be.
+  bool may_split() const { return operators::can_be_split(grid, split); }
   const Reliefs reliefs;
 
   Placement placement(const Travel& travel) const;

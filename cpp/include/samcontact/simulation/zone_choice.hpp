@@ -18,14 +18,19 @@ struct Columns {
 /// Boxes around the groups of neighbouring columns, a few cells wider and deeper.
 std::vector<Box> boxes_around(const Columns& columns);
 
+/// Boxes of a surface that repeats itself along x and y, or not at all: what lies beyond its ends
+/// is cut off and moved to where it is within.
+std::vector<Box> within_period(const std::vector<Box>& boxes, const Period& period);
+
 /// Disjoint boxes that hold all of these: two become one where that costs less; of two that meet,
 /// else one gives way. split: of rings of cells that are swept with zones.
 std::vector<Box> merged(const std::vector<Box>& boxes, const operators::BandSplit& split);
 
-/// Work of an evaluation in such zones over that in one box, which `box` says; both in cells of
-/// transforms and sweeps. surface: where displacement is known.
+/// Work of an evaluation in such zones and in one box, both in cells of transforms and sweeps,
+/// which only where the surface ends are padded: `joined` says that it repeats itself. surface:
+/// where displacement is known.
 double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
-                     const operators::BandSplit& split);
-double cost_of_box(const Box& box);
+                     const operators::BandSplit& split, bool joined);
+double cost_of_box(const Box& box, bool joined);
 
 }  // namespace samcontact::simulation
