@@ -318,3 +318,15 @@ def test_shear_costs_few_exact_displacements(tol, work):
         found = solver.solve(gap, load=load, tangential_load=(share * MU * load, 0.0))
         assert found.tangential_applications <= 6
         assert found.tangential_work <= work
+
+
+def test_shear_on_fine_cells_goes_on_from_coarse_ones():
+    """A rectangular box under a cylinder, 1600 cells across its contact."""
+    grid = sc.Grid(2048, 32, 1 / 2048, 1 / 2048, periodic="y")
+    body = sc.Material.elastic(2 * (1 - 0.3**2), 0.3)
+    gap = np.repeat(np.square(grid.x)[:, None] / 2, grid.ny, axis=1)
+    load = math.pi / 4 * 0.4**2 * grid.ny * grid.dy
+    solver = sc.ContactSolver(grid, body, body, sc.Coulomb(MU), tol=1e-6)
+    found = solver.solve(gap, load=load, tangential_load=(0.5 * MU * load, 0.0))
+    assert found.tangential_error <= 1e-6
+    assert found.tangential_applications <= 3

@@ -17,8 +17,8 @@ namespace {
 
 /// Boxes are halved while their shorter side keeps this many cells.
 constexpr int coarsest_side = 16;
-/// A start needs no more: finer cells change which of them slip.
-constexpr double coarse_tol = 1e-3;
+/// Finer cells change which of them slip: by a share of the shear that falls with their size.
+double coarse_tol(const Grid& box) { return std::min(1e-3, 0.06 / std::max(box.nx, box.ny)); }
 constexpr int coarse_steps = 30;
 
 /// Field over all cells of a box, and vectors [2][i][j] there.
@@ -164,8 +164,8 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, double friction,
                        task.x0 + 0.5 * box_.dx,
                        task.y0 + 0.5 * box_.dy,
                        task.rolls};
-  Answer answer =
-      coarser_->solve(coarse, friction, drive, {}, std::max(coarse_tol, tol), coarse_steps);
+  Answer answer = coarser_->solve(coarse, friction, drive, {},
+                                  std::max(coarse_tol(coarser_->box()), tol), coarse_steps);
   operations += answer.operations;
   // The ratio to the pressure is what is smooth, and tells slip at the edge.
   const Grid& grid = coarser_->box();

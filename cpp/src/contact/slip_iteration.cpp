@@ -61,6 +61,8 @@ ShearResult SlipIteration::run(double tol, int most_steps) {
       best = INFINITY;
       continue;
     }
+    // The first leaves a start whose sets are wrong. Later ones that gain little are not the last.
+    gains_little_ = gains_little_ || (in_vain > 0 && r_.steps > 1);
     choose_sets();
     step(tol);
   }

@@ -20,7 +20,8 @@ constexpr double reversal_share = 0.05;
 /// What the inner iteration is asked to gain at least and at most.
 constexpr double least_gain = 0.1, most_gain = 1e-3;
 constexpr int most_inner_steps = 14;
-/// Inner steps end when sticking cells exceed their bound by this many times the residual.
+/// Inner steps end when sticking cells exceed their bound by this many times the residual, but for
+/// outer steps that gain little: a few cells that change sides would hold up all others.
 constexpr double patience = 3.0;
 /// The first time, and each time twice as many: in the end they converge by themselves.
 constexpr int fallback_steps = 60, most_doublings = 5;
@@ -246,7 +247,7 @@ bool StickSlip::is_enough(const Field& residual, const Field& change, double fir
     return std::hypot(x, y) - problem_.bound[i];
   });
   return relative < 0.3 * tol || (left < gain * first && beyond <= 0) ||
-         (beyond / scale > patience * relative && inner >= 2);
+         (!gains_little_ && beyond / scale > patience * relative && inner >= 2);
 }
 
 void StickSlip::fall_back(double tol) {

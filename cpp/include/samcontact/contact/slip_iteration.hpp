@@ -60,6 +60,7 @@ class SlipIteration {
   ShearApplier& operators_;
   const std::size_t m_;
   const double self_influence_;
+  bool gains_little_ = false;  // a step did, after the first
   ShearResult r_;
   Field normal_, lambda_;  // directions of the shear, and what its turn costs
 
