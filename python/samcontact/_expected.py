@@ -103,16 +103,18 @@ class Scene:
         if not 0 < highest - lowest < math.inf:
             return None
         heights = (heights - lowest) / (highest - lowest)
-        basis = np.stack([np.ones_like(x), x, y, 0.5 * x * x, x * y, 0.5 * y * y], axis=1)
-        found, *_ = np.linalg.lstsq(basis, heights, rcond=None)
-        if not np.max(np.abs(basis @ found - heights)) <= SMOOTH:
+        basis = np.stack([np.ones_like(x), x, y, 0.5 * x * x, x * y, 0.5 * y * y])
+        found = np.linalg.solve(basis @ basis.T, basis @ heights)  # well conditioned in x/a, y/b
+        if not np.max(np.abs(found @ basis - heights)) <= SMOOTH:
             return None
-        curvature = np.array([[found[3] / a**2, 0.0], [found[4] / (a * b), found[5] / b**2]])
-        (least, most), planes = np.linalg.eigh(curvature)
+        xx, xy, yy = (found[3:] / (a * a, a * b, b * b)).tolist()
+        mean, half = 0.5 * (xx + yy), math.hypot(0.5 * (xx - yy), xy)
+        least, most = mean - half, mean + half
         if not least > 1e-9 * most:  # a cylinder, a saddle, a hollow
             return None
         scale = highest - lowest
-        return 1.0 / (scale * float(least)), 1.0 / (scale * float(most)), float(planes[0, 0])
+        turn = math.sin(0.5 * math.atan2(2.0 * xy, xx - yy))  # of the most curved plane
+        return 1.0 / (scale * least), 1.0 / (scale * most), turn
 
     def extent(
         self, load: float | None = None, approach: float | None = None

@@ -11,7 +11,7 @@
 namespace samcontact {
 namespace {
 
-constexpr std::size_t line = 64;
+constexpr std::size_t line = 64, small_page = 4096;
 constexpr std::size_t huge_page = std::size_t{1} << 21;
 constexpr std::size_t worth_huge_pages = 2 * huge_page;
 
@@ -26,6 +26,12 @@ void* from_system(std::size_t bytes) {
   if (bytes >= worth_huge_pages) madvise(p, bytes, MADV_HUGEPAGE);
 #endif
   return p;
+}
+
+/// The system clears a page when it is first written: all threads let it.
+void touch(char* p, std::size_t bytes) {
+#pragma omp parallel for schedule(static) if (bytes >= worth_huge_pages)
+  for (std::size_t at = 0; at < bytes; at += small_page) p[at] = 0;
 }
 
 void to_system(void* p, std::size_t bytes) { ::operator delete(p, alignment_of(bytes)); }
@@ -133,10 +139,10 @@ constexpr bool with_regions = true;
 }  // namespace
 
 void* allocate_bytes(std::size_t bytes) {
-  if (with_regions && Regions::suits(bytes)) {
-    if (void* p = regions().take(bytes)) return p;
-  }
-  return from_system(bytes);
+  void* p = with_regions && Regions::suits(bytes) ? regions().take(bytes) : nullptr;
+  if (p == nullptr) p = from_system(bytes);
+  touch(static_cast<char*>(p), bytes);
+  return p;
 }
 
 void deallocate_bytes(void* p, std::size_t bytes) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/threads.hpp"
 #include "samcontact/contact/survey.hpp"
 #include "samcontact/contact/working_set.hpp"
 
@@ -36,7 +37,7 @@ class ActiveSet {
         t_(n_),
         rest_(std::move(displacement)),
         states_(n_) {
-    for (std::size_t i = 0; i < n_; ++i) rest_[i] += problem.gap[i];
+    add_gap();
   }
 
   ActiveSetResult run(bool trim, double tol, int max_iterations) {
@@ -91,9 +92,11 @@ class ActiveSet {
   /// Cells with pressure and, once few cells drop, those with penetration. Returns their number.
   std::size_t choose_working_set(const Survey& cells) {
     const bool release = dropped_ <= calm_share * cells.working;
-    for (unsigned char& state : states_) state = state == working || (release && state != idle);
+    for_each_cell(std::ssize(states_), [&](std::ptrdiff_t i) {
+      states_[i] = states_[i] == working || (release && states_[i] != idle);
+    });
     if (cells.dropped > 0 && cells.working + (release ? cells.penetrating : 0) > 0) {
-      for (std::size_t i = 0; i < n_; ++i) p_[i] = states_[i] ? p_[i] : 0.0;
+      for_each_cell(std::ssize(p_), [&](std::ptrdiff_t i) { p_[i] = states_[i] ? p_[i] : 0.0; });
       settle();
       take_scales(totals(p_, rest_, problem_.gap));
     }
@@ -106,7 +109,11 @@ class ActiveSet {
   void settle() {
     if (load_driven_) scale_to_sum(p_, problem_.normal.value / problem_.cell_area);
     apply(p_, rest_);
-    for (std::size_t i = 0; i < n_; ++i) rest_[i] += problem_.gap[i];
+    add_gap();
+  }
+
+  void add_gap() {
+    for_each_cell(std::ssize(rest_), [&](std::ptrdiff_t i) { rest_[i] += problem_.gap[i]; });
   }
 
   /// r = gap on the working set, under load relative to its mean there.
@@ -119,8 +126,7 @@ class ActiveSet {
   /// Conjugate gradient on the working set, where the pressure may become negative. False when
   /// rounding leaves no descent.
   bool minimise(double tol, int max_iterations) {
-    std::fill(r_.begin(), r_.end(), 0.0);
-    std::fill(t_.begin(), t_.end(), 0.0);
+    for_each_cell(std::ssize(r_), [&](std::ptrdiff_t i) { r_[i] = t_[i] = 0.0; });
     double stand = position();
     update_residual(set_.lowest(p_, 0.0), others_.lowest(rest_, stand), stand);
     double zr_old = 0.0, lowest_residual = residual_;
@@ -164,9 +170,11 @@ class ActiveSet {
 
   void drop_tension() {
     dropped_ = 0;
-    for (double& p : p_) {
-      dropped_ += p < 0;
-      p = std::max(p, 0.0);
+    const std::ptrdiff_t n = std::ssize(p_);
+#pragma omp parallel for schedule(static) reduction(+ : dropped_) if (n >= worth_threads_cells)
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+      dropped_ += p_[i] < 0;
+      p_[i] = std::max(p_[i], 0.0);
     }
     if (dropped_ > 0) settle();
   }

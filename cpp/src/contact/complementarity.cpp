@@ -20,8 +20,7 @@ bool is_finite(const Solution& solution) {
 
 double contact_mean(const Field& pressure, const Field& field) {
   const std::size_t n = field.size();
-  std::size_t cells = 0;
-  for (std::size_t i = 0; i < n; ++i) cells += pressure[i] > 0;
+  const double cells = ordered_sum(n, [&](std::size_t i) { return pressure[i] > 0 ? 1.0 : 0.0; });
   const double sum =
       ordered_sum(n, [&](std::size_t i) { return pressure[i] > 0 ? field[i] : 0.0; });
   return cells > 0 ? sum / cells : 0.0;
@@ -41,18 +40,16 @@ double scale_to_sum(Field& pressure, double sum) {
     return 0.0;
   }
   const double scale = sum / present;
-  for (double& p : pressure) p *= scale;
+  for_each_cell(std::ssize(pressure), [&](std::ptrdiff_t i) { pressure[i] *= scale; });
   return scale;
 }
 
 double close_gap(const Field& initial_gap, const Field& displacement, const Field& pressure,
                  Given normal, Field& gap) {
   const std::ptrdiff_t n = initial_gap.size();
-#pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
-  for (std::ptrdiff_t i = 0; i < n; ++i) gap[i] = initial_gap[i] + displacement[i];
+  for_each_cell(n, [&](std::ptrdiff_t i) { gap[i] = initial_gap[i] + displacement[i]; });
   const double approach = normal.is_force() ? contact_mean(pressure, gap) : normal.value;
-#pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
-  for (std::ptrdiff_t i = 0; i < n; ++i) gap[i] -= approach;
+  for_each_cell(n, [&](std::ptrdiff_t i) { gap[i] -= approach; });
   return approach;
 }
 

@@ -21,12 +21,12 @@ bool is_zero(const Field& field) {
 /// Largest pressure on the sides of the grid across x and across y.
 std::array<double, 2> border_pressure(const Grid& grid, const Field& pressure) {
   std::array<double, 2> largest{};
-  for (int i = 0; i < grid.nx; ++i) {
-    for (int j = 0; j < grid.ny; ++j) {
-      const double p = pressure[static_cast<std::size_t>(i) * grid.ny + j];
-      if (grid.period.x == 0 && (i == 0 || i == grid.nx - 1)) largest[0] = std::max(largest[0], p);
-      if (grid.period.y == 0 && (j == 0 || j == grid.ny - 1)) largest[1] = std::max(largest[1], p);
-    }
+  const auto at = [&](int i, int j) { return pressure[static_cast<std::size_t>(i) * grid.ny + j]; };
+  for (int j = 0; grid.period.x == 0 && j < grid.ny; ++j) {
+    largest[0] = std::max({largest[0], at(0, j), at(grid.nx - 1, j)});
+  }
+  for (int i = 0; grid.period.y == 0 && i < grid.nx; ++i) {
+    largest[1] = std::max({largest[1], at(i, 0), at(i, grid.ny - 1)});
   }
   return largest;
 }

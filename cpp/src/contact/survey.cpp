@@ -100,7 +100,7 @@ template <class Result, class Part>
 std::vector<Result> by_chunks(std::size_t n, const Part& part) {
   const std::ptrdiff_t chunks = (n + reduce_chunk - 1) / reduce_chunk;
   std::vector<Result> results(chunks);
-#pragma omp parallel for schedule(static) if (chunks > 4)
+#pragma omp parallel for schedule(static) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     part(c * reduce_chunk, std::min(n, (c + 1) * reduce_chunk), results[c]);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "samcontact/base/multiversion.hpp"
 #include "samcontact/base/reduce.hpp"
@@ -103,21 +104,25 @@ double subtract_from(const Run* first, const Run* last, const double* y, double 
 
 }  // namespace
 
-void CellRuns::assign(const std::vector<unsigned char>& chosen, unsigned char value) {
+void CellRuns::assign(const std::vector<unsigned char>& chosen, bool value) {
   runs_.clear();
   chunks_.assign(1, 0);
   size_ = 0;
   const std::size_t n = chosen.size();
+  // Bytes of a known value are found many at a time.
+  const auto next = [&](bool sought, std::size_t first, std::size_t last) {
+    const void* found = std::memchr(chosen.data() + first, sought, last - first);
+    return found
+               ? static_cast<std::size_t>(static_cast<const unsigned char*>(found) - chosen.data())
+               : last;
+  };
   std::size_t in_chunk = 0;
-  for (std::size_t i = 0; i < n;) {
-    if (chosen[i] != value) {
-      ++i;
-      continue;
-    }
+  for (std::size_t i = next(value, 0, n); i < n; i = next(value, i, n)) {
     const std::size_t begin = i;
-    for (; i < n && chosen[i] == value && in_chunk < reduce_chunk; ++i) ++in_chunk;
+    i = next(!value, begin, std::min(n, begin + reduce_chunk - in_chunk));
     runs_.push_back({begin, i});
     size_ += i - begin;
+    in_chunk += i - begin;
     if (in_chunk == reduce_chunk) {
       chunks_.push_back(runs_.size());
       in_chunk = 0;
@@ -129,7 +134,7 @@ void CellRuns::assign(const std::vector<unsigned char>& chosen, unsigned char va
 Sums CellRuns::sums(const Field& a, const Field& b) const {
   const std::ptrdiff_t chunks = std::ssize(chunks_) - 1;
   std::vector<Sums> parts(chunks);
-#pragma omp parallel for schedule(static) if (chunks > 4)
+#pragma omp parallel for schedule(static) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     parts[c] = sums_of(&runs_[chunks_[c]], runs_.data() + chunks_[c + 1], a.data(), b.data());
   }
@@ -143,7 +148,7 @@ Sums CellRuns::sums(const Field& a, const Field& b) const {
 
 void CellRuns::turn(double beta, const Field& z, double mean, Field& t) const {
   const std::ptrdiff_t chunks = std::ssize(chunks_) - 1;
-#pragma omp parallel for schedule(static) if (chunks > 4)
+#pragma omp parallel for schedule(static) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     turn_runs(&runs_[chunks_[c]], runs_.data() + chunks_[c + 1], beta, z.data(), mean, t.data());
   }
@@ -154,7 +159,7 @@ template <class Part>
 double CellRuns::extreme(const Part& part) const {
   const std::ptrdiff_t chunks = std::ssize(chunks_) - 1;
   double largest = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : largest) if (chunks > 4)
+#pragma omp parallel for schedule(static) reduction(max : largest) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     largest = std::max(largest, part(&runs_[chunks_[c]], runs_.data() + chunks_[c + 1]));
   }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "samcontact/base/threads.hpp"
+
 namespace samcontact::fft {
 namespace {
 
@@ -38,6 +40,22 @@ class Lines {
   ComplexField line_, spectrum_;
 };
 
+/// `count` neighbouring columns of rows that are `width` numbers long, by way of `turned`.
+void transform_columns(double* first, int count, int width, Lines& columns, double scale,
+                       Field& turned) {
+  const std::size_t h = turned.size() / block;
+  for (std::size_t j = 0; j < h; ++j) {
+    for (int c = 0; c < count; ++c) turned[c * h + j] = first[j * width + c];
+  }
+  for (int c = 0; c < count; c += 2) {
+    double* column = turned.data() + c * h;
+    columns.transform(column, column + h, scale);
+  }
+  for (std::size_t k = 0; k < h; ++k) {
+    for (int c = 0; c < count; ++c) first[k * width + c] = turned[c * h + k];
+  }
+}
+
 }  // namespace
 
 ParitySpectrum::ParitySpectrum(int mx, int my)
@@ -48,28 +66,21 @@ ParitySpectrum::ParitySpectrum(int mx, int my)
 
 void ParitySpectrum::transform(double* quarter, bool odd_x, bool odd_y) const {
   const int h = hy(), width = hx();
-  Field rest(width);  // stands in for the row after the last
-  Lines rows(line_x_, mx_, odd_x);
-  for (int j = 0; j < h; j += 2) {
-    double* row = quarter + static_cast<std::size_t>(j) * width;
-    rows.transform(row, j + 1 < h ? row + width : rest.data(), 1.0);
-  }
   const double scale = 1.0 / (static_cast<double>(mx_) * my_);
-  Lines columns(line_y_, my_, odd_y);
-  Field turned(static_cast<std::size_t>(block) * h, 0.0);
-  for (int i0 = 0; i0 < width; i0 += block) {
-    const int count = std::min(block, width - i0);
-    for (int j = 0; j < h; ++j) {
-      const double* from = quarter + static_cast<std::size_t>(j) * width + i0;
-      for (int c = 0; c < count; ++c) turned[static_cast<std::size_t>(c) * h + j] = from[c];
+#pragma omp parallel if (static_cast<std::ptrdiff_t>(size()) >= worth_threads_cells)
+  {
+    Field rest(width);  // stands in for the row after the last
+    Lines rows(line_x_, mx_, odd_x);
+#pragma omp for schedule(static)
+    for (int j = 0; j < h; j += 2) {
+      double* row = quarter + static_cast<std::size_t>(j) * width;
+      rows.transform(row, j + 1 < h ? row + width : rest.data(), 1.0);
     }
-    for (int c = 0; c < count; c += 2) {
-      double* column = turned.data() + static_cast<std::size_t>(c) * h;
-      columns.transform(column, column + h, scale);
-    }
-    for (int k = 0; k < h; ++k) {
-      double* to = quarter + static_cast<std::size_t>(k) * width + i0;
-      for (int c = 0; c < count; ++c) to[c] = turned[static_cast<std::size_t>(c) * h + k];
+    Lines columns(line_y_, my_, odd_y);
+    Field turned(static_cast<std::size_t>(block) * h, 0.0);
+#pragma omp for schedule(static)
+    for (int i0 = 0; i0 < width; i0 += block) {
+      transform_columns(quarter + i0, std::min(block, width - i0), width, columns, scale, turned);
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "samcontact/base/threads.hpp"
 #include "samcontact/kernels/corners.hpp"
 #include "samcontact/kernels/far_displacement.hpp"
 #include "samcontact/kernels/surface_traction.hpp"
@@ -22,7 +23,8 @@ Field pressure_sums(const CellOffsets& offsets, double aspect) {
   const auto& [x, y] = offsets.in_metres(1.0, aspect);
   const kernels::FarDisplacement far(1.0, aspect);
   Field sums(x.size() * y.size());
-  for (std::size_t j = 0; j < y.size(); ++j) {
+#pragma omp parallel for schedule(dynamic) if (per_number * sums.size() > worth_threads)
+  for (std::ptrdiff_t j = 0; j < std::ssize(y); ++j) {
     double* row = sums.data() + j * x.size();
     far.evaluate(x.data(), y[j], x.size(), row);
     if (y[j] >= far.begin()) continue;

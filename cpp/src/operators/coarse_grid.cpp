@@ -39,28 +39,31 @@ void CoarseGrid::gather(const double* field, double* coarse) const {
   const int nx = x_.cells, ny = y_.cells, cx = x_.coarse_cells(), cy = y_.coarse_cells();
   Field rows(static_cast<std::size_t>(nx) * cy);
   // Threads gather, each row for itself, so that no sum depends on their number.
-#pragma omp parallel for schedule(static) if (static_cast<std::ptrdiff_t>(nx) * ny >= \
-                                                  worth_threads_cells)
-  for (int i = 0; i < nx; ++i) {
-    const double* p = field + static_cast<std::size_t>(i) * ny;
-    double* row = rows.data() + static_cast<std::size_t>(i) * cy;
-    for (int J = 0; J + 1 < cy; ++J) {
-      double all = 0.0, above = 0.0;
-      for (int j = y_begin_[J]; j < y_begin_[J + 1]; ++j) {
-        all += p[j];
-        above += y_share_[j] * p[j];
+#pragma omp parallel if (static_cast<std::ptrdiff_t>(nx) * ny >= worth_threads_cells)
+  {
+#pragma omp for schedule(static)
+    for (int i = 0; i < nx; ++i) {
+      const double* p = field + static_cast<std::size_t>(i) * ny;
+      double* row = rows.data() + static_cast<std::size_t>(i) * cy;
+      for (int J = 0; J + 1 < cy; ++J) {
+        double all = 0.0, above = 0.0;
+        for (int j = y_begin_[J]; j < y_begin_[J + 1]; ++j) {
+          all += p[j];
+          above += y_share_[j] * p[j];
+        }
+        row[J] += all - above;
+        row[J + 1] += above;
       }
-      row[J] += all - above;
-      row[J + 1] += above;
     }
-  }
-  for (int I = 0; I < cx; ++I) {
-    double* sum = coarse + static_cast<std::size_t>(I) * cy;
-    std::fill_n(sum, cy, 0.0);
-    for (int i = x_.begin(I); i < x_.end(I); ++i) {
-      const double* row = rows.data() + static_cast<std::size_t>(i) * cy;
-      const double w = x_.weight(i, I);
-      for (int J = 0; J < cy; ++J) sum[J] += w * row[J];
+#pragma omp for schedule(static)
+    for (int I = 0; I < cx; ++I) {
+      double* sum = coarse + static_cast<std::size_t>(I) * cy;
+      std::fill_n(sum, cy, 0.0);
+      for (int i = x_.begin(I); i < x_.end(I); ++i) {
+        const double* row = rows.data() + static_cast<std::size_t>(i) * cy;
+        const double w = x_.weight(i, I);
+        for (int J = 0; J < cy; ++J) sum[J] += w * row[J];
+      }
     }
   }
 }

@@ -21,7 +21,7 @@ template <class Partial>
 double ordered_chunks(std::size_t n, const Partial& partial) {
   const std::ptrdiff_t chunks = (n + reduce_chunk - 1) / reduce_chunk;
   std::vector<double> sums(chunks);
-#pragma omp parallel for schedule(static) if (chunks > 4)
+#pragma omp parallel for schedule(static) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     sums[c] = partial(c * reduce_chunk, std::min(n, (c + 1) * reduce_chunk));
   }
@@ -61,7 +61,7 @@ template <class Term>
 double largest_of(std::size_t n, const Term& term) {
   const std::ptrdiff_t chunks = (n + reduce_chunk - 1) / reduce_chunk;
   double largest = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : largest) if (chunks > 4)
+#pragma omp parallel for schedule(static) reduction(max : largest) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     const std::size_t end = std::min(n, (c + 1) * reduce_chunk);
     double lanes[reduce_lanes] = {};

@@ -12,6 +12,13 @@ constexpr double worth_threads = 1e6;
 /// Those of transforms and of the sweep through layers, for each number of a volume.
 constexpr double per_number = 30;
 /// Cells of a loop with a few operations each, or of a transform.
-constexpr std::ptrdiff_t worth_threads_cells = 1 << 15;
+constexpr std::ptrdiff_t worth_threads_cells = 10'000;
+
+/// action(i) for all cells i < n, each for itself.
+template <class Action>
+void for_each_cell(std::ptrdiff_t n, const Action& action) {
+#pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
+  for (std::ptrdiff_t i = 0; i < n; ++i) action(i);
+}
 
 }  // namespace samcontact

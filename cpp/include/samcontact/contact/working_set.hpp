@@ -18,8 +18,8 @@ struct Sums {
 /// Sums and extremes do not depend on the number of threads.
 class CellRuns {
  public:
-  /// The cells i with chosen[i] == value.
-  void assign(const std::vector<unsigned char>& chosen, unsigned char value);
+  /// The cells i with chosen[i] == value; all are 0 or 1.
+  void assign(const std::vector<unsigned char>& chosen, bool value);
 
   std::size_t size() const { return size_; }
 
