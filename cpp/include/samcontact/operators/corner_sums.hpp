@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "samcontact/base/threads.hpp"
 #include "samcontact/operators/periodic_sums.hpp"
 
 namespace samcontact::operators {
@@ -30,24 +31,31 @@ Field values_at(const std::vector<int>& at_x, const std::vector<int>& at_y, doub
     const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
     return found != edges.end() && *found == edge ? found - edges.begin() : std::ptrdiff_t{-1};
   };
+  const bool symmetric = exchanged != nullptr && aspect == 1;
   Field values(N * size);
-  std::size_t at = 0;
-  for (const int y : at_y) {
-    const std::ptrdiff_t i = exchanged != nullptr && aspect == 1 ? place_in(at_x, y) : -1;
-    for (const int x : at_x) {
-      const std::ptrdiff_t j = i >= 0 && x < y ? place_in(at_y, x) : -1;
-      if (j >= 0) {
-        const std::size_t known = j * at_x.size() + i;
-        for (std::size_t c = 0; c < N; ++c) {
-          values[c * size + at] = values[(*exchanged)[c] * size + known];
-        }
-      } else {
-        const std::array<double, N> f = function(0.5 * x, 0.5 * y * aspect);
-        for (std::size_t c = 0; c < N; ++c) values[c * size + at] = f[c];
+  // action(place, x, y, place that has the same value where x and y are exchanged, or -1)
+  const auto for_rows = [&](const auto& action) {
+#pragma omp parallel for schedule(dynamic) if (100.0 * size > worth_threads)
+    for (std::ptrdiff_t row = 0; row < std::ssize(at_y); ++row) {
+      const std::ptrdiff_t i = symmetric ? place_in(at_x, at_y[row]) : -1;
+      for (std::size_t n = 0; n < at_x.size(); ++n) {
+        const std::ptrdiff_t j = i >= 0 && at_x[n] < at_y[row] ? place_in(at_y, at_x[n]) : -1;
+        action(row * at_x.size() + n, at_x[n], at_y[row], j < 0 ? j : j * std::ssize(at_x) + i);
       }
-      ++at;
     }
-  }
+  };
+  for_rows([&](std::size_t at, int x, int y, std::ptrdiff_t known) {
+    if (known >= 0) return;
+    const std::array<double, N> f = function(0.5 * x, 0.5 * y * aspect);
+    for (std::size_t c = 0; c < N; ++c) values[c * size + at] = f[c];
+  });
+  if (!symmetric) return values;
+  for_rows([&](std::size_t at, int, int, std::ptrdiff_t known) {
+    if (known < 0) return;
+    for (std::size_t c = 0; c < N; ++c) {
+      values[c * size + at] = values[(*exchanged)[c] * size + known];
+    }
+  });
   return values;
 }
 
