@@ -19,6 +19,7 @@ from .harness import Meter, Task, relative_error
 
 NAME = "slip"
 TITLE = "Stick and slip"
+NOTES_NEED_TIMES = True  # which its page does not keep
 SERIES = ("case", "method")
 MU = 0.3
 METHODS = {"pressure alone": None, "tol 1e-4": 1e-4, "tol 1e-6": 1e-6, "tol 1e-8": 1e-8}

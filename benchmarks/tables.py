@@ -70,6 +70,36 @@ def report(table: pd.DataFrame, parts: list[ModuleType], *, times: bool = True) 
     return "\n\n".join([environment(), *sections]) + "\n"
 
 
+def rows_of(section: str) -> list[dict[str, Any]]:
+    """Rows of the table of a section, numbers as they are written, without what is missing."""
+    lines = [line for line in section.splitlines() if line.startswith("|")]
+    head, _, *rest = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+    return [
+        {name: _value(text) for name, text in zip(head, cells, strict=True) if text}
+        for cells in rest
+    ]
+
+
+def _value(text: str) -> float | str:
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def noted(page: str, parts: list[ModuleType]) -> str:
+    """The page with the sentences below its tables made of these, but where they need times."""
+    text = inside_markers(page)
+    for part in parts:
+        if not hasattr(part, "notes") or getattr(part, "NOTES_NEED_TIMES", False):
+            continue
+        for section in _sections(text)[1:]:
+            if _titled(section)[0] == part.TITLE:
+                table = section[: section.rindex("|") + 1]
+                text = text.replace(section, "\n\n".join([table, *part.notes(rows_of(section))]))
+    return between_markers(page, text)
+
+
 def environment() -> str:
     """What the measurements ran on."""
     threads = os.environ.get("OMP_NUM_THREADS", "all")
