@@ -87,17 +87,19 @@ def _value(text: str) -> float | str:
         return text
 
 
+def section_of(page: str, part: ModuleType) -> str:
+    """What the page has of a part; nothing where that has not been measured for it."""
+    return dict(map(_titled, _sections(inside_markers(page))[1:])).get(part.TITLE, "")
+
+
 def noted(page: str, parts: list[ModuleType]) -> str:
     """The page with the sentences below its tables made of these, but where they need times."""
-    text = inside_markers(page)
     for part in parts:
-        if not hasattr(part, "notes") or getattr(part, "NOTES_NEED_TIMES", False):
-            continue
-        for section in _sections(text)[1:]:
-            if _titled(section)[0] == part.TITLE:
-                table = section[: section.rindex("|") + 1]
-                text = text.replace(section, "\n\n".join([table, *part.notes(rows_of(section))]))
-    return between_markers(page, text)
+        section = section_of(page, part)
+        if section and hasattr(part, "notes") and not getattr(part, "NOTES_NEED_TIMES", False):
+            table = section[: section.rindex("|") + 1]
+            page = page.replace(section, "\n\n".join([table, *part.notes(rows_of(section))]))
+    return page
 
 
 def environment() -> str:

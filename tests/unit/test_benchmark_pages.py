@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What pages of measurements say in words follows from their tables."""
+
+import importlib
+import re
+
+import pytest
+
+from benchmarks import images, operators, plastic_zones, scaling, slip, tables
+from benchmarks.__main__ import PARTS, main
+from benchmarks.harness import ROOT
+
+PAGE = (ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
+EVERY = [importlib.import_module(f"benchmarks.{name}") for name in PARTS]
+
+
+def rows_on_the_page(part):
+    return tables.rows_of(tables.section_of(PAGE, part))
+
+
+def test_rows_are_read_from_a_table():
+    table = tables.markdown(tables.frame([{"case": "a", "cells": 4, "time_s": 0.25}]))
+    assert tables.rows_of(f"### A\n\n{table}\n\na note") == [
+        {"case": "a", "cells": 4.0, "time_s": 0.25}
+    ]
+
+
+def test_sentences_below_tables_are_made_of_them():
+    assert tables.noted(PAGE, EVERY) == PAGE
+    section = tables.section_of(PAGE, operators)
+    assert section.splitlines()[-1] == operators.notes(rows_on_the_page(operators))[0]
+    changed = PAGE.replace(section, section[: section.rindex("|") + 1] + "\n\nno note")
+    assert tables.noted(changed, EVERY) == PAGE
+
+
+@pytest.mark.parametrize("part", [slip, scaling], ids=lambda part: part.NAME)
+def test_sentences_that_need_times_agree_in_the_rest(part):
+    lines = tables.section_of(PAGE, part).splitlines()
+    made = "\n".join(part.notes(rows_on_the_page(part))).splitlines()
+    assert len(made) > 0
+    assert set(made) <= set(lines)
+    others = {line for line in lines[1:] if line and not line.startswith("|")} - set(made)
+    assert all(re.search(r": [\d.]+ s; CONTACT|time per application", line) for line in others)
+
+
+def test_the_command_makes_sentences_only(tmp_path, monkeypatch):
+    monkeypatch.setattr("benchmarks.__main__.ROOT", tmp_path)
+    (tmp_path / "docs").mkdir()
+    section = tables.section_of(PAGE, images)
+    page = tmp_path / "docs" / "benchmarks.md"
+    page.write_text(PAGE.replace(section, section + "\n\ntyped"), encoding="utf-8")
+    assert main(["--notes"]) == 0
+    assert page.read_text(encoding="utf-8") == PAGE
+
+
+class TestWhatItSays:
+    """Claims of docs/benchmarks.md in words."""
+
+    def test_the_fast_stress_is_better_and_cheaper(self):
+        rows = rows_on_the_page(operators)
+        for exact, fast in zip(rows[::2], rows[1::2], strict=True):
+            assert (exact["method"], fast["method"]) == ("exact", "fast")
+            assert fast["error: stress, rms"] < exact["error: stress, rms"]
+            assert fast["time_ratio"] < 0.5
+            assert fast["memory_MB"] < exact["memory_MB"]
+
+    def test_zones_save_the_more_the_larger_the_surface(self):
+        rows = [row for row in rows_on_the_page(plastic_zones) if row["method"] == "zones"]
+        for case in {row["case"] for row in rows}:
+            times = [row["time_ratio"] for row in rows if row["case"] == case]
+            assert times == sorted(times, reverse=True)
+            assert max(times) < 1
+
+    def test_what_images_leave_is_below_its_bound(self):
+        for row in rows_on_the_page(images):
+            bound = float(row["method"].removeprefix("image_tol "))
+            assert row["error: stress, largest"] < bound
