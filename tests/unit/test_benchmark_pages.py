@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from benchmarks import images, operators, plastic_zones, scaling, slip, tables
+from benchmarks import images, operators, plastic_zones, scaling, slip, tables, theory
 from benchmarks.__main__ import PARTS, main
 from benchmarks.harness import ROOT
 
@@ -75,3 +75,56 @@ class TestWhatItSays:
         for row in rows_on_the_page(images):
             bound = float(row["method"].removeprefix("image_tol "))
             assert row["error: stress, largest"] < bound
+
+
+class TestTablesOfTheTheory:
+    """Small forms of what makes them, beside what they say."""
+
+    @staticmethod
+    def rows(name):
+        text = theory.PAGE.read_text(encoding="utf-8")
+        table = re.search(rf"<!-- table: {name} -->\n(.*?)<!-- end", text, re.DOTALL)[1]
+        return tables.rows_of(table)
+
+    def test_contact_counts(self):
+        (found,), stored = (
+            tables.rows_of(theory.contact_counts(rough=())),
+            self.rows("contact_counts"),
+        )
+        assert found["contact"] == stored[0]["contact"]
+        for name in found.keys() - {"contact"}:
+            new, old = ([int(n) for n in row[name].split(", ")] for row in (found, stored[0]))
+            assert new == pytest.approx(old, rel=0.2, abs=1)
+
+    def test_increments(self):
+        """On half as many cells they change about as much."""
+        (found,), stored = tables.rows_of(theory.increments((1,), 16, 8)), self.rows("increments")
+        for name in found.keys() - {"increments"}:
+            assert 0.4 < found[name] / stored[0][name] < 2.5
+
+    def test_grid_errors(self):
+        (*found, last), stored = (
+            tables.rows_of(theory.grid_errors((8, 9), (), ())),
+            self.rows("grid_errors"),
+        )
+        known = {row["quantity"]: row for row in stored}
+        assert last["quantity"] == "all"
+        for row in found:
+            assert row["least"] >= known[row["quantity"]]["least"]
+
+    def test_rolling_reach(self):
+        (found, _), (stored, _) = (
+            tables.rows_of(theory.rolling_reach(20)),
+            self.rows("rolling_reach"),
+        )
+        length = "length of the grid"
+        assert found[length] == stored[length]
+        for name in found.keys() - {length}:
+            assert found[name] <= 2 * stored[name]
+
+    def test_shakedown_cycles(self):
+        (found,) = tables.rows_of(theory.shakedown_cycles(theory.CYCLES[:1]))
+        stored = self.rows("shakedown_cycles")[0]
+        for name, value in found.items():
+            near = isinstance(value, float)
+            assert value == (pytest.approx(stored[name], rel=0.05) if near else stored[name])
