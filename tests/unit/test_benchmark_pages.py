@@ -6,7 +6,17 @@ import re
 
 import pytest
 
-from benchmarks import images, operators, plastic_zones, scaling, slip, tables, theory
+from benchmarks import (
+    images,
+    operators,
+    plastic_zones,
+    scaling,
+    sensitivity,
+    slip,
+    tables,
+    theory,
+    wear_convergence,
+)
 from benchmarks.__main__ import PARTS, main
 from benchmarks.harness import ROOT
 
@@ -128,3 +138,23 @@ class TestTablesOfTheTheory:
         for name, value in found.items():
             near = isinstance(value, float)
             assert value == (pytest.approx(stored[name], rel=0.05) if near else stored[name])
+
+
+def test_what_wear_depends_on_is_as_stored():
+    rows = wear_convergence.kept()
+    assert wear_convergence.page(rows) == wear_convergence.PAGE.read_text(encoding="utf-8")
+    meshes = [(name, wear_convergence._mesh(scene)) for name, _, scene in wear_convergence.scenes()]
+    stored = [(name, row) for name, lines in rows.items() for row in lines]
+    assert [(name, row | mesh) for (name, row), (_, mesh) in zip(stored, meshes, strict=True)] == (
+        stored
+    )
+    coarsest = next(scene for name, _, scene in wear_convergence.scenes() if name == "lens")
+    found = wear_convergence.lens(coarsest)
+    for name, text in found.items():
+        new, old = ([float(n) for n in one.split(", ")] for one in (text, rows["lens"][0][name]))
+        assert new == pytest.approx(old, rel=0.01), name
+
+
+def test_what_the_gallery_depends_on_is_as_stored():
+    stored = sensitivity.PAGE.read_text(encoding="utf-8")
+    assert sensitivity.page(sensitivity.moves.TABLE) == stored
