@@ -72,6 +72,17 @@ class TestWhatItSays:
             assert ours < 0.25
             assert theirs > 2 * ours
 
+    def test_a_small_grid_has_the_stored_errors(self, stored):
+        elastic, task = problems.hertz(64), running.Task("hertz", "", 64, "samcontact", 1e-8)
+        found = code_samcontact.Contact(elastic, 1e-8).solve()
+        known = stored["rows"]["hertz||64|samcontact|1e-08"][0]
+        errors = running.elastic_errors(task, elastic, found)
+        shared = errors.keys() & known["errors"].keys()
+        assert "largest pressure, exact" in shared
+        for name in shared:
+            assert errors[name] == pytest.approx(known["errors"][name], rel=0.01), name
+        assert found.counts["iterations"] == pytest.approx(known["counts"]["iterations"], rel=0.2)
+
     def test_small_errors_of_slip_and_of_h2_are_not_reached(self, places):
         for (problem, case, n), codes in places.items():
             if problem == "slip" and "ASPHER" in codes:
