@@ -10,6 +10,7 @@ from benchmarks import (
     images,
     operators,
     plastic_zones,
+    resolution,
     scaling,
     sensitivity,
     slip,
@@ -158,3 +159,21 @@ def test_what_wear_depends_on_is_as_stored():
 def test_what_the_gallery_depends_on_is_as_stored():
     stored = sensitivity.PAGE.read_text(encoding="utf-8")
     assert sensitivity.page(sensitivity.moves.TABLE) == stored
+
+
+def test_sentences_on_rough_contact_follow_from_its_tables():
+    text = resolution.PAGE.read_text(encoding="utf-8")
+    sections = re.split(r"^## Load ", text, flags=re.MULTILINE)[1:]
+    assert len(sections) > 1
+    shares = []
+    for section in sections:
+        block = next(one for one in section.split("\n\n") if one.startswith("|"))
+        rows = tables.rows_of(block)
+        area = [row["contact area [%]"] for row in rows]
+        order = re.search(r"three finest grids: ([\d.]+)\.", section)[1]
+        assert resolution.order(area) == pytest.approx(float(order), abs=0.2)
+        limit = 2 * area[-1] - area[-2]
+        shares += [100 * (one / limit - 1) / row["uncertain [%]"]
+                   for one, row in zip(area[:3], rows[:3], strict=True)]  # fmt: skip
+    low, high = map(float, re.search(r"errors found are ([\d.]+) to ([\d.]+)", text).groups())
+    assert low - 0.03 < min(shares) < max(shares) < high + 0.03
