@@ -47,6 +47,9 @@ def arguments(given: list[str] | None = None) -> argparse.Namespace:
     parser.add_argument(
         "--docs", action="store_true", help="also put their tables into docs/benchmarks.md"
     )
+    parser.add_argument(
+        "--notes", action="store_true", help="only make the sentences below its tables anew"
+    )
     chosen = parser.parse_args(given)
     unknown = set(chosen.parts) - set(PARTS)
     if unknown:
@@ -62,6 +65,11 @@ def main(given: list[str] | None = None) -> int:
     # Only now: matplotlib reads its backend when it is imported.
     from . import plots, tables
 
+    page = ROOT / "docs" / "benchmarks.md"
+    if chosen.notes:
+        every = [importlib.import_module(f"benchmarks.{name}") for name in PARTS]
+        page.write_text(tables.noted(page.read_text(encoding="utf-8"), every), encoding="utf-8")
+        return 0
     folder = chosen.output.resolve()
     (folder / "data").mkdir(parents=True, exist_ok=True)
     parts = [importlib.import_module(f"benchmarks.{name}") for name in chosen.parts]
@@ -74,7 +82,6 @@ def main(given: list[str] | None = None) -> int:
         (folder / "work_precision.md").write_text(tables.report(table, parts), encoding="utf-8")
         plots.write(table[table["part"] == part.NAME], part, folder)
     if chosen.docs:
-        page = ROOT / "docs" / "benchmarks.md"
         old = page.read_text(encoding="utf-8")
         text = tables.report(table, parts, times=False)
         titles = [importlib.import_module(f"benchmarks.{name}").TITLE for name in PARTS]

@@ -73,3 +73,13 @@ def apply(meter: Meter, box: str, file: str, method: str) -> dict[str, Any]:
     cells = grid.nx * grid.ny * grid.nz
     errors = {"stress, largest": largest_error(field, load_arrays(file)["stress"])}
     return {"cells": cells, "volume_applications": 1, "errors": errors}
+
+
+def notes(rows: list[dict[str, Any]]) -> list[str]:
+    """The largest error over its bound."""
+    worst: dict[float, float] = {}
+    for row in rows:
+        bound = float(row["method"].removeprefix("image_tol "))
+        worst[bound] = max(worst.get(bound, 0.0), row["error: stress, largest"])
+    told = [f"{error:.1e} at {bound:.0e}" for bound, error in worst.items()]
+    return [f"Largest error of all boxes: {', '.join(told)}."]

@@ -151,3 +151,19 @@ def apply(meter: Meter, cells: int, profile: str, file: str, method: str) -> dic
 def von_mises(s: np.ndarray) -> np.ndarray:
     normal = (s[0] - s[1]) ** 2 + (s[1] - s[2]) ** 2 + (s[2] - s[0]) ** 2
     return np.sqrt(0.5 * normal + 3 * (s[3] ** 2 + s[4] ** 2 + s[5] ** 2))
+
+
+def notes(rows: list[dict[str, Any]]) -> list[str]:
+    """What the fast stress saves, and how its error compares, at worst and at best."""
+    exact, fast = ([row for row in rows if row["method"] == name] for name in ("exact", "fast"))
+    if not fast:
+        return []
+    errors = [
+        one["error: stress, rms"] / two["error: stress, rms"]
+        for one, two in zip(fast, exact, strict=True)
+    ]
+    times = [row["time_ratio"] for row in fast]
+    return [
+        f"Fast, over the exact coefficients with centre values: error (rms) {min(errors):.2f} to "
+        f"{max(errors):.2f}, time of a single use {min(times):.2f} to {max(times):.2f}."
+    ]

@@ -109,3 +109,21 @@ def solve(
             "largest plastic strain": relative_error(ours["strain"], whole["strain"]),
         }
     return {**summary(simulation, states[-1]), "errors": errors}
+
+
+def notes(rows: list[dict[str, Any]]) -> list[str]:
+    """Time, memory and fields of zones over those of one box."""
+    lines = []
+    for across in sorted({row["across"] for row in rows}):
+        at = [row for row in rows if row["across"] == across]
+        one, zones = ([row for row in at if row["method"] == name] for name in ("one box", "zones"))
+        if one and zones:
+            times = [row["time_ratio"] for row in zones]
+            memory = [b["memory_MB"] / a["memory_MB"] for a, b in zip(one, zones, strict=True)]
+            errors = [row[key] for row in zones for key in row if key.startswith("error: ")]
+            lines.append(
+                f"- {across:.0f} cells across, zones over one box: time {min(times):.2f} to "
+                f"{max(times):.2f}, memory {min(memory):.2f} to {max(memory):.2f}; fields differ "
+                f"by {max(errors):.1e} at most."
+            )
+    return ["\n".join(lines)] if lines else []

@@ -19,6 +19,7 @@ from .harness import Meter, Task, relative_error
 
 NAME = "slip"
 TITLE = "Stick and slip"
+NOTES_NEED_TIMES = True  # which its page does not keep
 SERIES = ("case", "method")
 MU = 0.3
 METHODS = {"pressure alone": None, "tol 1e-4": 1e-4, "tol 1e-6": 1e-6, "tol 1e-8": 1e-8}
@@ -190,8 +191,9 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         most = {m: max(row["shear_work"] for row in of[m]) for m in ("tol 1e-4", "tol 1e-8")}
         exact = max(row["shear_applications"] for row in of["tol 1e-8"])
         lines.append(
-            f"{n} cells across: transforms of at most {most['tol 1e-4']:.0f} exact displacements "
-            f"by shear at 1e-4, {most['tol 1e-8']:.0f} at 1e-8; at most {exact:.0f} are exact ones."
+            f"{n:.0f} cells across: transforms of at most {most['tol 1e-4']:.0f} exact "
+            f"displacements by shear at 1e-4, {most['tol 1e-8']:.0f} at 1e-8; at most "
+            f"{exact:.0f} are exact ones."
         )
     for row in rows:
         size, _, name = row["case"].partition(", ")

@@ -70,6 +70,38 @@ def report(table: pd.DataFrame, parts: list[ModuleType], *, times: bool = True) 
     return "\n\n".join([environment(), *sections]) + "\n"
 
 
+def rows_of(section: str) -> list[dict[str, Any]]:
+    """Rows of the table of a section, numbers as they are written, without what is missing."""
+    lines = [line for line in section.splitlines() if line.startswith("|")]
+    head, _, *rest = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+    return [
+        {name: _value(text) for name, text in zip(head, cells, strict=True) if text}
+        for cells in rest
+    ]
+
+
+def _value(text: str) -> float | str:
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def section_of(page: str, part: ModuleType) -> str:
+    """What the page has of a part; nothing where that has not been measured for it."""
+    return dict(map(_titled, _sections(inside_markers(page))[1:])).get(part.TITLE, "")
+
+
+def noted(page: str, parts: list[ModuleType]) -> str:
+    """The page with the sentences below its tables made of these, but where they need times."""
+    for part in parts:
+        section = section_of(page, part)
+        if section and hasattr(part, "notes") and not getattr(part, "NOTES_NEED_TIMES", False):
+            table = section[: section.rindex("|") + 1]
+            page = page.replace(section, "\n\n".join([table, *part.notes(rows_of(section))]))
+    return page
+
+
 def environment() -> str:
     """What the measurements ran on."""
     threads = os.environ.get("OMP_NUM_THREADS", "all")

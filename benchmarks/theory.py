@@ -20,6 +20,7 @@ from samcontact import shakedown
 
 from .finite_elements.page import table
 from .harness import ROOT
+from .steel import LOAD, balls
 
 PAGE = ROOT / "docs" / "theory.md"
 MARKED = re.compile(r"(<!-- table: (\w+) -->\n).*?(<!-- end of table -->)", re.DOTALL)
@@ -220,9 +221,32 @@ def grid_errors(
     )
 
 
+def increments(few: Sequence[int] = (1, 4, 16), many: int = 64, across: int = 16) -> str:
+    """What few increments up to 1500 N and one back change for two balls, against many."""
+
+    def values(count: int) -> np.ndarray:
+        simulation = balls(across)
+        for k in range(count):
+            loaded = simulation.step(load=LOAD * (k + 1) / count)
+        strain = loaded.max_equivalent_plastic_strain()
+        unloaded = simulation.step(load=0.0)
+        stress = unloaded.von_mises()[simulation.grid.nx // 2, simulation.grid.ny // 2].max()
+        depth = unloaded.residual_displacement().max()
+        return np.array([strain, loaded.pressure.max(), stress, depth])
+
+    truth = values(many)
+    rows = [
+        [str(count), *(f"{100 * change:.1g}" for change in np.abs(values(count) / truth - 1))]
+        for count in few
+    ]
+    heading = ["increments", "plastic strain [%]", "maximum pressure [%]"]
+    return table([*heading, "residual von Mises stress on the axis [%]", "print [%]"], rows)
+
+
 TABLES: dict[str, Callable[[], str]] = {
     "contact_counts": contact_counts,
     "rolling_reach": rolling_reach,
+    "increments": increments,
     "grid_errors": grid_errors,
     "shakedown_limits": shakedown_limits,
     "shakedown_cycles": shakedown_cycles,

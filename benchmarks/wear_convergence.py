@@ -8,6 +8,7 @@ one at a time: with the filter that has a length in metres, and with the thesis'
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import sys
 import warnings
@@ -15,6 +16,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,9 +24,10 @@ import numpy as np
 from .harness import ROOT
 
 PAGE = ROOT / "docs" / "wear_convergence.md"
+KEPT = Path(__file__).with_suffix(".json")
 SMOOTHING = 7.2e-6  # m: spreads as far as a moving mean over half a wavelength of 50 um
 HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
-<!-- Written by: python -m benchmarks.wear_convergence -->
+<!-- Written by: python -m benchmarks.wear_convergence --docs -->
 # Convergence of wear and running-in
 
 Both scenes of section 5.2 of the thesis ([running-in](gallery/running_in.md),
@@ -178,6 +181,26 @@ def table(rows: list[dict[str, str]]) -> str:
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
+Rows = dict[str, list[dict[str, str]]]
+"""Lines of each table, as they are written."""
+
+
+def kept() -> Rows:
+    found: Rows = json.loads(KEPT.read_text(encoding="utf-8"))
+    return found
+
+
+def page(rows: Rows) -> str:
+    """All of it."""
+    parts = [
+        f"{text}\n{table(rows[name])}\n\n{spread(rows[name], *COMPARED[name])}\n"
+        if name in COMPARED
+        else f"{text}\n{table(rows[name])}\n"
+        for name, text in TEXTS.items()
+    ]
+    return "\n".join([HEAD, *parts])
+
+
 def main(given: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.wear_convergence")
     parser.add_argument("--processes", type=int, default=1)
@@ -186,22 +209,16 @@ def main(given: list[str] | None = None) -> int:
     os.environ["OMP_NUM_THREADS"] = "1"
     tasks = list(scenes())
     show = partial(print, flush=True)
-    rows: dict[str, list[dict[str, str]]] = {name: [] for name in TEXTS}
+    rows: Rows = {name: [] for name in TEXTS}
     with ProcessPoolExecutor(chosen.processes) as pool:
         for (name, *_), row in zip(tasks, pool.map(_run, tasks), strict=True):
             rows[name].append(row)
             show(name, row)
-    parts = [
-        f"{text}\n{table(rows[name])}\n\n{spread(rows[name], *COMPARED[name])}\n"
-        if name in COMPARED
-        else f"{text}\n{table(rows[name])}\n"
-        for name, text in TEXTS.items()
-    ]
-    page = "\n".join([HEAD, *parts])
     if chosen.docs:
-        PAGE.write_text(page, encoding="utf-8")
+        KEPT.write_text(json.dumps(rows, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+        PAGE.write_text(page(rows), encoding="utf-8")
     else:
-        show(page)
+        show(page(rows))
     return 0
 
 

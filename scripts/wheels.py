@@ -59,9 +59,14 @@ def require_tools(pythons: list[str]) -> None:
 
 
 def wheel_of(python: str, output: Path, work: Path) -> Path:
-    """The wheel with the libraries that it needs inside."""
+    """Compiled, as pyproject.toml says."""
     call(python, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", work, ROOT)
     (raw,) = work.glob("*.whl")
+    return repaired(raw, output)
+
+
+def repaired(raw: Path, output: Path) -> Path:
+    """The wheel with the libraries that it needs inside."""
     said = call(sys.executable, "-m", "auditwheel", "repair", "--wheel-dir", output, raw,
                 env={**os.environ, "PATH": SEARCHED})  # fmt: skip
     return Path(re.findall(r"Fixed-up wheel written to (\S+)", said)[-1])
@@ -72,7 +77,8 @@ def trial(python: str, wheel: Path, work: Path, quick: bool) -> None:
     call(python, "-m", "venv", work / "bare")
     folder = work / "bare" / "bin"
     extra = "[test]" if quick else ""
-    call(folder / "python", "-m", "pip", "install", "--quiet", f"{wheel}{extra}")
+    install = ("-m", "pip", "install", "--quiet", "--no-compile")
+    call(folder / "python", *install, f"{wheel}{extra}")
     bare = {"PATH": str(folder), "HOME": str(work), "MPLBACKEND": "Agg", "OMP_NUM_THREADS": "1"}
     found = [name for name in COMPILERS if shutil.which(name, path=bare["PATH"])]
     if found:

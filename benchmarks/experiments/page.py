@@ -13,8 +13,8 @@ import numpy as np
 import samcontact as sc
 
 from ..wear_convergence import table
-from .__main__ import EXPONENTS, KEPT, RADII
-from .indentation import E_STAR, Print, cavity, first_yield, hertz
+from .__main__ import CELLS, EXPONENTS, KEPT, RADII
+from .indentation import E_STAR, INCREMENTS, Print, cavity, first_yield, hertz
 
 TABOR = (2.6, 3.0)
 """2.8 +- 0.2."""
@@ -53,11 +53,19 @@ def page(found: dict[str, list[tuple[float, Print]]]) -> str:
     powers = meyer(found["hardening"])
     steel = sc.Material.swift(210e9, 0.3, B=945e6, C=20.0, n=0.121)
     vickers = HARDNESS * 9.80665e6 / PROJECTED
+    swift = float(steel.yield_stress(VICKERS_STRAIN))
+    hardens = [one.stiffness for _, one in found["hardening"]]
     factors = np.array([one.constraint for _, one in found["hardening"]])
     return TEXT.read_text(encoding="utf-8").format(
         first=first_yield(),
         perfect=table(curve_table(found["perfect"])),
         finest=max(one.stiffness for _, one in found["perfect"] if one.cells == 20),
+        cells=f"{', '.join(map(str, CELLS[:-1]))} and {CELLS[-1]}",
+        increments=INCREMENTS,
+        spread=math.ceil(100 * spread(found["perfect"])),
+        small=min(hardens),
+        large=max(hardens),
+        edge=edge(curve),
         beside=math.ceil(100 * apart[yielded & (x <= until)].max()),
         until=until,
         enters=float(np.interp(TABOR[0], values, x)),
@@ -68,7 +76,8 @@ def page(found: dict[str, list[tuple[float, Print]]]) -> str:
         off=math.ceil(100 * max(0.0, factors.max() / TABOR[1] - 1, 1 - factors.min() / TABOR[0])),
         meyer=max(abs(power - 2 - n) for n, power in powers.items()),
         honest=table(honest_table(curve)),
-        swift=1e-9 * float(steel.yield_stress(VICKERS_STRAIN)),
+        swift=1e-9 * swift,
+        harder=100 * (swift * 2.8 / vickers - 1),
         hardness=HARDNESS,
         vickers=1e-9 * vickers,
         stress=1e-9 * vickers / 2.8,
@@ -120,8 +129,19 @@ def meyer(rows: list[tuple[float, Print]]) -> dict[float, float]:
     return found
 
 
-def honest_table(curve: list[Print]) -> list[dict[str, Any]]:
+def spread(rows: list[tuple[float, Print]]) -> float:
+    """How far mean pressures of coarser grids are from those of the finest at most."""
+    last = dict(rows)
+    return max(abs(one.constraint / last[asked].constraint - 1) for asked, one in rows)
+
+
+def edge(curve: list[Print]) -> float:
+    """Largest plastic strain over a/R where the fully plastic range begins."""
     at = min(curve, key=lambda one: abs(one.stiffness - 30))
+    return at.max_strain / at.radius
+
+
+def honest_table(curve: list[Print]) -> list[dict[str, Any]]:
     lines = []
     for metal, stress in METALS.items():
         radius = 30 * stress / E_STAR
@@ -130,7 +150,7 @@ def honest_table(curve: list[Print]) -> list[dict[str, Any]]:
                 "metal": metal,
                 "Y/E\\*": f"{stress / E_STAR:.4f}",
                 "a/R of 30": f"{radius:.3f}",
-                "largest plastic strain there": f"{100 * radius * at.max_strain / at.radius:.1f} %",
+                "largest plastic strain there": f"{100 * radius * edge(curve):.1f} %",
             }
         )
     return lines

@@ -27,6 +27,10 @@ PLASTIC_PRESSURE = 0.05 * HARDNESS
 STEPS = 8
 
 
+USUAL = 1.15
+"""Exponent of the time over all sizes below which a job shall stay."""
+
+
 class Job(NamedTuple):
     """A kind of scene: its function below, sizes that span three decades of cells, bytes of a cell
     that it keeps below at the largest, and the exponent of its time over all sizes."""
@@ -36,7 +40,7 @@ class Job(NamedTuple):
     unit: str
     sizes: tuple[int, ...]
     stated: float
-    exponent: float = 1.15
+    exponent: float = USUAL
 
 
 SURFACES = (64, 128, 256, 512, 1024, 2048)

@@ -4,17 +4,20 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
 from ..finite_elements.page import table
 from ..scaling import exponent
 from . import cluster
-from .jobs import JOBS, Job
+from .jobs import JOBS, USUAL, Job
 
 KEPT = Path(__file__).with_name("results.json")
 TEXT = Path(__file__).with_name("template.md")
 DECADE = 10.0
+MACHINE = 1e12
+"""Memory of one large machine [bytes]."""
 Rows = list[dict[str, Any]]
 
 
@@ -74,6 +77,11 @@ def sizes(rows: Rows) -> str:
 LARGE = [job for job in JOBS if job.unit == "surface" and job.exponent < 1.2]
 
 
+def memory(rows: Rows, job: Job) -> float:
+    """Of the large surface, from the largest that was solved [bytes]."""
+    return bytes_a_cell(of(rows, job)[-1]) * cluster.SIDE**2
+
+
 def needs(rows: Rows) -> str:
     """Time and memory of the large surface, from the largest that was solved."""
     lines = []
@@ -81,8 +89,7 @@ def needs(rows: Rows) -> str:
         found = of(rows, job)
         times = (cluster.SIDE**2 / found[-1]["cells"]) ** growth(found)
         hours = times * found[-1]["cpu_s"] / 3600
-        memory = bytes_a_cell(found[-1]) * cluster.SIDE**2
-        lines.append([job.name, f"{memory / 1e12:.2g}", f"{hours:.2g}"])
+        lines.append([job.name, f"{memory(rows, job) / 1e12:.2g}", f"{hours:.2g}"])
     return table(["job", "memory [TB]", "one core [h]"], lines)
 
 
@@ -104,20 +111,75 @@ def communication(rows: Rows) -> str:
     )  # fmt: skip
 
 
+def slowest(rows: Rows, job: Job) -> tuple[float, int, int]:
+    """How much longer a transform takes per cell than on the size before, and these sizes."""
+    found = of(rows, job)
+    each = [row["cpu_s"] / row["cells"] / row["transforms"] for row in found]
+    return max(
+        (more / less, row["n"], larger["n"])
+        for less, more, row, larger in zip(each, each[1:], found, found[1:], strict=False)
+    )
+
+
+def counted(rows: Rows) -> list[Job]:
+    """Jobs of which the transforms are known."""
+    return [job for job in JOBS if "transforms" in of(rows, job)[-1]]
+
+
+def caches(rows: Rows) -> str:
+    """Where a transform of an elastic contact becomes dearer, and by how much."""
+    elastic = [job for job in counted(rows) if job.name.startswith("elastic")]
+    ratio, small, large = max(slowest(rows, job) for job in elastic)
+    return (
+        f"from {small} × {small} to {large} × {large} cells a transform comes to take\n"
+        f"{ratio:.1f} times as long per cell."
+    )
+
+
+def transforms(rows: Rows) -> str:
+    """Of the smallest and the largest size, a line for each job that counts them."""
+    ends = [(job, of(rows, job)) for job in counted(rows)]
+    return "\n".join(
+        f"- {job.name}: {found[0]['transforms']:.0f} to {found[-1]['transforms']:.0f}"
+        for job, found in ends
+    )
+
+
+def above(rows: Rows) -> str:
+    """Which jobs grow faster than is usual."""
+    found = [(job, overall(of(rows, job))) for job in JOBS]
+    beyond = [f"{job.name} (exponent {value:.2f})" for job, value in found if value > USUAL]
+    said = f"above {USUAL:g} over all sizes"
+    return f"{said[0].upper()}{said[1:]}: {'; '.join(beyond)}." if beyond else f"None is {said}."
+
+
+def fits(memories: dict[str, float]) -> str:
+    """Which of the large surfaces one machine could hold."""
+    inside = [name for name, size in memories.items() if size <= MACHINE]
+    if not inside:
+        return f"None fits into {MACHINE / 1e12:g} TB, the memory of one large machine."
+    others = " The others do not." if len(inside) < len(memories) else ""
+    return (
+        f"Into {MACHINE / 1e12:g} TB, the memory of one large machine, whose threads share it, "
+        f"fit: {'; '.join(inside)}.{others}"
+    )
+
+
 def page(rows: Rows) -> str:
     """All of it."""
-    by_name = {job.function: of(rows, job) for job in JOBS}
-    few, many = (by_name["rough"][at]["transforms"] for at in (0, -1))
     return TEXT.read_text(encoding="utf-8").format(
         summary=summary(rows),
         sizes=sizes(rows),
         needs=needs(rows),
         communication=communication(rows),
         side=f"{cluster.SIDE:,}".replace(",", " "),
-        few=f"{few:.0f}",
-        many=f"{many:.0f}",
+        most=math.ceil(1e-3 * max(row["memory_MB"] for row in rows)),
+        caches=caches(rows),
+        transforms=transforms(rows),
+        above=above(rows),
+        fits=fits({job.name: memory(rows, job) for job in LARGE}),
         rate=f"{cluster.RATE / 1e9:g}",
         bands=f"{cluster.BANDS:.2g}",
         tensors=cluster.STRAINS + cluster.STRESSES,
-        layers=by_name["zones"][-1]["layers"],
+        layers=max(row.get("layers", 0) for row in rows),
     )

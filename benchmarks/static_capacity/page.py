@@ -8,7 +8,7 @@ import math
 from pathlib import Path
 from typing import Any
 
-from samcontact import bearings
+from samcontact import bearings, critical, hertz
 
 from ..wear_convergence import table
 from .__main__ import FINE, GROOVE, KEPT
@@ -86,16 +86,16 @@ def page(found: dict[str, Any]) -> str:
         softer=at(steels["52100, all stresses 10 % lower"], 4.2e9).deformation
         / at(steels[STEEL], 4.2e9).deformation,
         strain=100 * at(groove, 4.2e9).strain,
-        across=2e3 * race_ellipse(),
+        across=2e3 * race_ellipse().a_y, longer=race_ellipse().a_y / race_ellipse().a_x,
+        circle=critical.onset(1.0, 1.0, 0.3, 1.0).p0,
+        line=critical.onset_cylinder(1.0, 1.0, 0.3, 1.0).p0,
     )  # fmt: skip
 
 
-def race_ellipse() -> float:
-    """Long semi-axis in the groove at 4.2 GPa [m]."""
-    from samcontact import hertz
-
+def race_ellipse() -> hertz.EllipticContact:
+    """That in the groove at 4.2 GPa."""
     race = CONTACTS[GROOVE].race
-    return hertz.elliptic(race.Rx, race.Ry, E_STAR, p0=4.2e9).a_y
+    return hertz.elliptic(race.Rx, race.Ry, E_STAR, p0=4.2e9)
 
 
 def contact_row(name: str, rows: list[Pressed], iso: Pressed) -> dict[str, str]:

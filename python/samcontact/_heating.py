@@ -19,6 +19,9 @@ COLD = Heat(0.0)
 """No heat."""
 MOST_HEAT_WAY = 1e7
 """Largest speed times extent of the grid over diffusivity [-]: the work grows with it."""
+LEAST_DIFFUSED = 0.02
+"""Of a cell: how far heat must diffuse in the shortest step of a history, else time and memory of
+the march have no bounds."""
 
 Bodies = tuple[Body, Body]
 
@@ -57,6 +60,8 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
                     "give them with with_thermal()"
                 )
             _require_speed(grid, n, body.thermal[2], math.hypot(*v))
+            if heat.history is not None:
+                _require_shortest(grid, n, body.thermal[2], heat.history[0])
             if heat.time is not None:
                 _require_time("heat.time", heat.time, body.thermal[2], grid)
             if duration is not None:
@@ -80,6 +85,18 @@ def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> N
         raise ValueError(
             f"heat.velocity of body {body} must be 0 or at least {least:.3g} m/s, "
             f"got {speed:.3g} m/s"
+        )
+
+
+def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float) -> None:
+    """Refuse before anything is solved what the march would."""
+    cell = max(grid.dx, grid.dy)
+    if math.sqrt(diffusivity * shortest) < LEAST_DIFFUSED * cell:
+        least = (LEAST_DIFFUSED * cell) ** 2 / diffusivity
+        raise ValueError(
+            f"heat.history must have a shortest step of at least {least:.4g} s for body {body}, in "
+            f"which heat diffuses over {LEAST_DIFFUSED:g} of a cell of {cell:.4g} m (diffusivity "
+            f"{diffusivity:.4g} m^2/s), got {shortest:.4g} s"
         )
 
 

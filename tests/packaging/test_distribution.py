@@ -36,6 +36,11 @@ def test_wheels_are_for_the_supported_versions():
     builds = PROJECT["tool"]["cibuildwheel"]["build"].split()
     lowest = PROJECT["project"]["requires-python"].removeprefix(">=").replace(".", "")
     assert builds[0] == f"cp{lowest}-*"
+    named = [name.rpartition(" :: ")[2] for name in PROJECT["project"]["classifiers"]]
+    versions = [name for name in named if re.fullmatch(r"3\.\d+", name)]
+    assert builds == [f"cp{version.replace('.', '')}-*" for version in versions]
+    page = " ".join((ROOT / "docs" / "install.md").read_text().split())
+    assert f"Python {versions[0]} to {versions[-1]}" in page
 
 
 @pytest.mark.slow

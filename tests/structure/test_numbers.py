@@ -25,6 +25,49 @@ OTHERS = {
     ("docs/gallery.md", "page"): None,  # numbers of figures
 }
 
+CODE = re.compile(r"^```.*?^```$|\$\$.*?\$\$|`[^`\n]+`", re.DOTALL | re.MULTILINE)
+WORDS = "a|an|one|two|three|four|five|six|seven|eight|nine|ten|twelve"
+SHARE = "half|halves|thirds?|quarters?|fifths?|sixths?|sevenths?|eighths?|tenths?|twelfths?"
+FIGURE = r"\d+(?:\.\d+)?"
+MANY = rf"(?:{FIGURE}|\b(?:(?:{WORDS})(?:[ -](?:{SHARE}))?|half|twice))"
+# What something takes: a duration, a size in memory, or such a thing as a multiple of another.
+COST = re.compile(
+    rf"\b{FIGURE}(?: |-)(?:[mµ]?s|min|h|[kMGT]?B|(?:second|minute|hour)s?)\b(?! *[/·^])"
+    rf"|{MANY} (?:(?:%|times)(?: of the| the| as| less| more)?|of the|of its|the|as) "
+    r"(?:time|memory|work|cost|long|fast|slow|quick|faster|slower|cheaper|dearer)\b"
+)
+# Those that nobody has measured: set, where the code has them so; or of what is described.
+SET = {
+    ("docs/architecture.md", "64 kB"): ("cpp/src/base/aligned.cpp", "1} << 16"),
+    ("docs/architecture.md", "16 MB"): ("cpp/src/base/aligned.cpp", "1} << 24"),
+    ("docs/architecture.md", "512 MB"): ("python/samcontact/_kept.py", "512e6"),
+    ("docs/peers.md", "3 s"): ("benchmarks/peers/schedule.py", "LONG = 3.0"),
+    ("docs/theory.md", "0.7 of the work"): (
+        "cpp/src/simulation/plastic_increment_zones.cpp", "worth = 0.7"),
+    ("docs/theory.md", "0.45 of its work"): (
+        "cpp/src/simulation/plastic_increment_zones.cpp", "worth_joined = 0.45"),
+    ("docs/theory.md", "a quarter of the work"): None,  # of the cells there are
+    ("docs/theory.md", "a quarter of the memory"): None,  # of the planes that are counted there
+    ("docs/theory.md", "19 times as long"): None,  # a period
+    ("docs/theory.md", "twice as long"): None,  # cells
+}  # fmt: skip
+TEMPLATES = {
+    str(page.relative_to(ROOT)): page.read_text(encoding="utf-8")
+    for page in [*(ROOT / "benchmarks").rglob("*.md"), ROOT / "docs" / "validation.md.jinja"]
+}
+WRITTEN = re.compile(r'^(?:TEXT|HEAD) = """(.*?)"""$', re.DOTALL | re.MULTILINE)
+TEMPLATES |= {
+    str(file.relative_to(ROOT)): "\n".join(WRITTEN.findall(file.read_text(encoding="utf-8")))
+    for file in (ROOT / "benchmarks").rglob("*.py")
+}
+
+
+def costs(text):
+    """What a page says that something takes, where nothing makes it: in prose, as a number."""
+    prose = CODE.sub("", MADE.sub("", text))
+    lines = " ".join(line for line in prose.splitlines() if not line.startswith("|"))
+    return [match[0].strip() for match in COST.finditer(lines)]
+
 
 def typed(text):
     """First words of the tables with measured numbers that nothing makes."""
@@ -52,6 +95,28 @@ def test_what_is_a_measured_number(cell, number):
     assert typed(table) == (["name"] if number else [])
     assert typed(f"<!-- table: made -->\n\n{table}\n<!-- end of table -->") == []
     assert typed(f"<!-- Written by: a command -->\n{table}") == []
+
+
+@pytest.mark.parametrize(
+    ("words", "found"),
+    [("It takes 3.2 s.", ["3.2 s"]), ("of 0.6 kB a cell", ["0.6 kB"]),
+     ("a third of the\ntime of one box", ["a third of the time"]),
+     ("1.7 times as long", ["1.7 times as long"]), ("is 10 % slower", ["10 % slower"]),
+     ("5 to 6 times faster", ["6 times faster"]), ("{ratio} times as long", []),
+     ("at 3 m/s, 0.12 m/s", []), ("for a long time", []), ("`sleep 3 s` in\n```\n3 s\n```", [])],
+)  # fmt: skip
+def test_what_is_a_cost(words, found):
+    assert costs(words) == found
+    assert costs(f"<!-- table: made -->\n{words}\n<!-- end of table -->") == []
+
+
+def test_no_cost_is_typed():
+    """Times, memory and their ratios, in pages and in what pages are made of."""
+    pages = {name: text for name, text in TEXTS.items() if not BY.search(text)} | TEMPLATES
+    found = {(name, cost) for name, text in pages.items() for cost in costs(text)}
+    assert found == set(SET)
+    for place in filter(None, SET.values()):
+        assert place[1] in (ROOT / place[0]).read_text(encoding="utf-8")
 
 
 def test_every_table_of_numbers_is_made():

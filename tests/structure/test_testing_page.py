@@ -29,6 +29,13 @@ def test_every_kind_is_tried_and_on_the_page(folder):
     assert re.findall(r"^\| ([^|]+) \| ", section, re.MULTILINE)[1:] == list(counted)
 
 
+def test_bounds_of_memory_are_those_that_are_tried():
+    tried = (ROOT / "tests" / "faults" / "test_out_of_memory.py").read_text()
+    low, high = re.search(r"between ([\d.]+) and ([\d.]+) times the peak", PAGE).groups()
+    assert f"min(ratios.values()) > {low}," in tried
+    assert f"max(ratios.values()) < {high}," in tried
+
+
 def test_every_family_has_its_folder():
     folders = set(re.findall(r"`(tests/\w+)`", PAGE))
     there = {f"tests/{path.name}" for path in (ROOT / "tests").iterdir() if path.is_dir()}

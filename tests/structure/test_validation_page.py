@@ -47,6 +47,14 @@ def test_the_readme_says_the_same():
         same_unit = [row for row in STORED.values() if row.unit == unit]
         assert any(says(ours, r.ours) and says(reference, r.reference) for r in same_unit), ours
 
+    within = re.findall(r"Hertz, (\d+) cells per contact radius: (.*?) \| within ([\d.]+) %", text)
+    assert len(within) == 2
+    for cells, name, bound in within:
+        rows = [row for row in STORED.values() if row.table == "Hertz contact"]
+        there = [r for r in rows if r.mesh == f"a/{cells}" and r.quantity.startswith(name)]
+        worst = 100 * max(abs(row.ours / row.reference - 1) for row in there)
+        assert 0.9 * float(bound) < worst <= float(bound), name
+
 
 def test_cells():
     assert PRESSURE.cells() == ["p", "a/16", "1.01 GPa", "1 GPa", "+1 %", "2 %", "`test_p`"]

@@ -183,6 +183,26 @@ def test_measurement_in_a_process_of_its_own(rows):
     assert rows[0]["time_ratio"] == 1.0
 
 
+def as_on_the_page(part, rows):
+    """Counts and errors do not depend on the machine, but for rounding."""
+    page = (harness.ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
+    stored = tables.rows_of(tables.section_of(page, part))
+    key = ("case", "method", "cells")
+    there = {tuple(one[name] for name in key): one for one in stored}
+    shared = [row for row in rows if tuple(row[name] for name in key) in there]
+    assert len(shared) > len(rows) / 2  # others are small forms of larger ones
+    for row in shared:
+        known = there[tuple(row[name] for name in key)]
+        for name in known.keys() - {*key, *tables.TIMES, "time_ratio", "memory_MB"}:
+            assert row[name] == pytest.approx(known[name], rel=0.2, abs=1.1), (row["case"], name)
+        for name in [name for name in known if name.startswith("error: ")]:
+            assert row[name] == pytest.approx(known[name], rel=0.1, abs=1e-5), (row["case"], name)
+
+
+def test_small_sizes_are_those_of_the_page(rows):
+    as_on_the_page(elastic_smooth, rows)
+
+
 def test_table(rows):
     table = tables.frame(rows)
     assert list(table.columns[:6]) == list(tables.FIRST)
@@ -246,6 +266,9 @@ class TestSlip:
         assert march["most_in_a_step"] <= 25
         (shifted,) = [row for row in rows if row["case"].endswith("shifted")]
         assert shifted["error: force"] < 1e-3
+
+    def test_they_are_those_of_the_page(self, rows):
+        as_on_the_page(slip, [row for row in rows if row["case"] != slip.ENTRY])  # fewer steps
 
     def test_notes_tell_the_most(self, rows):
         (note,) = slip.notes(rows)

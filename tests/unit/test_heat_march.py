@@ -253,6 +253,21 @@ class TestBadInput:
         with pytest.raises(ValueError, match=r"heat\.history must be None for a single contact"):
             sc.ContactSolver(GRID, COLD, WARM, heat=sc.Heat(0.1, history=(1e-3, 1.0)))
 
+    def test_steps_too_short_for_the_cells_are_refused_before_any_work(self):
+        least = (0.02 * SIZE) ** 2 / KAPPA
+        heat = sc.Heat(0.05, history=(1.001 * least, 1.0))
+        sc.Simulation(GRID, COLD, WARM, BALL, heat=heat)
+        heat = sc.Heat(0.05, history=(0.999 * least, 1.0))
+        with pytest.raises(ValueError, match=r"heat\.history must have a shortest step"):
+            sc.Simulation(GRID, COLD, WARM, BALL, heat=heat)
+        with pytest.raises(ValueError, match=r"for body 1, .* of a cell of"):
+            sc.Simulation(GRID, WARM, COLD, BALL, heat=sc.Heat((0.05, 0.0), history=heat.history))
+        off = sc.Heat(0.0, history=heat.history)  # heats nothing yet
+        simulation = sc.Simulation(GRID, COLD, WARM, BALL, heat=off)
+        with pytest.raises(ValueError, match=r"heat\.history must have a shortest step"):
+            simulation.step(load=LOAD, duration=STEP, heat_factor=0.05)
+        assert simulation.state.time == 0
+
     @pytest.mark.parametrize(
         ("duration", "text"),
         [

@@ -22,6 +22,86 @@ def test_the_page_is_what_the_measurements_say(stored):
     assert between_markers(text, page.tables_of(stored)) == text
 
 
+class TestWhatItSays:
+    """Claims of the page in words."""
+
+    @pytest.fixture(scope="class")
+    @classmethod
+    def places(cls, stored):
+        return page.by_place(stored)
+
+    @staticmethod
+    def ladder(places, problem, code, case=""):
+        """The measurements of a code by cells across."""
+        found = {key[2]: codes[code] for key, codes in places.items()
+                 if key[:2] == (problem, case) and code in codes}  # fmt: skip
+        assert found
+        return found
+
+    def test_the_first_solve_of_a_small_grid_is_set_up(self, places):
+        ours = self.ladder(places, "hertz", "samcontact")
+        small, large = min(ours), max(ours)
+        for target in page.TARGETS["hertz"]:
+            ratios = [page.ratio_at(places["hertz", "", n], "ASPHER", "pressure", "with_setup_s",
+                                    target) for n in (small, large)]  # fmt: skip
+            assert ratios[0] < 1 < ratios[1]
+        for rounds in ours[small].values():
+            best = min(rounds, key=lambda row: row["with_setup_s"])
+            assert best["without_setup_s"] < 0.5 * best["with_setup_s"]
+
+    def test_smooth_contact_needs_few_products(self, places):
+        for code, few in (("samcontact", True), ("ASPHER", False), ("tamaas", False)):
+            for rungs in self.ladder(places, "hertz", code).values():
+                counts = page.row_at(rungs, "pressure", 1e-6)
+                if counts:
+                    assert (counts["counts"]["applications"] <= 5) == few
+
+    def test_peers_without_preconditioner_need_more_on_finer_grids(self, places):
+        def growth(problem, case, code):
+            """Power of the cells across with which iterations grow."""
+            rungs = self.ladder(places, problem, code, case)
+            rows = {n: page.row_at(rungs[n], "pressure", 1e-6) for n in rungs}
+            needed = {n: row["counts"]["iterations"] for n, row in rows.items() if row}
+            small, large = min(needed), max(needed)
+            return np.log(needed[large] / needed[small]) / np.log(large / small)
+
+        assert growth("hertz", "", "tamaas") > 0.2
+        assert growth("hertz", "", "ContactMechanics") > 0.2
+        for case in ("light", "half"):
+            ours, theirs = (growth("periodic", case, code) for code in ("samcontact", "tamaas"))
+            assert ours < 0.25
+            assert theirs > 2 * ours
+
+    def test_a_small_grid_has_the_stored_errors(self, stored):
+        elastic, task = problems.hertz(64), running.Task("hertz", "", 64, "samcontact", 1e-8)
+        found = code_samcontact.Contact(elastic, 1e-8).solve()
+        known = stored["rows"]["hertz||64|samcontact|1e-08"][0]
+        errors = running.elastic_errors(task, elastic, found)
+        shared = errors.keys() & known["errors"].keys()
+        assert "largest pressure, exact" in shared
+        for name in shared:
+            assert errors[name] == pytest.approx(known["errors"][name], rel=0.01), name
+        assert found.counts["iterations"] == pytest.approx(known["counts"]["iterations"], rel=0.2)
+
+    def test_small_errors_of_slip_and_of_h2_are_not_reached(self, places):
+        for (problem, case, n), codes in places.items():
+            if problem == "slip" and "ASPHER" in codes:
+                assert page.row_at(codes["ASPHER"], "shear", 1e-3) is None
+                assert min(r[0]["counts"]["iterations"] for r in codes["ASPHER"].values()) > 300
+                assert n < max(self.ladder(places, "slip", "samcontact", case))
+            if "ASPHER, H2" in codes:
+                assert page.row_at(codes["ASPHER, H2"], "pressure", 1e-6) is None
+
+    def test_grids_of_periodic_surfaces(self, stored, places):
+        for case in problems.PERIODIC_CASES:
+            grids = page.grids_of("periodic", case, stored)
+            for n in grids["samcontact"].keys() & grids["tamaas"].keys():
+                assert grids["tamaas"][n][0] < grids["samcontact"][n][0]
+        ours, theirs = page.grid_lines("plastic", stored)[:2]
+        for name in set(ours) - {"cells", "code"}:
+            assert abs(theirs[name]) < abs(ours[name])
+
+
 def test_figures(stored):
     drawn = figures.figure(stored, "hertz")
     assert all(axes.get_xscale() == axes.get_yscale() == "log" for axes in drawn.axes)

@@ -7,7 +7,7 @@ import pytest
 from benchmarks.harness import Meter
 from benchmarks.scale import cluster, jobs
 from benchmarks.scale.__main__ import PAGE
-from benchmarks.scale.page import bytes_a_cell, growth, kept, of, overall, page
+from benchmarks.scale.page import above, bytes_a_cell, caches, fits, growth, kept, of, overall, page
 
 STORED = kept()
 
@@ -39,6 +39,30 @@ def test_growth_is_the_exponent_of_the_last_decade():
     cells = 4.0 ** np.arange(3, 10)
     rows = [{"cells": n, "cpu_s": max(1e-3, 1e-8 * n**1.2)} for n in cells]
     assert growth(rows) == pytest.approx(1.2)
+
+
+def made_up(power, cells=(64**2, 128**2, 256**2)):
+    """Rows of all jobs, whose time grows with this power of the cells."""
+    return [
+        {"case": job.function, "n": int(n**0.5), "cells": n, "cpu_s": n**power,
+         "memory_MB": 1e-4 * n, "transforms": 10}
+        for job in jobs.JOBS
+        for n in cells
+    ]  # fmt: skip
+
+
+def test_sentences_follow_the_numbers():
+    assert above(made_up(1.1)) == "None is above 1.15 over all sizes."
+    rows = made_up(1.1)
+    for row in of(rows, jobs.JOBS[2]):
+        row["cpu_s"] = row["cells"] ** 1.25
+    assert above(rows) == f"Above 1.15 over all sizes: {jobs.JOBS[2].name} (exponent 1.25)."
+    of(rows, jobs.JOBS[1])[2]["cpu_s"] *= 3
+    assert caches(rows).startswith("from 128 × 128 to 256 × 256 cells")
+    assert f"{3 * 4**0.1:.1f} times as long" in caches(rows)
+    assert fits({"a": 1e11, "b": 2e13}).endswith("fit: a. The others do not.")
+    assert fits({"a": 1e11}).endswith("fit: a.")
+    assert fits({"a": 2e13}).startswith("None fits into 1 TB")
 
 
 @pytest.mark.parametrize("padded", [False, True])
