@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
 
 namespace samcontact::contact {
 
@@ -36,7 +37,8 @@ void Anderson::remember(const Field& f) {
   }
   step.dx.resize(n, 0.0F);
   step.df.resize(n);
-  for (std::size_t i = 0; i < n; ++i) step.df[i] = static_cast<float>(f[i] - last_f_[i]);
+  for_each_cell(std::ssize(f),
+                [&](std::ptrdiff_t i) { step.df[i] = static_cast<float>(f[i] - last_f_[i]); });
   steps_.push_back(std::move(step));
   gram_.conservativeResize(m + 1, m + 1);
   const auto& df = steps_.back().df;
@@ -72,14 +74,14 @@ void Anderson::advance(Field& x) {
     gamma = scale.asDiagonal() * solver.solve(Eigen::VectorXd(scale.asDiagonal() * gamma));
   }
   last_dx_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
+  for_each_cell(std::ssize(x), [&](std::ptrdiff_t i) {
     double next = x[i] + f[i];
     for (int a = 0; a < m; ++a) {
       next -= gamma(a) * (static_cast<double>(steps_[a].dx[i]) + steps_[a].df[i]);
     }
     last_dx_[i] = static_cast<float>(next - x[i]);
     x[i] = next;
-  }
+  });
 }
 
 }  // namespace samcontact::contact

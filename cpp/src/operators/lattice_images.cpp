@@ -73,23 +73,31 @@ LatticeImages::Factors::Factors(const std::vector<double>& nodes,
   }
 }
 
-LatticeImages::LatticeImages(LatticeModes modes, Points x, Points y, double subtracted)
-    : modes_(std::move(modes)),
-      x_(std::move(x)),
-      y_(std::move(y)),
-      along_x_(x_.nodes, modes_.kx, subtracted),
-      along_y_(y_.nodes, modes_.ky, 0.0) {}
+LatticeImages::LatticeImages(LatticeModes modes, Points x, Points y, double subtracted,
+                             const LatticeImages* like)
+    : modes_(std::move(modes)), x_(std::move(x)), y_(std::move(y)) {
+  if (like && like->x_.nodes == x_.nodes && like->modes_.kx == modes_.kx) {
+    along_x_ = like->along_x_;
+  } else {
+    along_x_ = std::make_shared<const Factors>(x_.nodes, modes_.kx, subtracted);
+  }
+  if (like && like->y_.nodes == y_.nodes && like->modes_.ky == modes_.ky) {
+    along_y_ = like->along_y_;
+  } else {
+    along_y_ = std::make_shared<const Factors>(y_.nodes, modes_.ky, 0.0);
+  }
+}
 
-LatticeImages LatticeImages::of_cells(const LatticeAxis& x, const LatticeAxis& y) {
-  const double half_x = 0.5 * x.d, half_y = 0.5 * y.d;
-  const double to_y = (y.apart + 1) * y.period - half_y;
-  const double to_x = x.period > 0 ? (x.apart + 1) * x.period - half_x : INFINITY;
+LatticeImages LatticeImages::of_cells(const LatticeAxis& x, const LatticeAxis& y,
+                                      const LatticeImages* like) {
+  const double to_y = (y.apart + 1) * y.period - y.edge();
+  const double to_x = x.period > 0 ? (x.apart + 1) * x.period - x.edge() : INFINITY;
   const auto beyond = [](double way, double extent) {
     return extent > 0 ? way / extent : INFINITY;
   };
   const double ratio_x = growth(beyond(to_x, x.extent()), beyond(to_y - y.extent(), x.extent()));
   const double ratio_y = growth(beyond(to_y, y.extent()), beyond(to_x - x.extent(), y.extent()));
-  return {LatticeModes::of_cells(x, y), Points(x, ratio_x), Points(y, ratio_y), 0.0};
+  return {LatticeModes::of_cells(x, y), Points(x, ratio_x), Points(y, ratio_y), 0.0, like};
 }
 
 LatticeImages LatticeImages::of_strips(const LatticeAxis& x) {
@@ -110,9 +118,9 @@ void LatticeImages::add(const Wave& wave, const std::vector<kernels::Parity>& pa
   const Eigen::Index nx = x_.even.rows(), ny = y_.even.rows();
   for (std::size_t c = 0; c < count; ++c) {
     const auto& [odd_x, odd_y, odd_z] = parities[c];
-    const Eigen::MatrixXd at_nodes = (odd_x ? along_x_.odd : along_x_.even) *
+    const Eigen::MatrixXd at_nodes = (odd_x ? along_x_->odd : along_x_->even) *
                                      waves.row(c).transpose().asDiagonal() *
-                                     (odd_y ? along_y_.odd : along_y_.even).transpose();
+                                     (odd_y ? along_y_->odd : along_y_->even).transpose();
     Eigen::Map<Eigen::MatrixXd>(table.data() + c * nx * ny, nx, ny) +=
         (odd_x ? x_.odd : x_.even) * at_nodes * (odd_y ? y_.odd : y_.even).transpose();
   }

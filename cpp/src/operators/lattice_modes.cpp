@@ -60,8 +60,8 @@ void LatticeModes::add_lattice(const LatticeAxis& x, const LatticeAxis& y,
 void LatticeModes::subtract_integral(const LatticeAxis& x, const LatticeAxis& y,
                                      const LatticeWindow& window, double q1) {
   const double last = window.end * q1;
-  const double farthest = std::hypot(x.extent() + x.apart * x.period + 0.5 * x.d,
-                                     y.extent() + y.apart * y.period + 0.5 * y.d);
+  const double farthest = std::hypot(x.extent() + x.apart * x.period + x.edge(),
+                                     y.extent() + y.apart * y.period + y.edge());
   const auto radial = kernels::gauss_legendre(static_cast<int>(0.5 * last * farthest) +
                                               static_cast<int>(2.9 * window.reach));
   const int angles =
@@ -81,8 +81,8 @@ void LatticeModes::subtract_integral(const LatticeAxis& x, const LatticeAxis& y,
 LatticeModes LatticeModes::of_cells(const LatticeAxis& x, const LatticeAxis& y,
                                     const LatticeWindow& window) {
   // To the nearest edge of an image.
-  double distance = y.distance() - 0.5 * y.d;
-  if (x.period > 0) distance = std::min(distance, x.distance() - 0.5 * x.d);
+  double distance = y.distance() - y.edge();
+  if (x.period > 0) distance = std::min(distance, x.distance() - x.edge());
   const double q1 = window.split(distance);
   LatticeModes modes;
   modes.add_lattice(x, y, window, q1);

@@ -80,7 +80,8 @@ std::shared_ptr<const PeriodicTable> PeriodicSums::table(const Grid& grid, int c
     tables_.splice(tables_.begin(), tables_, found);
   } else {
     tables_.push_front(
-        std::make_shared<const PeriodicTable>(grid.dx, grid.dy, grid.period, cells_x, step));
+        std::make_shared<const PeriodicTable>(grid.dx, grid.dy, grid.period, cells_x, step,
+                                              tables_.empty() ? nullptr : tables_.front().get()));
     if (tables_.size() > most_tables) tables_.pop_back();
   }
   return tables_.front();

@@ -34,7 +34,8 @@ bool PeriodicTable::serves(double dx, double dy, const Period& period, int cells
          (period.x > 0 || x_.cells == cells_x);
 }
 
-PeriodicTable::PeriodicTable(double dx, double dy, const Period& period, int cells_x, int step)
+PeriodicTable::PeriodicTable(double dx, double dy, const Period& period, int cells_x, int step,
+                             const PeriodicTable* like)
     : period_(period),
       x_{dx, period.x > 0 ? period.x / 2 + 1 : cells_x, period.x * dx, dx / step},
       near_x_(x_),
@@ -50,7 +51,8 @@ PeriodicTable::PeriodicTable(double dx, double dy, const Period& period, int cel
     const double smooth = std::max(near_x_.extent(), y_.extent());
     while (near_x_.period > 0 && near_x_.distance() < 0.99 * smooth) ++near_x_.apart;
     while (y_.distance() < 0.99 * smooth) ++y_.apart;
-    cell_images_ = std::make_unique<LatticeImages>(LatticeImages::of_cells(near_x_, y_));
+    cell_images_ = std::make_unique<LatticeImages>(
+        LatticeImages::of_cells(near_x_, y_, like ? like->cell_images_.get() : nullptr));
     if (square) return;
   }
   if (period.x > 1) strip_images_ = std::make_unique<LatticeImages>(LatticeImages::of_strips(x_));

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "samcontact/base/aligned.hpp"
@@ -18,7 +19,9 @@ class LatticeImages {
   using Wave = std::function<void(double kx, double ky, double* components)>;
 
   /// Of cells, y periodic; without a period along x, waves that are uniform along y are left out.
-  static LatticeImages of_cells(const LatticeAxis& x, const LatticeAxis& y);
+  /// like: of another grid, whose factors are taken where they are the same.
+  static LatticeImages of_cells(const LatticeAxis& x, const LatticeAxis& y,
+                                const LatticeImages* like = nullptr);
   /// Of strips that are uniform along y, x periodic. One row of offsets.
   static LatticeImages of_strips(const LatticeAxis& x);
 
@@ -39,11 +42,12 @@ class LatticeImages {
     Factors(const std::vector<double>& nodes, const std::vector<double>& wavenumbers,
             double subtracted);
   };
-  LatticeImages(LatticeModes modes, Points x, Points y, double subtracted);
+  LatticeImages(LatticeModes modes, Points x, Points y, double subtracted,
+                const LatticeImages* like = nullptr);
 
   LatticeModes modes_;
   Points x_, y_;
-  Factors along_x_, along_y_;
+  std::shared_ptr<const Factors> along_x_, along_y_;
 };
 
 }  // namespace samcontact::operators

@@ -5,6 +5,7 @@
 // itself.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 namespace samcontact::operators {
@@ -18,6 +19,9 @@ struct LatticeAxis {
   int apart = 0;        // images up to this one are added one by one
 
   double extent() const { return (cells - 1) * d; }
+  /// From the middle of a cell to beyond its edge: the same for all cells that are not large, so
+  /// that finer and coarser grids of a period have the same wavenumbers and points.
+  double edge() const { return std::max(0.5 * d, period / 64); }
   /// From the farthest offset to the first image that is not added.
   double distance() const { return (apart + 1) * period - extent(); }
 };

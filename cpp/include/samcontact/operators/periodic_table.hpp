@@ -30,8 +30,10 @@ struct CellInfluence {
 /// The sums on one kind of grid, y periodic, and the shorter period where x is too. Immutable.
 class PeriodicTable {
  public:
-  /// step: by which the grid is coarser than the cells that act.
-  PeriodicTable(double dx, double dy, const Period& period, int cells_x, int step = 1);
+  /// step: by which the grid is coarser than the cells that act. like: one that may have the same
+  /// factors, as of another grid over the same period.
+  PeriodicTable(double dx, double dy, const Period& period, int cells_x, int step = 1,
+                const PeriodicTable* like = nullptr);
 
   /// Whether a table along x serves these; else one with x and y exchanged does.
   static bool is_direct(const Grid& grid);
