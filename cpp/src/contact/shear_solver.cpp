@@ -20,6 +20,8 @@ constexpr int coarsest_side = 16;
 /// Finer cells change which of them slip: by a share of the shear that falls with their size.
 double coarse_tol(const Grid& box) { return std::min(1e-3, 0.06 / std::max(box.nx, box.ny)); }
 constexpr int coarse_steps = 30;
+/// Of the displacement of one cell under its own shear: less is none.
+constexpr double rounding = 1e-8;
 
 /// Field over all cells of a box, and vectors [2][i][j] there.
 struct BoxTask {
@@ -57,6 +59,7 @@ class ShearSolver::Level {
     if (std::min(box.nx, box.ny) >= 2 * coarsest_side && box.can_be_coarsened()) {
       coarser_ = std::make_unique<Level>(coarsened(box), margin, influence);
     }
+    floats_ = gives_way_to_uniform_shear();
   }
 
   const Grid& box() const { return box_; }
@@ -82,6 +85,7 @@ class ShearSolver::Level {
   /// Makes it that of rolling by one cell.
   void let_roll(ShearProblem& problem) const;
   double stiffness_of(const Field& pressure) const;
+  bool gives_way_to_uniform_shear() const;
   BoxStart coarse_start(const BoxTask& task, double friction, const TangentialDrive& drive,
                         double tol, double& operations) const;
 
@@ -89,6 +93,7 @@ class ShearSolver::Level {
   int margin_;
   ShearOperators operators_;
   std::unique_ptr<Level> coarser_;
+  bool floats_;  // where all of the box touches
 };
 
 /// Of the slip that a shear in proportion to the pressure makes; on the coarsest box, since it is
@@ -102,6 +107,16 @@ double ShearSolver::Level::stiffness_of(const Field& pressure) const {
   ComplexField work;
   operators_.displacement.apply(shear.data(), displacement.data(), work);
   return 1 / longest(displacement);
+}
+
+/// Without any displacement by it: on whole periods, unless layers lie on a rigid base.
+bool ShearSolver::Level::gives_way_to_uniform_shear() const {
+  const Period& period = box_.period;
+  if (margin_ > 0 || period.x != box_.nx || period.y != box_.ny) return false;
+  Field shear(2 * operator_size(), 1.0);
+  ComplexField work;
+  operators_.displacement.apply(shear.data(), shear.data(), work);
+  return longest(shear) < rounding * operators_.displacement.self_influence();
 }
 
 ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction,
@@ -133,12 +148,13 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction
   }
   for (int k = 0; k < 3; ++k) {
     if (drive[k].is_force()) {
-      problem.modes.push_back({std::move(directions[k]), drive[k].value / box_.cell_area()});
+      problem.modes.push_back({std::move(directions[k]), drive[k].value / box_.cell_area(), k});
     } else {
       keep_in_touch(problem, directions[k]);
       add_scaled(drive[k].value, directions[k], problem.free_slip);
     }
   }
+  problem.floats = floats_ && m == box_.surface_size();
   problem.stiffness = stiffness_of(task.pressure);
   problem.smallest_shear = smallest_share * std::min(friction, 1.0) * largest;
   if (task.rolls) let_roll(problem);
