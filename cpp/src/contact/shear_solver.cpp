@@ -20,8 +20,6 @@ constexpr int coarsest_side = 16;
 /// Finer cells change which of them slip: by a share of the shear that falls with their size.
 double coarse_tol(const Grid& box) { return std::min(1e-3, 0.06 / std::max(box.nx, box.ny)); }
 constexpr int coarse_steps = 30;
-/// Of the displacement of one cell under its own shear: less is none.
-constexpr double rounding = 1e-8;
 
 /// Field over all cells of a box, and vectors [2][i][j] there.
 struct BoxTask {
@@ -59,7 +57,7 @@ class ShearSolver::Level {
     if (std::min(box.nx, box.ny) >= 2 * coarsest_side && box.can_be_coarsened()) {
       coarser_ = std::make_unique<Level>(coarsened(box), margin, influence);
     }
-    floats_ = gives_way_to_uniform_shear();
+    floats_ = margin == 0 && gives_way_to_uniform_shear(box, operators_.displacement);
   }
 
   const Grid& box() const { return box_; }
@@ -85,7 +83,6 @@ class ShearSolver::Level {
   /// Makes it that of rolling by one cell.
   void let_roll(ShearProblem& problem) const;
   double stiffness_of(const Field& pressure) const;
-  bool gives_way_to_uniform_shear() const;
   BoxStart coarse_start(const BoxTask& task, double friction, const TangentialDrive& drive,
                         double tol, double& operations) const;
 
@@ -107,16 +104,6 @@ double ShearSolver::Level::stiffness_of(const Field& pressure) const {
   ComplexField work;
   operators_.displacement.apply(shear.data(), displacement.data(), work);
   return 1 / longest(displacement);
-}
-
-/// Without any displacement by it: on whole periods, unless layers lie on a rigid base.
-bool ShearSolver::Level::gives_way_to_uniform_shear() const {
-  const Period& period = box_.period;
-  if (margin_ > 0 || period.x != box_.nx || period.y != box_.ny) return false;
-  Field shear(2 * operator_size(), 1.0);
-  ComplexField work;
-  operators_.displacement.apply(shear.data(), shear.data(), work);
-  return longest(shear) < rounding * operators_.displacement.self_influence();
 }
 
 ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction,

@@ -86,6 +86,11 @@ class ShearApplier {
   double operations_ = 0.0;
 };
 
+/// Whether a shear that is the same everywhere in a box displaces nothing along the surface: on
+/// whole periods, unless layers lie on a rigid base.
+bool gives_way_to_uniform_shear(const Grid& box,
+                                const operators::TangentialDisplacement& displacement);
+
 /// sum of a . b.
 double dot(const Field& a, const Field& b);
 /// The largest length of a vector.
