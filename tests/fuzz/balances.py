@@ -112,13 +112,14 @@ def assert_planes_in_balance(state, body, stress):
 
 
 def assert_energy(simulation, states):
-    """No part of the balance is negative, where there is one."""
+    """No part of the balance is negative, where there is one; the share that is missing, which
+    falls with the increments, or None."""
     bodies = simulation.body1, simulation.body2
     moved = any(any(state.travel) for state in states)
     if not isinstance(simulation.friction, sc.Coulomb) or moved or simulation.heat.partition:
-        return
+        return None
     if any(getattr(body, "softening", None) is not None for body in bodies):
-        return
+        return None
     energy = sc.energy.balance(simulation, states[1:])  # the bodies need not touch at the start
     scale = max(energy.put_in, abs(energy.net))
     assert_finite(**{name: getattr(energy, name) for name in ("put_in", "net", "missing")})
@@ -126,4 +127,5 @@ def assert_energy(simulation, states):
         assert getattr(energy, name) >= -1e-6 * scale, name
     # without slip edges that open let go what they hold; surfaces without ends may touch everywhere
     if math.isfinite(simulation.friction.coefficient) and not simulation.grid.periodic:
-        assert abs(energy.missing) < 0.6
+        return abs(energy.missing)
+    return None

@@ -35,8 +35,10 @@ REFUSALS = {
     "steps of heat": (CaseError, "heat.history must"),  # too short for the cells
 }
 """What the errors are, and say that helps."""
-FOUND = {2274: "steps of heat"}
+FOUND = {2274: "steps of heat", 2369: "solved", 2832: "solved", 4508: "solved"}
 """Scenes that failed once, and what they come to."""
+MUCH_MISSING, FALLS = 0.6, 0.75
+"""Of the energy put in; and what twice the increments leave of more than that at most."""
 REFUSING = tuple({kind for kind, _ in REFUSALS.values()})
 
 
@@ -59,21 +61,33 @@ def study(name, seed):
 
 def solve(seed):
     """All increments of a scene; what it came to, or AssertionError."""
-    case = Case.model_validate(drawn_case(seed))
+    came_to, missing = followed(drawn_case(seed))
+    if missing is not None and missing >= MUCH_MISSING:
+        # The work of a whole segment in one increment is that of its mean force.
+        case = drawn_case(seed)
+        for segment in case["path"]:
+            segment["increments"] *= 2
+        again, less = followed(case)
+        assert again != "solved" or less < FALLS * missing
+    return came_to
+
+
+def followed(drawn):
+    """What a case came to, and the share of its energy that is missing."""
+    case = Case.model_validate(drawn)
     try:
         simulation, path = case.build()
     except CaseError as error:
-        return refusal(error)
+        return refusal(error), None
     states = [simulation.state]
     for step in path:
         try:
             states.append(simulation.step(**step))
         except REFUSING as error:
             assert simulation.state.load == states[-1].load
-            return refusal(error)
+            return refusal(error), None
         assert_increment(simulation, *states[-2:], step)
-    assert_energy(simulation, states)
-    return "solved"
+    return "solved", assert_energy(simulation, states)
 
 
 def outcomes(seeds, solve=solve):

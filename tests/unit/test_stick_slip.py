@@ -330,3 +330,27 @@ def test_shear_on_fine_cells_goes_on_from_coarse_ones():
     found = solver.solve(gap, load=load, tangential_load=(0.5 * MU * load, 0.0))
     assert found.tangential_error <= 1e-6
     assert found.tangential_applications <= 3
+
+
+@pytest.mark.parametrize("shift", [1e-7, 1e-4, 1e-2, 1.0])
+@pytest.mark.parametrize("roughness", [1e-3, 1e-2])
+def test_a_surface_without_ends_that_touches_everywhere_slips_by_its_shift(shift, roughness):
+    """No uniform shear moves it: what it slips on the mean is the shift, and the law holds."""
+    grid = sc.Grid(8, 12, 1 / 8, 1 / 8, periodic="xy")
+    gap = roughness * np.random.default_rng(1).random(grid.surface_shape)
+    solver = sc.ContactSolver(grid, SOFT, SOFT, sc.Coulomb(MU), tol=1e-9)
+    pressed = solver.solve(gap, load=0.5)
+    assert pressed.pressure.min() > 0
+    way = np.array([0.6, -0.8])
+    found = solver.solve(gap, load=0.5, shift=tuple(shift * way), previous=pressed)
+    np.testing.assert_allclose(found.slip.mean(axis=(1, 2)), shift * way, rtol=0, atol=1e-6 * shift)
+    bound = MU * found.pressure
+    length = np.hypot(*found.shear)
+    assert (length <= bound * (1 + 1e-9)).all()
+    slides = ~found.sticking
+    assert slides.any()
+    assert slides.all() or shift < 1e-2
+    np.testing.assert_allclose(length[slides], bound[slides], rtol=1e-6)
+    along = np.einsum("kxy,kxy->xy", found.shear, found.slip)
+    scale = bound * np.hypot(*found.slip)
+    assert np.abs(along - scale).max() <= 1e-6 * scale.max()

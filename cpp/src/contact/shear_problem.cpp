@@ -8,6 +8,12 @@
 #include "samcontact/base/threads.hpp"
 
 namespace samcontact::contact {
+namespace {
+
+/// Of the displacement of one cell under its own shear: less is none.
+constexpr double rounding = 1e-8;
+
+}  // namespace
 
 void ShearApplier::scatter(const Field& v) {
   const std::size_t m = problem_.size(), n = problem_.box_size;
@@ -52,6 +58,15 @@ void ShearApplier::precondition(const Field& r, Field& z) {
   preconditioner.apply(box_.data(), box_.data(), work_);
   gather(box_, z);
   operations_ += preconditioner.cost();
+}
+
+bool gives_way_to_uniform_shear(const Grid& box,
+                                const operators::TangentialDisplacement& displacement) {
+  if (box.period.x != box.nx || box.period.y != box.ny) return false;
+  Field shear(2 * box.surface_size(), 1.0);
+  ComplexField work;
+  displacement.apply(shear.data(), shear.data(), work);
+  return longest(shear) < rounding * displacement.self_influence();
 }
 
 double dot(const Field& a, const Field& b) { return ordered_dot(a.data(), b.data(), a.size()); }

@@ -57,6 +57,7 @@ class ShearSolver::Level {
     if (std::min(box.nx, box.ny) >= 2 * coarsest_side && box.can_be_coarsened()) {
       coarser_ = std::make_unique<Level>(coarsened(box), margin, influence);
     }
+    floats_ = margin == 0 && gives_way_to_uniform_shear(box, operators_.displacement);
   }
 
   const Grid& box() const { return box_; }
@@ -89,6 +90,7 @@ class ShearSolver::Level {
   int margin_;
   ShearOperators operators_;
   std::unique_ptr<Level> coarser_;
+  bool floats_;  // where all of the box touches
 };
 
 /// Of the slip that a shear in proportion to the pressure makes; on the coarsest box, since it is
@@ -133,12 +135,13 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction
   }
   for (int k = 0; k < 3; ++k) {
     if (drive[k].is_force()) {
-      problem.modes.push_back({std::move(directions[k]), drive[k].value / box_.cell_area()});
+      problem.modes.push_back({std::move(directions[k]), drive[k].value / box_.cell_area(), k});
     } else {
       keep_in_touch(problem, directions[k]);
       add_scaled(drive[k].value, directions[k], problem.free_slip);
     }
   }
+  problem.floats = floats_ && m == box_.surface_size();
   problem.stiffness = stiffness_of(task.pressure);
   problem.smallest_shear = smallest_share * std::min(friction, 1.0) * largest;
   if (task.rolls) let_roll(problem);

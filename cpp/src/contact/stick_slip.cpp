@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -29,6 +30,8 @@ constexpr int fallback_steps = 60, most_doublings = 5;
 constexpr double largest_correction = 0.2;
 /// Directions in which the cells that are free make up this share of a motion decide it.
 constexpr double decisive = 1e-10;
+/// Slipping cells resist what is not so nearly across their shear.
+constexpr double across = 1e-8;
 
 class StickSlip : public SlipIteration {
  public:
@@ -166,6 +169,7 @@ class StickSlip : public SlipIteration {
   }
 
   void step(double tol) override;
+  bool slide_as_a_whole(double tol);
   bool is_enough(const Field& residual, const Field& change, double first, double gain, double tol,
                  int inner) const;
   void fall_back(double tol) override;
@@ -177,7 +181,42 @@ class StickSlip : public SlipIteration {
   double bound_scale_;
 };
 
+/// Where no cell resists a uniform shear, that of sticking cells would grow without an end: all
+/// slip instead, in the direction of their mean slip and of the forces. False where some cell
+/// resists.
+bool StickSlip::slide_as_a_whole(double tol) {
+  const double most = ordered_sum(m_, [&](std::size_t i) { return problem_.bound[i]; });
+  if (!problem_.floats || !std::isfinite(most)) return false;
+  const auto mean = [&](std::size_t k) {
+    return ordered_sum(m_, [&](std::size_t i) { return r_.slip[k * m_ + i]; }) /
+           static_cast<double>(m_);
+  };
+  std::array<double, 2> way{mean(0), mean(1)}, force{};
+  for (const ShearProblem::Mode& mode : problem_.modes) {
+    if (mode.axis == 2) continue;
+    way[mode.axis] = 0.0;
+    force[mode.axis] = mode.target / most;
+  }
+  const double length = std::hypot(way[0], way[1]);
+  if (!(length * problem_.stiffness > tol * shear_scale(problem_, r_.shear, r_.slip))) return false;
+  for (double& w : way) w /= length;
+  for (std::size_t i = 0; i < m_; ++i) {
+    const double along = way[0] * normal_[i] + way[1] * normal_[m_ + i];
+    if (is_slipping(i) && (std::fabs(along) > across || lambda_[i] > across * self_influence_)) {
+      return false;
+    }
+  }
+  const double rest = std::sqrt(std::max(0.0, 1 - force[0] * force[0] - force[1] * force[1]));
+  for (std::size_t i = 0; i < 2 * m_; ++i) {
+    const std::size_t k = i / m_;
+    r_.shear[i] = problem_.bound[i % m_] * (force[k] + rest * way[k]);
+  }
+  std::fill(r_.slipping.begin(), r_.slipping.end(), 1);
+  return true;
+}
+
 void StickSlip::step(double tol) {
+  if (slide_as_a_whole(tol)) return;
   const Projected set = projected([&](Field& v) { project_free(v); });
   Eigen::MatrixXd products = set.products;
   for (int k = 0; k < modes_; ++k) {

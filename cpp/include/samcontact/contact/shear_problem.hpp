@@ -25,6 +25,7 @@ struct ShearProblem {
   struct Mode {
     Field direction;  // slip of a unit motion
     double target;    // sum of direction . shear over the cells: force over the area of a cell [Pa]
+    int axis = 2;     // 0, 1: along x, y; 2: the turn
   };
 
   const ShearOperators* operators = nullptr;
@@ -35,6 +36,9 @@ struct ShearProblem {
   std::size_t carried = 0;
   Field bound;      // mu p > 0 [Pa], may be infinite
   Field free_slip;  // b [m]
+  /// Nothing resists a shear that is the same everywhere: the bodies have no ends and touch
+  /// everywhere. C has no inverse there, and what they slip on the mean is given.
+  bool floats = false;
   std::vector<Mode> modes;
   /// What each cell slips in touch of a rigid motion: a symmetric matrix, [xx, xy, yy][cell];
   /// empty: all of it.
@@ -81,6 +85,11 @@ class ShearApplier {
   int applications_ = 0;
   double operations_ = 0.0;
 };
+
+/// Whether a shear that is the same everywhere in a box displaces nothing along the surface: on
+/// whole periods, unless layers lie on a rigid base.
+bool gives_way_to_uniform_shear(const Grid& box,
+                                const operators::TangentialDisplacement& displacement);
 
 /// sum of a . b.
 double dot(const Field& a, const Field& b);
