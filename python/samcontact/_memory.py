@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 GIVING: list[Callable[[], bool]] = []
 """What gives back memory that others need; whether there was some."""
 _SMALL = 64e6  # below this nobody needs to ask
-CONTACT, COUPLED_CONTACT, HEATED_CONTACT = 95.0, 180.0, 205.0
-"""Of a surface cell of an elastic contact: smooth; with shear that displaces; heated."""
-STICK_SLIP, ROLLING = 650.0, 1700.0
-"""Of a surface cell of an elastic contact that sticks and slips all over; that rolls steadily."""
-SIMULATION, YIELD_SCAN = 145.0, 450.0
-"""Of a surface cell: of increments; and of finding where a body yields first."""
+CONTACT, COUPLED_CONTACT, COUPLED_STICK_SLIP, HEATED_CONTACT = 145.0, 235.0, 320.0, 205.0
+"""Of a surface cell of an elastic contact: smooth; with shear that displaces; which sticks and
+slips, besides what the core asks for where there is contact; heated."""
+SIMULATION, STICK_SLIP_SIMULATION, YIELD_SCAN = 75.0, 275.0, 450.0
+"""Of a surface cell, besides the contact: of increments; of those that stick and slip; and of
+finding where a body yields first."""
 SURFACE = 48.0
 """Of a surface cell: heights, and the waves of a rough one while they are made."""
 DISPLACEMENT = 80.0
@@ -58,6 +58,12 @@ def require_for_grid(what: str, grid: Grid, needed: float) -> None:
         return
     cells = f"nx = {grid.nx}, ny = {grid.ny}" + (f", nz = {grid.nz}" if grid.nz else "")
     require(f"{what} on a grid of {cells}", needed)
+
+
+def of_contact(*, coupled: bool, sticks: bool, heated: bool) -> float:
+    """Bytes of a surface cell of a contact: shear displaces unlike bodies, sticks, is heated."""
+    smooth = COUPLED_STICK_SLIP if sticks else COUPLED_CONTACT
+    return max(smooth if coupled else CONTACT, HEATED_CONTACT if heated else 0.0)
 
 
 def surface(grid: Grid, bytes_a_cell: float) -> float:

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any
 
-from . import _core
+from . import _core, _memory
 from ._checks import choice, in_cells, integer, number
 from ._frozen import Fixed
 from .friction import Coulomb
@@ -169,3 +169,11 @@ class Configured(Fixed):
     def _configure(self, settings: ContactSettings) -> None:
         self._settings = settings
         vars(self).update(settings.arguments())
+
+    def _memory_of_contact(self, body1: Any, body2: Any, heat: Any) -> float:
+        """Bytes of a surface cell of an elastic contact of two bodies."""
+        return _memory.of_contact(
+            coupled=self.friction != 0 and body1._core.stack != body2._core.stack,
+            sticks=isinstance(self.friction, Coulomb),
+            heated=any(heat.factor),
+        )

@@ -19,6 +19,7 @@ from ._core import GridTooSmallError
 from ._frozen import read_only
 from ._settings import Configured, Settings
 from ._steps import Step, checked_step
+from .friction import Coulomb
 from .grid import Grid
 from .heat import Heat
 from .layered import Body
@@ -164,7 +165,10 @@ class Windowed(Configured):
         """The window of another grid."""
         bodies = self.body1, self.body2
         scanned = grid.has_volume and any(body.is_plastic for body in bodies)
-        cell = _memory.SIMULATION + (_memory.YIELD_SCAN if scanned else 0.0)
+        cell = self._memory_of_contact(*bodies, self._heat) + _memory.SIMULATION
+        if isinstance(self.friction, Coulomb):
+            cell += _memory.STICK_SLIP_SIMULATION - _memory.SIMULATION
+        cell += _memory.YIELD_SCAN if scanned else 0.0
         _memory.require_for_grid("a simulation", grid, _memory.surface(grid, cell))
         window = self._surfaces.over(grid)
         if hasattr(self, "_window"):

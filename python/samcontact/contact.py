@@ -89,7 +89,8 @@ class ContactSolver(Configured):
                 )
         require_heat_of(self.friction, self.heat)
         self._heating = heating(self.heat, (body1, body2), grid)
-        self._require_memory()
+        cell = self._memory_of_contact(body1, body2, self.heat)
+        _memory.require_for_grid("a contact", grid, _memory.surface(grid, cell))
         scene = grid._core, body1._core.stack, body2._core.stack
         self._core: _core.ContactSolver | _core.CoulombContact
         if isinstance(self.friction, Coulomb):
@@ -102,14 +103,6 @@ class ContactSolver(Configured):
             f"ContactSolver({self.grid!r}, {self.body1!r}, {self.body2!r}, {self._settings}, "
             f"heat={self.heat!r})"
         )
-
-    def _require_memory(self) -> None:
-        coupled = self.friction != 0 and self.body1._core.stack != self.body2._core.stack
-        cell = _memory.COUPLED_CONTACT if coupled else _memory.CONTACT
-        if isinstance(self.friction, Coulomb):
-            cell = _memory.STICK_SLIP
-        cell = max(cell, _memory.HEATED_CONTACT) if any(self.heat.factor) else cell
-        _memory.require_for_grid("a contact", self.grid, _memory.surface(self.grid, cell))
 
     def solve(
         self,

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core, _memory
+from . import _core
 from ._checks import FloatArray, require_type
 from ._settings import ContactSettings
 from .contact import ContactSolver
@@ -119,7 +119,6 @@ def steady(
         on_border=on_border,
         max_iterations=max_iterations,
     )
-    _memory.require_for_grid("a rolling contact", grid, _memory.surface(grid, _memory.ROLLING))
     solution = solver._driven(gap, load, approach, _Rolling(given, friction.coefficient, start))
     assert isinstance(solution, RollingSolution)
     return solution

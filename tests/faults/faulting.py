@@ -20,7 +20,8 @@ TRIALS = {
     "full disk": (8, 200),
     "interrupt: step": (5, 80),
     "interrupt: run": (3, 50),
-    "memory: estimates": (10, 10),
+    "stop: command": (1, 25),
+    "memory: estimates": (21, 21),
     "memory: refusals": (12, 12),
     "threads": (3, 20),
 }

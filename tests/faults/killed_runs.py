@@ -64,6 +64,18 @@ def computed(folder):
     assert len(states[1].zones(2)) > 1
     return of_states(states)
 """,
+    "periodic zones": """
+def computed(folder):
+    from rough_scenes import SIZE, rough_gap, simulation
+    cells = 128
+    gap = rough_gap(0.0, sc.Grid(cells, cells, SIZE, SIZE))
+    sim = simulation(grid=sc.Grid(cells, cells, SIZE, SIZE, 8, SIZE, "xy"), gap=gap)
+    whole = 0.003 * 4.2e9 * (cells * SIZE) ** 2
+    states = sim.run([{"load": q * whole} for q in (0.5, 1.0, 0.2)], progress=False,
+                     checkpoint=folder)
+    assert len(states[1].zones(2)) > 1
+    return of_states(states)
+""",
     "periodic": """
 def computed(folder):
     grid, _ = ball(16, periodic="xy")
@@ -111,9 +123,10 @@ def computed(folder):
     "found load": """
 def computed(folder):
     def scene(load):
-        grid, gap = ball(13)
+        grid = sc.Grid(8, 8, 120e-6, 120e-6, dz=120e-6)
+        gap = sc.surfaces.paraboloid(grid, 7.5e-3)
         return sc.Simulation(grid, elastic, steel, gap, on_border="warn"), [{"load": load}]
-    found = sc.find_load(scene, "max_plastic_strain", 1e-3, tolerance=0.05, largest_load=2000.0,
+    found = sc.find_load(scene, "max_plastic_strain", 5e-4, tolerance=0.1, largest_load=1200.0,
                          progress=False, checkpoint=folder)
     return digest([found.load, found.value, found.load_error])
 """,
@@ -121,20 +134,38 @@ def computed(folder):
 ANY = (
     BEGIN
     + f"""
-import pathlib, resource
+import pathlib, resource, signal
+from unittest import mock
+from samcontact import _memory
 from samcontact.runs import lock
 sys.path.insert(0, {str(Path(__file__).parents[1])!r})
 KINDS = {BODIES!r}
 
 def computed(argument):
     kind, way, folder = argument.split("|")
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))  # a batch script's
     space = dict(globals())
     exec(KINDS[kind], space)
-    if way.isdigit():
-        resource.setrlimit(resource.RLIMIT_FSIZE, (int(way), resource.RLIM_INFINITY))
-    if way == "twice":
+    word, _, amount = way.partition(" ")
+    if word == "disk":
+        resource.setrlimit(resource.RLIMIT_FSIZE, (int(amount), resource.RLIM_INFINITY))
+    if word == "twice":
         return refused(space["computed"], folder)
+    if word == "memory":
+        return poor(space["computed"], folder, float(amount))
     return space["computed"](folder)
+
+def poor(run, folder, there):
+    require, asked = _memory.require, [0.0]
+    def told(what, needed, *more):
+        asked.append(needed)
+        with mock.patch.object(_memory, "available", lambda: there):
+            require(what, needed, *more)
+    _memory._SMALL, _memory.require = 0.0, told
+    try:
+        return f"{{run(folder)}} {{max(asked)}}"
+    except (MemoryError, ValueError) as error:
+        return str(error)
 
 def refused(run, folder):
     taken, told = lock._take, []
@@ -151,5 +182,7 @@ def refused(run, folder):
     return run(folder) + " " + told[-1]
 """
 )
-"""Of any kind: `computed("kind|way|folder")`. The way is nothing, the largest size of a file, or
-"twice": with a second run in the folder, whose error follows the digest."""
+"""Of any kind: `computed("kind|way|folder")`. The way is nothing, or one of
+"disk BYTES": the largest size of a file;
+"twice": with a second run in the folder, whose error follows the digest;
+"memory BYTES": what there is, the most that was asked for follows the digest, or the error."""

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every kind of run goes on to the same bits after a kill, Ctrl-C or a full disk, one at a time."""
+"""Every kind of run goes on to the same bits, whatever ended it, and one at a time in a folder."""
 
 import contextlib
 import random
+import re
 import shutil
 import signal
 
@@ -19,24 +20,26 @@ def nursery():
 
 @pytest.fixture(scope="module", params=BODIES)
 def whole(request, nursery, tmp_path_factory):
-    """A kind, its digest, the time that it takes, and its largest file."""
+    """A kind, its digest, the time that it takes, its largest file, the most memory it asks for."""
     folder = tmp_path_factory.mktemp("whole")
-    digest, _ = nursery.run(f"{request.param}||{folder / 'first'}")
+    told, _ = nursery.run(f"{request.param}|memory inf|{folder / 'first'}")
+    assert told is not None, nursery.told()
+    digest, most = told.split()
     again, seconds = nursery.run(f"{request.param}||{folder / 'run'}")
     assert digest == again
     assert len(digest) == 64
     files = [path.stat().st_size for path in folder.rglob("*") if path.is_file()]
-    return request.param, digest, seconds, max(files)
+    return request.param, digest, seconds, max(files), float(most)
 
 
 @tried("kill: kinds of runs")
 def test_killed_and_interrupted(whole, nursery, tmp_path, count):
-    kind, digest, seconds, _ = whole
+    kind, digest, seconds, *_ = whole
     times = random.Random(f"stopped {kind}")
     for trial in range(count):
         folder = tmp_path / f"trial{trial}"
         argument = f"{kind}||{folder / 'run'}"
-        for number in times.sample([signal.SIGKILL, signal.SIGINT], 2):
+        for number in times.sample([signal.SIGKILL, signal.SIGINT, signal.SIGTERM], 3):
             moment = (trial + times.random()) / count * seconds
             nursery.run(argument, moment, number)
         assert nursery.run(argument)[0] == digest, nursery.told()
@@ -44,9 +47,19 @@ def test_killed_and_interrupted(whole, nursery, tmp_path, count):
 
 
 def test_full_disk(whole, nursery, tmp_path):
-    kind, digest, _, largest = whole
-    stopped, _ = nursery.run(f"{kind}|{largest // 2}|{tmp_path / 'run'}")
+    kind, digest, _, largest, _ = whole
+    stopped, _ = nursery.run(f"{kind}|disk {largest // 2}|{tmp_path / 'run'}")
     assert stopped is None
+    assert nursery.run(f"{kind}||{tmp_path / 'run'}")[0] == digest
+
+
+def test_not_enough_memory(whole, nursery, tmp_path):
+    """It is told before it is taken; what there is then goes on to the same bits."""
+    kind, digest, *_, most = whole
+    # A search goes around loads whose runs do not fit, and tells it when none does.
+    there = 0.0 if kind == "found load" else 0.99 * most
+    told, _ = nursery.run(f"{kind}|memory {there}|{tmp_path / 'run'}")
+    assert re.search(r"needs about [\d.e+-]+ GB of memory, and [\d.e+-]+ GB are available", told)
     assert nursery.run(f"{kind}||{tmp_path / 'run'}")[0] == digest
 
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <utility>
 
+#include "samcontact/base/memory.hpp"
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/coarsening.hpp"
 #include "samcontact/contact/steady_rolling.hpp"
@@ -20,6 +21,8 @@ constexpr int coarsest_side = 16;
 /// Finer cells change which of them slip: by a share of the shear that falls with their size.
 double coarse_tol(const Grid& box) { return std::min(1e-3, 0.06 / std::max(box.nx, box.ny)); }
 constexpr int coarse_steps = 30;
+/// Memory of a cell of the box of contact while shear is solved for there, as measured.
+constexpr double stick_slip_bytes = 700, rolling_bytes = 1100;
 
 /// Field over all cells of a box, and vectors [2][i][j] there.
 struct BoxTask {
@@ -241,6 +244,10 @@ std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box, int
   const std::lock_guard lock(kept_->mutex);
   auto& kept = kept_->level;
   if (!kept || kept->box().nx != box.nx || kept->box().ny != box.ny || kept->margin() != margin) {
+    const auto before = static_cast<double>(kept ? kept->box().surface_size() : 0);
+    const double more = static_cast<double>(box.surface_size()) - before;
+    require_memory(more * (margin > 0 ? rolling_bytes : stick_slip_bytes), "stick and slip");
+    kept.reset();  // the two together may not fit
     kept =
         std::make_shared<const Level>(Box{0, 0, box.nx, box.ny, 0}.grid(grid_), margin, influence_);
   }

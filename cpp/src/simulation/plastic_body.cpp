@@ -25,24 +25,15 @@ constexpr double beyond_weak = 0.8;
 /// Cells of a surface beyond which a bound of the stress says where a body may yield.
 constexpr std::size_t large_surface = 65000;
 
-/// Memory of an increment a cell of its box where all of them flow and it is divided; as measured,
-/// docs/architecture.md has the parts.
-constexpr double fast_bytes = 600, exact_bytes = 1800;
+/// Memory of an increment in which all of a box flows and that is divided; as measured,
+/// docs/architecture.md has the parts. Of a cell that is stored, of the plane of wavenumbers times
+/// layers, of coefficients there, which mirrors do not divide; of a backstress; of the exact
+/// method.
+constexpr double cell_bytes = 290, spectrum_bytes = 160, table_bytes = 150, backstress_bytes = 80,
+                 exact_bytes = 1200;
 
-/// The same of zones, and a cell of the grid above them.
+/// Of a cell of zones, all included, and of the grid above them.
 constexpr double zone_bytes = 600, lattice_bytes = 40;
-
-double bytes_of(const Zones& zones, bool split, const Grid& grid,
-                operators::ResidualMethod method) {
-  if (split) {
-    const auto surface =
-        static_cast<double>(Box::surface(grid).united(zones.around()).surface_size());
-    return static_cast<double>(zones.cells()) * zone_bytes +
-           surface * zones.around().nz * lattice_bytes;
-  }
-  const bool exact = method == operators::ResidualMethod::exact;
-  return static_cast<double>(zones.around().volume_size()) * (exact ? exact_bytes : fast_bytes);
-}
 
 /// Before zones of the volume are taken instead of others, which are given back.
 void require_memory_of(const Zones& zones, double bytes, double before) {
@@ -118,10 +109,28 @@ std::vector<Box> PlasticBody::history_boxes() const {
   return history_ ? history_->zones().boxes() : std::vector<Box>{};
 }
 
+double PlasticBody::bytes_of(const Zones& zones, bool split) const {
+  if (zones.empty()) return 0.0;
+  const double backstresses = backstress_bytes * static_cast<double>(body().backstresses());
+  const Box& box = zones.around();
+  if (split) {
+    const auto surface = static_cast<double>(Box::surface(scene_.grid).united(box).surface_size());
+    return static_cast<double>(zones.cells()) * (zone_bytes + backstresses) +
+           surface * box.nz * lattice_bytes;
+  }
+  const auto stored = static_cast<double>(box.volume_size()),
+             whole = static_cast<double>(choice_.whole(box).volume_size());
+  // What does not repeat itself is padded to twice its length.
+  const Period& period = scene_.grid.period;
+  const double planes = period.x > 0 && period.y > 0 ? 0.25 : 1.0;
+  const bool exact = method_ == operators::ResidualMethod::exact;
+  return stored * (cell_bytes + backstresses + planes * spectrum_bytes) +
+         whole * planes * (table_bytes + (exact ? exact_bytes : 0.0));
+}
+
 void PlasticBody::set_zones(const Zones& zones, bool split, std::span<Source* const> sources,
                             ActiveCells& active) {
-  require_memory_of(zones, bytes_of(zones, split, scene_.grid, method_),
-                    bytes_of(zones_, split_, scene_.grid, method_));
+  require_memory_of(zones, bytes_of(zones, split), bytes_of(zones_, split_));
   // The old one first: the two together may not fit.
   volume_.reset();
   const int parts = operators::count(tensor_);

@@ -96,7 +96,7 @@ class Solved(NamedTuple):
         layers = max((len(state.depths) for state in self.states[-1:]), default=0)
         plastic = float(self.simulation.counters["volume_bytes"])
         fields = _memory.volume(grid, _memory.VOLUME_FIELD, layers)
-        return _memory.surface(grid, _memory.SIMULATION) + plastic + fields
+        return _memory.surface(grid, _memory.CONTACT + _memory.SIMULATION) + plastic + fields
 
 
 @dataclass(eq=False)

@@ -226,7 +226,7 @@ class Case(CaseFile):
                 raise ValueError("is chosen by samcontact.to_accuracy, or give it")
             grid = self.grid.build()
             # before the surface, which takes a part of it
-            needed = _memory.surface(grid, _memory.SIMULATION)
+            needed = _memory.surface(grid, _memory.CONTACT + _memory.SIMULATION)
             _memory.require_for_grid("a simulation", grid, needed)
             section = "body1"
             body1 = self.body1.build()

@@ -113,6 +113,8 @@ class PlasticBody {
     double weakest;             // of all cells
   };
   Limits first_limits() const;
+  /// Memory of an increment in zones.
+  double bytes_of(const Zones& zones, bool split) const;
   /// The columns where some tractions go beyond a limit.
   struct Yielding {
     operators::Tractions tractions;

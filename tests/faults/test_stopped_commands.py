@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command, stopped during an increment and after the last one, goes on to the same bits."""
+
+import contextlib
+import hashlib
+import json
+import random
+import signal
+
+import pytest
+import xarray as xr
+from faulting import Nursery, tried
+
+from case_texts import MINIMAL, SCAR, SWIFT, WEAR
+
+BALL = """
+body1 = {law = "elastic", E = 210e9, nu = 0.3}
+surface = {shape = "paraboloid", Rx = 7.5e-3}
+"""
+FLAT = 'body2 = {law = "elastic", E = 210e9, nu = 0.3}'
+STEEL = f"body2 = {{{', '.join(SWIFT.splitlines())}}}"
+COARSE = "grid = {nx = 15, ny = 13, dx = 60e-6, dy = 60e-6, nz = 12, dz = 60e-6}"
+# A case of each kind of run, and how many increments a resumed run may solve again.
+KINDS = {
+    "shakedown": (f"estimate_error = false\n{MINIMAL}[shakedown]\ncycles = 3\ntol = 0.002\n", 3),
+    "fatigue": (f'{MINIMAL}[fatigue]\ndang_van = 0.3\northogonal_shear = "y"\n', 3),
+    "accuracy": (
+        f'title = "to 10 %"\naccuracy = {{max_pressure = 0.1}}\n{BALL}{FLAT}\n'
+        "path = [{load = 100.0}, {load = 400.0}]\n",
+        2,
+    ),
+    "wear": (WEAR.replace("cycles = 1", "cycles = 2"), 2),
+    "fretting wear": (SCAR.replace("20000", "2000"), 6),
+    "fretting": (
+        f'title = "to and fro"\nestimate_error = false\n{COARSE}\n{BALL}{STEEL}\n'
+        'contact = {friction = {coulomb = 0.3}, on_border = "warn"}\n'
+        "path = [{load = 400.0, increments = 1},"
+        " {load = 400.0, increments = 1, fret = {tangential_load_x = 60.0}}]\n",
+        0,
+    ),
+    "found load": (
+        'title = "searched"\n'
+        "grid = {nx = 8, ny = 8, dx = 120e-6, dy = 120e-6, nz = 8, dz = 120e-6}\n"
+        f'contact = {{on_border = "warn"}}\n{BALL}{STEEL}\npath = [{{load = 900.0}}]\n',
+        1,
+    ),
+}
+COMMAND = """
+import importlib, json, os
+from click.testing import CliRunner
+import samcontact as sc
+from samcontact import results
+from samcontact.commands.main import main
+import samcontact.commands.solve_contact, samcontact.commands.solve_study
+find = importlib.import_module("samcontact.find")
+made = {"step": 0, "end": 0}
+
+def counted(owner, name, kind, place, number):
+    call = getattr(owner, name)
+    def counting(*arguments, **named):
+        made[kind] += 1
+        if f"{kind} {made[kind]}" == place:
+            os.kill(os.getpid(), int(number))
+        return call(*arguments, **named)
+    setattr(owner, name, counting)
+
+def computed(argument):
+    place, number, *words = argument.split("|")
+    counted(sc.Simulation, "step", "step", place, number)
+    for owner, name in ((results, "save"), (find, "estimate_errors")):
+        counted(owner, name, "end", place, number)
+    outcome = CliRunner().invoke(main, words)
+    return json.dumps([outcome.exit_code, outcome.stdout, outcome.stderr, *made.values()])
+"""
+
+
+@pytest.fixture(scope="module")
+def nursery():
+    with contextlib.closing(Nursery(COMMAND)) as made:
+        yield made
+
+
+class Stopped:
+    """Commands of one case in one folder, which get a signal at a place."""
+
+    def __init__(self, nursery, kind, folder):
+        text, self.spare = KINDS[kind]
+        folder.mkdir()
+        self.nursery, self.out, self.case = nursery, folder / "out", folder / "case.toml"
+        self.searches = kind == "found load"
+        self.case.write_text(
+            f'{text}output = {{directory = "{self.out}"}}' if self.searches else text
+        )
+
+    def run(self, place="", number=0):
+        """Exit code, standard output and error; calls of step, and of what comes after the last."""
+        if self.searches:
+            words = ["find", self.case, "max_plastic_strain=0.0005", "--tolerance", "0.1"]
+        elif (self.out / "checkpoints" / "case.txt").exists():
+            words = ["resume", self.out, "--no-figures"]
+        else:
+            words = ["run", self.case, "--output", self.out, "--no-figures"]
+        told, _ = self.nursery.run("|".join(map(str, [place, number, *words, "--quiet"])))
+        return json.loads(told)
+
+    def left(self):
+        """Names of all files; of a search none."""
+        return sorted(str(file.relative_to(self.out)) for file in self.out.rglob("*"))
+
+    def contents(self):
+        """Digests of the numbers that are left."""
+        found = {}
+        for file in sorted(self.out.glob("*.nc")):
+            with xr.open_dataset(file) as data:
+                parts = b"".join(data[n].values.tobytes() for n in sorted(data.data_vars))
+            found[file.name] = hashlib.sha256(parts).hexdigest()
+        return found
+
+
+@tried("stop: command")
+@pytest.mark.parametrize("kind", KINDS)
+def test_goes_on_to_the_same_bits(kind, nursery, tmp_path, count):
+    whole = Stopped(nursery, kind, tmp_path / "whole")
+    code, output, errors, steps, ends = whole.run()
+    assert code == 0, errors
+    places = random.Random(f"stopped {kind}")
+    for trial in range(count):
+        stopped = Stopped(nursery, kind, tmp_path / f"trial{trial}")
+        signals = places.sample([signal.SIGTERM, signal.SIGINT], 2)
+        moments = f"step {places.randint(2, steps)}", f"end {places.randint(1, ends)}"
+        done = 0
+        for place, number in zip(moments, signals, strict=True):
+            code, _, errors, made, _ = stopped.run(place, int(number))
+            assert code == 128 + number, errors
+            told = "goes on from" if stopped.searches else f"samcontact resume {stopped.out}"
+            assert told in errors
+            done += made
+        code, last, errors, again, _ = stopped.run()
+        assert code == 0, errors
+        assert done + again <= steps + 1 + 2 * stopped.spare
+        assert last.replace(str(stopped.out), str(whole.out)) == output
+        assert stopped.contents() == whole.contents()
+        assert stopped.left() == whole.left()
