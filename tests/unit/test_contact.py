@@ -36,6 +36,18 @@ def test_complementarity_and_load(pair, friction):
     assert solution.iterations > 1
 
 
+@pytest.mark.parametrize("friction", [2.0, 4.0])
+@pytest.mark.parametrize("drive", ["load", "approach"])
+def test_strongly_coupled_friction_is_solved(friction, drive):
+    """Beyond mu beta = 1, beta = 1/2 here, rounds of pressure and shear grow by themselves."""
+    soft = sc.Material.elastic(210e9, 0.0)
+    grid, gap, exact = scene(RIGID, soft)
+    solver = sc.ContactSolver(grid, RIGID, soft, friction, tol=1e-10, on_border="warn")
+    solution = solver.solve(gap, **{drive: getattr(exact, drive)})
+    displacement = penetration(grid, solution.pressure, RIGID, soft, friction)
+    assert_complementary(grid, solution, gap, displacement, 1e-10)
+
+
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 @pytest.mark.parametrize("pair", PAIRS)
 def test_load_and_approach_give_the_same_pressure(pair, friction):

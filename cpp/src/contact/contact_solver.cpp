@@ -8,11 +8,16 @@
 #include <utility>
 
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/anderson.hpp"
 
 namespace samcontact::contact {
 namespace {
 
 constexpr int max_coupling_iterations = 200;
+// Shear that turns by 90 degrees from round to round grows beyond mu beta = 1 of the bodies, though
+// the scene has a solution for any mu: from this contraction on rounds are accelerated.
+constexpr double slow_contraction = 0.5;
+constexpr int coupling_depth = 12;
 
 bool is_zero(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
@@ -63,6 +68,13 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
     influence.add(bodies[b], sliding.shear_over_pressure(b), heating[b]);
   }
   return influence;
+}
+
+/// The coupling to try next, in place of what came of `tried`.
+void accelerate(Anderson& anderson, Field& tried, Field& coupling) {
+  for (std::size_t i = 0; i < tried.size(); ++i) coupling[i] -= tried[i];
+  anderson.next(tried, std::move(coupling));
+  coupling = tried;
 }
 
 }  // namespace
@@ -195,7 +207,9 @@ Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pres
   update_coupling(pressure);
 
   Solution solution;
+  Anderson anderson(coupling_depth);
   double outer_error = 1.0;
+  bool slow = false;
   for (int n = 0; n < max_coupling_iterations; ++n) {
     for (std::size_t i = 0; i < gap.size(); ++i) lagged[i] = gap[i] + coupling[i];
     const double inner_tol = std::clamp(0.1 * outer_error, 0.3 * settings.tol, 1e-2);
@@ -216,7 +230,9 @@ Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pres
         change_in_contact(coupling, previous, solution.tractions.pressure, load_driven);
     // Surfaces that are apart may be so because of shear that is gone.
     const bool parted = solution.load == 0 && !is_zero(previous);
-    outer_error = parted ? 1.0 : scale > 0 ? change / scale : 0.0;
+    const double error = parted ? 1.0 : scale > 0 ? change / scale : 0.0;
+    slow = slow || (n > 0 && error > slow_contraction * outer_error);
+    outer_error = error;
     solution.error += outer_error;
     for (std::size_t i = 0; i < gap.size(); ++i) solution.gap[i] += coupling[i] - previous[i];
     if (load_driven) {
@@ -228,6 +244,7 @@ Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pres
     solution.converged = solution.error <= settings.tol;
     if (solution.converged) break;
     pressure = solution.tractions.pressure;
+    if (slow) accelerate(anderson, previous, coupling);
   }
   solution.iterations = iterations;
   solution.operator_applications = applications;

@@ -12,6 +12,7 @@
 #include "samcontact/contact/coarsening.hpp"
 #include "samcontact/contact/steady_rolling.hpp"
 #include "samcontact/contact/stick_slip.hpp"
+#include "samcontact/contact/window.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -21,8 +22,7 @@ constexpr int coarsest_side = 16;
 /// Finer cells change which of them slip: by a share of the shear that falls with their size.
 double coarse_tol(const Grid& box) { return std::min(1e-3, 0.06 / std::max(box.nx, box.ny)); }
 constexpr int coarse_steps = 30;
-/// Memory of a cell of the box of contact while shear is solved for there, as measured.
-constexpr double stick_slip_bytes = 700, rolling_bytes = 1100;
+constexpr double stick_slip_bytes = 700, rolling_bytes = 1100;  // a cell of its box, as measured
 
 /// Field over all cells of a box, and vectors [2][i][j] there.
 struct BoxTask {
@@ -243,36 +243,19 @@ ShearSolver& ShearSolver::operator=(ShearSolver&&) noexcept = default;
 std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box, int margin) const {
   const std::lock_guard lock(kept_->mutex);
   auto& kept = kept_->level;
-  if (!kept || kept->box().nx != box.nx || kept->box().ny != box.ny || kept->margin() != margin) {
-    const auto before = static_cast<double>(kept ? kept->box().surface_size() : 0);
-    const double more = static_cast<double>(box.surface_size()) - before;
-    require_memory(more * (margin > 0 ? rolling_bytes : stick_slip_bytes), "stick and slip");
-    kept.reset();  // the two together may not fit
-    kept =
-        std::make_shared<const Level>(Box{0, 0, box.nx, box.ny, 0}.grid(grid_), margin, influence_);
+  if (kept && kept->box().nx == box.nx && kept->box().ny == box.ny && kept->margin() == margin) {
+    return kept;
   }
+  const double more = static_cast<double>(box.surface_size()) -
+                      static_cast<double>(kept ? kept->box().surface_size() : 0);
+  require_memory(more * (margin > 0 ? rolling_bytes : stick_slip_bytes), "stick and slip");
+  kept.reset();  // the two together may not fit
+  const Grid grid = Box{0, 0, box.nx, box.ny, 0}.grid(grid_);
+  kept = std::make_shared<const Level>(grid, margin, influence_);
   return kept;
 }
 
 namespace {
-
-/// The box of the contact, now and before, its sides multiples of 8 so that few different sizes
-/// occur.
-Box box_of(const Grid& grid, const Field& pressure, const Field& before) {
-  const std::size_t n = before.size() / 2;
-  Box box = bounding_box(grid, [&](std::size_t at) {
-    return pressure[at] > 0 || (n > 0 && (before[at] != 0 || before[n + at] != 0));
-  });
-  const auto widen = [](int cells, int& start, int& length) {
-    const int wide = std::min((length + 7) / 8 * 8, cells);
-    start = std::clamp(start - (wide - length) / 2, 0, cells - wide);
-    length = wide;
-  };
-  if (box.empty()) return box;
-  widen(grid.nx, box.i0, box.nx);
-  widen(grid.ny, box.j0, box.ny);
-  return box;
-}
 
 /// Shear, slip and what sticks, from the cells of contact of a box to the grid.
 void unpack(const ShearResult& result, const std::vector<std::size_t>& cells, const Box& box,
@@ -331,7 +314,7 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   const bool touches =
       std::any_of(task.pressure.begin(), task.pressure.end(), [](double p) { return p > 0; });
   if (!touches || task.friction == 0) return solution;
-  const Box box = box_of(grid_, task.pressure, task.previous_shear);
+  const Box box = slipping_box(grid_, task.pressure, task.previous_shear);
   const auto level_of_box = level(box, task.rolls ? rolling_margin : 0);
   const auto boxed = [&](const Field& field) { return over(grid_, box, field); };
   BoxTask part{boxed(task.pressure),

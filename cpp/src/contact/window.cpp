@@ -12,12 +12,15 @@ constexpr int smallest_side = 64;
 /// Margins in shares of the window: ample, and where that does not pay slim ones.
 constexpr int ample = 8, slim = 64;
 
-/// Widens a range of cells by a margin to a multiple of 8 within [0, n).
-void widen(int n, int share, int& start, int& length) {
-  const int margin = 4 + length / share;
-  const int wide = std::min(std::max((length + 2 * margin + 7) / 8 * 8, smallest_side), n);
+/// Widens a range of cells to at least `least`, and to a multiple of 8 within [0, n).
+void widen(int n, int least, int& start, int& length) {
+  const int wide = std::min((least + 7) / 8 * 8, n);
   start = std::clamp(start - (wide - length) / 2, 0, n - wide);
   length = wide;
+}
+
+int with_margin(int length, int share) {
+  return std::max(length + 2 * (4 + length / share), smallest_side);
 }
 
 }  // namespace
@@ -32,8 +35,8 @@ Box with_margin(const Grid& grid, const Box& window, const Box& present) {
   const Box all = Box::surface(grid);
   for (const int margin : {ample, slim}) {
     Box wide = window;
-    widen(grid.nx, margin, wide.i0, wide.nx);
-    widen(grid.ny, margin, wide.j0, wide.ny);
+    widen(grid.nx, with_margin(wide.nx, margin), wide.i0, wide.nx);
+    widen(grid.ny, with_margin(wide.ny, margin), wide.j0, wide.ny);
     wide = wide.united(present);
     if (static_cast<double>(wide.surface_size()) <
         worthwhile_share * static_cast<double>(all.surface_size())) {
@@ -41,6 +44,17 @@ Box with_margin(const Grid& grid, const Box& window, const Box& present) {
     }
   }
   return all;
+}
+
+Box slipping_box(const Grid& grid, const Field& pressure, const Field& before) {
+  const std::size_t n = before.size() / 2;
+  Box box = bounding_box(grid, [&](std::size_t at) {
+    return pressure[at] > 0 || (n > 0 && (before[at] != 0 || before[n + at] != 0));
+  });
+  if (box.empty()) return box;
+  widen(grid.nx, box.nx, box.i0, box.nx);
+  widen(grid.ny, box.ny, box.j0, box.ny);
+  return box;
 }
 
 }  // namespace samcontact::contact

@@ -15,4 +15,8 @@ Box possible_contact(const Grid& grid, const Field& pressure, const Field& gap);
 /// sizes occur, and with `present` in it; the whole surface where a window saves little.
 Box with_margin(const Grid& grid, const Box& window, const Box& present);
 
+/// The box of the contact, now and before, its sides multiples of 8 as well. before: shear
+/// [2][i][j] of the increment before, or empty.
+Box slipping_box(const Grid& grid, const Field& pressure, const Field& before);
+
 }  // namespace samcontact::contact

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scenes of what sticks, slips, is layered, repeats itself or tires, in any system of units."""
 
+import itertools
+
 import numpy as np
 
 import samcontact as sc
-from rough_scenes import rough_gap
 
 # What a metre, a newton, a second and a kelvin are in the other system.
 UNITS = {
@@ -13,6 +14,7 @@ UNITS = {
     "contact radius, load, time and temperature of the scene": (1 / 2.7e-4, 1 / 300, 1e4, 1 / 80),
     "kilometre, meganewton, hour": (1e-3, 1e-6, 1 / 3600, 1.0),
     "angstrom, nanonewton, nanosecond, millikelvin": (1e10, 1e9, 1e9, 1e3),
+    "a million metres, meganewtons, seconds and kelvins": (1e-6, 1e-6, 1e-6, 1e-6),
 }
 POWERS_OF_TWO = (2.0**10, 2.0**-3, 2.0**20, 2.0**-5)
 TIGHT = {"tol": 1e-11, "on_border": "warn"}
@@ -153,14 +155,63 @@ def periodic(unit):
 
 
 def zones(unit):
-    """Many small plastic zones, whose bounds must be the same ones."""
+    """Small plastic zones of asperities, whose bounds must be the same ones."""
     size = 1e-6 * unit.m
-    grid = sc.Grid(64, 64, size, size, 10, size)
-    sim = sc.Simulation(grid, sc.Material.rigid(), unit.soft(), rough_gap() * unit.m, **TIGHT)
-    sim.step(load=0.17 * unit.N)
-    state = sim.step(load=0.05 * unit.N)
+    grid = sc.Grid(64, 64, size, size, 8, size)
+    x, y, away = grid.x[:, None], grid.y, 16 * size
+    corners = itertools.product((-away, away), repeat=2)
+    gap = np.minimum.reduce(
+        [np.hypot(x - a, y - b) ** 2 / (60 * size) + n * 1e-2 * size
+         for n, (a, b) in enumerate(corners)]
+    )  # fmt: skip
+    sim = sc.Simulation(grid, sc.Material.rigid(), unit.soft(), gap, **TIGHT)
+    sim.step(load=0.1 * unit.N)
+    state = sim.step(load=0.03 * unit.N)
     assert len(state.zones(2)) > 1
     return unit.told(state)
+
+
+def periodic_zones(unit):
+    """A rough surface without ends, whose spots yield in zones of their own."""
+    size = 1e-6 * unit.m
+    grid = sc.Grid(64, 64, size, size, 6, size, periodic="xy")
+    rough = sc.surfaces.rough_self_affine(
+        grid, 0.05 * size, 0.8, wavelength_min=16 * size, roll_off=32 * size, seed=3
+    )
+    sim = sc.Simulation(
+        grid, sc.Material.rigid(), unit.soft(), rough - rough.min(), zones="auto", **TIGHT
+    )
+    sim.step(load=0.06 * unit.N)
+    state = sim.step(load=0.02 * unit.N)
+    assert len(state.zones(2)) > 1
+    return unit.told(state)
+
+
+def yielding_layers(unit):
+    """Coating and substrate that both yield."""
+    hard = sc.Material.linear_hardening(400e9 * unit.Pa, 0.25, 1.5e9 * unit.Pa, 20e9 * unit.Pa)
+    return pressed(unit, sc.Layered([(hard, 90e-6 * unit.m)], unit.soft()), 400)
+
+
+def to_accuracy(unit):
+    """Grids and increments are chosen, errors told."""
+    E, m = 210e9 * unit.Pa, unit.m
+    soft = {"law": "linear_hardening", "E": E, "nu": 0.3, "yield_stress": 1e9 * unit.Pa}
+    found = sc.to_accuracy(
+        {
+            "body1": {"law": "elastic", "E": E, "nu": 0.3},
+            "body2": soft | {"tangent_modulus": 20e9 * unit.Pa},
+            "surface": {"shape": "paraboloid", "Rx": 7.5e-3 * m, "Ry": 9e-3 * m},
+            "path": [{"load": 300.0 * unit.N}, {"load": 0.0}],
+        },
+        0.2, quantities=["max_pressure", "print_depth_body2"], progress=False,
+    )  # fmt: skip
+    scale = {"max_pressure": unit.Pa, "print_depth_body2": m}
+    return {"grid": np.array([n[:3] for n in found.runs])} | {
+        f"{kind} of {name}": getattr(found, kind)[name] / by
+        for name, by in scale.items()
+        for kind in ("values", "errors")
+    }
 
 
 def cycles(unit):
@@ -194,5 +245,7 @@ def worn(unit):
 SCENES = {
     "plastic fretting": plastic_fretting, "no slip": without_slip, "heat of slip": heat_of_slip,
     "coated": coated, "coated steel": coated_steel, "graded": graded, "rolling": rolling,
-    "periodic": periodic, "zones": zones, "cycles": cycles, "worn": worn,
+    "periodic": periodic, "zones": zones, "periodic zones": periodic_zones,
+    "yielding layers": yielding_layers, "cycles and fatigue": cycles, "wear by slip": worn,
+    "to an accuracy": to_accuracy,
 }  # fmt: skip

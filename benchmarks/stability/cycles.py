@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A thousand cycles of load: what drifts after a few of them."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import numpy as np
+
+import samcontact as sc
+
+from .table import COUNT, VALUE, Column, Table, apart, trace
+
+E, NU, RADIUS, YIELD = 210e9, 0.3, 7.5e-3, 1e9
+ELASTIC = sc.Material.elastic(E, NU)
+PERFECT = sc.Material.perfect_plastic(E, NU, YIELD)
+LAWS = {
+    "perfectly plastic": PERFECT,
+    "linear hardening": sc.Material.linear_hardening(E, NU, YIELD, 0.1 * E),
+    "kinematic": PERFECT.with_kinematic_hardening(0.11 * E),
+}
+CYCLES, SETTLED = 1000, 60
+SIZE = 1e-6
+ZONES = sc.Grid(64, 64, SIZE, SIZE, 6, SIZE)
+
+
+def ball() -> tuple[sc.Grid, Any, float]:
+    exact = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(ELASTIC, ELASTIC), p0=2.4e9)
+    size = 3.2 * exact.a / 11
+    grid = sc.Grid(11, 11, size, size, 6, 1.9 * exact.a / 6)
+    return grid, sc.surfaces.paraboloid(grid, RADIUS), exact.load
+
+
+def asperities() -> tuple[sc.Grid, Any, float]:
+    """Four, of heights that differ, each with a zone of its own."""
+    x, y, away = ZONES.x[:, None], ZONES.y, 22 * SIZE
+    corners = itertools.product((-away, away), repeat=2)
+    spheres = [np.hypot(x - a, y - b) ** 2 / 60e-6 + n * 1e-8 for n, (a, b) in enumerate(corners)]
+    return ZONES, np.minimum.reduce(spheres), 0.04
+
+
+def rough() -> tuple[sc.Grid, Any, float]:
+    """A surface that repeats itself: spots of few cells."""
+    grid = sc.Grid(32, 32, SIZE, SIZE, 5, SIZE, periodic="xy")
+    heights = sc.surfaces.rough_self_affine(
+        grid, 4e-8, 0.8, wavelength_min=8 * SIZE, roll_off=16 * SIZE, seed=7
+    )
+    return grid, heights - heights.min(), 0.06
+
+
+SCENES = {"ball": ball, "four asperities": asperities, "rough": rough}
+ROWS = tuple(f"{scene}, {law}" for scene in SCENES for law in LAWS)
+
+
+def cycled(row: str, cycles: int = CYCLES, settled: int = SETTLED) -> dict[str, Any]:
+    """Loaded and let go."""
+    scene, _, law = row.partition(", ")
+    grid, gap, load = SCENES[scene]()
+    zones = "one" if scene == "ball" else "auto"
+    simulation = sc.Simulation(grid, ELASTIC, LAWS[law], gap, zones=zones, on_border="warn")
+    first = simulation.step(load=load).plastic_strain()
+    for cycle in range(cycles):
+        unloaded = simulation.step(load=0.0)
+        state = simulation.step(load=load)
+        if cycle == settled:
+            early, bare = state.plastic_strain(), unloaded.residual_displacement()
+        if cycle == cycles - 2:
+            last = state.plastic_strain()
+    strain = state.plastic_strain()
+    return {
+        "zones": len(state.zones(2)),
+        "all": apart(strain, first),
+        "strain": apart(strain, last),
+        "drift": apart(strain, early) / (cycles - settled),
+        "print": apart(unloaded.residual_displacement(), bare) / (cycles - settled),
+        "trace": trace(strain),
+        "load": abs(state.pressure.sum() * grid.cell_area / load - 1),
+    }
+
+
+TABLE = Table(
+    "cycles", f"scene, {CYCLES} cycles", ROWS, cycled,
+    (
+        Column("zones", "zones", COUNT),
+        Column("all", "strain, all cycles", VALUE),
+        Column("strain", "strain, last cycle"),
+        Column("drift", f"strain, a cycle after {SETTLED}"),
+        Column("print", f"print, a cycle after {SETTLED}"),
+        Column("trace", "change of volume", at_most=1e-13),
+        Column("load", "balance of load", at_most=1e-12),
+    ),
+    "ball, linear hardening",
+)  # fmt: skip

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Poisson's ratio up to nearly incompressible bodies, and hardening from none to 0.9 E."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+import samcontact as sc
+
+from .table import COUNT, VALUE, Column, Table, apart, trace
+
+E, RADIUS, YIELD, MU = 210e9, 7.5e-3, 1e9, 0.3
+STEEL = sc.Material.elastic(E, 0.3)
+RATIOS = ("0", "0.1", "0.3", "0.45", "0.49", "0.499")
+SHARES = ("0", "1e-6", "1e-3", "0.01", "0.1", "0.3", "0.5", "0.7", "0.9")
+
+
+def contact(body: sc.Material, cells: int, p0: float) -> tuple[sc.hertz.PointContact, sc.Grid]:
+    """Hertz's of two such bodies, and a grid across it."""
+    exact = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(body, body), p0=p0)
+    size = 3.2 * exact.a / cells
+    return exact, sc.Grid(cells, cells, size, size)
+
+
+def flow(
+    lower: sc.Material,
+    upper: sc.Material,
+    friction: float = 0.0,
+    part: float = 0.7,
+    **settings: Any,
+) -> tuple[sc.Simulation, sc.State]:
+    """A ball that yields, in one increment."""
+    exact, flat = contact(STEEL, 15, 2.4e9)
+    grid = sc.Grid(15, 15, flat.dx, flat.dy, 10, 0.2 * exact.a)
+    gap = sc.surfaces.paraboloid(grid, RADIUS)
+    simulation = sc.Simulation(grid, upper, lower, gap, friction, on_border="warn", **settings)
+    return simulation, simulation.step(load=part * exact.load)
+
+
+def poisson(row: str) -> dict[str, Any]:
+    """Bodies alike; what flows has such a ratio; a ball pulled by half of the friction, alike and
+    against a rigid one."""
+    nu = float(row)
+    body = sc.Material.elastic(E, nu)
+    exact, grid = contact(body, 33, 2.4e9)
+    gap = sc.surfaces.paraboloid(grid, RADIUS)
+    found = sc.ContactSolver(grid, body, body).solve(gap, load=exact.load)
+    _, state = flow(sc.Material.linear_hardening(E, nu, YIELD, 0.05 * E), STEEL)
+    pull = {"load": exact.load, "tangential_load": (0.5 * MU * exact.load, 0.0)}
+    slipped = sc.ContactSolver(grid, body, body, sc.Coulomb(MU)).solve(gap, **pull)
+    softness = 2 * (2 - nu) * (1 + nu) / E  # of both, (2 - nu)/G each
+    moved = 3 * MU * exact.load * softness * 2 / (16 * exact.a) * (1 - 0.5 ** (2 / 3))
+    unlike = sc.ContactSolver(grid, sc.Material.rigid(), body, sc.Coulomb(MU)).solve(gap, **pull)
+    return {
+        "iterations": found.iterations,
+        "approach": abs(found.approach / exact.approach - 1),
+        "p0": abs(found.pressure.max() / exact.p0 - 1),
+        "evaluations": state.iterations,
+        "beyond": max(state.yield_excess, 0.0),
+        "trace": trace(state.plastic_strain()),
+        "shear": slipped.tangential_iterations,
+        "shift": abs(slipped.shift[0] / moved - 1),
+        "unlike": unlike.tangential_iterations,
+        "law": slip_error(unlike, MU),
+    }
+
+
+def slip_error(found: Any, mu: float) -> float:
+    """By how much shear is beyond the friction, over its largest value."""
+    excess = np.hypot(*found.shear) - mu * found.pressure if math.isfinite(mu) else 0.0
+    apart_ = np.hypot(*found.shear)[found.pressure == 0]
+    worst = max(float(np.max(excess)), float(apart_.max(initial=0.0)), 0.0)
+    return worst / float(np.hypot(*found.shear).max())
+
+
+def hardened(row: str) -> dict[str, Any]:
+    """Isotropic and kinematic laws of that tangent modulus over E, without friction and sliding."""
+    share = float(row)
+    perfect = sc.Material.perfect_plastic(E, 0.3, YIELD)
+    isotropic = sc.Material.linear_hardening(E, 0.3, YIELD, share * E) if share else perfect
+    kinematic = perfect.with_kinematic_hardening(E * share / (1 - share)) if share else perfect
+    found = {}
+    for name, law, friction in (
+        ("isotropic", isotropic, 0.0), ("kinematic", kinematic, 0.0), ("sliding", isotropic, 0.5),
+    ):  # fmt: skip
+        simulation, state = flow(law, STEEL, friction, tol=1e-7)
+        found |= {name: state.iterations, f"{name} beyond": max(state.yield_excess, 0.0)}
+        found["trace"] = max(found.get("trace", 0.0), trace(state.plastic_strain()))
+        load = state.pressure.sum() * simulation.grid.cell_area
+        found["load"] = max(found.get("load", 0.0), abs(load / state.load - 1))
+        strain = state.plastic_strain()
+        again = apart(simulation.step(load=0.0).plastic_strain(), strain)
+        found["unloaded"] = max(found.get("unloaded", 0.0), again)
+    return found
+
+
+POISSON = Table(
+    "poisson", "ν", RATIOS, poisson,
+    (
+        Column("iterations", "elastic: iterations", COUNT, 30),
+        Column("approach", "approach to Hertz", VALUE, 2e-3),
+        Column("p0", "pressure to Hertz", VALUE, 5e-3),
+        Column("evaluations", "yields: evaluations", COUNT, 40),
+        Column("beyond", "beyond yield", at_most=1e-6),
+        Column("trace", "change of volume", at_most=1e-14),
+        Column("shear", "stick and slip: iterations", COUNT),
+        Column("shift", "shift to Mindlin", VALUE),
+        Column("unlike", "on a rigid body: iterations", COUNT),
+        Column("law", "beyond μ p", at_most=1e-12),
+    ),
+    "0.499",
+)  # fmt: skip
+HARDENING = Table(
+    "hardening", "tangent modulus / E", SHARES, hardened,
+    (
+        Column("isotropic", "isotropic: evaluations", COUNT, 60),
+        Column("isotropic beyond", "beyond yield", at_most=1e-6),
+        Column("kinematic", "kinematic: evaluations", COUNT, 60),
+        Column("kinematic beyond", "beyond yield", at_most=1e-6),
+        Column("sliding", "isotropic, μ = 0.5: evaluations", COUNT, 60),
+        Column("sliding beyond", "beyond yield", at_most=1e-6),
+        Column("trace", "change of volume", at_most=1e-14),
+        Column("load", "balance of load", at_most=1e-12),
+        Column("unloaded", "strain by unloading", VALUE),
+    ),
+    "0.9",
+)  # fmt: skip

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A table of the page: its rows, how one is solved, and what each column keeps below."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+COUNT, VALUE, ROUNDING = "count", "value", "rounding"
+"""Kinds of columns: iterations, numbers of the scene, and what would be zero in real numbers."""
+
+
+class Column(NamedTuple):
+    key: str
+    head: str
+    kind: str = ROUNDING
+    at_most: float | None = None
+
+    def text(self, value: float | None) -> str:
+        if value is None:
+            return "–"
+        return f"{value:.0f}" if self.kind == COUNT else f"{value:.1e}"
+
+    def agree(self, value: float | None, stored: float | None) -> bool:
+        """Whether a row solved anew, maybe on another machine, has this number again."""
+        if value is None or stored is None:
+            return value is stored
+        if self.kind == COUNT:
+            return abs(value - stored) <= max(3, 0.2 * stored)
+        return self.kind == ROUNDING or abs(value - stored) <= 1e-4 * abs(stored)
+
+
+class Table(NamedTuple):
+    """`solve` takes the name of a row; `anew` is the one that a test solves."""
+
+    name: str
+    head: str
+    rows: tuple[str, ...]
+    solve: Callable[[str], dict[str, Any]]
+    columns: tuple[Column, ...]
+    anew: str
+
+
+def largest(field: Any) -> float:
+    return float(np.abs(field).max())
+
+
+def apart(found: Any, expected: Any) -> float:
+    """Largest difference over the largest value."""
+    difference = largest(np.asarray(found) - np.asarray(expected))
+    return difference / largest(expected) if difference else 0.0
+
+
+def trace(strain: Any) -> float:
+    """Change of volume of plastic strain over its largest component."""
+    return largest(strain[:3].sum(axis=0)) / largest(strain) if np.any(strain) else 0.0

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The same scenes in other systems of units."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+from . import scaled_scenes, sliding_scenes
+from .scaled_scenes import POWERS_OF_TWO, UNITS, Units
+from .table import Column, Table, apart
+
+
+def _slid(scene: Any, unit: Units) -> dict[str, Any]:
+    found: dict[str, Any] = scene(sliding_scenes.Scene(unit))
+    return found
+
+
+SLIDING = {name: partial(_slid, scene) for name, scene in sliding_scenes.SCENES.items()}
+SCENES = SLIDING | scaled_scenes.SCENES
+
+
+def differences(name: str) -> dict[str, float]:
+    """Largest ones of all fields of a scene to those in SI units, for each system."""
+    expected = SCENES[name](Units())
+
+    def worst(system: tuple[float, ...]) -> float:
+        found = SCENES[name](Units(*system))
+        return max(apart(values, expected[field]) for field, values in found.items())
+
+    others = {f"system {n}": worst(system) for n, system in enumerate(UNITS.values(), 1)}
+    return others | {"powers": worst(POWERS_OF_TWO)}
+
+
+TABLE = Table(
+    "units", "scene", tuple(SCENES), differences,
+    (*(Column(f"system {n}", str(n), at_most=1e-12) for n in range(1, len(UNITS) + 1)),
+     Column("powers", "powers of two", at_most=1e-17)),
+    "elastic",
+)  # fmt: skip

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Numbers of stability: stored ones keep their bars, a row of each table has them again."""
+
+import pytest
+
+from benchmarks.stability.__main__ import PAGE
+from benchmarks.stability.page import TABLES, kept, page
+from benchmarks.stability.table import COUNT, ROUNDING, VALUE, Column
+
+STORED = kept()
+by_table = pytest.mark.parametrize("known", TABLES, ids=lambda known: known.name)
+
+
+def beyond(known, rows):
+    return [
+        (row, column.key, found[column.key])
+        for row, found in rows.items()
+        for column in known.columns
+        if column.at_most is not None and (found.get(column.key) or 0.0) > column.at_most
+    ]
+
+
+def test_the_page_is_made_of_the_stored_numbers():
+    assert PAGE.read_text(encoding="utf-8") == page(STORED)
+
+
+@by_table
+def test_stored_numbers_keep_their_bars(known):
+    assert list(STORED[known.name]) == list(known.rows)
+    assert beyond(known, STORED[known.name]) == []
+
+
+@by_table
+@pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
+def test_a_row_is_solved_as_stored(known):
+    found, stored = known.solve(known.anew), STORED[known.name][known.anew]
+    assert beyond(known, {known.anew: found}) == []
+    for column in known.columns:
+        pair = found.get(column.key), stored.get(column.key)
+        assert column.agree(*pair), (column.key, pair)
+
+
+def test_what_agrees():
+    assert Column("", "", COUNT).agree(12, 10)
+    assert not Column("", "", COUNT).agree(50, 10)
+    assert Column("", "", VALUE).agree(1.00001, 1.0)
+    assert not Column("", "", VALUE).agree(1.001, 1.0)
+    assert Column("", "", ROUNDING).agree(1e-16, 3e-15)
+    assert not Column("", "", VALUE).agree(None, 1.0)
