@@ -18,7 +18,7 @@ import numpy as np
 import samcontact as sc
 from samcontact import shakedown
 
-from .finite_elements.page import table
+from .finite_elements.tables import table
 from .harness import ROOT
 from .steel import LOAD, balls
 

@@ -11,20 +11,18 @@ from pathlib import Path
 
 import numpy as np
 
-from .deck import FloatArray, write
+from .deck import FloatArray
 
-WEDGE = 180.0  # two degrees of the circumference are modelled
-INSIDE = 4  # integration points of an element that differ: the wedge has each twice
+DECK, PRINTED = "deck.inp", "deck.dat"
+ONE_THREAD = {"OMP_NUM_THREADS": "1", "CCX_NPROC_EQUATION_SOLVER": "1"}
 
 
 class NotInstalledError(RuntimeError):
     """There is no `ccx` on the path."""
 
 
-def solve(folder: Path, per_radius: int, flatter: float | None = None) -> dict[str, float]:
-    """Numbers of the scene on a mesh, with its elements and the processor's time [s].
-
-    flatter: as of decks.
+def run(folder: Path) -> float:
+    """Solve the deck of a folder; the processor's time [s].
 
     Raises
     ------
@@ -36,36 +34,19 @@ def solve(folder: Path, per_radius: int, flatter: float | None = None) -> dict[s
     program = shutil.which("ccx")
     if program is None:
         raise NotInstalledError("ccx is not installed: Debian has it as calculix-ccx")
-    elements = write(folder / "deck.inp", per_radius, flatter)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run(
-        [program, "-i", "deck"],
+        [program, "-i", DECK.removesuffix(".inp")],
         cwd=folder,
-        env={**os.environ, "OMP_NUM_THREADS": "1"},
+        env={**os.environ, **ONE_THREAD},
         capture_output=True,
         text=True,
         check=False,
     )
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    if done.returncode != 0 or not (folder / "deck.dat").exists():
+    if done.returncode != 0 or not (folder / PRINTED).exists():
         raise RuntimeError("CalculiX failed: " + done.stdout[-500:])
-    spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    return {"elements": elements, "seconds": spent, **numbers_of(folder / "deck.dat")}
-
-
-def numbers_of(file: Path) -> dict[str, float]:
-    """Load, stresses, strain and print of what was printed at the ends of both steps."""
-    tables = tables_of(file)
-    (_, loaded), (_, released) = tables["stresses"]
-    strain = tables["equivalent plastic strain"][0][1]
-    force = tables["total force"][0][1]
-    return {
-        "load": -WEDGE * float(force[0, 1]),
-        "von_mises": float(von_mises(loaded).max()),
-        "plastic_strain": float(strain[:, 2].max()),
-        "residual_von_mises": float(von_mises(released).max()),
-        "print": -1e-3 * float(tables["displacements"][1][1][0, 2]),
-    }
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def von_mises(printed: FloatArray) -> FloatArray:
@@ -75,16 +56,16 @@ def von_mises(printed: FloatArray) -> FloatArray:
     return np.asarray(1e6 * np.sqrt(normal + 3 * (xy**2 + xz**2 + yz**2)))
 
 
-def tables_of(file: Path) -> dict[str, list[tuple[float, FloatArray]]]:
-    """Tables by the beginning of their heading, each with its time."""
-    found: dict[str, list[tuple[float, list[list[float]]]]] = {}
+def tables_of(file: Path) -> dict[tuple[str, str], list[FloatArray]]:
+    """Tables, one for each step, by the beginning of their heading and by their set."""
+    found: dict[tuple[str, str], list[list[list[float]]]] = {}
     kinds = ("stresses", "equivalent plastic strain", "total force", "displacements")
     for line in file.read_text().splitlines():
         words = line.split()
         kind = next((kind for kind in kinds if line.strip().startswith(kind)), None)
         if kind is not None:
             rows: list[list[float]] = []
-            found.setdefault(kind, []).append((float(words[-1]), rows))
+            found.setdefault((kind, words[words.index("set") + 1]), []).append(rows)
         elif words:
             rows.append([float(word) for word in words])
-    return {kind: [(time, np.array(r)) for time, r in tables] for kind, tables in found.items()}
+    return {key: [np.array(rows) for rows in tables] for key, tables in found.items()}

@@ -8,7 +8,7 @@ import math
 from pathlib import Path
 from typing import Any
 
-from ..finite_elements.page import table
+from ..finite_elements.tables import table
 from ..scaling import exponent
 from . import cluster
 from .jobs import JOBS, USUAL, Job

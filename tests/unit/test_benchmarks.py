@@ -2,7 +2,6 @@
 """The benchmarks in small: what they generate, fit, measure and print."""
 
 import importlib
-import json
 import subprocess
 import sys
 
@@ -28,9 +27,6 @@ from benchmarks import (
     threads,
 )
 from benchmarks.__main__ import PARTS, arguments
-from benchmarks.finite_elements import __main__ as finite_elements
-from benchmarks.finite_elements import calculix, deck
-from benchmarks.finite_elements.page import page
 
 
 class TestRoughness:
@@ -315,57 +311,3 @@ def test_choice_of_parts():
     assert arguments(["images", "--quick"]).parts == [images.NAME]
     with pytest.raises(SystemExit):
         arguments(["nothing"])
-
-
-class TestFiniteElements:
-    def test_faces_that_touch_are_those_of_the_surfaces(self, tmp_path):
-        deck.write(tmp_path / "deck.inp", per_radius=5)
-        nodes, elements, faces = {}, {}, {}
-        for line in (tmp_path / "deck.inp").read_text().splitlines():
-            if line.startswith("*"):
-                heading, current = line.split(","), line
-                continue
-            words = [word.strip() for word in line.split(",")]
-            if heading[0] == "*NODE":
-                nodes[int(words[0])] = (float(words[1]), float(words[2]))
-            elif heading[0] == "*ELEMENT":
-                elements[int(words[0])] = [int(word) for word in words[1:]]
-            elif heading[0] == "*SURFACE":
-                faces.setdefault(current, []).append((int(words[0]), int(words[1][1]) - 1))
-        for corners in elements.values():  # counter-clockwise
-            (x0, y0), (x1, y1), _, (x3, y3) = (nodes[n] for n in corners[:4])
-            assert (x1 - x0) * (y3 - y0) > (x3 - x0) * (y1 - y0)
-        for name, sides in faces.items():
-            for element, side in sides:
-                corners = elements[element][:4]
-                for n in (corners[side], corners[(side + 1) % 4], elements[element][4 + side]):
-                    x, y = nodes[n]
-                    height = x**2 / (2 * deck.RADIUS) if "ABOVE" in name else 0.0
-                    assert y == pytest.approx(height, abs=1e-9)
-
-    def test_printed_numbers(self, tmp_path):
-        stress = " stresses (elem, integ.pnt.,sxx,syy,szz,sxy,sxz,syz) for set AXIAL and time "
-        strain = " equivalent plastic strain (elem, integ.pnt.,pe)for set AXIAL and time "
-        moved = " displacements (vx,vy,vz) for set APEX and time "
-        force = " total force (fx,fy,fz) for set TOP and time "
-        text = ""
-        for time, load in (("0.1000000E+01", 3.0), ("0.2000000E+01", 0.0)):
-            text += f"{force}{time}\n\n  0. {-load} 0.\n\n{stress}{time}\n\n"
-            text += f" 1 1 {load} 0. 0. 0. 0. 0.\n 1 2 0. 0. 0. 0. {1 + load} 0.\n\n"
-            text += f"{strain}{time}\n\n 1 1 0.\n 1 2 0.125\n\n{moved}{time}\n\n 1 0. -2. 0.\n"
-        (tmp_path / "deck.dat").write_text(text)
-        assert calculix.numbers_of(tmp_path / "deck.dat") == {
-            "load": 540.0,
-            "von_mises": pytest.approx(4e6 * np.sqrt(3)),
-            "plastic_strain": 0.125,
-            "residual_von_mises": pytest.approx(1e6 * np.sqrt(3)),
-            "print": pytest.approx(2e-3),
-        }
-
-    def test_page_is_that_of_what_is_kept(self):
-        kept = json.loads(finite_elements.KEPT.read_text(encoding="utf-8"))
-        assert page(**kept) == finite_elements.PAGE.read_text(encoding="utf-8")
-        now = finite_elements.solve(8)
-        for name, value in kept["runs"]["samcontact"]["8"].items():
-            if name != "seconds":
-                assert now[name] == pytest.approx(value, rel=1e-5), name

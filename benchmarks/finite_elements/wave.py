@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A rigid wavy surface on a half-space that yields, by both codes: no axis, three dimensions."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import numpy as np
+
+import samcontact as sc
+
+from ..steel import STEEL
+from . import calculix
+from . import wave_deck as deck
+from .tables import Points, Runs, apart, numbers, points, ratios, time_rows, times
+
+ELEMENTS = (4, 8, 12)  # on half a period
+CELLS = (16, 32, 64, 128)  # on a period
+FIGURE = "finite_elements_wave.png"
+RELEASED = 1e-6  # of the load, which may be left after release
+QUANTITIES = {
+    "approach": ("approach [µm]", 1e6),
+    "von_mises": ("largest von Mises stress [MPa]", 1e-6),
+    "plastic_strain": ("largest plastic strain [%]", 100.0),
+    "residual_von_mises": ("largest residual von Mises stress [MPa]", 1e-6),
+    "print": ("print, peak to valley [µm]", 1e6),
+}
+TEXT = """## A wavy surface
+
+A rigid surface z = {amplitude:g} µm (2 - cos(2πx/L) - cos(2πy/L)), L = {period:g} mm, on a
+half-space of AISI 52100: pressed by {pressure:g} MPa on average, a fifth of what closes the gap
+without flow, in {up} increments, and released in {down}. It has no axis; both codes solve it in
+three dimensions:
+
+- CalculiX, a quarter of the period with sides that slide: quadratic elements with reduced
+  integration, as many on half a period as the table says, cubes down to {fine:g} periods, then
+  each {growth} times as thick as the last, to a bottom {depth:g} period deep, held along z; contact
+  face to face with a stiffness that lets 10 nm through; pressed by a force, released by a motion;
+- samcontact: cubic cells on the whole period, as many as the table says (`periodic="xy"`), no `nz`,
+  all settings as they come; the mirror planes are found.
+
+![Largest error over time](figures/finite_elements_wave.png)
+
+### Errors of the wavy surface
+
+{times}
+
+{ratios}
+
+### Numbers of the wavy surface
+
+The approach is without the uniform compression of the finite elements' depth.
+
+{numbers}
+
+The limits differ by {differ}. Slopes are up to {slope:.1f} % here, and the finite elements'
+approach has the stiffness of their contact in it. It and the print go up and down with their mesh:
+these limits are less certain than those of the grid.
+"""
+
+
+def solve(across: int) -> dict[str, float]:
+    """The scene of the decks with so many cells on a period; time [s] of the processor."""
+    start = time.process_time()
+    period, amplitude = 1e-3 * deck.PERIOD, 1e-3 * deck.AMPLITUDE
+    cell = period / across
+    grid = sc.Grid(across, across, cell, cell, dz=cell, periodic="xy")
+    x = grid.x - grid.x[across // 2]  # the crest in the middle of a cell
+    wave = 1.0 - np.cos(2 * np.pi * x / period)
+    gap = amplitude * (wave[:, None] + wave[None, :])
+    simulation = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap)
+    full = 1e6 * deck.PRESSURE * period**2
+    for part in range(1, deck.UP + 1):
+        loaded = simulation.step(load=full * part / deck.UP)
+    found = {
+        "approach": loaded.approach,
+        "von_mises": float(loaded.von_mises(2).max()),
+        "plastic_strain": float(loaded.equivalent_plastic_strain(2).max()),
+    }
+    for part in range(1, deck.DOWN + 1):
+        released = simulation.step(load=full * (1 - part / deck.DOWN))
+    found["residual_von_mises"] = float(released.von_mises(2).max())
+    found["print"] = float(np.ptp(released.residual_displacement(2)))
+    cells = across**2 * len(loaded.depths)
+    return {"cells": cells, "seconds": time.process_time() - start, **found}
+
+
+def finite_elements(folder: Path, across: int) -> dict[str, float]:
+    """Numbers of the scene on a mesh, with its elements and the processor's time [s].
+
+    Raises
+    ------
+    RuntimeError
+        When CalculiX fails, or keeps a load after release.
+    """
+    elements = deck.write(folder / calculix.DECK, across)
+    spent = calculix.run(folder)
+    return {"elements": elements, "seconds": spent, **numbers_of(folder / calculix.PRINTED)}
+
+
+def numbers_of(file: Path) -> dict[str, float]:
+    """Approach, stresses, strain and print of what was printed at the ends of both steps.
+
+    Raises
+    ------
+    RuntimeError
+        When a load is left after release.
+    """
+    tables = calculix.tables_of(file)
+    load, left = (force[0, 2] for force in tables["total force", "BOTTOM"])
+    if abs(left) > RELEASED * load:
+        raise RuntimeError(f"the load must be gone after release, {left / load:.3g} of it is left")
+    loaded, released = tables["stresses", "ZONE"]
+    moved = -float(tables["displacements", "PUSHED"][0][0, 3]) + deck.OVERLAP
+    printed = tables["displacements", "TOP"][1][:, 3]
+    return {
+        "approach": 1e-3 * (moved - uniform_compression()),
+        "von_mises": float(calculix.von_mises(loaded).max()),
+        "plastic_strain": float(tables["equivalent plastic strain", "ZONE"][0][:, 2].max()),
+        "residual_von_mises": float(calculix.von_mises(released).max()),
+        "print": 1e-3 * float(np.ptp(printed)),
+    }
+
+
+def uniform_compression() -> float:
+    """What the mean pressure takes from the depth of the mesh, whose sides slide [mm]."""
+    E, nu = 1e-6 * STEEL.E, STEEL.nu
+    return deck.PRESSURE * deck.DEPTH * deck.PERIOD * (1 + nu) * (1 - 2 * nu) / (E * (1 - nu))
+
+
+def section(runs: dict[str, Runs]) -> str:
+    """Of the page."""
+    name = "on half a period, on a period"
+    return TEXT.format(
+        amplitude=1e3 * deck.AMPLITUDE,
+        period=deck.PERIOD,
+        pressure=deck.PRESSURE,
+        up=deck.UP,
+        down=deck.DOWN,
+        fine=deck.FINE,
+        growth=deck.GROWTH,
+        depth=deck.DEPTH,
+        times=times(name, time_rows(runs, QUANTITIES)),
+        ratios=ratios(runs["CalculiX"], QUANTITIES, ours(runs)),
+        numbers=numbers(name, runs, QUANTITIES),
+        differ=apart(runs, QUANTITIES),
+        slope=100 * 2 * np.pi * deck.AMPLITUDE / deck.PERIOD,
+    )
+
+
+def ours(runs: dict[str, Runs]) -> dict[str, Points]:
+    """Errors and times of samcontact, by how its cells are chosen."""
+    return {"a grid": points(runs["samcontact"], QUANTITIES)}

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Decks for CalculiX: a rigid wavy surface pressed onto a half-space that yields, and lifted.
+
+Three-dimensional, a quarter of the period with sides that slide, quadratic elements with reduced
+integration, graded with depth; face to face contact. Millimetres, newtons, megapascals.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from .deck import FloatArray, contact, named, steel, step, surface
+
+PERIOD = 1.0  # along x and y [mm]
+AMPLITUDE = 4e-3  # of the wave along x, and of that along y [mm]
+PRESSURE = 1160.0  # mean [MPa]: a fifth of what closes the elastic gap
+UP, DOWN = 6, 3  # increments
+FINE = 0.25  # periods of the evenly divided depth
+GROWTH = 1.3  # of elements below it
+DEPTH = 1.0  # periods to the bottom
+OVERLAP = 1e-4  # at the start [mm]: without any contact a load has no equilibrium
+LIFT = 1e-4  # in the end, beyond where the crest stood [mm]
+STIFFNESS = 5e8  # of the contact [N/mm^3]: 10 nm of penetration
+
+EDGES = (
+    (0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7),
+)  # fmt: skip
+CORNERS = (
+    (0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2),
+)  # fmt: skip
+At = tuple[int, int, int]
+
+
+class Block(NamedTuple):
+    """Elements of a body."""
+
+    nodes: dict[At, int]  # number of a node by its place in x, y, z, corners even
+    lines: list[str]
+    elements: dict[At, int]
+
+    def plane(self, axis: int, *places: int) -> list[int]:
+        """Nodes in planes across an axis."""
+        return [number for at, number in self.nodes.items() if at[axis] in places]
+
+    def layer(self, k: int) -> list[int]:
+        """Elements of one layer."""
+        return [number for at, number in self.elements.items() if at[2] == k]
+
+
+def depths(across: int) -> FloatArray:
+    """Corners of elements from the surface to the bottom [mm]."""
+    step = 0.5 * PERIOD / across
+    fine = round(FINE * PERIOD / step)
+    found = [step * n for n in range(fine + 1)]
+    while found[-1] < DEPTH * PERIOD:
+        step *= GROWTH
+        found.append(found[-1] + step)
+    z = np.array(found)
+    z[fine:] = z[fine] + (z[fine:] - z[fine]) * (DEPTH * PERIOD - z[fine]) / (z[-1] - z[fine])
+    return z
+
+
+def height(x: float, y: float) -> float:
+    """Of the wavy surface above its crest [mm]."""
+    k = 2 * np.pi / PERIOD
+    return float(AMPLITUDE * (2.0 - np.cos(k * x) - np.cos(k * y)))
+
+
+def with_middles(corners: FloatArray) -> FloatArray:
+    """And the points half-way between them."""
+    return np.sort(np.r_[corners, 0.5 * (corners[1:] + corners[:-1])])
+
+
+def block(
+    name: str, x: FloatArray, z: FloatArray, wavy: bool, first_node: int, first_element: int
+) -> Block:
+    """Elements with corners at x, y = x and z; a wavy one is lifted by the wave."""
+    across, down = with_middles(x), with_middles(z)
+    nodes: dict[At, int] = {}
+    lines = [f"*NODE, NSET=OF{name}"]
+    for at in np.ndindex(len(across), len(across), len(down)):
+        if sum(n % 2 for n in at) > 1:
+            continue  # edges have one node, sides and the middle none
+        nodes[at] = first_node + len(nodes)
+        place = across[at[0]], across[at[1]], down[at[2]]
+        up = height(*place[:2]) - OVERLAP if wavy else 0.0
+        lines.append(f"{nodes[at]}, {place[0]:.12g}, {place[1]:.12g}, {place[2] + up:.12g}")
+    lines.append(f"*ELEMENT, TYPE=C3D20R, ELSET={name}")
+    elements: dict[At, int] = {}
+    middles = [tuple(np.add(CORNERS[a], CORNERS[b]) // 2) for a, b in EDGES]
+    for at in np.ndindex(len(x) - 1, len(x) - 1, len(z) - 1):
+        number = elements[at] = first_element + len(elements)
+        i, j, k = (2 * n for n in at)
+        own = [nodes[i + a, j + b, k + c] for a, b, c in (*CORNERS, *middles)]
+        words = [str(n) for n in (number, *own)]
+        lines += [", ".join(words[:11]) + ",", ", ".join(words[11:])]
+    return Block(nodes, lines, elements)
+
+
+def steps(pushed: int) -> list[str]:
+    """Up to the mean pressure on the quarter by a force on a node, and off by its motion."""
+    printed = [
+        "*NODE PRINT, NSET=PUSHED, FREQUENCY=10000", "U",
+        "*NODE PRINT, NSET=BOTTOM, TOTALS=ONLY, FREQUENCY=10000", "RF",
+        "*EL PRINT, ELSET=ZONE, FREQUENCY=10000", "S, PEEQ",
+        "*NODE PRINT, NSET=TOP, FREQUENCY=10000", "U",
+    ]  # fmt: skip
+    force = PRESSURE * (0.5 * PERIOD) ** 2
+    return [
+        *step(["*CLOAD", f"{pushed}, 3, {-force:.10g}"], UP, printed),
+        *step(["*CLOAD, OP=NEW", "*BOUNDARY", f"PUSHED, 3, 3, {OVERLAP + LIFT:g}"], DOWN, printed),
+    ]
+
+
+def write(path: Path, across: int) -> int:
+    """Write the deck with this many elements on half a period; how many the lower body has."""
+    x = np.linspace(0.0, 0.5 * PERIOD, across + 1)
+    z = -depths(across)[::-1]
+    lower = block("LOWER", x, z, False, 1, 1)
+    beyond = x[1]  # the rigid surface is larger by an element
+    wide, thick = np.r_[-beyond, x, x[-1] + beyond], np.array([0.0, beyond])
+    upper = block("UPPER", wide, thick, True, len(lower.nodes) + 1, len(lower.elements) + 1)
+    layers = len(z) - 1
+    fine = round(FINE * PERIOD / beyond)
+    pushed = upper.nodes[0, 0, 2]
+    lines = [*lower.lines, *upper.lines]
+    lines += named("NSET", "ACROSSX", lower.plane(0, 0, 2 * across))
+    lines += named("NSET", "ACROSSY", lower.plane(1, 0, 2 * across))
+    lines += named("NSET", "BOTTOM", lower.plane(2, 0))
+    lines += named("NSET", "TOP", lower.plane(2, 2 * layers))
+    lines += named("NSET", "PUSHED", [pushed])
+    zone = [number for k in range(layers - fine, layers) for number in lower.layer(k)]
+    lines += named("ELSET", "ZONE", zone)
+    lines += surface("BELOW", lower.layer(layers - 1), "S2")
+    lines += surface("ABOVE", upper.layer(0), "S1")
+    lines += steel(False) + contact(STIFFNESS)
+    for number in upper.nodes.values():
+        if number != pushed:  # all move as this one
+            lines += ["*EQUATION", "2", f"{number}, 3, 1., {pushed}, 3, -1."]
+    lines += ["*BOUNDARY", "OFUPPER, 1, 2", "ACROSSX, 1, 1", "ACROSSY, 2, 2", "BOTTOM, 3, 3"]
+    path.write_text("\n".join(lines + steps(pushed)) + "\n")
+    return len(lower.elements)
