@@ -42,11 +42,12 @@ def main(given: list[str] | None = None) -> int:
                 name: value if value is None else float(f"{value:.6g}")
                 for name, value in solved.items()
             }
+            results = kept()  # another run may have added to it
             results.setdefault(known.name, {})[row] = found
             took = time.process_time() - begin
             print(f"{known.name}, {row}: {found}, {took:.1f} s", flush=True)
             if chosen.docs:
-                keep({name: results[name] for name in names if name in results})
+                keep(results)
     missing = [known.name for known in TABLES if known.name not in results]
     if missing and (chosen.docs or chosen.page):
         print(f"no page without {', '.join(missing)}", file=sys.stderr)

@@ -42,11 +42,11 @@ def asperities() -> tuple[sc.Grid, Any, float]:
 
 def rough() -> tuple[sc.Grid, Any, float]:
     """A surface that repeats itself: spots of few cells."""
-    grid = sc.Grid(32, 32, SIZE, SIZE, 5, SIZE, periodic="xy")
+    grid = sc.Grid(64, 64, SIZE, SIZE, 5, SIZE, periodic="xy")
     heights = sc.surfaces.rough_self_affine(
-        grid, 4e-8, 0.8, wavelength_min=8 * SIZE, roll_off=16 * SIZE, seed=7
+        grid, 1e-7, 0.8, wavelength_min=8 * SIZE, roll_off=16 * SIZE, seed=7
     )
-    return grid, heights - heights.min(), 0.06
+    return grid, heights - heights.min(), 0.1
 
 
 SCENES = {"ball": ball, "four asperities": asperities, "rough": rough}

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from typing import Any
 
@@ -13,7 +14,7 @@ import samcontact as sc
 from .materials import RADIUS, E, slip_error
 from .table import COUNT, Column, Table, largest
 
-LOAD, CELLS = 300.0, 25
+LOAD = 300.0
 BODIES = {
     "alike": (sc.Material.elastic(E, 0.3), sc.Material.elastic(E, 0.3)),
     "ν = 0 and 0.499": (sc.Material.elastic(E, 0.0), sc.Material.elastic(E, 0.499)),
@@ -22,11 +23,11 @@ BODIES = {
 FRICTIONS = ("0", "0.1", "0.3", "1", "2", "5", "10", "∞")
 
 
-def scene(bodies: str, width: float) -> tuple[tuple[sc.Material, sc.Material], sc.Grid, Any, float]:
+def scene(bodies: str, width: float, cells: int) -> tuple[Any, sc.Grid, Any, float]:
     """Bodies, grid, gap and Hertz's radius."""
     pair = BODIES[bodies]
     radius = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(*pair), load=LOAD).a
-    grid = sc.Grid(CELLS, CELLS, width * radius / CELLS, width * radius / CELLS)
+    grid = sc.Grid(cells, cells, width * radius / cells, width * radius / cells)
     return pair, grid, sc.surfaces.paraboloid(grid, RADIUS), radius
 
 
@@ -34,9 +35,13 @@ def sliding(row: str) -> dict[str, Any]:
     """Iterations, and what is left of the conditions of contact with the shear in them."""
     found: dict[str, Any] = {}
     for name in BODIES:
-        pair, grid, gap, _ = scene(name, 4.0)
+        pair, grid, gap, _ = scene(name, 7.2, 45)
         solver = sc.ContactSolver(grid, *pair, float(row), max_iterations=10000)
-        state = solver.solve(gap, load=LOAD)
+        try:
+            state = solver.solve(gap, load=LOAD)
+        except sc.ConvergenceError:
+            found |= {name: None, f"{name} work": None}
+            continue
         found |= {name: state.iterations, f"{name} work": state.work}
         scale = largest(state.gap + state.approach - gap)
         left = np.minimum(state.pressure / state.pressure.max(), state.gap / scale)
@@ -48,37 +53,45 @@ def sliding(row: str) -> dict[str, Any]:
 
 def slipping(row: str) -> dict[str, Any]:
     """Pressed, pulled by half of the friction, shifted until all slips, and rolled with creepage
-    and spin."""
+    and spin; what does not converge has no number."""
     name, _, told = row.rpartition(", ")
     mu = math.inf if told == "∞" else float(told)
-    pair, grid, gap, radius = scene(name, 3.2)
-    law = sc.Coulomb(mu)
+    pair, grid, gap, radius = scene(name, 3.2, 25)
+    law, most = sc.Coulomb(mu), min(mu, 2.0) * LOAD
     solver = sc.ContactSolver(grid, *pair, law)
-    pressed = solver.solve(gap, load=LOAD)
     reach = min(mu, 1.0) * LOAD / (E * radius)  # of the order of the shift at which all slips
-    pull = 0.5 * min(mu, 2.0) * LOAD
-    pulled = solver.solve(gap, load=LOAD, tangential_load=(pull, 0.0), previous=pressed)
-    states = [pressed, pulled]
-    found = {"pressed": pressed.tangential_iterations, "pulled": pulled.tangential_iterations}
+    creepage = (0.3 * reach / radius, 0.2 * reach / radius)
+    drives: dict[str, dict[str, Any]] = {
+        "pressed": {},
+        "pulled": {"tangential_load": (most / 2, 0)},
+    }
     if math.isfinite(mu):
-        states.append(solver.solve(gap, load=LOAD, shift=(20 * mu * LOAD / (E * radius), 0.0),
-                                   previous=pulled))  # fmt: skip
-        found |= {"all": states[-1].tangential_iterations}
-        found |= {"sticks": int(np.count_nonzero(states[-1].sticking))}
-    states.append(sc.rolling.steady(
-        grid, *pair, gap, load=LOAD, friction=law,
-        creepage=(0.3 * reach / radius, 0.2 * reach / radius), spin=0.2 * reach / radius**2,
-    ))  # fmt: skip
-    found["rolling"] = states[-1].tangential_iterations
-    found["law"] = max(slip_error(state, mu) for state in states)
-    found["error"] = max(state.tangential_error for state in states)
-    work = [float((state.shear * state.slip).sum()) for state in states]
-    turned = [float(np.abs(state.shear * state.slip).sum()) for state in states]
-    found["backward"] = max(
-        max(0.0, -float((state.shear * state.slip).sum(axis=0).min())) / (total or 1.0)
-        for state, total, _ in zip(states, turned, work, strict=True)
-    )
+        drives["all"] = {"shift": (20 * mu * LOAD / (E * radius), 0.0)}
+    states: dict[str, Any] = {}
+    previous = None
+    for key, drive in drives.items():
+        try:
+            states[key] = previous = solver.solve(gap, load=LOAD, previous=previous, **drive)
+        except sc.ConvergenceError:
+            continue
+    with contextlib.suppress(sc.ConvergenceError):
+        states["rolling"] = sc.rolling.steady(
+            grid, *pair, gap, load=LOAD, friction=law, creepage=creepage,
+            spin=0.2 * reach / radius**2,
+        )  # fmt: skip
+    found: dict[str, Any] = {key: state.tangential_iterations for key, state in states.items()}
+    if "all" in states:
+        found["sticks"] = int(np.count_nonzero(states["all"].sticking))
+    found["law"] = max(slip_error(state, mu) for state in states.values())
+    found["error"] = max(state.tangential_error for state in states.values())
+    found["backward"] = max(map(backward, states.values()))
     return found
+
+
+def backward(state: Any) -> float:
+    """Work of the shear against the slip, of its largest cell over all work."""
+    work = (state.shear * state.slip).sum(axis=0)
+    return max(0.0, -float(work.min())) / (float(np.abs(work).sum()) or 1.0)
 
 
 SLIDING = Table(

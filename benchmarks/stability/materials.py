@@ -73,7 +73,7 @@ def slip_error(found: Any, mu: float) -> float:
     excess = np.hypot(*found.shear) - mu * found.pressure if math.isfinite(mu) else 0.0
     apart_ = np.hypot(*found.shear)[found.pressure == 0]
     worst = max(float(np.max(excess)), float(apart_.max(initial=0.0)), 0.0)
-    return worst / float(np.hypot(*found.shear).max())
+    return worst / float(np.hypot(*found.shear).max()) if worst else 0.0
 
 
 def hardened(row: str) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from ..finite_elements.page import table
+from ..finite_elements.tables import table
 from . import cells, coatings, cycles, friction, materials, units
 from .table import Table
 
@@ -27,9 +27,11 @@ def kept() -> Results:
 
 
 def keep(results: Results) -> None:
-    """One line a row."""
+    """One line a row, in the order of the page."""
     parts = []
-    for name, rows in results.items():
+    for known in (known for known in TABLES if known.name in results):
+        name, solved = known.name, results[known.name]
+        rows = {row: solved[row] for row in known.rows if row in solved}
         lines = (f"{json.dumps(row, ensure_ascii=False)}: {json.dumps(found, ensure_ascii=False)}"
                  for row, found in rows.items())  # fmt: skip
         parts.append(f"{json.dumps(name)}: {{\n  " + ",\n  ".join(lines) + "\n}")

@@ -35,6 +35,6 @@ def differences(name: str) -> dict[str, float]:
 TABLE = Table(
     "units", "scene", tuple(SCENES), differences,
     (*(Column(f"system {n}", str(n), at_most=1e-12) for n in range(1, len(UNITS) + 1)),
-     Column("powers", "powers of two", at_most=1e-17)),
+     Column("powers", "powers of two", at_most=1e-13)),
     "elastic",
 )  # fmt: skip
