@@ -20,7 +20,8 @@ constexpr double pi = std::numbers::pi;
 
 /// u_z of pressure: by its moments far away.
 Field pressure_sums(const CellOffsets& offsets, double aspect) {
-  const auto& [x, y] = offsets.in_metres(1.0, aspect);
+  const Offsets metres = offsets.in_metres(1.0, aspect);
+  const std::vector<double>&x = metres.x, &y = metres.y;
   const kernels::FarDisplacement far(1.0, aspect);
   Field sums(x.size() * y.size());
 #pragma omp parallel for schedule(dynamic) if (per_number * sums.size() > worth_threads)
