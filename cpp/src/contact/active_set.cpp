@@ -100,8 +100,8 @@ class ActiveSet {
       settle();
       take_scales(totals(p_, rest_, problem_.gap));
     }
-    set_.assign(states_, 1);
-    others_.assign(states_, 0);
+    set_.assign(states_, true);
+    others_.assign(states_, false);
     return set_.size();
   }
 
