@@ -165,9 +165,9 @@ class Windowed(Configured):
         """The window of another grid."""
         bodies = self.body1, self.body2
         scanned = grid.has_volume and any(body.is_plastic for body in bodies)
-        cell = self._memory_of_contact(*bodies, self._heat) + _memory.SIMULATION
-        if isinstance(self.friction, Coulomb):
-            cell += _memory.STICK_SLIP_SIMULATION - _memory.SIMULATION
+        sticks = isinstance(self.friction, Coulomb)
+        cell = self._memory_of_contact(*bodies, self._heat)
+        cell += _memory.STICK_SLIP_SIMULATION if sticks else _memory.SIMULATION
         cell += _memory.YIELD_SCAN if scanned else 0.0
         _memory.require_for_grid("a simulation", grid, _memory.surface(grid, cell))
         window = self._surfaces.over(grid)

@@ -28,9 +28,10 @@ void* from_system(std::size_t bytes) {
   return p;
 }
 
-/// The system clears a page when it is first written: all threads let it.
+/// The system clears a page when it is first written: of large blocks all threads let it.
 void touch(char* p, std::size_t bytes) {
-#pragma omp parallel for schedule(static) if (bytes >= worth_huge_pages)
+  if (bytes < worth_huge_pages) return;
+#pragma omp parallel for schedule(static)
   for (std::size_t at = 0; at < bytes; at += small_page) p[at] = 0;
 }
 

@@ -19,7 +19,8 @@ void widen(int n, int least, int& start, int& length) {
   length = wide;
 }
 
-int with_margin(int length, int share) {
+/// Of a side with a margin to both ends.
+int side_of_window(int length, int share) {
   return std::max(length + 2 * (4 + length / share), smallest_side);
 }
 
@@ -35,8 +36,8 @@ Box with_margin(const Grid& grid, const Box& window, const Box& present) {
   const Box all = Box::surface(grid);
   for (const int margin : {ample, slim}) {
     Box wide = window;
-    widen(grid.nx, with_margin(wide.nx, margin), wide.i0, wide.nx);
-    widen(grid.ny, with_margin(wide.ny, margin), wide.j0, wide.ny);
+    widen(grid.nx, side_of_window(wide.nx, margin), wide.i0, wide.nx);
+    widen(grid.ny, side_of_window(wide.ny, margin), wide.j0, wide.ny);
     wide = wide.united(present);
     if (static_cast<double>(wide.surface_size()) <
         worthwhile_share * static_cast<double>(all.surface_size())) {
