@@ -135,6 +135,7 @@ ANY = (
     BEGIN
     + f"""
 import pathlib, resource, signal
+import h5py, scipy.ndimage, scipy.optimize, scipy.special, samcontact.cases  # once for all
 from unittest import mock
 from samcontact import _memory
 from samcontact.runs import lock

@@ -11,7 +11,7 @@ import pytest
 import xarray as xr
 from faulting import Nursery, tried
 
-from case_texts import MINIMAL, SCAR, SWIFT, WEAR
+from case_texts import GRID, MINIMAL, SCAR, SWIFT, WEAR
 
 BALL = """
 body1 = {law = "elastic", E = 210e9, nu = 0.3}
@@ -19,20 +19,21 @@ surface = {shape = "paraboloid", Rx = 7.5e-3}
 """
 FLAT = 'body2 = {law = "elastic", E = 210e9, nu = 0.3}'
 STEEL = f"body2 = {{{', '.join(SWIFT.splitlines())}}}"
-COARSE = "grid = {nx = 15, ny = 13, dx = 60e-6, dy = 60e-6, nz = 12, dz = 60e-6}"
+SMALL = "nx = 8, ny = 8, dx = 120e-6, dy = 120e-6, nz = 6, dz = 120e-6"
+TWO_BALLS = MINIMAL.replace(GRID, f"[grid]\n{SMALL.replace(', ', chr(10))}")
 # A case of each kind of run, and how many increments a resumed run may solve again.
 KINDS = {
-    "shakedown": (f"estimate_error = false\n{MINIMAL}[shakedown]\ncycles = 3\ntol = 0.002\n", 3),
-    "fatigue": (f'{MINIMAL}[fatigue]\ndang_van = 0.3\northogonal_shear = "y"\n', 3),
+    "shakedown": (f"estimate_error = false\n{TWO_BALLS}[shakedown]\ncycles = 3\ntol = 0.002\n", 3),
+    "fatigue": (f'{TWO_BALLS}[fatigue]\ndang_van = 0.3\northogonal_shear = "y"\n', 3),
     "accuracy": (
-        f'title = "to 10 %"\naccuracy = {{max_pressure = 0.1}}\n{BALL}{FLAT}\n'
+        f'title = "to 20 %"\naccuracy = {{max_pressure = 0.2}}\n{BALL}{FLAT}\n'
         "path = [{load = 100.0}, {load = 400.0}]\n",
         2,
     ),
     "wear": (WEAR.replace("cycles = 1", "cycles = 2"), 2),
     "fretting wear": (SCAR.replace("20000", "2000"), 6),
     "fretting": (
-        f'title = "to and fro"\nestimate_error = false\n{COARSE}\n{BALL}{STEEL}\n'
+        f'title = "to and fro"\nestimate_error = false\ngrid = {{{SMALL}}}\n{BALL}{STEEL}\n'
         'contact = {friction = {coulomb = 0.3}, on_border = "warn"}\n'
         "path = [{load = 400.0, increments = 1},"
         " {load = 400.0, increments = 1, fret = {tangential_load_x = 60.0}}]\n",
@@ -40,13 +41,20 @@ KINDS = {
     ),
     "found load": (
         'title = "searched"\n'
-        "grid = {nx = 8, ny = 8, dx = 120e-6, dy = 120e-6, nz = 8, dz = 120e-6}\n"
+        f"grid = {{{SMALL}}}\n"
         f'contact = {{on_border = "warn"}}\n{BALL}{STEEL}\npath = [{{load = 900.0}}]\n',
         1,
     ),
 }
-COMMAND = """
-import importlib, json, os
+FIRST = f"""title = "first"
+grid = {{nx = 8, ny = 8, dx = 120e-6, dy = 120e-6}}
+{BALL}{FLAT}
+path = [{{load = 10.0}}]
+"""
+COMMAND = (
+    f"FIRST = {FIRST!r}"
+    + """
+import importlib, json, os, pathlib, tempfile
 from click.testing import CliRunner
 import samcontact as sc
 from samcontact import results
@@ -54,6 +62,11 @@ from samcontact.commands.main import main
 import samcontact.commands.solve_contact, samcontact.commands.solve_study
 find = importlib.import_module("samcontact.find")
 made = {"step": 0, "end": 0}
+
+with tempfile.TemporaryDirectory() as folder:  # loads for all what the first run loads
+    case = pathlib.Path(folder, "case.toml")
+    case.write_text(FIRST)
+    CliRunner().invoke(main, ["run", str(case), "--output", folder, "--no-figures"])
 
 def counted(owner, name, kind, place, number):
     call = getattr(owner, name)
@@ -72,6 +85,7 @@ def computed(argument):
     outcome = CliRunner().invoke(main, words)
     return json.dumps([outcome.exit_code, outcome.stdout, outcome.stderr, *made.values()])
 """
+)
 
 
 @pytest.fixture(scope="module")
