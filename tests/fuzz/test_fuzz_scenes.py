@@ -33,9 +33,13 @@ REFUSALS = {
     "endless flow": (ValueError, "flow of body"),  # of the whole half-space
     "parts": (ValueError, "asks for"),  # more than an increment is divided into
     "steps of heat": (CaseError, "heat.history must"),  # too short for the cells
+    "strain beyond": (ValueError, "grid must hold the plastic strain"),  # in cycles to shakedown
 }
 """What the errors are, and say that helps."""
-FOUND = {2274: "steps of heat", 2369: "solved", 2832: "solved", 4508: "solved"}
+FOUND = {
+    2274: "steps of heat", 2369: "solved", 2832: "solved", 3291: "solved", 4508: "solved",
+    7906: "convergence", 7921: "solved",
+}  # fmt: skip
 """Scenes that failed once, and what they come to."""
 MUCH_MISSING, FALLS = 0.6, 0.75
 """Of the energy put in; and what twice the increments leave of more than that at most."""

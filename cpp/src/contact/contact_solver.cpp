@@ -147,7 +147,7 @@ void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
                                std::to_string(solution.negative_curvatures) +
                                " times on the way; error " + to_text(solution.error) + " after " +
                                std::to_string(solution.iterations) + " iterations, tol " +
-                               to_text(settings.tol),
+                               to_text(settings.tol) + ": take a smaller load, speed or friction",
                            solution.iterations, solution.error);
   }
   if (!solution.converged) {

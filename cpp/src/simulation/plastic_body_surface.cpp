@@ -95,14 +95,24 @@ double PlasticBody::largest_at_rim(const Box& box, const Field& displacement, bo
   return largest;
 }
 
+Box PlasticBody::seen_surface() const {
+  Box seen = Box::surface(scene_.grid);
+  // Zones know of the grid only.
+  if (offset_ == 0 || is_split()) return seen;
+  ++seen.nx;
+  if (offset_ < 0) --seen.i0;
+  return seen;
+}
+
 bool PlasticBody::may_touch_outside(const Field& gap, double reach) const {
   if (rim_displacement_ == 0) return false;
   const Grid& grid = scene_.grid;
-  const Box whole = surface();
+  const Box whole = surface(), seen = seen_surface();
+  // A row of the grid that lies between two of the body shows both.
+  const int first = whole.i0 - seen.i0, end = first + whole.nx - (seen.nx - grid.nx);
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
-      const bool inside =
-          i >= whole.i0 && i < whole.i0 + whole.nx && j >= whole.j0 && j < whole.j0 + whole.ny;
+      const bool inside = i >= first && i < end && j >= whole.j0 && j < whole.j0 + whole.ny;
       if (!inside && gap[static_cast<std::size_t>(i) * grid.ny + j] < reach) return true;
     }
   }

@@ -325,7 +325,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   active_.stress = {};
   bool known = !target_.is_prescribed();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const bool moves = bodies_[b].surface().contains(Box::surface(scene_.grid));
+    const bool moves = bodies_[b].surface().contains(bodies_[b].seen_surface());
     finish(b, mapped, state);
     known = known && (moves || !state.plastic[bodies_[b].index()]);
   }

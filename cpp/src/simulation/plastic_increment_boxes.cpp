@@ -63,7 +63,7 @@ bool PlasticIncrement::fit_boxes(const Field& gap) {
     if (needed.empty()) continue;
     // The stress is that of the tractions over the box: it must hold all of them.
     needed = needed.united(window);
-    if (touches) needed = needed.united({0, 0, grid.nx, grid.ny, needed.nz});
+    if (touches) needed = needed.united(body.seen_surface());
     if (body.zones().count() == 1 && now.contains(needed)) continue;
     needed = choice_.in_grid_or(needed, needed.united(choice_.with_margin(window)));
     set_box(body, choice_.fitted(needed, body.zones().around()));

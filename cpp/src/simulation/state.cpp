@@ -314,22 +314,6 @@ Field State::backstress(int body, const Box& region) const {
   return out;
 }
 
-Field State::residual_displacement(int body, operators::Axis axis) const {
-  const Grid& grid = scene_->grid;
-  Field own(grid.surface_size());
-  if (is_in_zones(body)) {
-    const PlasticState& history = *plastic[body];
-    const auto tables = scene_->zone_tables(body, history.tensor(), {});
-    const Zones all = acting_zones(history, Zones(flow_boxes[body]), *tables, scene_->reach);
-    operators::ZoneOperators zones(tables, all.boxes());
-    zones.transform(history.strain(all), {&axis, 1});
-    zones.displacement(axis, own.data());
-  } else {
-    own = residual_displacement(body, axis, {0, 0, grid.nx, grid.ny, 0});
-  }
-  return seen_from_body(own, grid, -placement().offset[body]);
-}
-
 Field State::residual_displacement(int body, operators::Axis axis, const Box& region) const {
   const Box surface{region.i0, region.j0, region.nx, region.ny, 1};
   Field out(surface.surface_size(), 0.0);

@@ -6,6 +6,7 @@
 
 #include "samcontact/operators/zone_operators.hpp"
 #include "samcontact/simulation/box_choice.hpp"
+#include "samcontact/simulation/outside_strain.hpp"
 #include "samcontact/simulation/tensor_fields.hpp"
 
 namespace samcontact::simulation {
@@ -100,6 +101,28 @@ Field State::deviator_in_own_box(int body, bool with_tractions) const {
   start = six_components(std::move(start), operators::Tensor::deviator);
   for (std::size_t n = 0; n < out.size(); ++n) out[n] += start[n];
   return out;
+}
+
+Field State::residual_displacement(int body, operators::Axis axis) const {
+  const Grid& grid = scene_->grid;
+  const double offset = placement().offset[body];
+  if (is_in_zones(body)) {
+    const PlasticState& history = *plastic[body];
+    const auto tables = scene_->zone_tables(body, history.tensor(), {});
+    const Zones all = acting_zones(history, Zones(flow_boxes[body]), *tables, scene_->reach);
+    operators::ZoneOperators zones(tables, all.boxes());
+    zones.transform(history.strain(all), {&axis, 1});
+    Field own(grid.surface_size());
+    zones.displacement(axis, own.data());
+    return seen_from_body(own, grid, -offset);
+  }
+  // A body between cells shows parts of what lies a row beyond the grid.
+  const int more = offset == 0 ? 0 : 1;
+  Grid wide = grid;
+  wide.nx += 2 * more;
+  const Box rows{-more, 0, wide.nx, grid.ny, 0};
+  const Field seen = seen_from_body(residual_displacement(body, axis, rows), wide, -offset);
+  return {seen.begin() + more * grid.ny, seen.end() - more * grid.ny};
 }
 
 }  // namespace samcontact::simulation

@@ -73,6 +73,8 @@ class PlasticBody {
   void open(Field& gap);
   /// Adds what its plastic strain of this increment lets body 1 slip over body 2 [2][i][j].
   void slide(Field& free_slip) const;
+  /// Its cells, of which the grid shows at least parts.
+  Box seen_surface() const;
   /// Whether its residual displacement could close the gap where it is not known, and where all
   /// bodies displace by no more than `reach` [m].
   bool may_touch_outside(const Field& gap, double reach) const;
