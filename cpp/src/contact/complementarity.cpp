@@ -26,10 +26,11 @@ double contact_mean(const Field& pressure, const Field& field) {
   return cells > 0 ? sum / cells : 0.0;
 }
 
-double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap) {
+double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap,
+                             double rounding) {
   return complementarity_error(
       pressure, [&](std::size_t i) { return displacement[i]; },
-      [&](std::size_t i) { return gap[i]; });
+      [&](std::size_t i) { return std::fabs(gap[i]) > rounding ? gap[i] : 0.0; });
 }
 
 double scale_to_sum(Field& pressure, double sum) {

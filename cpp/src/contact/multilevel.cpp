@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <mutex>
+#include <numbers>
 #include <utility>
 
 #include "samcontact/base/interrupt.hpp"
@@ -30,6 +32,7 @@ constexpr double safety = 0.5;
 constexpr int most_steps_a_round = 300;
 /// Rounds in a row that fail to halve the error before the plain iteration takes over.
 constexpr int patience = 2;
+constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
 
 bool is_zero(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
@@ -53,6 +56,9 @@ class Multilevel::Level {
 
  private:
   Field coarse_start(const Field& gap, Given normal, int max_iterations, double& work) const;
+  /// What a displacement under a load is off by where its mean is none [m]; elsewhere it is small
+  /// against it.
+  double rounding(Given normal) const;
 
   Grid grid_;
   operators::SurfaceInfluence influence_;
@@ -70,13 +76,14 @@ class Rounds {
   using Near = std::function<std::shared_ptr<const NearOperators>(int nx, int ny)>;
 
   Rounds(const Grid& grid, const operators::NormalDisplacement& displacement, Near near,
-         const Field& initial_gap, Given normal, Field pressure, bool warm)
+         const Field& initial_gap, Given normal, Field pressure, bool warm, double rounding)
       : grid_(grid),
         displacement_(displacement),
         near_(std::move(near)),
         initial_gap_(initial_gap),
         normal_(normal),
         warm_(warm),
+        rounding_(rounding),
         box_{},
         u_(initial_gap.size()) {
     solution_.tractions.pressure = std::move(pressure);
@@ -120,7 +127,8 @@ class Rounds {
     solution_.work += displacement_.cost();
     solution_.motion.approach =
         close_gap(initial_gap_, u_, solution_.tractions.pressure, normal_, solution_.gap);
-    solution_.error = complementarity_error(solution_.tractions.pressure, u_, solution_.gap);
+    solution_.error =
+        complementarity_error(solution_.tractions.pressure, u_, solution_.gap, rounding_);
   }
 
   /// A surface field over the box.
@@ -166,7 +174,7 @@ class Rounds {
   Solution plain(double tol, int max_iterations) {
     Solution end = polonsky_keer(displacement_, initial_gap_, grid_.cell_area(), normal_,
                                  std::move(solution_.tractions.pressure), tol,
-                                 max_iterations - solution_.iterations);
+                                 max_iterations - solution_.iterations, rounding_);
     end.iterations += solution_.iterations;
     end.negative_curvatures += solution_.negative_curvatures;
     end.work = end.work * displacement_.cost() + solution_.work;
@@ -180,6 +188,7 @@ class Rounds {
   const Field& initial_gap_;
   const Given normal_;
   const bool warm_;
+  const double rounding_;
   Box box_;
   Field u_;
   ComplexField work_;
@@ -210,6 +219,14 @@ Field Multilevel::Level::coarse_start(const Field& gap, Given normal, int max_it
   return refined(grid_, start.tractions.pressure);
 }
 
+double Multilevel::Level::rounding(Given normal) const {
+  if (!normal.is_force() || !(grid_.period.x > 0 && grid_.period.y > 0)) return 0.0;
+  const double longest = std::max(grid_.nx * grid_.dx, grid_.ny * grid_.dy);
+  const double area = grid_.cell_area() * static_cast<double>(grid_.surface_size());
+  return last_digits * normal.value / area *
+         influence_.wave_compliance(2 * std::numbers::pi / longest);
+}
+
 Solution Multilevel::Level::solve(const Field& initial_gap, Given normal, Field pressure,
                                   double tol, int max_iterations, bool is_start) const {
   const double lowest = *std::min_element(initial_gap.begin(), initial_gap.end());
@@ -228,7 +245,8 @@ Solution Multilevel::Level::solve(const Field& initial_gap, Given normal, Field 
     pressure = coarse_start(initial_gap, normal, max_iterations, work);
   }
   const auto near_of = [this](int nx, int ny) { return near(nx, ny); };
-  Rounds rounds(grid_, displacement_, near_of, initial_gap, normal, std::move(pressure), warm);
+  Rounds rounds(grid_, displacement_, near_of, initial_gap, normal, std::move(pressure), warm,
+                rounding(normal));
   Solution solution =
       is_start ? rounds.start(tol, max_iterations) : rounds.run(tol, max_iterations);
   solution.work += work;

@@ -31,16 +31,16 @@ class ConjugateGradient {
     refresh();
   }
 
-  Solution run(double tol, int max_iterations) {
+  Solution run(double tol, int max_iterations, double rounding) {
     Solution solution;
     for (int n = 0;; ++n) {
       check_interrupt();
       update_gap();
-      solution.error = complementarity_error(p_, u_, g_);
+      solution.error = complementarity_error(p_, u_, g_, rounding);
       if (solution.error <= tol && since_refresh_ > 0) {
         refresh();
         update_gap();
-        solution.error = complementarity_error(p_, u_, g_);
+        solution.error = complementarity_error(p_, u_, g_, rounding);
       }
       solution.iterations = n;
       solution.converged = solution.error <= tol;
@@ -123,9 +123,9 @@ class ConjugateGradient {
 
 Solution polonsky_keer(const operators::NormalDisplacement& displacement, const Field& initial_gap,
                        double cell_area, Given normal, Field pressure, double tol,
-                       int max_iterations) {
+                       int max_iterations, double rounding) {
   ConjugateGradient iteration(displacement, initial_gap, cell_area, normal, std::move(pressure));
-  return iteration.run(tol, max_iterations);
+  return iteration.run(tol, max_iterations, rounding);
 }
 
 }  // namespace samcontact::contact

@@ -43,8 +43,9 @@ bool is_finite(const Solution& solution);
 /// Mean of a field over the cells with pressure; 0 without any.
 double contact_mean(const Field& pressure, const Field& field);
 
-/// The error of Solution, from pressure, displacement and gap.
-double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap);
+/// The error of Solution, from pressure, displacement and gap; gaps of `rounding` [m] are closed.
+double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap,
+                             double rounding = 0.0);
 
 /// The same with displacement and gap as functions of the cell.
 template <class Displacement, class Gap>
