@@ -98,7 +98,8 @@ class TestWhatItSays:
             for n in grids["samcontact"].keys() & grids["tamaas"].keys():
                 assert grids["tamaas"][n][0] < grids["samcontact"][n][0]
         ours, theirs = page.grid_lines("plastic", stored)[:2]
-        pressure, strain = (f"largest {name} / finest - 1" for name in ("pressure", "plastic strain"))
+        names = ("pressure", "plastic strain")
+        pressure, strain = (f"largest {name} / finest - 1" for name in names)
         assert abs(theirs[pressure]) < abs(ours[pressure])
         assert abs(theirs[strain]) > abs(ours[strain])
 
