@@ -2,6 +2,7 @@
 """Voce's law and tabulated curves under a ball: against other laws, saved, and from case files."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -168,3 +169,25 @@ def test_to_results(law):
     assert dataset.attrs["body2_law"] == material.law
     for name, value in material.parameters.items():
         np.testing.assert_array_equal(dataset.attrs[f"body2_{name}"], value)
+
+
+def test_strains_of_the_exact_residual_stress_without_hardening():
+    """The numbers of the theory: a pattern from cell to cell makes them larger."""
+    page = (Path(__file__).parents[2] / "docs" / "theory.md").read_text(encoding="utf-8")
+    stated = re.search(
+        r"with (\d+) cells over 3 √\(R w\) the largest plastic strain is ([\d.]+) % instead of the "
+        r"([\d.]+) %",
+        page,
+    )
+    cells, modulus = int(stated[1]), E / (1 - NU**2)
+    interference = 10 * sc.critical.green(10e-3, modulus, NU, 1e9).interference
+    side = 3 * np.sqrt(10e-3 * interference) / cells
+    grid = sc.Grid(cells, cells, side, side, dz=side)
+    for method, strain in (("exact", stated[2]), ("fast", stated[3])):
+        simulation = sc.Simulation(
+            grid, sc.Material.rigid(), sc.Material.perfect_plastic(E, NU, 1e9),
+            sc.surfaces.paraboloid(grid, 10e-3), residual_stress=method,
+        )  # fmt: skip
+        path = [{"approach": interference * k / 10} for k in range(1, 11)]
+        state = simulation.run(path, progress=False)[-1]
+        assert f"{100 * state.equivalent_plastic_strain(2).max():.2f}" == strain

@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Errors by the cells of forces, motions and friction work against closed forms and finer cells."""
 
+import re
+from pathlib import Path
+
 import numpy as np
+import pytest
 
 import samcontact as sc
 
+THEORY = (Path(__file__).parents[2] / "docs" / "theory.md").read_text(encoding="utf-8")
+STATED = re.search(r"misses\s+(.*) in one increment, (.*) in eight", THEORY).groups()
 MU, R, LOAD = 0.4, 7.5e-3, 300.0
 E = 210e9
 
@@ -61,6 +67,53 @@ def test_rolling_against_finer_cells():
     ).tangential_load[0]  # fmt: skip
     error = found.errors["tangential_load_x"][-1]
     assert abs(states[-1].tangential_load[0] - exact) < 2 * error < 0.1 * exact
+
+
+def test_friction_work_of_rolling_that_is_missing():
+    """As the theory states it: of the first order in the cell."""
+    stated = re.search(
+        r"([\d, ]+) and \d+ % is\s+missing of force times creepage with ([\d, ]+) and",
+        THEORY,
+    )
+    shares, cells = ([int(n) for n in re.findall(r"\d+", numbers)] for numbers in stated.groups())
+    body, creepage = sc.Material.elastic(E, 0.3), 2e-3
+    radius = sc.hertz.point(R, sc.hertz.effective_modulus(body, body), load=LOAD).a
+    for share, n in zip(shares, cells, strict=True):
+        grid = sc.Grid(2 * n + 9, 2 * n + 9, radius / n, radius / n)
+        gap = sc.surfaces.paraboloid(grid, R)
+        rolls = sc.rolling.steady(
+            grid, body, body, gap, load=LOAD, friction=sc.Coulomb(MU), creepage=(creepage, 0.0)
+        )
+        work = np.sum(rolls.shear * rolls.slip) * grid.cell_area
+        assert round(100 * (1 - work / (rolls.tangential_load[0] * creepage))) == share
+
+
+@pytest.mark.parametrize("number", range(3), ids=["ellipse", "rough", "unlike"])
+def test_oblique_loading_where_cells_slip_before_touch_by_estimate(number):
+    """The errors that the theory states, against 64 increments."""
+    steel, R, load = sc.Material.elastic(210e9, 0.3), 10e-3, 100.0
+    other = sc.Material.elastic(70e9, 0.33) if number == 2 else steel
+    Ry = 3 * R if number == 0 else R
+    contact = sc.hertz.elliptic(R, Ry, sc.hertz.effective_modulus(steel, other), load=load)
+    grid = sc.Grid(25, 25, contact.a_x / 10, contact.a_y / 10)
+    gap = sc.surfaces.paraboloid(grid, R, Ry)
+    if number == 1:
+        gap = gap - sc.surfaces.rough_self_affine(
+            grid, 1e-7, 0.8, seed=1, wavelength_min=4 * grid.dx
+        )
+    shears = {}
+    for increments in (1, 8, 64):
+        simulation = sc.Simulation(grid, steel, other, gap, sc.Coulomb(0.3))
+        loads = load * np.arange(1, increments + 1) / increments
+        path = [{"load": P, "tangential_load": (0.2 * P, 0.0)} for P in loads]
+        state = simulation.run(path, progress=False)[-1]
+        shears[increments] = state.shear[:, state.pressure > 0]
+    most = 0.3 * state.pressure.max()
+    for increments, text in zip((1, 8), STATED, strict=True):
+        stated = re.findall(r"[\d.]+", text)[number]
+        squares = np.sum((shears[increments] - shears[64]) ** 2, axis=0)
+        found = 100 * np.sqrt(squares.mean()) / most
+        assert f"{found:.1f}" == stated
 
 
 def test_results_have_them():
