@@ -7,6 +7,7 @@
 import sys
 from pathlib import Path
 
+import matplotlib
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -130,6 +131,8 @@ FIRST_IN_OTHERS = {
     ),
 }  # fmt: skip
 """Figures that other cases have stored; once is enough."""
+OLD_TICKS = {"shakedown"} if matplotlib.__version_info__ < (3, 11) else set()
+"""Figures whose decades this matplotlib labels otherwise than that of those stored."""
 
 
 def drawn(case, folder):
@@ -190,8 +193,8 @@ def test_figures_look_as_those_stored(case, tmp_path):
     found, expected = drawn(case, tmp_path), stored(case)
     assert set(expected) <= set(found)
     assert set(found) <= {name for other in CASES for name in stored(other)}
-    for name, path in expected.items():
-        with Image.open(path) as image:
+    for name in expected.keys() - OLD_TICKS:
+        with Image.open(expected[name]) as image:
             assert difference(found[name], image.convert("RGB")) < LIMIT, name
 
 
