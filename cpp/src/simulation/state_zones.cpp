@@ -127,7 +127,8 @@ Field State::residual_displacement(int body, operators::Axis axis) const {
   wide.nx += 2 * more;
   const Box rows{-more, 0, wide.nx, grid.ny, 0};
   const Field seen = seen_from_body(residual_displacement(body, axis, rows), wide, -offset);
-  return {seen.begin() + more * grid.ny, seen.end() - more * grid.ny};
+  const std::ptrdiff_t beyond = static_cast<std::ptrdiff_t>(more) * grid.ny;
+  return {seen.begin() + beyond, seen.end() - beyond};
 }
 
 }  // namespace samcontact::simulation
