@@ -32,6 +32,7 @@ constexpr double safety = 0.5;
 constexpr int most_steps_a_round = 300;
 /// Rounds in a row that fail to halve the error before the plain iteration takes over.
 constexpr int patience = 2;
+/// Of a displacement, relative to that of the longest wave.
 constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
 
 bool is_zero(const Field& field) {

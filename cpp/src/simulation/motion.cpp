@@ -46,7 +46,7 @@ double Relief::at(const Field& field, int row, int j, int ny) const {
   return field[static_cast<std::size_t>(r) * ny + j];
 }
 
-Field seen_from_body(const Field& field, const Grid& grid, double offset) {
+Field seen_from_body(const Field& field, const Grid& grid, double offset, Beyond beyond) {
   if (offset == 0 || field.empty()) return field;
   // The body's cell i covers parts of the grid's cells i and i + side.
   const int side = offset > 0 ? -1 : 1;
@@ -55,10 +55,10 @@ Field seen_from_body(const Field& field, const Grid& grid, double offset) {
   for (int i = 0; i < grid.nx; ++i) {
     const bool inside = i + side >= 0 && i + side < grid.nx;
     const double* own = field.data() + static_cast<std::size_t>(i) * grid.ny;
+    const int apart = inside ? side * grid.ny : 0;
+    const double share = inside || beyond == Beyond::as_last ? part : 0.0;
     double* to = out.data() + static_cast<std::size_t>(i) * grid.ny;
-    for (int j = 0; j < grid.ny; ++j) {
-      to[j] = (1 - part) * own[j] + (inside ? part * own[j + side * grid.ny] : 0.0);
-    }
+    for (int j = 0; j < grid.ny; ++j) to[j] = (1 - part) * own[j] + share * own[j + apart];
   }
   return out;
 }

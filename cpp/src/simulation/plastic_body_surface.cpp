@@ -46,7 +46,7 @@ void PlasticBody::add_displacement(const Box& box, const Field& displacement, Ax
     const double weight = is_image ? mirrored_x * factor : factor;
     add(i, u, weight * (1 - part));
     if (part > 0) add(i + side, u, weight * part);
-    // Zones know of the grid only: the row beyond it displaces as the last one, nearly.
+    // Zones know of the grid only: what lies beyond it displaces as the last row, nearly.
     if (is_split() && i - side == (offset_ > 0 ? grid.nx : -1)) add(i, u, weight * part);
   }
 }

@@ -3,7 +3,6 @@
 #include "samcontact/simulation/state.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "samcontact/operators/zone_operators.hpp"
 #include "samcontact/simulation/box_choice.hpp"
@@ -115,11 +114,8 @@ Field State::residual_displacement(int body, operators::Axis axis) const {
     zones.transform(history.strain(all), {&axis, 1});
     Field own(grid.surface_size());
     zones.displacement(axis, own.data());
-    Field seen = seen_from_body(own, grid, -offset);
-    // Zones know of the grid only: the row beyond it displaces as the last one, nearly.
-    const std::ptrdiff_t rim = offset > 0 ? std::ssize(own) - grid.ny : 0;
-    for (std::ptrdiff_t at = rim; at < rim + grid.ny; ++at) seen[at] += std::fabs(offset) * own[at];
-    return seen;
+    // They know of the grid only.
+    return seen_from_body(own, grid, -offset, Beyond::as_last);
   }
   // A body between cells shows parts of what lies a row beyond the grid.
   const int more = offset == 0 ? 0 : 1;

@@ -43,7 +43,7 @@ bool is_finite(const Solution& solution);
 /// Mean of a field over the cells with pressure; 0 without any.
 double contact_mean(const Field& pressure, const Field& field);
 
-/// The error of Solution, from pressure, displacement and gap; gaps of `rounding` [m] are closed.
+/// The error of Solution, from pressure, displacement and gap; gaps up to `rounding` [m] are none.
 double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap,
                              double rounding = 0.0);
 

@@ -10,7 +10,7 @@ namespace samcontact::contact {
 
 /// Conjugate gradient on the cells in contact with projection to p >= 0 (Polonsky & Keer 1999,
 /// doi:10.1016/S0043-1648(99)00113-1), for a given load or approach. Starts from `pressure`; stops
-/// when the error, but for gaps of `rounding` [m], is below tol. Returns converged = false after
+/// when the error, but for gaps up to `rounding` [m], is below tol. Returns converged = false after
 /// max_iterations.
 Solution polonsky_keer(const operators::NormalDisplacement& displacement, const Field& initial_gap,
                        double cell_area, Given normal, Field pressure, double tol,

@@ -50,9 +50,13 @@ struct Relief {
 };
 using Reliefs = std::array<Relief, 2>;
 
+/// What a field is beyond the rows of the grid.
+enum class Beyond { zero, as_last };
+
 /// A surface field [i][j] seen from cells that lie `offset` cells towards -x, by mean values over
-/// them: the sum stays but for what leaves the grid.
-Field seen_from_body(const Field& field, const Grid& grid, double offset);
+/// them: the sum of one that is zero beyond the grid stays but for what leaves it.
+Field seen_from_body(const Field& field, const Grid& grid, double offset,
+                     Beyond beyond = Beyond::zero);
 operators::Tractions seen_from_body(const operators::Tractions& tractions, const Grid& grid,
                                     double offset);
 
