@@ -32,7 +32,10 @@ constexpr double safety = 0.5;
 constexpr int most_steps_a_round = 300;
 /// Rounds in a row that fail to halve the error before the plain iteration takes over.
 constexpr int patience = 2;
-/// Of a displacement, relative to that of the longest wave.
+/// Of the load: what rounding adds up to in the steps of a round. Where displacement has no mean,
+/// nothing holds the mean pressure against it, and steps along what is nearly solved are long.
+constexpr double most_off = 1e-12;
+/// Of a gap, and of a displacement relative to that of the longest wave.
 constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
 
 bool is_zero(const Field& field) {
@@ -57,9 +60,9 @@ class Multilevel::Level {
 
  private:
   Field coarse_start(const Field& gap, Given normal, int max_iterations, double& work) const;
-  /// What a displacement under a load is off by where its mean is none [m]; elsewhere it is small
-  /// against it.
-  double rounding(Given normal) const;
+  /// What gaps under a load are off by where a displacement has no mean [m]; elsewhere it is small
+  /// against that.
+  double rounding(const Field& gap, double lowest, Given normal) const;
 
   Grid grid_;
   operators::SurfaceInfluence influence_;
@@ -123,6 +126,7 @@ class Rounds {
  private:
   void evaluate() {
     check_interrupt();
+    keep_load();
     displacement_.apply(solution_.tractions.pressure.data(), u_.data(), work_);
     ++solution_.operator_applications;
     solution_.work += displacement_.cost();
@@ -130,6 +134,14 @@ class Rounds {
         close_gap(initial_gap_, u_, solution_.tractions.pressure, normal_, solution_.gap);
     solution_.error =
         complementarity_error(solution_.tractions.pressure, u_, solution_.gap, rounding_);
+  }
+
+  void keep_load() {
+    if (!normal_.is_force()) return;
+    Field& p = solution_.tractions.pressure;
+    const double sum = normal_.value / grid_.cell_area();
+    const double present = ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
+    if (std::fabs(present - sum) > most_off * sum) scale_to_sum(p, sum);
   }
 
   /// A surface field over the box.
@@ -220,12 +232,16 @@ Field Multilevel::Level::coarse_start(const Field& gap, Given normal, int max_it
   return refined(grid_, start.tractions.pressure);
 }
 
-double Multilevel::Level::rounding(Given normal) const {
+double Multilevel::Level::rounding(const Field& gap, double lowest, Given normal) const {
   if (!normal.is_force() || !(grid_.period.x > 0 && grid_.period.y > 0)) return 0.0;
   const double longest = std::max(grid_.nx * grid_.dx, grid_.ny * grid_.dy);
   const double area = grid_.cell_area() * static_cast<double>(grid_.surface_size());
-  return last_digits * normal.value / area *
-         influence_.wave_compliance(2 * std::numbers::pi / longest);
+  const double of_wave = last_digits * normal.value / area *
+                         influence_.wave_compliance(2 * std::numbers::pi / longest);
+  // Of surfaces so flat that their distance leaves no digits for their heights.
+  const double of_gap = last_digits * std::fabs(lowest);
+  const double heights = *std::max_element(gap.begin(), gap.end()) - lowest;
+  return heights > of_gap ? of_wave : std::max(of_wave, of_gap);
 }
 
 Solution Multilevel::Level::solve(const Field& initial_gap, Given normal, Field pressure,
@@ -247,7 +263,7 @@ Solution Multilevel::Level::solve(const Field& initial_gap, Given normal, Field 
   }
   const auto near_of = [this](int nx, int ny) { return near(nx, ny); };
   Rounds rounds(grid_, displacement_, near_of, initial_gap, normal, std::move(pressure), warm,
-                rounding(normal));
+                rounding(initial_gap, lowest, normal));
   Solution solution =
       is_start ? rounds.start(tol, max_iterations) : rounds.run(tol, max_iterations);
   solution.work += work;
