@@ -51,7 +51,7 @@ Eigen::MatrixXd stiffness_of(const ShearProblem& problem, const Field& v, const 
     for (int l = 0; l < count; ++l) {
       const Field &a = problem.modes[k].direction, &b = moved[l];
       matrix(k, l) = ordered_sum(m, [&](std::size_t i) {
-        const double x = raw[i], y = raw[m + i], length = std::hypot(x, y);
+        const double x = raw[i], y = raw[m + i], length = length_of(x, y);
         const double product = a[i] * b[i] + a[m + i] * b[m + i];
         if (!(length > problem.bound[i])) return product;
         const double along = (a[i] * x + a[m + i] * y) * (b[i] * x + b[m + i] * y);

@@ -17,22 +17,22 @@ constexpr double rounding = 1e-8;
 
 void ShearApplier::scatter(const Field& v) {
   const std::size_t m = problem_.size(), n = problem_.box_size;
-  std::fill(box_.begin(), box_.end(), 0.0);
-  for (std::size_t c = 0; c < m; ++c) {
+  for_each_cell(2 * n, [&](std::size_t i) { box_[i] = 0.0; });
+  for_each_cell(m, [&](std::size_t c) {
     box_[problem_.cells[c]] = v[c];
     box_[n + problem_.cells[c]] = v[m + c];
-  }
+  });
 }
 
 void ShearApplier::gather(const Field& box, Field& v, std::size_t carried) const {
   const std::size_t m = problem_.size(), n = problem_.box_size;
-  for (std::size_t c = 0; c < m; ++c) {
+  for_each_cell(m, [&](std::size_t c) {
     v[c] = box[problem_.cells[c]];
     v[m + c] = box[n + problem_.cells[c]];
-    if (carried == 0) continue;
+    if (carried == 0) return;
     v[c] -= box[problem_.cells[c] + carried];
     v[m + c] -= box[n + problem_.cells[c] + carried];
-  }
+  });
 }
 
 void ShearApplier::displacement(const Field& v, Field& u) {
@@ -77,19 +77,17 @@ double longest(const Field& v) {
 }
 
 void add_scaled(double factor, const Field& x, Field& y) {
-  const std::ptrdiff_t n = std::ssize(y);
-#pragma omp parallel for schedule(static) if (n >= worth_threads_cells)
-  for (std::ptrdiff_t i = 0; i < n; ++i) y[i] += factor * x[i];
+  for_each_cell(std::ssize(y), [&](std::size_t i) { y[i] += factor * x[i]; });
 }
 
 void keep_in_touch(const ShearProblem& problem, Field& slip) {
   const Field& share = problem.in_touch;
   const std::size_t m = share.size() / 3;
-  for (std::size_t i = 0; i < m; ++i) {
+  for_each_cell(m, [&](std::size_t i) {
     const double x = slip[i], y = slip[m + i];
     slip[i] = share[i] * x + share[m + i] * y;
     slip[m + i] = share[m + i] * x + share[2 * m + i] * y;
-  }
+  });
 }
 
 void add_motion(const ShearProblem& problem, std::size_t mode, double motion, Field& slip) {
@@ -101,12 +99,12 @@ void add_motion(const ShearProblem& problem, std::size_t mode, double motion, Fi
 
 void cut_to_bound(const Field& bound, Field& v) {
   const std::size_t m = bound.size();
-  for (std::size_t i = 0; i < m; ++i) {
-    const double length = std::hypot(v[i], v[m + i]);
-    if (!(length > bound[i])) continue;
+  for_each_cell(m, [&](std::size_t i) {
+    const double length = length_of(v[i], v[m + i]);
+    if (!(length > bound[i])) return;
     v[i] *= bound[i] / length;
     v[m + i] *= bound[i] / length;
-  }
+  });
 }
 
 double shear_scale(const ShearProblem& problem, const Field& shear, const Field& slip) {
@@ -140,7 +138,7 @@ double natural_residual(const ShearProblem& problem, const Field& shear, const F
 double energy_gap(const ShearProblem& problem, const Field& shear, const Field& slip) {
   const std::size_t m = problem.size();
   return ordered_sum(m, [&](std::size_t i) {
-    return problem.bound[i] * std::hypot(slip[i], slip[m + i]) - shear[i] * slip[i] -
+    return problem.bound[i] * length_of(slip[i], slip[m + i]) - shear[i] * slip[i] -
            shear[m + i] * slip[m + i];
   });
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/threads.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -72,7 +73,9 @@ ShearResult SlipIteration::run(double tol, int most_steps) {
 
 void SlipIteration::take_slipping() {
   r_.slipping.resize(m_);
-  for (std::size_t i = 0; i < m_; ++i) r_.slipping[i] = length(i) >= problem_.bound[i] * on_circle;
+  for_each_cell(m_, [&](std::size_t i) {
+    r_.slipping[i] = length(i) >= problem_.bound[i] * on_circle;
+  });
 }
 
 void SlipIteration::put_on_circle(std::size_t i) {
@@ -84,21 +87,21 @@ void SlipIteration::put_on_circle(std::size_t i) {
 }
 
 void SlipIteration::slip_beyond_bound() {
-  for (std::size_t i = 0; i < m_; ++i) {
+  for_each_cell(m_, [&](std::size_t i) {
     if (is_slipping(i) || length(i) > problem_.bound[i]) put_on_circle(i);
-  }
+  });
 }
 
 void SlipIteration::take_normals() {
-  for (std::size_t i = 0; i < m_; ++i) {
-    const double over = length(i) > 0 ? 1 / length(i) : 0.0;
+  for_each_cell(m_, [&](std::size_t i) {
+    const double size = length(i), over = size > 0 ? 1 / size : 0.0;
     normal_[i] = r_.shear[i] * over;
     normal_[m_ + i] = r_.shear[m_ + i] * over;
-  }
+  });
 }
 
 void SlipIteration::change_sides(double rho) {
-  for (std::size_t i = 0; i < m_; ++i) {
+  for_each_cell(m_, [&](std::size_t i) {
     const double bound = problem_.bound[i];
     if (is_slipping(i)) {
       r_.slipping[i] = outward(i) >= 0;
@@ -107,24 +110,24 @@ void SlipIteration::change_sides(double rho) {
     }
     // The turn of the direction costs stiffness: the second derivative along the circle.
     lambda_[i] = is_slipping(i) ? std::max(outward(i), 0.0) / bound : 0.0;
-  }
+  });
 }
 
 void SlipIteration::project_free(Field& v) const {
-  for (std::size_t i = 0; i < m_; ++i) {
-    if (!is_slipping(i)) continue;
+  for_each_cell(m_, [&](std::size_t i) {
+    if (!is_slipping(i)) return;
     const double along = normal_[i] * v[m_ + i] - normal_[m_ + i] * v[i];
     v[i] = -along * normal_[m_ + i];
     v[m_ + i] = along * normal_[i];
-  }
+  });
 }
 
 void SlipIteration::apply(const Field& v, Field& out) {
   operators_.near(v, out);
-  for (std::size_t i = 0; i < m_; ++i) {
+  for_each_cell(m_, [&](std::size_t i) {
     out[i] += lambda_[i] * v[i];
     out[m_ + i] += lambda_[i] * v[m_ + i];
-  }
+  });
   project_free(out);
 }
 
@@ -132,11 +135,11 @@ void SlipIteration::apply(const Field& v, Field& out) {
 /// slips against its shear.
 void SlipIteration::finish() {
   const double inside = 1 - std::max(1e-6, 10 * r_.error);
-  for (std::size_t i = 0; i < m_; ++i) {
+  for_each_cell(m_, [&](std::size_t i) {
     const double bound = problem_.bound[i];
     r_.slipping[i] = pull(i, problem_.stiffness) > bound * on_circle &&
                      length(i) > bound * inside && outward(i) >= 0;
-  }
+  });
 }
 
 }  // namespace samcontact::contact

@@ -9,6 +9,7 @@
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
 #include "samcontact/contact/projected_gradient.hpp"
 #include "samcontact/contact/slip_iteration.hpp"
 
@@ -110,9 +111,9 @@ class StickSlip : public SlipIteration {
       for (int k = 0; k < modes_; ++k) miss[k] = missing(k);
       if (miss.isZero(0.0)) return;
       const Projected set = projected([&](Field& v) {
-        for (std::size_t i = 0; i < m_; ++i) {
+        for_each_cell(m_, [&](std::size_t i) {
           if (is_slipping(i)) v[i] = v[m_ + i] = 0.0;
-        }
+        });
       });
       if (!decides(set, 1e-6)) return;
       const Eigen::VectorXd change = set.products.ldlt().solve(miss);
@@ -150,8 +151,9 @@ class StickSlip : public SlipIteration {
 
   void choose_sets() override {
     change_sides(1 / self_influence_);
-    for (std::size_t i = 0; i < m_; ++i)
+    for_each_cell(m_, [&](std::size_t i) {
       share_[i] = 1 / std::sqrt(1 + lambda_[i] / self_influence_);
+    });
   }
 
   void precondition(const Field& r, Field& z) {
@@ -162,10 +164,10 @@ class StickSlip : public SlipIteration {
     project_free(z);
   }
   void scale(Field& v) const {
-    for (std::size_t i = 0; i < m_; ++i) {
+    for_each_cell(m_, [&](std::size_t i) {
       v[i] *= share_[i];
       v[m_ + i] *= share_[i];
-    }
+    });
   }
 
   void step(double tol) override;
@@ -258,12 +260,12 @@ void StickSlip::step(double tol) {
     const double zr = dot(residual, z);
     if (!(zr > 0)) break;
     const double beta = inner > 0 ? std::max(0.0, (zr - dot(z, old)) / zr_old) : 0.0;
-    for (std::size_t i = 0; i < 2 * m_; ++i) v[i] = z[i] + beta * v[i];
+    for_each_cell(2 * m_, [&](std::size_t i) { v[i] = z[i] + beta * v[i]; });
     apply(v, q);
     const double curvature = dot(v, q);
     if (!(curvature > 0)) break;
     zr_old = zr;
-    old = residual;
+    for_each_cell(2 * m_, [&](std::size_t i) { old[i] = residual[i]; });
     add_scaled(zr / curvature, v, change);
     add_scaled(-zr / curvature, q, residual);
     without_forces(residual);
@@ -283,7 +285,7 @@ bool StickSlip::is_enough(const Field& residual, const Field& change, double fir
   const double beyond = largest_of(m_, [&](std::size_t i) {
     if (is_slipping(i)) return 0.0;
     const double x = r_.shear[i] + change[i], y = r_.shear[m_ + i] + change[m_ + i];
-    return std::hypot(x, y) - problem_.bound[i];
+    return length_of(x, y) - problem_.bound[i];
   });
   return relative < 0.3 * tol || (left < gain * first && beyond <= 0) ||
          (!gains_little_ && beyond / scale > patience * relative && inner >= 2);

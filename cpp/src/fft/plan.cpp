@@ -1,40 +1,89 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/fft/plan.hpp"
 
+#include <map>
+#include <mutex>
+#include <tuple>
+
 namespace samcontact::fft {
 
+namespace {
+
+/// Held while a plan is made or destroyed.
 std::mutex& planner_mutex() {
   static std::mutex mutex;
   return mutex;
 }
 
-Plan plan_real_lines(int m, int count) {
-  Field real(static_cast<std::size_t>(count) * m);
-  ComplexField half(static_cast<std::size_t>(count) * (m / 2 + 1));
+void destroy(fftw_plan plan) {
   const std::lock_guard lock(planner_mutex());
-  return Plan(fftw_plan_many_dft_r2c(1, &m, count, real.data(), nullptr, 1, m, raw(half.data()),
-                                     nullptr, 1, m / 2 + 1, FFTW_ESTIMATE));
+  fftw_destroy_plan(plan);
+}
+
+enum class Kind { real_lines, half_spectra, line, lines_side_by_side };
+
+/// Plans that were made, for the next of their kind: they take a tenth of a first solve.
+class Plans {
+ public:
+  template <class Make>
+  Plan get(Kind kind, int m, int count, int sign, const Make& make) {
+    const std::lock_guard lock(mutex_);
+    Plan& plan = plans_[{kind, m, count, sign}];
+    if (plan) return plan;
+    {
+      const std::lock_guard planning(planner_mutex());
+      plan = Plan(make(), destroy);
+    }
+    const Plan made = plan;
+    if (plans_.size() > most) plans_ = {{{kind, m, count, sign}, made}};
+    return made;
+  }
+
+ private:
+  static constexpr std::size_t most = 200;
+  std::mutex mutex_;
+  std::map<std::tuple<Kind, int, int, int>, Plan> plans_;
+};
+
+/// Never destroyed: FFTW may be gone before.
+Plans& plans() {
+  static auto* const one = new Plans;  // NOLINT(cppcoreguidelines-owning-memory)
+  return *one;
+}
+
+}  // namespace
+
+Plan plan_real_lines(int m, int count) {
+  return plans().get(Kind::real_lines, m, count, 0, [&] {
+    Field real(static_cast<std::size_t>(count) * m);
+    ComplexField half(static_cast<std::size_t>(count) * (m / 2 + 1));
+    return fftw_plan_many_dft_r2c(1, &m, count, real.data(), nullptr, 1, m, raw(half.data()),
+                                  nullptr, 1, m / 2 + 1, FFTW_ESTIMATE);
+  });
 }
 
 Plan plan_half_spectra(int m, int count) {
-  Field real(static_cast<std::size_t>(count) * m);
-  ComplexField half(static_cast<std::size_t>(count) * (m / 2 + 1));
-  const std::lock_guard lock(planner_mutex());
-  return Plan(fftw_plan_many_dft_c2r(1, &m, count, raw(half.data()), nullptr, 1, m / 2 + 1,
-                                     real.data(), nullptr, 1, m, FFTW_ESTIMATE));
+  return plans().get(Kind::half_spectra, m, count, 0, [&] {
+    Field real(static_cast<std::size_t>(count) * m);
+    ComplexField half(static_cast<std::size_t>(count) * (m / 2 + 1));
+    return fftw_plan_many_dft_c2r(1, &m, count, raw(half.data()), nullptr, 1, m / 2 + 1,
+                                  real.data(), nullptr, 1, m, FFTW_ESTIMATE);
+  });
 }
 
 Plan plan_line(int m, int sign) {
-  ComplexField from(m), to(m);
-  const std::lock_guard lock(planner_mutex());
-  return Plan(fftw_plan_dft_1d(m, raw(from.data()), raw(to.data()), sign, FFTW_ESTIMATE));
+  return plans().get(Kind::line, m, 1, sign, [&] {
+    ComplexField from(m), to(m);
+    return fftw_plan_dft_1d(m, raw(from.data()), raw(to.data()), sign, FFTW_ESTIMATE);
+  });
 }
 
 Plan plan_lines_side_by_side(int m, int count, int sign) {
-  ComplexField from(static_cast<std::size_t>(count) * m), to(from.size());
-  const std::lock_guard lock(planner_mutex());
-  return Plan(fftw_plan_many_dft(1, &m, count, raw(from.data()), nullptr, count, 1, raw(to.data()),
-                                 nullptr, count, 1, sign, FFTW_ESTIMATE));
+  return plans().get(Kind::lines_side_by_side, m, count, sign, [&] {
+    ComplexField from(static_cast<std::size_t>(count) * m), to(from.size());
+    return fftw_plan_many_dft(1, &m, count, raw(from.data()), nullptr, count, 1, raw(to.data()),
+                              nullptr, count, 1, sign, FFTW_ESTIMATE);
+  });
 }
 
 int good_even_size(int n) {

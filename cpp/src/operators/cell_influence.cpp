@@ -24,7 +24,7 @@ Field pressure_sums(const CellOffsets& offsets, double aspect) {
   const std::vector<double>&x = metres.x, &y = metres.y;
   const kernels::FarDisplacement far(1.0, aspect);
   Field sums(x.size() * y.size());
-#pragma omp parallel for schedule(dynamic) if (per_number * sums.size() > worth_threads)
+#pragma omp parallel for schedule(dynamic) if (500.0 * sums.size() > worth_threads)
   for (std::ptrdiff_t j = 0; j < std::ssize(y); ++j) {
     double* row = sums.data() + j * x.size();
     far.evaluate(x.data(), y[j], x.size(), row);

@@ -8,11 +8,11 @@
 namespace samcontact {
 
 /// Floating-point operations of a loop, a power counting as a hundred.
-constexpr double worth_threads = 1e6;
+constexpr double worth_threads = 2.5e5;
 /// Those of transforms and of the sweep through layers, for each number of a volume.
 constexpr double per_number = 30;
 /// Cells of a loop with a few operations each, or of a transform.
-constexpr std::ptrdiff_t worth_threads_cells = 10'000;
+constexpr std::ptrdiff_t worth_threads_cells = 2'500;
 
 /// action(i) for all cells i < n, each for itself.
 template <class Action>

@@ -30,7 +30,7 @@ class SlipIteration {
   SlipIteration(const ShearProblem& problem, ShearApplier& operators, ShearStart start,
                 double self_influence);
 
-  double length(std::size_t i) const { return std::hypot(r_.shear[i], r_.shear[m_ + i]); }
+  double length(std::size_t i) const { return length_of(r_.shear[i], r_.shear[m_ + i]); }
   bool is_slipping(std::size_t i) const { return r_.slipping[i] != 0; }
   /// Of the slip, along the shear.
   double outward(std::size_t i) const {
@@ -38,7 +38,7 @@ class SlipIteration {
   }
   /// |s + rho w|
   double pull(std::size_t i, double rho) const {
-    return std::hypot(r_.shear[i] + rho * r_.slip[i], r_.shear[m_ + i] + rho * r_.slip[m_ + i]);
+    return length_of(r_.shear[i] + rho * r_.slip[i], r_.shear[m_ + i] + rho * r_.slip[m_ + i]);
   }
 
   /// Cells whose shear is on its bound.

@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only door to FFTW: plans as owned objects, made under one mutex because FFTW's planner is not
-// thread-safe (executing a plan is).
+// The only door to FFTW: plans, shared by all that need the same, made one at a time because FFTW's
+// planner is not thread-safe (executing a plan is).
 #pragma once
 
 #include <fftw3.h>
 
 #include <memory>
-#include <mutex>
 #include <type_traits>
 
 #include "samcontact/base/aligned.hpp"
 
 namespace samcontact::fft {
 
-/// Held while a plan is made or destroyed.
-std::mutex& planner_mutex();
-
-struct PlanDeleter {
-  void operator()(fftw_plan plan) const {
-    const std::lock_guard lock(planner_mutex());
-    fftw_destroy_plan(plan);
-  }
-};
-using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDeleter>;
+using Plan = std::shared_ptr<std::remove_pointer_t<fftw_plan>>;
 
 inline fftw_complex* raw(Complex* z) { return reinterpret_cast<fftw_complex*>(z); }
 

@@ -77,15 +77,17 @@ Field corner_sums(const CellOffsets& offsets, double aspect, int count, const Co
     return places;
   };
   const auto from_x = lower_edges(offsets.x, at_x), from_y = lower_edges(offsets.y, at_y);
-  Field sums;
-  sums.reserve(count * from_x.size() * from_y.size());
-  for (int c = 0; c < count; ++c) {
-    for (const std::size_t j : from_y) {
-      const double* lower = corners.data() + c * corners_size + j * at_x.size();
-      const double* upper = lower + at_x.size();
-      for (const std::size_t i : from_x) {
-        sums.push_back((upper[i + 1] - upper[i]) - (lower[i + 1] - lower[i]));
-      }
+  Field sums(count * from_x.size() * from_y.size());
+  const std::ptrdiff_t rows = count * std::ssize(from_y);
+#pragma omp parallel for schedule(static) if (10.0 * sums.size() > worth_threads)
+  for (std::ptrdiff_t row = 0; row < rows; ++row) {
+    const std::size_t c = row / from_y.size(), j = from_y[row % from_y.size()];
+    const double* lower = corners.data() + c * corners_size + j * at_x.size();
+    const double* upper = lower + at_x.size();
+    double* sum = sums.data() + row * from_x.size();
+    for (std::size_t n = 0; n < from_x.size(); ++n) {
+      const std::size_t i = from_x[n];
+      sum[n] = (upper[i + 1] - upper[i]) - (lower[i + 1] - lower[i]);
     }
   }
   return sums;
