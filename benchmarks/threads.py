@@ -26,19 +26,23 @@ SIZES = {
     "stick and slip": (64, 256, 1024),
     "increments": (8, 24, 40),
     "zones": (64, 256, 512),
-    "sweep": (4, 16),
+    "sweep": (4, 16, 64),
 }
-LARGE = {"contact": 256**2, "stick and slip": 256**2, "increments": 1e5, "zones": 1e5, "sweep": 16}
-"""Cells, or cases, from which on the second thread has to pay."""
+ROUNDS = 3
+LARGE = {"contact": 256**2, "stick and slip": 256**2, "increments": 1e5, "zones": 1e5, "sweep": 64}
+"""Cells, or cases, from which on the second thread has to pay: a process starts in a second."""
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
     return [
-        Task(NAME, case, method, "solve", {"case": case, "n": n, "method": method}, BASE, own)
+        Task(
+            NAME, case, method, "solve", {"case": case, "n": n, "method": method}, BASE, own, rounds
+        )
         for case, sizes in SIZES.items()
         for n in (sizes[:2] if quick else sizes)
         for threads, method in ((1, BASE), (2, "2 threads"))
-        for own in (1 if case == "sweep" else threads,)  # a sweep has two processes instead
+        # a sweep has two processes instead
+        for own, rounds in ((1, 1) if case == "sweep" else (threads, ROUNDS),)
     ]
 
 
@@ -70,7 +74,7 @@ def press(meter: Meter, n: int) -> dict[str, Any]:
 
 def sweep(meter: Meter, cases: int, processes: int) -> dict[str, Any]:
     """So many loads of a case, in processes of one thread each, their start included."""
-    loads = [800.0 + 100.0 * k for k in range(cases)]
+    loads = [800.0 + 1600.0 * k / cases for k in range(cases)]
 
     def run() -> Any:
         with tempfile.TemporaryDirectory() as folder:
