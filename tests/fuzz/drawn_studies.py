@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Studies of drawn scenes: steady rolling, wear by slip, cycles to shakedown, fatigue."""
+"""Studies of drawn scenes: rolling, wear by slip, cycles to shakedown, fatigue, accuracy."""
 
 import math
+import warnings
 
 import numpy as np
 from balances import assert_finite
@@ -101,4 +102,38 @@ def tires(seed):
     assert found[-1].values.min() >= 0
 
 
-STUDIES = {"steady rolling": rolls, "wear by slip": wears, "shakedown": repeats, "fatigue": tires}
+def asks(seed):
+    """Values to an accuracy: as near as was asked for to those of one four times as tight."""
+    scene = Scene(seed)
+    draw = scene.draw
+    scene.heated, scene.periodic = False, ""
+    body2 = scene.body(scene.yields)
+    case = {"body1": {"law": "rigid"} if draw.random() < 0.3 else scene.body(False), "body2": body2}
+    case["surface"] = {"shape": "paraboloid", "Rx": scene.R, "Ry": scene.R * uniform(draw, 1, 3)}
+    load = scene.load * uniform(draw, 0.2, 0.8)
+    if scene.sticks:
+        case["contact"] = {"friction": uniform(draw, 0.0, 0.5)}
+    case["path"] = [{"load": load}, {"load": 0.0}][: draw.integers(1, 3)]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", sc.AccuracyWarning)
+        loose, tight = (
+            sc.to_accuracy(case, accuracy, max_memory=5e7, progress=False)
+            for accuracy in (0.08, 0.02)
+        )
+    for found in (loose, tight):
+        assert found.reached != bool(found.needs)
+        assert_finite(**found.series)
+        for name, error in found.errors.items():
+            assert error >= 0
+            if found.reached:
+                most = found.accuracy[name] * abs(found.values[name])
+                assert error <= most * (1 + 1e-9), name
+    for name, value in loose.values.items():
+        allowed = max(loose.errors[name], loose.accuracy[name] * abs(tight.values[name]))
+        assert abs(value - tight.values[name]) <= allowed + tight.errors[name], name
+
+
+STUDIES = {
+    "steady rolling": rolls, "wear by slip": wears, "shakedown": repeats, "fatigue": tires,
+    "accuracy": asks,
+}  # fmt: skip

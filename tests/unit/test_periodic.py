@@ -214,20 +214,32 @@ def test_near_full_contact_costs_no_more_than_half_of_it(hurst):
     assert max(found[1].work, found[2].work) < 2 * found[0].work
 
 
-@pytest.mark.parametrize("friction", [0.0, sc.Coulomb(0.3)])
+@pytest.mark.parametrize(
+    ("body1", "friction"),
+    [(STEEL, 0.0), (STEEL, sc.Coulomb(0.3)), (RIGID, 0.3)],
+)
 @pytest.mark.parametrize("unevenness", [0.0, 1e-17, 1e-9])
 @pytest.mark.parametrize("away", [0.0, 3e-6])
 @pytest.mark.parametrize("shape", [(4, 14), (6, 22), (16, 16), (20, 22)])
-def test_flat_surfaces_carry_a_uniform_pressure(shape, away, unevenness, friction):
+def test_flat_surfaces_carry_a_uniform_pressure(shape, away, unevenness, body1, friction):
     """Their displacement is rounding, or little more: no measure of an error."""
     grid = sc.Grid(*shape, 1e-6, 1e-6, periodic="xy")
     if away:
         unevenness = min(unevenness, 1e-17)  # else its digits are lost
     gap = away + 1e-6 * unevenness * np.random.default_rng(1).random(shape)
-    solver = sc.ContactSolver(grid, STEEL, STEEL, friction, tol=1e-10)
+    solver = sc.ContactSolver(grid, body1, STEEL, friction, tol=1e-10)
     solution = solver.solve(gap, load=1e9 * grid.cell_area * gap.size)
     np.testing.assert_allclose(solution.pressure, 1e9, rtol=1e-12 + 1e3 * unevenness)
     assert solution.approach == pytest.approx(gap.mean(), abs=1e-20, rel=1e-14)
+
+
+def test_what_flat_bodies_unlike_raise_each_other_is_rounding():
+    grid = sc.Grid(16, 16, 1e-6, 1e-6, periodic="xy")
+    gap = 1e-23 * np.random.default_rng(1).random((16, 16))
+    solver = sc.ContactSolver(grid, RIGID, STEEL, sc.Coulomb(0.3), tol=1e-10)
+    solution = solver.solve(gap, load=1e9 * grid.cell_area * gap.size)
+    np.testing.assert_allclose(solution.pressure, 1e9, rtol=1e-12)
+    assert not solution.shear.any()
 
 
 def test_approach_is_between_mean_planes():

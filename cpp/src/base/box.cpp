@@ -3,20 +3,22 @@
 
 #include <algorithm>
 
+#include "samcontact/base/threads.hpp"
+
 namespace samcontact {
 namespace {
 
 /// Calls use(row of the small box, row of the large one) for every row of the small box.
 template <class Use>
 void for_each_row(const Box& small, const Box& large, const Use& use) {
-  for (int k = 0; k < small.nz; ++k) {
-    for (int i = 0; i < small.nx; ++i) {
-      const std::size_t row = (static_cast<std::size_t>(k) * small.nx + i) * small.ny;
-      const std::size_t other =
-          (static_cast<std::size_t>(k) * large.nx + small.i0 + i - large.i0) * large.ny +
-          (small.j0 - large.j0);
-      use(row, other);
-    }
+  const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(small.nz) * small.nx;
+#pragma omp parallel for schedule(static) if (rows * small.ny >= worth_threads_cells)
+  for (std::ptrdiff_t row = 0; row < rows; ++row) {
+    const std::ptrdiff_t k = row / small.nx, i = row % small.nx;
+    const std::size_t other =
+        static_cast<std::size_t>(k * large.nx + small.i0 + i - large.i0) * large.ny +
+        (small.j0 - large.j0);
+    use(static_cast<std::size_t>(row) * small.ny, other);
   }
 }
 

@@ -273,7 +273,7 @@ class CoulombContact::Sweeps {
       for (double& g : s.gap) g -= closer;
       s.motion.approach += closer;
     }
-    s.error = complementarity_error(p, displacement, s.gap);
+    s.error = complementarity_error(p, displacement, s.gap, s.rounding);
     return change;
   }
 

@@ -87,11 +87,11 @@ class Rounds {
         initial_gap_(initial_gap),
         normal_(normal),
         warm_(warm),
-        rounding_(rounding),
         box_{},
         u_(initial_gap.size()) {
     solution_.tractions.pressure = std::move(pressure);
     solution_.gap.resize(initial_gap.size());
+    solution_.rounding = rounding;
     if (normal.is_force())
       scale_to_sum(solution_.tractions.pressure, normal.value / grid.cell_area());
   }
@@ -133,7 +133,7 @@ class Rounds {
     solution_.motion.approach =
         close_gap(initial_gap_, u_, solution_.tractions.pressure, normal_, solution_.gap);
     solution_.error =
-        complementarity_error(solution_.tractions.pressure, u_, solution_.gap, rounding_);
+        complementarity_error(solution_.tractions.pressure, u_, solution_.gap, solution_.rounding);
   }
 
   void keep_load() {
@@ -187,7 +187,7 @@ class Rounds {
   Solution plain(double tol, int max_iterations) {
     Solution end = polonsky_keer(displacement_, initial_gap_, grid_.cell_area(), normal_,
                                  std::move(solution_.tractions.pressure), tol,
-                                 max_iterations - solution_.iterations, rounding_);
+                                 max_iterations - solution_.iterations, solution_.rounding);
     end.iterations += solution_.iterations;
     end.negative_curvatures += solution_.negative_curvatures;
     end.work = end.work * displacement_.cost() + solution_.work;
@@ -201,7 +201,6 @@ class Rounds {
   const Field& initial_gap_;
   const Given normal_;
   const bool warm_;
-  const double rounding_;
   Box box_;
   Field u_;
   ComplexField work_;

@@ -33,6 +33,7 @@ class ConjugateGradient {
 
   Solution run(double tol, int max_iterations, double rounding) {
     Solution solution;
+    solution.rounding = rounding;
     for (int n = 0;; ++n) {
       check_interrupt();
       update_gap();

@@ -22,6 +22,8 @@ struct Solution {
   /// max over cells of |min(p / max p, g / max u)|: pressure where there is a gap, and gap or
   /// penetration where there is pressure, each relative to its own scale.
   double error = 0.0;
+  /// Gaps up to this are none [m]: rounding, where displacement has no mean.
+  double rounding = 0.0;
   /// Conjugate-gradient steps on the grid itself; those on coarser grids do not count.
   int iterations = 0;
   /// Applications of the exact operators (pressure or shear to displacement) on the grid itself.
