@@ -73,9 +73,8 @@ ShearResult SlipIteration::run(double tol, int most_steps) {
 
 void SlipIteration::take_slipping() {
   r_.slipping.resize(m_);
-  for_each_cell(m_, [&](std::size_t i) {
-    r_.slipping[i] = length(i) >= problem_.bound[i] * on_circle;
-  });
+  for_each_cell(
+      m_, [&](std::size_t i) { r_.slipping[i] = length(i) >= problem_.bound[i] * on_circle; });
 }
 
 void SlipIteration::put_on_circle(std::size_t i) {

@@ -151,9 +151,8 @@ class StickSlip : public SlipIteration {
 
   void choose_sets() override {
     change_sides(1 / self_influence_);
-    for_each_cell(m_, [&](std::size_t i) {
-      share_[i] = 1 / std::sqrt(1 + lambda_[i] / self_influence_);
-    });
+    for_each_cell(
+        m_, [&](std::size_t i) { share_[i] = 1 / std::sqrt(1 + lambda_[i] / self_influence_); });
   }
 
   void precondition(const Field& r, Field& z) {
