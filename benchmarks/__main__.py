@@ -86,7 +86,9 @@ def main(given: list[str] | None = None) -> int:
         text = tables.report(table, parts, times=False)
         titles = [importlib.import_module(f"benchmarks.{name}").TITLE for name in PARTS]
         text = tables.with_sections(tables.inside_markers(old), text, titles)
-        page.write_text(tables.between_markers(old, text), encoding="utf-8")
+        # Sentences of the table as it is read, with the digits that it has.
+        made = tables.noted(tables.between_markers(old, text), parts)
+        page.write_text(made, encoding="utf-8")
     failed = [row for row in rows if "failed" in row]
     print(f"{len(rows)} measurements in {time.perf_counter() - start:.0f} s: {folder}")
     for row in failed:
