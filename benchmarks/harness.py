@@ -161,7 +161,7 @@ def run_tasks(
     """Measure tasks in their order and add the ratios of times."""
     # Rounds of all of them: a machine is slow for a while, not for one task.
     best: list[dict[str, Any]] = [{} for _ in tasks]
-    for n in range(max(task.rounds for task in tasks)):
+    for n in range(max((task.rounds for task in tasks), default=0)):
         for at, task in enumerate(tasks):
             if n >= task.rounds:
                 continue

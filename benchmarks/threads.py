@@ -28,7 +28,7 @@ SIZES = {
     "zones": (64, 256, 512),
     "sweep": (4, 16, 64),
 }
-ROUNDS = 3
+ROUNDS = 3  # of all but sweeps, which take minutes
 LARGE = {"contact": 256**2, "stick and slip": 256**2, "increments": 1e5, "zones": 1e5, "sweep": 64}
 """Cells, or cases, from which on the second thread has to pay: a process starts in a second."""
 
