@@ -24,6 +24,13 @@ void fetch(const Complex* line, int count) {
   for (int x = 0; x < count; x += 4) __builtin_prefetch(line + x);
 }
 
+/// Of columns of n numbers that are written in blocks of rows: an odd number of these, lest
+/// successive columns compete for one place of the cache.
+std::size_t pitch_of(int n) {
+  const std::size_t blocks = (n + 7) / 8;
+  return 8 * (blocks + 1 - blocks % 2);
+}
+
 }  // namespace
 
 PaddedTransform::PaddedTransform(int nx, int ny, int mx, int my)
@@ -53,21 +60,22 @@ void PaddedTransform::forward(const double* plane, Complex* spectrum, std::size_
 
 void PaddedTransform::filter(const double* plane, const Product& product, double* out,
                              ComplexField& work) const {
-  const std::size_t size = spectrum_size();
-  work.resize(size);
-#pragma omp parallel if (size >= worth_threads_cells)
+  const std::size_t pitch = pitch_of(nx_);
+  work.resize(mh() * pitch);
+#pragma omp parallel if (spectrum_size() >= worth_threads_cells)
   {
-    rows_.forward(plane, nx_, work.data(), mx_);
-    ComplexField spectrum(mx_), result(mx_);
+    rows_.forward(plane, nx_, work.data(), pitch);
+    ComplexField padded(mx_), spectrum(mx_), result(mx_);
 #pragma omp for schedule(static)
     for (int ky = 0; ky < mh(); ++ky) {
-      Complex* column = work.data() + static_cast<std::ptrdiff_t>(ky) * mx_;
-      std::fill(column + nx_, column + mx_, Complex{});
-      fftw_execute_dft(column_forward_.get(), raw(column), raw(spectrum.data()));
+      Complex* column = work.data() + ky * pitch;
+      std::copy_n(column, nx_, padded.data());
+      fftw_execute_dft(column_forward_.get(), raw(padded.data()), raw(spectrum.data()));
       product(ky, spectrum.data(), result.data());
-      fftw_execute_dft(column_inverse_.get(), raw(result.data()), raw(column));
+      fftw_execute_dft(column_inverse_.get(), raw(result.data()), raw(spectrum.data()));
+      std::copy_n(spectrum.data(), nx_, column);
     }
-    rows_.inverse(work.data(), mx_, nx_, out);
+    rows_.inverse(work.data(), pitch, nx_, out);
   }
 }
 
