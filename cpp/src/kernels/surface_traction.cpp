@@ -14,16 +14,12 @@ constexpr double tiny = 1e-280;
 
 /// Elementary functions shared by the stress kernels.
 struct Elementary {
-  double R, s, t, T_z, A_x, A_y, p_zz;
+  double R, s, t;
 
   Elementary(double x, double y, double z)
       : R(std::max(std::sqrt(x * x + y * y + z * z), 1e-140)),
         s(std::max(x * x + z * z, tiny)),
-        t(std::max(y * y + z * z, tiny)),
-        T_z(std::atan2(x * y, z * R)),
-        A_x(std::atan2(x * y, s + z * R)),
-        A_y(std::atan2(x * y, t + z * R)),
-        p_zz(x * y / R * (1 / s + 1 / t)) {}
+        t(std::max(y * y + z * z, tiny)) {}
 };
 
 }  // namespace
@@ -46,9 +42,13 @@ double cross_displacement(double x, double y, double nu) { return -nu * std::hyp
 Stress pressure_stress(double x, double y, double z, double nu) {
   const Elementary e(x, y, z);
   const double k = 1 - 2 * nu;
-  return {z * x * y / (e.R * e.s) - k * e.A_x - 2 * nu * e.T_z,
-          z * x * y / (e.R * e.t) - k * e.A_y - 2 * nu * e.T_z,
-          -e.T_z - z * e.p_zz,
+  const double A_x = std::atan2(x * y, e.s + z * e.R), A_y = std::atan2(x * y, e.t + z * e.R);
+  // tan T_z = x y/(z R), because (s + z R)(t + z R) - x^2 y^2 = z R (s + t + 2 z R).
+  const double T_z = A_x + A_y;
+  const double xx = z * x * y / (e.R * e.s), yy = z * x * y / (e.R * e.t);
+  return {xx - k * A_x - 2 * nu * T_z,
+          yy - k * A_y - 2 * nu * T_z,
+          -T_z - (xx + yy),
           z * z * x / (e.R * e.t),
           z * z * y / (e.R * e.s),
           -z / e.R - k * std::log(e.R + z)};
@@ -64,7 +64,7 @@ Stress shear_stress(double x, double y, double z, double nu) {
           -y / e.R + k * y / T + 2 * nu * L_y,
           z * z * y / (e.R * e.s),
           -z / e.R,
-          -e.T_z + z * x * y / (e.R * e.s),
+          -std::atan2(x * y, z * e.R) + z * x * y / (e.R * e.s),
           L_x - x / e.R + k * x / T};
 }
 

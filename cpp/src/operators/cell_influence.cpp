@@ -11,7 +11,6 @@
 #include "samcontact/kernels/surface_traction.hpp"
 #include "samcontact/kernels/wave.hpp"
 #include "samcontact/operators/corner_sums.hpp"
-#include "samcontact/operators/influence_lattice.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -215,24 +214,6 @@ kernels::Stress stress_corner(Traction traction, double x, double y, double z, d
   return turned(kernels::shear_stress(y, x, z, nu));
 }
 
-Field cell_stress(double nu, Traction traction, const Grid& grid, int nx, int ny, double z,
-                  Tensor tensor) {
-  const CornerLattice lattice{nx, ny, grid.dy / grid.dx};
-  const std::size_t plane = static_cast<std::size_t>(nx) * ny;
-  Field corners(6 * lattice.size()), table(count(tensor) * plane);
-  lattice.evaluate<6>(
-      [&](double x, double y) {
-        auto s = select(stress_corner(traction, x, y, z / grid.dx, nu), tensor);
-        for (double& v : s) v /= 2 * std::numbers::pi;
-        return s;
-      },
-      corners.data());
-  for (int c = 0; c < count(tensor); ++c) {
-    lattice.corner_sums(corners.data() + c * lattice.size(), table.data() + c * plane, nx, ny);
-  }
-  return table;
-}
-
 Field cell_stress(double nu, Traction traction, const Grid& grid, const CellOffsets& offsets,
                   double z, Tensor tensor) {
   const auto corner = [&](double x, double y) {
@@ -250,7 +231,7 @@ CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, dou
   for (int c = 0; c < 6; ++c) influence.parities.push_back(stress_parity(traction, c));
   influence.uniform = uniform_stress(traction, nu);
   influence.cell = [=](int nx, int ny) {
-    return cell_stress(nu, traction, grid, nx, ny, z, Tensor::full);
+    return cell_stress(nu, traction, grid, CellOffsets::lattice(nx, ny), z, Tensor::full);
   };
   influence.wave = [=](double kx, double ky, double* stress) {
     std::ranges::copy(wave_stress(traction, kx, ky, z, nu), stress);

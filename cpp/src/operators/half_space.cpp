@@ -49,13 +49,12 @@ class HalfSpace : public Medium {
   Field stress(Traction traction, const Grid& grid, const KernelOffsets& offsets, double z,
                Tensor tensor) const override {
     const auto [nx, ny] = offsets;
-    const double nu = elastic_.nu;
-    if (!grid.period.is_on()) return cell_stress(nu, traction, grid, nx, ny, z, tensor);
+    const CellOffsets lattice = CellOffsets::lattice(nx, ny);
+    if (!grid.period.is_on()) return stress(traction, grid, lattice, z, tensor);
     const auto cell = [&](const Grid& own, bool turned) {
       return stress_influence(turned ? exchanged(traction) : traction, own, z);
     };
-    return selected(sums_.sum(grid, CellOffsets::lattice(nx, ny), cell, exchanged_components),
-                    tensor);
+    return selected(sums_.sum(grid, lattice, cell, exchanged_components), tensor);
   }
 
   Field stress(Traction traction, const Grid& grid, const CellOffsets& offsets, double z,

@@ -81,8 +81,25 @@ void TractionStress::prepare(Traction traction, const TractionStress* shallower)
 
 Field TractionStress::build(Part part, const std::vector<std::vector<ParityParts>>& heat, int first,
                             const Field& known) const {
-  const fft::ParitySpectrum parity_spectrum(transform_->mx(), transform_->my());
-  const int nz = layers(), hx = parity_spectrum.hx(), hy = parity_spectrum.hy();
+  const fft::ParitySpectrum spectrum(transform_->mx(), transform_->my());
+  Field built(spectrum.size() * count(tensor_) * layers());
+  if (first > 0) copy_layers(known, first, built, layers(), spectrum.hx());
+  check_interrupt();
+  const auto build_at = [&](int k) {
+    build(part, k, heat.empty() ? std::vector<ParityParts>{} : heat[k], spectrum, built);
+  };
+  if (layers() - first == 1) {  // within which threads share the work
+    build_at(first);
+    return built;
+  }
+#pragma omp parallel for schedule(dynamic)
+  for (int k = first; k < layers(); ++k) build_at(k);
+  return built;
+}
+
+void TractionStress::build(Part part, int k, const std::vector<ParityParts>& heat,
+                           const fft::ParitySpectrum& spectrum, Field& built) const {
+  const int hx = spectrum.hx(), hy = spectrum.hy();
   const KernelOffsets offsets(grid_, transform_->mx(), transform_->my());
   const std::size_t plane = static_cast<std::size_t>(offsets.nx) * offsets.ny;
   const auto places = components(tensor_);
@@ -91,41 +108,27 @@ Field TractionStress::build(Part part, const std::vector<std::vector<ParityParts
   const Traction traction = part == Part::shear_x   ? Traction::shear_x
                             : part == Part::shear_y ? Traction::shear_y
                                                     : Traction::pressure;
-  Field built(parity_spectrum.size() * count * nz);
-  if (first > 0) copy_layers(known, first, built, nz, hx);
-  check_interrupt();
-#pragma omp parallel
-  {
-    Field quarter(parity_spectrum.size());
-#pragma omp for schedule(dynamic)
-    for (int k = first; k < nz; ++k) {
-      const Field table =
-          elastic ? medium_->stress(traction, grid_, offsets, depths_[k], tensor_) : Field{};
-      for (int c = 0; c < count; ++c) {
-        std::fill(quarter.begin(), quarter.end(), 0.0);
-        if (elastic) {
-          for_rows(table.data() + c * plane, offsets, quarter.data(), hx,
-                   [n = offsets.nx](const double* from, double* to) { std::copy_n(from, n, to); });
-        }
-        if (!heat.empty()) {
-          const Field& heated = heat[k][c][static_cast<int>(part)];
-          if (!heated.empty()) {
-            for_rows(heated.data(), offsets, quarter.data(), hx,
-                     [n = offsets.nx](const double* from, double* to) {
-                       for (int i = 0; i < n; ++i) to[i] += from[i];
-                     });
-          }
-        }
-        const auto p = parity(part, places[c]);
-        parity_spectrum.transform(quarter.data(), p.odd_x, p.odd_y);
-        for (int ky = 0; ky < hy; ++ky) {
-          std::copy_n(quarter.data() + static_cast<std::size_t>(ky) * hx, hx,
-                      built.data() + ((static_cast<std::size_t>(ky) * count + c) * nz + k) * hx);
-        }
-      }
+  const Field table =
+      elastic ? medium_->stress(traction, grid_, offsets, depths_[k], tensor_) : Field{};
+  for (int c = 0; c < count; ++c) {
+    Field quarter(spectrum.size(), 0.0);
+    if (elastic) {
+      for_rows(table.data() + c * plane, offsets, quarter.data(), hx,
+               [n = offsets.nx](const double* from, double* to) { std::copy_n(from, n, to); });
+    }
+    if (!heat.empty() && !heat[c][static_cast<int>(part)].empty()) {
+      for_rows(heat[c][static_cast<int>(part)].data(), offsets, quarter.data(), hx,
+               [n = offsets.nx](const double* from, double* to) {
+                 for (int i = 0; i < n; ++i) to[i] += from[i];
+               });
+    }
+    const auto p = parity(part, places[c]);
+    spectrum.transform(quarter.data(), p.odd_x, p.odd_y);
+    for (int ky = 0; ky < hy; ++ky) {
+      const std::size_t row = (static_cast<std::size_t>(ky) * count + c) * layers() + k;
+      std::copy_n(quarter.data() + static_cast<std::size_t>(ky) * hx, hx, built.data() + row * hx);
     }
   }
-  return built;
 }
 
 void TractionStress::add(Part part, kernels::Parity input, const Field& traction, double scale,
@@ -149,15 +152,20 @@ void TractionStress::add(Part part, kernels::Parity input, const Field& traction
   out.used.assign(out.nz, 1);
 }
 
+void TractionStress::add(Traction kind, const Field& spectrum, double shear_sign,
+                         VolumeSpectrum& out, const TractionStress* shallower) const {
+  prepare(kind, shallower);
+  for (const Part part : parts(kind)) {
+    add(part, vector_parity(kind), spectrum, sign_of(kind, shear_sign), out);
+  }
+}
+
 void TractionStress::add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
                          const TractionStress* shallower) const {
   for (const Traction kind : all_tractions) {
     const Field& field = tractions.of(kind);
     if (field.empty()) continue;
-    prepare(kind, shallower);
-    const auto input = vector_parity(kind);
-    const Field spectrum = transform_->forward(field.data(), input);
-    for (const Part part : parts(kind)) add(part, input, spectrum, sign_of(kind, shear_sign), out);
+    add(kind, transform_->forward(field.data(), vector_parity(kind)), shear_sign, out, shallower);
   }
 }
 
@@ -174,13 +182,20 @@ Field traction_stress(const Grid& grid, const SharedMedium& medium, const Heatin
   const auto heat =
       heating.is_on() ? std::make_shared<const HeatStress>(grid, medium, heating) : nullptr;
   const std::size_t plane = grid.surface_size();
-  Field stress(6 * depths.size() * plane);
+  std::array<Field, all_tractions.size()> loads;
+  for (const Traction kind : all_tractions) {
+    const Field& field = tractions.of(kind);
+    if (!field.empty()) loads[static_cast<int>(kind)] = transform.forward(field.data());
+  }
+  Field stress(6 * depths.size() * plane), layer(6 * plane);
   // One depth at a time: the kernels of a depth are used once, so only one set is kept.
   for (std::size_t d = 0; d < depths.size(); ++d) {
     VolumeSpectrum spectrum(transform, 1, Tensor::full);
-    TractionStress(grid, transform, medium, heat, {depths[d]}, Tensor::full)
-        .add(tractions, 1.0, spectrum);
-    Field layer(6 * plane);
+    const TractionStress at(grid, transform, medium, heat, {depths[d]}, Tensor::full);
+    for (const Traction kind : all_tractions) {
+      const Field& load = loads[static_cast<int>(kind)];
+      if (!load.empty()) at.add(kind, load, 1.0, spectrum, nullptr);
+    }
     inverse(transform, spectrum, layer.data());
     for (int c = 0; c < 6; ++c) {
       std::copy(layer.begin() + c * plane, layer.begin() + (c + 1) * plane,

@@ -8,7 +8,7 @@
 
 namespace samcontact {
 
-constexpr std::size_t reduce_chunk = 8192;
+constexpr std::size_t reduce_chunk = 2048;
 /// Several running sums, of every eighth term each: one would wait for the latency of each
 /// addition.
 constexpr std::size_t reduce_lanes = 8;

@@ -44,10 +44,7 @@ kernels::Stress wave_mean(Traction traction, double kx, double ky, double z0, do
 /// Corner functions of the stress under a unit traction on a rectangle, whose corner sum counts
 /// 1/(2 pi).
 kernels::Stress stress_corner(Traction traction, double x, double y, double z, double nu);
-/// Stress at a depth per unit traction on offsets 0..nx-1, 0..ny-1: [component][j][i] [-].
-Field cell_stress(double nu, Traction traction, const Grid& grid, int nx, int ny, double z,
-                  Tensor tensor);
-/// The same at any offsets.
+/// Stress at a depth per unit traction: [component][j][i] [-].
 Field cell_stress(double nu, Traction traction, const Grid& grid, const CellOffsets& offsets,
                   double z, Tensor tensor);
 CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, double z);

@@ -30,6 +30,9 @@ class TractionStress {
   /// there; null: none.
   void add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
            const TractionStress* shallower = nullptr) const;
+  /// Of one traction, as its transform is.
+  void add(Traction kind, const Field& spectrum, double shear_sign, VolumeSpectrum& out,
+           const TractionStress* shallower) const;
 
   int layers() const { return static_cast<int>(depths_.size()); }
   std::size_t bytes() const;
@@ -47,6 +50,9 @@ class TractionStress {
   /// heat: by depth, empty without. first: depths before it are those of `known`.
   Field build(Part part, const std::vector<std::vector<ParityParts>>& heat, int first,
               const Field& known) const;
+  /// Of depth k, whose heat this is.
+  void build(Part part, int k, const std::vector<ParityParts>& heat,
+             const fft::ParitySpectrum& spectrum, Field& built) const;
   /// Of a traction's spectrum, whose plane is even or odd as told in mirrored directions.
   void add(Part part, kernels::Parity input, const Field& traction, double scale,
            VolumeSpectrum& out) const;
