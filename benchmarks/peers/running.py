@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import gc
 import importlib
 import json
@@ -293,6 +294,24 @@ class Server:
             pass
 
 
+def own_memory() -> None:
+    """Copy what is shared with the parent, as a process that a user starts has it: the system would
+    do so page by page while it is measured, for a third of a short solve."""
+    gc.collect()
+    page = os.sysconf("SC_PAGE_SIZE")
+    with open("/proc/self/pagemap", "rb") as pagemap:
+        for line in Path("/proc/self/maps").read_text().splitlines():
+            span, access = line.split()[:2]
+            if not access.startswith("rw"):
+                continue
+            first, end = (int(at, 16) for at in span.split("-"))
+            pagemap.seek(8 * (first // page))
+            entries = np.frombuffer(pagemap.read(8 * ((end - first) // page)), np.uint64)
+            memory = (ctypes.c_char * (end - first)).from_address(first)
+            for at in np.flatnonzero(entries >> np.uint64(63)) * page:  # those that are there
+                memory[at] = memory[at]
+
+
 def measured_in_a_fork(task: Task, limit: float) -> dict[str, Any]:
     """Fork, measure, and wait for the row."""
     reading, writing = os.pipe()
@@ -301,8 +320,8 @@ def measured_in_a_fork(task: Task, limit: float) -> dict[str, Any]:
         os.close(reading)
         seconds = max(1, round(limit))
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
-        gc.collect()  # what Python touches of it would be copied from the parent as it is measured
         try:
+            own_memory()
             row = run_here(task)
         except Exception as error:
             row = {"failed": f"{type(error).__name__}: {error}"[:200]}

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from ._repr import quantity
@@ -45,7 +45,8 @@ class Doubt(NamedTuple):
     """A number of a scene against what it can be, and what is said where it cannot."""
 
     verdict: Verdict
-    remedy: str
+    remedy: Callable[[], str]
+    """Made where it is said: most scenes are not doubted."""
     of_contact: bool = False
     """Not of a body: it goes with what is found of the same contact once it is solved."""
 
@@ -74,7 +75,8 @@ def doubts_of(
         if body.is_plastic:
             ratio = body.least_yield_stress / body.E
             name = f"yield stress over E of body {number}"
-            yield Doubt(Verdict(name, ratio, SOFTEST_YIELD, at_least=True), "Both are in pascals")
+            verdict = Verdict(name, ratio, SOFTEST_YIELD, at_least=True)
+            yield Doubt(verdict, lambda: "Both are in pascals")
     heated = [
         (number, heat.factor[number - 1], body)
         for number, body in enumerate(bodies, 1)
@@ -101,7 +103,7 @@ def warn_of_doubts(
     if not found:
         return None
     verdict, remedy, _ = found[0]
-    text = f"{verdict.name} is {verdict.shown}, and should be {verdict.condition}. {remedy}"
+    text = f"{verdict.name} is {verdict.shown}, and should be {verdict.condition}. {remedy()}"
     warnings.warn(text, UnitWarning, stacklevel=stacklevel + 1)
     return found[0]
 
@@ -111,9 +113,9 @@ def _of_constants(number: int, body: Material) -> Iterator[Doubt]:
     name = f"conductivity over diffusivity of body {number}, the heat that its volume holds,"
     for limit, least in zip(CAPACITIES, (True, False), strict=True):
         verdict = Verdict(name, conductivity / diffusivity, limit, least, "J/(m³ K)")
-        yield Doubt(verdict, f"Solids have 1e6 to 4e6; {_THERMAL}")
+        yield Doubt(verdict, lambda: f"Solids have 1e6 to 4e6; {_THERMAL}")
     verdict = Verdict(f"expansion of body {number}", expansion, LARGEST_EXPANSION, unit="1/K")
-    yield Doubt(verdict, "Steel has 1.2e-5 1/K")
+    yield Doubt(verdict, lambda: "Steel has 1.2e-5 1/K")
 
 
 def _of_rise(contact: Contact, number: int, factor: float, body: Material, heat: Heat) -> Doubt:
@@ -127,18 +129,20 @@ def _of_rise(contact: Contact, number: int, factor: float, body: Material, heat:
         size = min(size, math.sqrt(diffusivity * size / speed))
     rise = factor * contact.expected.contact.p0 * size / conductivity
     name = f"rise of the temperature of body {number} by frictional heat, about,"
-    return Doubt(
-        Verdict(name, rise, HOTTEST, unit="K"), f"The factor of heat is in m/s; {_THERMAL}"
-    )
+    verdict = Verdict(name, rise, HOTTEST, unit="K")
+    return Doubt(verdict, lambda: f"The factor of heat is in m/s; {_THERMAL}")
 
 
 def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material]) -> Iterator[Doubt]:
     expected, extent = contact.expected, contact.extent
-    said = f"{expected}. {likely_slips(contact, grid)}"
+
+    def said() -> str:
+        return f"{expected}. {likely_slips(contact, grid)}"
+
     share = max(a / R for a, R in zip(expected.semi_axes, contact.radii, strict=True))
     name = "half width of the Hertz contact over its radius"
-    remedy = f"{said}. Bodies are taken as half-spaces, and spheres as paraboloids"
-    yield Doubt(Verdict(name, share, LARGEST_PART), remedy, True)
+    taken = "Bodies are taken as half-spaces, and spheres as paraboloids"
+    yield Doubt(Verdict(name, share, LARGEST_PART), lambda: f"{said()}. {taken}", True)
     windows = max(
         2 * e / (n * d)
         for e, n, d in zip(extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
@@ -153,7 +157,7 @@ def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material])
     if grid.dz is not None and yields:
         name = "half width of the Hertz contact in layers"
         verdict = Verdict(name, wider * expected.semi_axes[1] / grid.dz, MOST_LAYERS)
-        yield Doubt(verdict, f"dz = {quantity(grid.dz, 'm')}, in metres")
+        yield Doubt(verdict, lambda: f"dz = {quantity(grid.dz or 0.0, 'm')}, in metres")
 
 
 def _flattened(contact: Contact, body: Material) -> float:

@@ -46,12 +46,9 @@ Stress pressure_stress(double x, double y, double z, double nu) {
   // tan T_z = x y/(z R), because (s + z R)(t + z R) - x^2 y^2 = z R (s + t + 2 z R).
   const double T_z = A_x + A_y;
   const double xx = z * x * y / (e.R * e.s), yy = z * x * y / (e.R * e.t);
-  return {xx - k * A_x - 2 * nu * T_z,
-          yy - k * A_y - 2 * nu * T_z,
-          -T_z - (xx + yy),
-          z * z * x / (e.R * e.t),
-          z * z * y / (e.R * e.s),
-          -z / e.R - k * std::log(e.R + z)};
+  return {
+      xx - k * A_x - 2 * nu * T_z, yy - k * A_y - 2 * nu * T_z, -T_z - (xx + yy),
+      z * z * x / (e.R * e.t),     z * z * y / (e.R * e.s),     -z / e.R - k * std::log(e.R + z)};
 }
 
 Stress shear_stress(double x, double y, double z, double nu) {
