@@ -58,24 +58,34 @@ void PaddedTransform::forward(const double* plane, Complex* spectrum, std::size_
   }
 }
 
-void PaddedTransform::filter(const double* plane, const Product& product, double* out,
-                             ComplexField& work) const {
-  const std::size_t pitch = pitch_of(nx_);
-  work.resize(mh() * pitch);
+void PaddedTransform::filter(const double* planes, int inputs, const Product& product, int outputs,
+                             double* out, ComplexField& work) const {
+  const std::size_t pitch = pitch_of(nx_), size = mh() * pitch,
+                    plane = static_cast<std::size_t>(nx_) * ny_;
+  work.resize(std::max(inputs, outputs) * size);
 #pragma omp parallel if (spectrum_size() >= worth_threads_cells)
   {
-    rows_.forward(plane, nx_, work.data(), pitch);
-    ComplexField padded(mx_), spectrum(mx_), result(mx_);
+    for (int c = 0; c < inputs; ++c) {
+      rows_.forward(planes + c * plane, nx_, work.data() + c * size, pitch);
+    }
+    ComplexField padded(mx_), spectra(static_cast<std::size_t>(inputs) * mx_),
+        results(static_cast<std::size_t>(outputs) * mx_);
 #pragma omp for schedule(static)
     for (int ky = 0; ky < mh(); ++ky) {
       Complex* column = work.data() + ky * pitch;
-      std::copy_n(column, nx_, padded.data());
-      fftw_execute_dft(column_forward_.get(), raw(padded.data()), raw(spectrum.data()));
-      product(ky, spectrum.data(), result.data());
-      fftw_execute_dft(column_inverse_.get(), raw(result.data()), raw(spectrum.data()));
-      std::copy_n(spectrum.data(), nx_, column);
+      for (std::ptrdiff_t c = 0; c < inputs; ++c) {
+        std::copy_n(column + c * size, nx_, padded.data());
+        fftw_execute_dft(column_forward_.get(), raw(padded.data()), raw(spectra.data() + c * mx_));
+      }
+      product(ky, spectra.data(), results.data());
+      for (std::ptrdiff_t c = 0; c < outputs; ++c) {
+        fftw_execute_dft(column_inverse_.get(), raw(results.data() + c * mx_), raw(spectra.data()));
+        std::copy_n(spectra.data(), nx_, column + c * size);
+      }
     }
-    rows_.inverse(work.data(), pitch, nx_, out);
+    for (int c = 0; c < outputs; ++c) {
+      rows_.inverse(work.data() + c * size, pitch, nx_, out + c * plane);
+    }
   }
 }
 

@@ -40,7 +40,7 @@ void PeriodicTransform::filter(const double* in, const double* quarter, double* 
     multiply(quarter + static_cast<std::size_t>(ky) * hx(), mx(),
              reinterpret_cast<const double*>(from), reinterpret_cast<double*>(to));
   };
-  plane_.filter(in, product, out, work);
+  plane_.filter(in, 1, product, 1, out, work);
 }
 
 }  // namespace samcontact::fft

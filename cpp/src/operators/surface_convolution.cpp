@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "samcontact/base/threads.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
 #include "samcontact/fft/periodic_transform.hpp"
 #include "samcontact/operators/parity_product.hpp"
@@ -55,39 +54,17 @@ void SurfaceConvolution::apply(std::span<const ParityKernel> kernels, const doub
     std::fill_n(to, transform_.mx(), Complex{});
     for (const ParityKernel& kernel : kernels) multiply(kernel, ky, from, to);
   };
-  transform_.filter(in, product, out, work);
+  transform_.filter(in, 1, product, 1, out, work);
 }
 
 void SurfaceConvolution::apply(std::span<const MatrixKernel> kernels, int inputs, const double* in,
                                int outputs, double* out, ComplexField& work) const {
-  const int mh = transform_.mh(), most = std::max(inputs, outputs);
   const std::ptrdiff_t mx = transform_.mx();
-  const std::size_t plane = static_cast<std::size_t>(transform_.nx()) * transform_.ny(),
-                    spectrum = transform_.spectrum_size();
-  work.resize(most * spectrum);
-  for (int c = 0; c < inputs; ++c) {
-    transform_.forward(in + c * plane, work.data() + c * spectrum, mx,
-                       fft::PaddedTransform::Threads::many);
-  }
-#pragma omp parallel if (work.size() >= worth_threads_cells)
-  {
-    ComplexField columns(static_cast<std::size_t>(outputs) * mx);
-#pragma omp for schedule(static)
-    for (int ky = 0; ky < mh; ++ky) {
-      Complex* values = work.data() + static_cast<std::size_t>(ky) * mx;
-      std::fill(columns.begin(), columns.end(), Complex{});
-      for (const auto& [to, from, kernel] : kernels) {
-        multiply(kernel, ky, values + from * spectrum, columns.data() + to * mx);
-      }
-      for (int c = 0; c < outputs; ++c) {
-        std::copy_n(columns.data() + c * mx, mx, values + c * spectrum);
-      }
-    }
-  }
-  for (int c = 0; c < outputs; ++c) {
-    transform_.inverse(work.data() + c * spectrum, out + c * plane, mx,
-                       fft::PaddedTransform::Threads::many);
-  }
+  const auto product = [&](int ky, const Complex* from, Complex* to) {
+    std::fill_n(to, outputs * mx, Complex{});
+    for (const auto& [at, of, kernel] : kernels) multiply(kernel, ky, from + of * mx, to + at * mx);
+  };
+  transform_.filter(in, inputs, product, outputs, out, work);
 }
 
 double SurfaceConvolution::cost() const {

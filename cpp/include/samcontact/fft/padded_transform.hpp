@@ -36,11 +36,14 @@ class PaddedTransform {
   enum class Threads { one, many };
 
   void forward(const double* plane, Complex* spectrum, std::size_t stride, Threads threads) const;
-  /// What makes column ky of a result's spectrum of that of a plane's: mx numbers, other places.
+  /// What makes columns ky of the results' spectra of those of the planes': mx numbers each, one
+  /// after the other, in other places.
   using Product = std::function<void(int ky, const Complex* in, Complex* out)>;
-  /// Forward, product and inverse, column by column: the spectrum passes once through memory. May
-  /// use several threads; out may be the plane, `work` is scratch that the caller keeps.
-  void filter(const double* plane, const Product& product, double* out, ComplexField& work) const;
+  /// Forward, product and inverse of planes one after the other, column by column: the spectra pass
+  /// once through memory. May use several threads; out may be the planes, `work` is scratch that
+  /// the caller keeps.
+  void filter(const double* planes, int inputs, const Product& product, int outputs, double* out,
+              ComplexField& work) const;
 
   /// Destroys the spectrum.
   void inverse(Complex* spectrum, double* plane, std::size_t stride, Threads threads) const;
