@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 GIVING: list[Callable[[], bool]] = []
 """What gives back memory that others need; whether there was some."""
 _SMALL = 64e6  # below this nobody needs to ask
-CONTACT, COUPLED_CONTACT, COUPLED_STICK_SLIP, HEATED_CONTACT = 145.0, 235.0, 320.0, 205.0
+CONTACT, COUPLED_CONTACT, COUPLED_STICK_SLIP, HEATED_CONTACT = 125.0, 215.0, 290.0, 185.0
 """Of a surface cell of an elastic contact: smooth; with shear that displaces; which sticks and
 slips, besides what the core asks for where there is contact; heated."""
 SIMULATION, STICK_SLIP_SIMULATION, YIELD_SCAN = 75.0, 275.0, 450.0
@@ -26,7 +26,7 @@ SIMULATION, STICK_SLIP_SIMULATION, YIELD_SCAN = 75.0, 275.0, 450.0
 finding where a body yields first."""
 SURFACE = 48.0
 """Of a surface cell: heights, and the waves of a rough one while they are made."""
-DISPLACEMENT = 80.0
+DISPLACEMENT = 65.0
 """Of a surface cell."""
 STRESS_OF_TRACTIONS, TEMPERATURE = 56.0, 35.0
 """Of a cell of a layer."""
