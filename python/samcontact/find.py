@@ -8,6 +8,7 @@ import os
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -30,7 +31,7 @@ from ._load_scenes import (
 )
 from ._progress import tell
 from ._repr import Rows, Shown, quantity
-from .grid_errors import estimate_errors
+from .grid_errors import estimated
 from .material import Material
 from .runs.journal import describe
 from .runs.solves import Solves
@@ -349,8 +350,8 @@ def _slope(points: Sequence[tuple[float, float]]) -> float:
 def _outcome(search: Search, load: float, missing: float, slope: float) -> FoundLoad:
     (simulation, path), states = search.run(load)
     try:
-        estimated = estimate_errors(simulation, path, states)
-        errors = [_relative(estimated.values[n], estimated.errors[n]) for n in search.parts]
+        beside = estimated(simulation, path, states, partial(search.solves.run, f"errors_{load!r}"))
+        errors = [_relative(beside.values[n], beside.errors[n]) for n in search.parts]
         if search.is_graded:  # kinks of strength are known to a layer
             errors.append(abs(search.on_coarse(load) - missing))
         error = max(errors)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -134,11 +134,21 @@ def estimate_errors(
         raise ValueError("path and states must be given with a simulation")
     if len(path) != len(states):
         raise ValueError(f"path and states must be as many, got {len(path)} and {len(states)}")
+    return estimated(run, path, states, lambda coarse, steps: coarse.run(steps, progress=False))
+
+
+def estimated(
+    run: Simulation,
+    path: Sequence[Mapping[str, Any]],
+    states: Sequence[State],
+    solve: Callable[[Simulation, Sequence[Mapping[str, Any]]], list[State]],
+) -> GridErrors:
+    """The same by a solve of the coarser simulation and its path that the caller keeps."""
     coarse = half_resolution.coarser(run, states[0]._heat)
     steps, which = half_resolution.coarser_path(path, run.grid)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of a grid that is not the user's
-        found = coarse.run(steps, progress=False)
+        found = solve(coarse, steps)
     names = _certified.names((run.body1, run.body2), volume=run.grid.has_volume)
     marks = _marks(states, names)
     shape = len(states)
