@@ -41,8 +41,13 @@ samcontact_fingerprint() {
 
 # samcontact_setup EXTRAS: EXTRAS is "" or e.g. "[dev]"; with extras warnings of the core are errors.
 samcontact_setup() {
-  local packages=(g++ libeigen3-dev libfftw3-dev) strict=OFF state
-  [ "$1" = "" ] || strict=ON
+  samcontact_prepare "$1"
+  samcontact_install "$1"
+}
+
+# System packages, and an environment with nothing in it yet.
+samcontact_prepare() {
+  local packages=(g++ libeigen3-dev libfftw3-dev)
   # The browser shows reports to their test; clang brings the sanitizers and the fuzzer; ccache
   # keeps what was compiled, for each of the builds.
   [ "$1" = "" ] ||
@@ -55,16 +60,23 @@ sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=
   if [ "$1" != "" ] && command -v ccache > /dev/null; then
     # What one checkout has compiled serves the others.
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
-    export CCACHE_SLOPPINESS=pch_defines,time_macros  # for the precompiled header
+    export CCACHE_SLOPPINESS=time_macros
   fi
   [ -x .venv/bin/python ] || python3 -m venv .venv
   mkdir -p build
+}
+
+samcontact_install() {
+  local strict=OFF own_headers=OFF state
+  # Precompiled headers hold the folder they were made in, so that ccache would help no other one.
+  [ "$1" = "" ] || strict=ON own_headers=ON
   state=$(samcontact_fingerprint)
   if [ "$(cat .venv/samcontact-state 2> /dev/null)" != "$state" ] ||
     { [ -n "$1" ] && ! grep -qxF -e "$1" .venv/samcontact-extras 2> /dev/null; }; then
     echo "Building and installing samcontact (a minute the first time) ..."
     .venv/bin/python -m pip install --quiet --disable-pip-version-check \
-      ${1:+--no-compile} --config-settings="cmake.define.SAMCONTACT_WERROR=$strict" ".$1"
+      ${1:+--no-compile} --config-settings="cmake.define.SAMCONTACT_WERROR=$strict" \
+      --config-settings="cmake.define.CMAKE_DISABLE_PRECOMPILE_HEADERS=$own_headers" ".$1"
     echo "$state" > .venv/samcontact-state
     echo "$1" >> .venv/samcontact-extras
   fi
