@@ -57,10 +57,12 @@ samcontact_prepare() {
   python3 -c 'import os, sysconfig as s, sys
 sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=(python3-dev)
   samcontact_system_packages "${packages[@]}"
+  # Tests start hundreds of processes, each of which would compile what it imports.
+  [ "$1" = "" ] || unset PYTHONDONTWRITEBYTECODE
   if [ "$1" != "" ] && command -v ccache > /dev/null; then
     # What one checkout has compiled serves the others.
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
-    export CCACHE_SLOPPINESS=time_macros
+    export CCACHE_SLOPPINESS=time_macros CCACHE_EXTRAFILES=$PWD/cmake/elsewhere.txt
   fi
   [ -x .venv/bin/python ] || python3 -m venv .venv
   mkdir -p build
