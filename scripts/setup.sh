@@ -45,7 +45,7 @@ samcontact_setup() {
   samcontact_install "$1"
 }
 
-# System packages, and an environment with nothing in it yet.
+# System packages, and an environment with nothing in it yet but what builds.
 samcontact_prepare() {
   local packages=(g++ libeigen3-dev libfftw3-dev)
   # The browser shows reports to their test; clang brings the sanitizers and the fuzzer; ccache
@@ -63,8 +63,12 @@ sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=
     # What one checkout has compiled serves the others.
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
     export CCACHE_SLOPPINESS=time_macros CCACHE_EXTRAFILES=$PWD/cmake/elsewhere.txt
+    export CXX=${CXX:-g++}  # by one name: to ccache c++ is another compiler
   fi
   [ -x .venv/bin/python ] || python3 -m venv .venv
+  # Headers of an isolated build are in another folder each time, where ccache does not know them.
+  [ "$1" = "" ] || [ -x .venv/bin/ninja ] || .venv/bin/python -m pip install --quiet \
+    --disable-pip-version-check cmake ninja "scikit-build-core>=0.10" "pybind11>=2.12"
   mkdir -p build
 }
 
@@ -77,7 +81,7 @@ samcontact_install() {
     { [ -n "$1" ] && ! grep -qxF -e "$1" .venv/samcontact-extras 2> /dev/null; }; then
     echo "Building and installing samcontact (a minute the first time) ..."
     .venv/bin/python -m pip install --quiet --disable-pip-version-check \
-      ${1:+--no-compile} --config-settings="cmake.define.SAMCONTACT_WERROR=$strict" \
+      ${1:+--no-compile --no-build-isolation} --config-settings="cmake.define.SAMCONTACT_WERROR=$strict" \
       --config-settings="cmake.define.CMAKE_DISABLE_PRECOMPILE_HEADERS=$own_headers" ".$1"
     echo "$state" > .venv/samcontact-state
     echo "$1" >> .venv/samcontact-extras
