@@ -7,8 +7,8 @@ import difflib
 import math
 import os
 import sys
-import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
+from decimal import Decimal
 from itertools import islice
 from numbers import Integral, Real
 from pathlib import Path
@@ -16,6 +16,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from ._short import in_short
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
@@ -27,6 +29,9 @@ MOST_STRESS = 1e75
 """Like the largest load and modulus [Pa]: products stay in the range of numbers."""
 MOST_STEPS = 100_000
 """Increments of one path: more would take months, and a slip of the pen fills the memory."""
+MOST_NUMBER = 1e300
+"""Of a size, in SI units: products of larger ones leave the range of numbers."""
+_NOT_REAL = (bool, np.bool_, np.timedelta64)  # to Python or NumPy these are numbers
 
 
 def _has_unit(value: Any) -> bool:
@@ -34,26 +39,40 @@ def _has_unit(value: Any) -> bool:
     return hasattr(value, "to_base_units")
 
 
-def escaped(text: str) -> str:
-    """Text without control characters, which would command a terminal; lines and tabs stay."""
-    return "".join(
-        repr(c)[1:-1] if unicodedata.category(c) in ("Cc", "Cs") and c not in "\n\t" else c
-        for c in text
-    )
-
-
 def number(name: str, value: Any) -> float:
     """Return `value` as a float; raise TypeError unless it is a real number (not a bool)."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
-    # to NumPy a span of time is an integer
-    if isinstance(value, (bool, np.bool_, np.timedelta64)) or not isinstance(value, Real):
-        hint = ": convert it with samcontact.units.si" if _has_unit(value) else ""
-        raise TypeError(f"{name} must be a number, got {value!r}{hint}")
+    if isinstance(value, _NOT_REAL) or not isinstance(value, Real):
+        raise TypeError(f"{name} must be a number, got {in_short(value)}{_slip(value)}")
     try:
-        return float(value) + 0.0  # never -0.0
-    except OverflowError as error:
-        raise ValueError(f"{name} must be a finite number, got one beyond 1e308") from error
+        found = float(value) + 0.0  # never -0.0
+    except OverflowError:  # a whole number of more than 308 digits
+        found = sys.float_info.max
+    if MOST_NUMBER < abs(found) < math.inf or (math.isinf(found) and value != found):
+        raise ValueError(
+            f"{name} must be a number of a size up to {MOST_NUMBER:g}, got {in_short(value)}"
+        )
+    return found
+
+
+def _slip(value: Any) -> str:
+    """What to do with something that is not a number."""
+    if _has_unit(value):
+        return ": convert it with samcontact.units.si"
+    if isinstance(value, str):
+        return ': write it without quotes, or convert it with samcontact.units.si("...", unit)'
+    if isinstance(value, (bool, np.bool_)):
+        return ": a truth value is no number"
+    return ""
+
+
+def boolean(name: str, value: Any) -> bool:
+    """Return `value` as a bool; raise TypeError for all else, such as "no", which Python takes
+    for true."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} must be True or False, got {in_short(value)}")
+    return bool(value)
 
 
 def finite(name: str, value: Any) -> float:
@@ -67,7 +86,7 @@ def finite(name: str, value: Any) -> float:
 def require_type(name: str, value: Any, kind: type) -> None:
     """Raise TypeError naming the argument unless `value` is a `kind`."""
     if not isinstance(value, kind):
-        raise TypeError(f"{name} must be a samcontact.{kind.__name__}, got {value!r}")
+        raise TypeError(f"{name} must be a samcontact.{kind.__name__}, got {in_short(value)}")
 
 
 def positive(name: str, value: Any, *, allow_inf: bool = False) -> float:
@@ -99,13 +118,15 @@ def integer(
     name: str, value: Any, minimum: int | None = None, largest: int | None = MOST_COUNT
 ) -> int:
     """Return `value` as an int, >= `minimum`, of a size up to `largest`."""
-    if isinstance(value, (bool, np.bool_, np.timedelta64)) or not isinstance(value, Integral):
-        raise TypeError(f"{name} must be an integer, got {value!r}")
+    if isinstance(value, _NOT_REAL) or not isinstance(value, Integral):
+        raise TypeError(f"{name} must be an integer, got {in_short(value)}")
     if minimum is not None and value < minimum:
-        raise ValueError(f"{name} must be an integer >= {minimum}, got {value}")
+        raise ValueError(f"{name} must be an integer >= {minimum}, got {in_short(value)}")
     count = int(value)
     if largest is not None and abs(count) > largest:
-        raise ValueError(f"{name} must be an integer of a size up to {largest}, got {count:.6g}")
+        raise ValueError(
+            f"{name} must be an integer of a size up to {largest}, got {in_short(count)}"
+        )
     return count
 
 
@@ -154,10 +175,15 @@ def step_count(name: str, value: Any) -> int:
 
 def choice(name: str, value: Any, allowed: tuple[Any, ...]) -> Any:
     """Return `value` when it is one of `allowed`."""
-    if (np.ndim(value) if isinstance(value, np.ndarray) else 0) or value not in allowed:
-        listed = ", ".join(repr(item) for item in allowed)
-        raise ValueError(f"{name} must be one of {listed}, got {value!r}")
-    return allowed[allowed.index(value)]  # 2 where 2.0 was given
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value[()]
+    for item in allowed:
+        # True and 1 + 0j are equal to 1; 2.0 is taken for 2
+        alike = Real if isinstance(item, Real) else type(item)
+        if isinstance(value, alike) and not isinstance(value, _NOT_REAL) and value == item:
+            return item
+    listed = ", ".join(repr(item) for item in allowed)
+    raise ValueError(f"{name} must be one of {listed}, got {in_short(value)}")
 
 
 def axis_number(axis: Any) -> int:
@@ -200,16 +226,30 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
             f"{name} must have its axes in the order x, y, z, got {value.dims}: "  # type: ignore[union-attr]
             f"use .transpose({', '.join(map(repr, sorted(axes)))})"
         )
+    wrong = in_short(value)
     try:
         given = np.asarray(value)
-        _require_numbers(given)
-        return np.asarray(given, dtype=np.float64)
-    except OverflowError as error:
-        raise ValueError(f"{name} must be finite everywhere, got a number beyond 1e308") from error
-    except (TypeError, ValueError) as error:
-        raise TypeError(
-            f"{name} must be an array of numbers, got {type(value).__name__}: {error}"
-        ) from error
+        wrong = " and ".join(sorted(_not_numbers(value, given)))
+        array = np.asarray(given, dtype=np.float64) if not wrong else None
+    except OverflowError:  # a whole number of more than 308 digits
+        array = np.array(sys.float_info.max)
+    except Exception:  # rows of different lengths, and whatever the conversion of an object raises
+        array = None
+    if array is None:
+        what = "an array of numbers, whose rows are equally long"
+        raise TypeError(f"{name} must be {what}, got {wrong or in_short(value)}")
+    if array.size and max(-_finite_end(np.fmin, array), _finite_end(np.fmax, array)) > MOST_NUMBER:
+        raise ValueError(
+            f"{name} must be finite everywhere and of a size up to {MOST_NUMBER:g}, "
+            f"got {in_short(value)}"
+        )
+    return array
+
+
+def _finite_end(end: np.ufunc, array: FloatArray) -> float:
+    """The smallest or largest of all values but NaN; 0 where that is infinite."""
+    found = float(end.reduce(array, axis=None))
+    return found if math.isfinite(found) else 0.0
 
 
 def _masked_values(value: ArrayLike) -> int:
@@ -221,14 +261,28 @@ def _masked_values(value: ArrayLike) -> int:
     return sum(int(np.sum(p.mask)) for p in parts if isinstance(p, np.ma.MaskedArray))
 
 
-def _require_numbers(given: NDArray[Any]) -> None:
-    """NumPy would read texts, count days and take a mask for heights without a word."""
-    kinds = {np.dtype(type(v)).kind for v in given.flat} if given.dtype.kind == "O" else set()
-    wrong = ({given.dtype.kind} | kinds) - set("iufO")
-    if wrong:
-        names = {"b": "truth values", "c": "complex numbers", "S": "texts", "U": "texts"}
-        names |= {"m": "spans of time", "M": "dates"}
-        raise TypeError(" and ".join(sorted({names.get(kind, "records") for kind in wrong})))
+def _not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:
+    """What NumPy would take for numbers without a word, and what it could not convert."""
+    names = {"b": "truth values", "c": "complex numbers", "S": "texts", "U": "texts"}
+    names |= {"m": "spans of time", "M": "dates"}
+    if given.dtype.kind not in "iufO":
+        return {names.get(given.dtype.kind, "records")}
+    # of a list with truth values among numbers, NumPy makes an array of numbers
+    kinds = _kinds(given.flat if given.dtype.kind == "O" else value)
+    wrong = {k for k in kinds if not issubclass(k, (Real, Decimal)) or issubclass(k, _NOT_REAL)}
+    return {names.get(np.dtype(kind).kind, kind.__name__) for kind in wrong}
+
+
+def _kinds(value: Any) -> set[type]:
+    """Kinds of the entries of nested lists; arrays among them have one that NumPy tells."""
+    if isinstance(value, np.ndarray):
+        return {value.dtype.type}
+    if not isinstance(value, (list, tuple, np.flatiter)):
+        return set()
+    found = set(map(type, value))
+    if not any(issubclass(kind, (list, tuple, np.ndarray)) for kind in found):
+        return found
+    return set().union(*(_kinds(item) for item in value))
 
 
 def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
@@ -264,7 +318,7 @@ def of_bodies(name: str, value: float | Sequence[float]) -> tuple[float, float]:
 def file_path(name: str, value: Any) -> Path:
     """Return `value` as the path of a file or folder."""
     if not isinstance(value, (str, os.PathLike)):
-        raise TypeError(f"{name} must be a path, got {value!r}")
+        raise TypeError(f"{name} must be a path, got {in_short(value)}")
     text = os.fspath(value)
     if not text or "\0" in text:
         raise ValueError(f"{name} must be a path without NUL that is not empty, got {text!r}")

@@ -17,6 +17,7 @@ import numpy as np
 from . import _core
 from ._checks import number, real_array
 from ._frozen import FrozenDict
+from ._short import in_short
 
 
 @dataclass(frozen=True)
@@ -71,9 +72,9 @@ def _values(name: str, given: Any) -> tuple[float, ...]:
 def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
     """All constants of a law, in its order; their ranges are checked by the core."""
     if not isinstance(law, str) or law not in LAWS:
-        raise ValueError(f"law must be one of {', '.join(LAWS)}, got {law!r}")
+        raise ValueError(f"law must be one of {', '.join(LAWS)}, got {in_short(law)}")
     if not isinstance(given, Mapping):
-        raise TypeError(f"parameters must be a mapping of names to numbers, got {given!r}")
+        raise TypeError(f"parameters must be a mapping of names to numbers, got {in_short(given)}")
     names = LAWS[law].constants
     if set(given) != set(names):
         raise ValueError(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _certified, half_resolution
 from ._quantities import described
+from ._short import in_short
 from ._tensors import von_mises
 from .layered import Layered
 from .material import Material
@@ -77,7 +78,8 @@ def resolved(name: str, simulation: Simulation) -> str:
     if not found or name == "load":
         allowed = [one for one in known if one != "load"]
         raise ValueError(
-            f"quantity must be one of {', '.join(allowed)}, {PERMANENT}, yield, got {name!r}"
+            f"quantity must be one of {', '.join(allowed)}, {PERMANENT}, yield, "
+            f"got {in_short(name)}"
         )
     return name if name in found else ",".join(found)
 

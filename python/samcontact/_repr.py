@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import fields
 from html import escape
 from typing import Any
 
-import numpy as np
-
 from ._laws import LAWS
+from ._short import in_short
 
 Rows = Sequence[tuple[str, str]]
 LONGEST = 160
@@ -95,28 +94,12 @@ def html_table(title: str, rows: Rows) -> str:
     return f"<table>{caption}<tbody>{body}</tbody></table>"
 
 
-def in_short(value: Any) -> str:
-    """One value of a repr: large ones by kind and size."""
-    if isinstance(value, np.ndarray) and value.ndim > 0:
-        shape = " x ".join(map(str, value.shape))
-        known = value[~np.isnan(value)] if value.dtype.kind == "f" else value
-        span = f", {known.min():.4g} to {known.max():.4g}" if known.size else ""
-        lost = f", {value.size - known.size} NaN" if known.size < value.size else ""
-        return f"<array {shape}{span}{lost}>"
-    if isinstance(value, (list, tuple, Mapping)) and len(value) > LONGEST // 10:
-        return f"<{type(value).__name__} of {len(value)}>"
-    text = repr(value)
-    if len(text) <= LONGEST:
-        return text
-    return f"{text[: LONGEST // 2]}...'" if isinstance(value, str) else f"<{type(value).__name__}>"
-
-
 class Brief:
     """A dataclass without a repr of its own, which may hold arrays."""
 
     def __repr__(self) -> str:
         shown = [field.name for field in fields(self) if field.repr]  # type: ignore[arg-type]
-        listed = ", ".join(f"{name}={in_short(getattr(self, name))}" for name in shown)
+        listed = ", ".join(f"{name}={in_short(getattr(self, name), LONGEST)}" for name in shown)
         return f"{type(self).__name__}({listed})"
 
 

@@ -8,7 +8,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
-from ._checks import step_list
+from ._checks import boolean, step_list
 from ._progress import progress_bar
 from ._steps import STEP, largest_cold_load, largest_target
 from ._window import Windowed
@@ -117,6 +117,7 @@ class Running(Windowed):
             cells across, an area of spots uncertain by 10 %, a plastic zone fewer than 8 layers
             high or layers too thick to see.
         """
+        boolean("progress", progress)
         states: list[State] = []
         try:
             self._run_into(states, step_list("path", path, STEP), progress, checkpoint)

@@ -22,6 +22,7 @@ from ._checks import (
     tractions,
 )
 from ._heating import Bodies, heating, require_reference
+from ._short import in_short
 from .friction import Coulomb, GivenAlong, given_along, require_heat_of
 from .grid import Grid
 from .heat import Heat
@@ -94,16 +95,16 @@ def checked_step(
     first, second = (in_cells("advance", float(way), grid.dx) for way in ways)
     if grid.along_x and (first, second) != (0.0, 0.0):
         raise ValueError(
-            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got {advance!r}: a "
-            "body that repeats itself along x does not leave the grid"
+            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got "
+            f"{(first, second)!r}: a body that repeats itself along x does not leave the grid"
         )
     tangential = given_along(friction, shift, tangential_load, twist, torque)
     _require_possible(friction, tangential, pressure, shear, torque, (first, second))
     lasts = _duration(heat, duration)
     if heat_factor is not None and heat.partition is not None:
         raise ValueError(
-            f"heat_factor must be left out with heat.partition, got {heat_factor!r}: the heat is "
-            "that of the slip"
+            f"heat_factor must be left out with heat.partition, "
+            f"got {in_short(heat_factor)}: the heat is that of the slip"
         )
     if heat_factor is not None:
         heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
@@ -139,8 +140,8 @@ def _require_possible(
         )
     if torque is not None and advance != (0.0, 0.0):
         raise ValueError(
-            f"torque must be left out where the bodies move on, got {torque!r} with advance: give "
-            "the twist, spin times the way"
+            f"torque must be left out where the bodies move on, got {in_short(torque)} "
+            "with advance: give the twist, spin times the way"
         )
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from ._heating import heating
 from ._settings import Settings
+from ._short import in_short
 from ._window import Surfaces, Window, require_continued
 from .friction import Coulomb
 from .grid import Grid
@@ -170,7 +171,7 @@ def read_checkpoint(
         law1, law2 = softening
     except (TypeError, ValueError) as error:
         raise TypeError(
-            f"softening must be a pair, (law of body 1, law of body 2), got {softening!r}"
+            f"softening must be a pair, (law of body 1, law of body 2), got {in_short(softening)}"
         ) from error
     tree = read(path, KIND)
     try:

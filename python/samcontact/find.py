@@ -15,7 +15,7 @@ import numpy as np
 import scipy
 
 from . import _certified, half_resolution
-from ._checks import FloatArray, number, positive
+from ._checks import FloatArray, boolean, number, positive
 from ._core import ConvergenceError
 from ._load_scenes import (
     PERMANENT,
@@ -260,6 +260,7 @@ def searched(
     progress: bool,
 ) -> Search:
     """What `find_load` does, before anything is solved."""
+    boolean("progress", progress)
     target, relative = positive("value", value), number("tolerance", tolerance)
     if not 1e-8 <= relative <= 0.1:
         raise ValueError(f"tolerance must be in [1e-8, 0.1], got {tolerance!r}")

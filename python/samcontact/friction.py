@@ -12,6 +12,7 @@ import numpy as np
 from . import _core
 from ._checks import FloatArray, finite, finite_array, in_cells, number, require_type
 from ._repr import Shown
+from ._short import in_short
 from .grid import Grid
 from .heat import Heat
 from .solution import Before, ContactSolution, ShearedSolution, StickSlipSolution, before_on
@@ -304,7 +305,7 @@ def pair_of(name: str, pair: Any) -> list[float | None]:
     if pair is None:
         return [None, None]
     if isinstance(pair, (str, Mapping)) or not hasattr(pair, "__len__") or np.ndim(pair) == 0:
-        raise TypeError(f"{name} must be two numbers, along x and y, got {pair!r:.80}")
+        raise TypeError(f"{name} must be two numbers, along x and y, got {in_short(pair)}")
     if len(pair) != 2:
         raise ValueError(f"{name} must be two numbers, along x and y, got {len(pair)}")
     return [_maybe(f"{name} along {a}", v) for a, v in zip(_DIRECTIONS, pair, strict=True)]

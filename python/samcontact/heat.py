@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._checks import finite, finite_array, non_negative, number, of_bodies, positive
+from ._short import in_short
 
 if TYPE_CHECKING:
     from .material import Material
@@ -84,8 +85,8 @@ class Heat:
             raise ValueError("give history or time of heat, not both")
         if partition is not None and history is not None:
             raise ValueError(
-                f"history must be None with partition, got {history!r}: heat of slip is that of a "
-                "source in the steady state, or for a time; give time"
+                f"history must be None with partition, got {in_short(history)}: heat of slip is "
+                "that of a source in the steady state, or for a time; give time"
             )
         factors = of_bodies("factor", factor)
         checked = {
@@ -98,8 +99,8 @@ class Heat:
         }
         if partition is not None and any(factors):
             raise ValueError(
-                f"factor must be 0 with partition, got {factor!r}: the heat is that of the slip, "
-                "not of the pressure"
+                f"factor must be 0 with partition, got {in_short(factor)}: the heat is that of the "
+                "slip, not of the pressure"
             )
         for name, value in checked.items():
             object.__setattr__(self, name, value)
@@ -140,7 +141,7 @@ def _velocities(velocity: ArrayLike | None) -> tuple[Pair, Pair]:
 def _history(history: Sequence[float]) -> Pair:
     given = list(history) if np.ndim(history) == 1 else []
     if len(given) != 2:
-        raise ValueError(f"history must be a pair (shortest, longest) [s], got {history!r}")
+        raise ValueError(f"history must be a pair (shortest, longest) [s], got {in_short(history)}")
     shortest, longest = (positive("history", value) for value in given)
     if not shortest <= longest:  # equal: a single step
         raise ValueError(

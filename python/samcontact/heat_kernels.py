@@ -28,6 +28,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._checks import FloatArray, finite, non_negative, number, positive, real_array
+from ._short import in_short
 from .kernels import _constants, _depths, _points, _sizes
 
 Velocity = tuple[float, float]
@@ -253,7 +254,9 @@ class _Table:
         if not self.time >= 0.0:
             raise ValueError(f"time must be a number >= 0 [s] (inf allowed), got {self.time!r}")
         if np.shape(velocity) != (2,):
-            raise ValueError(f"velocity must be two numbers (Vx, Vy) [m/s], got {velocity!r}")
+            raise ValueError(
+                f"velocity must be two numbers (Vx, Vy) [m/s], got {in_short(velocity)}"
+            )
         speeds = [finite(f"velocity[{n}]", velocity[n]) / kappa for n in (0, 1)]
         self.speed = (speeds[0], speeds[1])
         self._check_range(kappa)

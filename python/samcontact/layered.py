@@ -17,13 +17,14 @@ from ._checks import FloatArray, finite, positive, real_array, require_type
 from ._frozen import FrozenDict
 from ._graded import checked_depths
 from ._repr import Rows, Shown, material_in_short, quantity
+from ._short import in_short
 from .grid import Grid
 from .material import Material
 
 
 def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
     if isinstance(given, Material) or not isinstance(given, Iterable):
-        raise TypeError(f"layers must be a list of (material, thickness), got {given!r}")
+        raise TypeError(f"layers must be a list of (material, thickness), got {in_short(given)}")
     layers = []
     for n, layer in enumerate(given):
         if isinstance(layer, Material) or not isinstance(layer, Sequence) or len(layer) != 2:

@@ -15,6 +15,7 @@ from ._checks import FloatArray, number, real_array
 from ._graded import PARTS, Graded, Profile, profile
 from ._laws import checked_constants, core_material
 from ._repr import Rows, Shown, material_rows
+from ._short import in_short
 
 
 def _many(value: Any) -> list[Any]:
@@ -26,7 +27,7 @@ def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
     """Constants that belong together, e.g. those of heat."""
     values = _many(given)
     if len(values) != len(parts):
-        raise ValueError(f"{name} must hold {', '.join(parts)}, got {given!r}")
+        raise ValueError(f"{name} must hold {', '.join(parts)}, got {in_short(given)}")
     return tuple(number(part, value) for part, value in zip(parts, values, strict=True))
 
 
@@ -74,7 +75,7 @@ class Material(Graded, Shown):
                 object.__setattr__(self, name, profile(name, getattr(self, name)))
         if self.is_plastic and not np.isfinite(self.yield_stress(0.0)):
             raise ValueError(
-                f"the yield stress of {self!r} must be finite: its constants are too large"
+                f"yield stress of law {self.law} must be finite: its constants are too large"
             )
 
     @classmethod
@@ -261,7 +262,7 @@ class Material(Graded, Shown):
 
     def _check_softening(self, law: Any) -> None:
         if not callable(law):
-            raise TypeError(f"law must be callable, got {law!r}")
+            raise TypeError(f"law must be callable, got {in_short(law)}")
         if not self.is_plastic:
             raise ValueError("softening needs a body that yields, not an elastic one")
 

@@ -20,6 +20,7 @@ from ._checks import (
     tractions,
 )
 from ._settings import Settings
+from ._short import in_short
 from .grid import Grid
 
 
@@ -41,7 +42,7 @@ def depths_of(z: ArrayLike) -> FloatArray:
     depths = np.atleast_1d(real_array("z", z))
     if depths.ndim != 1 or not ((depths <= 1e75) & (depths >= 0)).all():
         raise ValueError(
-            f"z must be a one-dimensional array of depths >= 0 [m], up to 1e75, got {z!r}"
+            f"z must be a one-dimensional array of depths >= 0 [m], up to 1e75, got {in_short(z)}"
         )
     return depths
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ._checks import FloatArray, choice, finite_array, integer, real_array
+from ._checks import FloatArray, boolean, finite_array, integer, real_array
 from ._frozen import read_only
 from ._repr import Brief
 from .grid import Grid
@@ -57,7 +57,7 @@ class Relief(Brief):
         checked = np.array(finite_array("heights", heights, heights.shape), order="C")
         object.__setattr__(self, "heights", read_only(checked))
         object.__setattr__(self, "first", integer("first", self.first))
-        object.__setattr__(self, "periodic", bool(choice("periodic", self.periodic, (True, False))))
+        object.__setattr__(self, "periodic", boolean("periodic", self.periodic))
         if self.worn is not None:
             worn = np.array(finite_array("worn", self.worn, heights.shape), order="C")
             if (worn < 0).any():

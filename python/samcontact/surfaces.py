@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from . import _memory
 from ._checks import FloatArray, choice, finite_array, integer, non_negative, number, positive
+from ._short import in_short
 
 __all__ = [
     "cylinder",
@@ -79,7 +80,9 @@ def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatAr
     with np.errstate(over="ignore"):
         gap = np.asarray(0.5 * x**2 / Rx + 0.5 * y**2 / Ry, dtype=np.float64)
     if not np.isfinite(gap).all():
-        raise ValueError(f"Rx and Ry must give a finite gap on the grid, got {Rx!r} and {Ry!r}")
+        raise ValueError(
+            f"Rx and Ry must give a finite gap on the grid, got {Rx!r} and {in_short(Ry)}"
+        )
     return gap
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _memory
-from ._checks import FloatArray, axis_number
+from ._checks import FloatArray, axis_number, boolean
 from ._frozen import Fixed, read_only
 from ._kept import kept
 from ._quantities import CONTACT, TRACK
@@ -126,7 +126,7 @@ class Track(Fixed):
         plane, tensor = ("x", "y"), ("component", "x", "y", "z")
         fields: dict[str, tuple[str, ...]] = {"residual_displacement": plane}
         coordinates = {"x": TRACK["x"].variable("x", self.x, self.body)}
-        layered = volume and self.grid.has_volume
+        layered = boolean("volume", volume) and self.grid.has_volume
         if layered:
             fields |= {
                 "residual_stress": tensor,

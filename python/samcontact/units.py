@@ -14,6 +14,8 @@ from typing import Any
 
 import numpy as np
 
+from ._short import in_short
+
 __all__ = ["si"]
 
 _TEXT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.DOTALL)
@@ -37,7 +39,9 @@ def from_text(text: str, unit: str) -> float:
     match = _TEXT.fullmatch(text)
     # pint reads up to a semicolon, comment or new line, and forgets the rest
     if match is None or not match.group(2) or re.search(r"[;#\n\r]", match.group(2)):
-        raise ValueError(f"must be a number and a unit that converts to {unit}, got {text!r}")
+        raise ValueError(
+            f"must be a number and a unit that converts to {unit}, got {in_short(text)}"
+        )
     registry = _registry()
     number = Decimal(match.group(1))
     try:
@@ -46,10 +50,10 @@ def from_text(text: str, unit: str) -> float:
         found = float(exact)
     except Exception as error:  # pint lets errors of Python's tokenizer through as well
         raise ValueError(
-            f"must be a number and a unit that converts to {unit}, got {text!r}"
+            f"must be a number and a unit that converts to {unit}, got {in_short(text)}"
         ) from error
     if math.isinf(found) or (found == 0.0 and exact != 0):
-        raise ValueError(f"must be within the range of numbers, got {text!r:.80}")
+        raise ValueError(f"must be within the range of numbers, got {in_short(text)}")
     return found
 
 
@@ -96,6 +100,6 @@ def si(value: Any, unit: str) -> Any:
         raise ValueError("value must be defined everywhere, got masked values")
     array = np.asarray(value)
     if array.dtype == bool or array.dtype.kind not in "iufO":
-        raise TypeError(f"value must be a number, a quantity or a text, got {value!r}")
+        raise TypeError(f"value must be a number, a quantity or a text, got {in_short(value)}")
     array = array.astype(np.float64)
     return float(array) if array.ndim == 0 else array

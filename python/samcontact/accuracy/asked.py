@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .. import _memory
-from .._checks import positive
+from .._checks import boolean, positive
 from .outcome import Accurate
 from .run import OF_INCREMENTS, Search
 from .scene import Refinable
@@ -93,6 +93,7 @@ def searched(
     progress: bool = False,
 ) -> Search:
     """What `to_accuracy` does, before anything is solved."""
+    boolean("progress", progress)
     known = _case(case, accuracy)
     scene = Refinable(known)
     asked = _asked(scene, known, accuracy, quantities)

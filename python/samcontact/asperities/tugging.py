@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from .. import resolution, surfaces
-from .._checks import integer, require_type
+from .._checks import boolean, integer, require_type
 from .._progress import progress_bar
 from .._repr import Brief
 from ..grid import Grid
@@ -103,6 +103,8 @@ def tug(
         An error of a later increment has the result of those before in its attribute `result`; what
         belongs to a pass is NaN in one that has not come to its end.
     """
+    boolean("progress", progress)
+    boolean("back_and_forth", back_and_forth)
     require_type("collision", collision, Collision)
     require_homogeneous("asperities that tug are homogeneous", body1, body2)
     require_type("grid", grid, Grid)

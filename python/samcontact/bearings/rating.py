@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 from .. import hertz
 from .._checks import integer, non_negative, positive
+from .._short import in_short
 from .loads import stribeck_load
 from .races import RaceContact
 
@@ -81,7 +82,7 @@ def _load_at(race: RaceContact, pressure: float, E_star: float, length: float | 
         line = hertz.line(race.Rx, E_star, p0=pressure)
         return line.load_per_length * positive("length", length)
     if length is not None:
-        raise ValueError(f"length is of rollers without a crown only, got {length!r}")
+        raise ValueError(f"length is of rollers without a crown only, got {in_short(length)}")
     return hertz.elliptic(race.Rx, race.Ry, E_star, p0=pressure).load
 
 

@@ -19,7 +19,8 @@ from pydantic import (
 )
 
 from .. import measured
-from .._checks import FloatArray, escaped
+from .._checks import FloatArray
+from .._short import escaped, in_short
 from ..measured.files import is_plain, plain_heights
 from ..units import from_text
 
@@ -35,7 +36,7 @@ def convert(value: Any, unit: str) -> Any:
     try:
         return from_text(value, unit)
     except ImportError as error:  # pydantic collects errors of value only
-        raise ValueError(f"{error}; got {value!r}") from error
+        raise ValueError(f"{error}; got {in_short(value)}") from error
 
 
 def in_unit(name: str) -> BeforeValidator:
@@ -61,7 +62,7 @@ Velocity = Annotated[
 
 def require_printable(text: str) -> None:
     if escaped(text) != text:
-        raise ValueError(f"must be text without control characters, got {text!r:.80}")
+        raise ValueError(f"must be text without control characters, got {in_short(text)}")
 
 
 class CaseError(ValueError):

@@ -15,7 +15,7 @@ from pydantic import BeforeValidator, Field, ValidationError, model_validator
 from .. import _memory, paths
 from .. import hertz as _hertz
 from .._heating import COLD, heating
-from .._repr import in_short
+from .._short import in_short
 from ..layered import softest
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel, Discriminator
 
-from .._repr import in_short
+from .._short import in_short
 
 # What users call fields, without signs between words.
 _WORDS = {

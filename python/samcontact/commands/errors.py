@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from .._checks import escaped
+from .._short import escaped
 from .signals import exit_code
 
 BAD_INPUT = 2

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from .._short import in_short
 from .arguments import FilePath, Quantity
 from .errors import short_errors
 
@@ -45,7 +46,7 @@ def find(
         name, given, text = target.partition("=")
         value = _value(name.strip(), text.strip()) if given else 1.0
         if not given and name != "yield":
-            raise ValueError(f"QUANTITY=VALUE must have a value, got {target!r}")
+            raise ValueError(f"QUANTITY=VALUE must have a value, got {in_short(target)}")
         search = searched(
             case, name.strip(), value, tolerance=tolerance, largest_load=largest_load,
             progress=not quiet,

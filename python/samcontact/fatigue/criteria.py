@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from .. import _core
 from .._checks import FloatArray, choice, non_negative, positive, require_type
 from .._frozen import FrozenDict, read_only
+from .._short import in_short
 from ..layered import Layered
 from ..material import Material
 from ..state import State
@@ -243,7 +244,9 @@ def _as_cycle(states: Cycle | Sequence[State] | ArrayLike, body: int | None) -> 
     if not isinstance(states, Cycle):
         return cycle(states, body)
     if body is not None:
-        raise ValueError(f"body must not be given with a Cycle, which has its own, got {body!r}")
+        raise ValueError(
+            f"body must not be given with a Cycle, which has its own, got {in_short(body)}"
+        )
     return states
 
 

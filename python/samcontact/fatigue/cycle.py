@@ -16,6 +16,7 @@ from .. import _memory
 from .._checks import MOST_STRESS, FloatArray, choice, real_array
 from .._frozen import FrozenDict, read_only
 from .._repr import Rows, Shown, counts, lengths
+from .._short import in_short
 from ..layered import Body
 from ..state import State, in_one_window
 from .paths import GivenPaths, Passing, Paths, StatePaths
@@ -210,7 +211,7 @@ def passing(
 
 def _of_no_body(body: Any) -> None:
     if body is not None:
-        raise ValueError(f"body must not be given with an array of stress, got {body!r}")
+        raise ValueError(f"body must not be given with an array of stress, got {in_short(body)}")
 
 
 def _tensors(name: str, given: Any, shape: str, axis: int) -> FloatArray:

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.lib.format import MAGIC_PREFIX
 
 from .._checks import FloatArray, choice, positive
+from .._short import in_short
 from .surface import TRENDS, MeasuredSurface, library
 
 PLAIN_FORMATS = (".npy", ".txt", ".dat", ".asc", ".csv")
@@ -86,12 +87,12 @@ def read(
     step_x = None if dx is None else positive("dx", dx)
     step_y = step_x if dy is None else positive("dy", dy)
     if step_y is not None and step_x is None:
-        raise ValueError(f"dx must be given with dy = {dy!r}, got None")
+        raise ValueError(f"dx must be given with dy = {in_short(dy)}, got None")
     if _is_array(source):
         if step_x is None:
             raise ValueError(f"dx must be given: {path} does not tell it")
         if channel not in _FIRST:
-            raise ValueError(f"channel must be 0: {path} has one map, got {channel!r}")
+            raise ValueError(f"channel must be 0: {path} has one map, got {in_short(channel)}")
     if step_x is not None and channel in _FIRST and is_plain(source):
         kind = "npy" if _is_array(source) else source.suffix.lower()[1:]
         attrs = {"source": str(source), "format": kind}
@@ -203,7 +204,9 @@ def _metres(unit: str) -> float:
     try:
         return float(conversion.get_unit_conversion_factor(unit, "m"))
     except (KeyError, TypeError, ValueError) as error:
-        raise ValueError(f'unit must be a length unit, e.g. "nm" or "um", got {unit!r}') from error
+        raise ValueError(
+            f'unit must be a length unit, e.g. "nm" or "um", got {in_short(unit)}'
+        ) from error
 
 
 def _with_library(
@@ -259,7 +262,7 @@ def _channel(reader: Any, channel: int | str | None, path: Path) -> Any:
     else:
         found = [info for info in reader.channels if channel in (info.index, info.name)]
     if not found:
-        raise ValueError(f"channel must be one of {listed} in {path}, got {channel!r}")
+        raise ValueError(f"channel must be one of {listed} in {path}, got {in_short(channel)}")
     if found[0].dim != 2 or not found[0].is_height_channel:
         raise ValueError(
             f"channel {found[0].name!r} of {path} is no map of heights; the file has {listed}"

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, finite, positive, real_array
+from .._checks import FloatArray, boolean, choice, finite, positive, real_array
 from .._frozen import FrozenDict, read_only
 from .._repr import Brief
 from ..grid import Grid
@@ -283,6 +283,7 @@ class MeasuredSurface(Brief):
         """Heights at all pairs of x and y, counted from the middle of the measured area."""
         from scipy.interpolate import RectBivariateSpline
 
+        boolean("average", average)
         order = {"cubic": 3, "linear": 1}[choice("method", method, ("cubic", "linear"))]
         if self.undefined:
             first = tuple(int(i) for i in np.argwhere(np.isnan(self.heights))[0])

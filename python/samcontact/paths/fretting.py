@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, finite_array, load_or_approach, non_negative, step_count
+from .._short import in_short
 from .ramps import Path
 
 
@@ -56,7 +57,7 @@ def tangential(
     count = step_count("increments", increments)
     if name == "shift":
         if np.any(finite_array("start", start, (2,))):
-            raise ValueError(f"start goes with force, not with shift, got {start!r}")
+            raise ValueError(f"start goes with force, not with shift, got {in_short(start)}")
         return _to(_pressed(load, approach), name, [end / count] * count)
     first = finite_array("start", start, (2,))
     fractions = np.arange(1, count + 1)[:, None] / count
@@ -121,7 +122,9 @@ def _force_or_shift(
         return "tangential_load", finite_array("force", force, (2,))
     if shift is not None and force is None:
         return "shift", finite_array("shift", shift, (2,))
-    raise ValueError(f"give one of force and shift, got force={force!r} and shift={shift!r}")
+    raise ValueError(
+        f"give one of force and shift, got force={in_short(force)} and shift={in_short(shift)}"
+    )
 
 
 def _to(pressed: dict[str, Any], name: str, pairs: ArrayLike) -> Path:

@@ -10,6 +10,7 @@ from typing import Any
 
 from .._checks import (
     MOST_STEPS,
+    boolean,
     choice,
     finite,
     load_or_approach,
@@ -81,7 +82,7 @@ class Passes:
         unloading.append(self._timed({"load": 0.0}, self.step))
 
         steps: Steps = []
-        if self.back_and_forth:
+        if boolean("back_and_forth", self.back_and_forth):
             steps += loading
             for number in range(count):
                 sign = 1.0 if number % 2 == 0 else -1.0

@@ -14,6 +14,7 @@ from matplotlib.axes import Axes
 
 from .._checks import FloatArray, choice, finite, positive
 from .._quantities import Quantity
+from .._short import in_short
 from .fields import Plane, show_surface
 from .parts import axes_or_new, edges, finish, nearest, place
 
@@ -118,7 +119,7 @@ def fatigue_section(
         values = values[:, index] if chosen == "y" else values[index]
         note = f", {place(chosen, float(there[index]))}"
     elif plane not in (None, "xy".replace(across, "")):
-        raise ValueError(f"plane must be {'xy'.replace(across, '')!r}, got {plane!r}")
+        raise ValueError(f"plane must be {'xy'.replace(across, '')!r}, got {in_short(plane)}")
     ax = _coloured(field, ax, f"{across}z", values, note)
     ax.set_ylabel("depth z [µm]")
     ax.invert_yaxis()

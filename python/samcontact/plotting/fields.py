@@ -12,7 +12,7 @@ from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 from scipy import ndimage
 
-from .._checks import BoolArray, FloatArray
+from .._checks import BoolArray, FloatArray, boolean
 from .._quantities import CONTACT, Quantity
 from .parts import LYING, axes_or_new, without_seams
 from .ticks import FittedLocator, fit_ticks
@@ -215,6 +215,7 @@ def _show(
 
     A field that is zero has no colours and says so instead.
     """
+    boolean("cells", cells)
     shown, label = values * quantity.factor, quantity.label + note
     ax.grid(False)  # settings may ask for one, which would lie over the colours
     drawn: list[Any] = []

@@ -9,7 +9,7 @@ import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from .._checks import FloatArray, in_cells, integer, number, require_type, step_list
+from .._checks import FloatArray, boolean, in_cells, integer, number, require_type, step_list
 from .._frozen import read_only
 from .._progress import progress_bar
 from .._steps import STEP
@@ -99,6 +99,8 @@ def run(
     surface that is periodic along x, with `passes`, or a track much longer than the contact.
     """
     require_type("simulation", simulation, Simulation)
+    boolean("accelerate", accelerate)
+    boolean("progress", progress)
     steps = step_list("cycle", cycle, STEP)
     count, small = integer("cycles", cycles, 2), number("tol", tol)
     if not 1e-6 <= small <= 0.1:

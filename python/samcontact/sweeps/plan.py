@@ -17,6 +17,7 @@ import numpy as np
 from pydantic import BaseModel, ValidationError
 
 from .._checks import choice
+from .._short import in_short
 from ..cases.base import CaseError, CaseFile
 from ..cases.errors import explain
 from ..cases.field_units import field_unit
@@ -49,7 +50,9 @@ def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str
     """Every combination as a validated case; raises as `samcontact.sweep`."""
     choice("mode", mode, MODES)
     if not isinstance(parameters, Mapping) or not parameters:
-        raise ValueError(f"parameters must map at least one field to values, got {parameters!r}")
+        raise ValueError(
+            f"parameters must map at least one field to values, got {in_short(parameters)}"
+        )
     values = {name: _values(name, given) for name, given in parameters.items()}
     keys = {name: _keys(case, name) for name in values}
     counts = {name: len(column) for name, column in values.items()}
@@ -61,7 +64,7 @@ def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str
         listed = ", ".join(f"{name} {count}" for name, count in counts.items())
         raise ValueError(
             f"a sweep must have at most {MOST_CASES} cases, got {wanted}: values of {listed} in "
-            f"mode {mode!r}; mode 'zip' takes first values, second ones, ... together"
+            f"mode {in_short(mode)}; mode 'zip' takes first values, second ones, ... together"
         )
     combine: Any = itertools.product if mode == "product" else zip
     cases = _validated(case, keys, list(combine(*values.values())))
@@ -93,7 +96,7 @@ def _values(name: str, given: Any) -> list[Any]:
     if isinstance(given, np.ndarray) and given.ndim > 0:
         given = given.tolist()
     if isinstance(given, (str, bytes, Mapping)) or not isinstance(given, Sequence):
-        raise TypeError(f"{name} must be given a sequence of values, got {given!r}")
+        raise TypeError(f"{name} must be given a sequence of values, got {in_short(given)}")
     if len(given) == 0:
         raise ValueError(f"{name} must be given at least one value, got none")
     return [v.tolist() if isinstance(v, (np.generic, np.ndarray)) else v for v in given]
@@ -103,7 +106,7 @@ def _keys(case: CaseFile, name: Any) -> Keys:
     """A dotted name as the keys of a nested dictionary."""
     if not isinstance(name, str) or not _DOTTED.fullmatch(name):
         example = "'body2.yield_stress' or 'path[0].load'"
-        raise ValueError(f"names of parameters must be like {example}, got {name!r}")
+        raise ValueError(f"names of parameters must be like {example}, got {in_short(name)}")
     parts = re.findall(r"[A-Za-z_]\w*|\d+", name)
     return [int(part) if part[0].isdigit() else part for part in parts]
 

@@ -20,8 +20,9 @@ from typing import TYPE_CHECKING, Any
 
 from .. import resolution
 from .._atomic import undisturbed
-from .._checks import integer
+from .._checks import boolean, integer
 from .._progress import progress_bar
+from .._short import in_short
 from ..runs.lock import locked
 from . import worker
 from .worker import Outcome, case_key, failure
@@ -108,6 +109,7 @@ def sweep(
     from .plan import make_plan
     from .store import Store, assemble
 
+    boolean("progress", progress)
     base = case if isinstance(case, CaseFile) else load_case(os.fspath(case))
     plan = make_plan(base, parameters, mode)
     digests: dict[Path, str] = {}
@@ -211,7 +213,7 @@ def _resolved(executor: Any) -> Iterator[Any]:
     else:
         raise TypeError(
             "executor must be None, a number of processes, an executor or a Dask client, "
-            f"got {executor!r}"
+            f"got {in_short(executor)}"
         )
 
 

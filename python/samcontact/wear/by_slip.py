@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import hertz, resolution
-from .._checks import FloatArray, integer
+from .._checks import FloatArray, boolean, integer
 from ..friction import Coulomb
 from ..grid import Grid
 from ..material import Material
@@ -99,6 +99,7 @@ def fretting(
         checkpoint of other arguments. An error of a later cycle has the result of those before in
         its attribute `result`.
     """
+    boolean("progress", progress)
     count = integer("cycles", cycles, 1)
     scene = make_scene(
         grid,

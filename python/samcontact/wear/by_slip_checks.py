@@ -19,6 +19,7 @@ from .._checks import (
     require_type,
     step_list,
 )
+from .._short import in_short
 from ..friction import Coulomb, GivenAlong
 from ..grid import Grid
 from ..layered import require_homogeneous
@@ -123,7 +124,7 @@ def closing(path: list[dict[str, Any]]) -> int:
             return n
     raise ValueError(
         "cycle must end where it has been, with the load and the forces or motions along the "
-        f"surface of an earlier step, got {path!r:.300}: paths.fretting_loop makes one"
+        f"surface of an earlier step, got {in_short(path)}: paths.fretting_loop makes one"
     )
 
 

@@ -20,6 +20,7 @@ from .._checks import (
     positive,
     require_type,
 )
+from .._short import in_short
 from .._told import SMALL_STRAIN
 from ..contact import ContactSolver
 from ..grid import Grid
@@ -98,7 +99,7 @@ def make_scene(
         )
     numbers = tuple(worn)
     if not numbers or len(set(numbers)) < len(numbers):
-        raise ValueError(f"worn must be (1,), (2,) or (1, 2), got {worn!r}")
+        raise ValueError(f"worn must be (1,), (2,) or (1, 2), got {in_short(worn)}")
     for index in numbers:
         material = bodies[choice("worn", index, (1, 2)) - 1]
         if not material.is_plastic:
@@ -139,7 +140,9 @@ def make_filter(
         x, y, degree = window_and_order(window, 2 if order is None else order)
         return Polynomials((x, y), degree)
     if order is not None:
-        raise ValueError(f"order goes with window, not with smoothing_length, got {order!r}")
+        raise ValueError(
+            f"order goes with window, not with smoothing_length, got {in_short(order)}"
+        )
     length = positive("smoothing_length", smoothing_length)
     cell = max(grid.dx, grid.dy)
     if length < cell:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import resolution
-from .._checks import FloatArray, integer
+from .._checks import FloatArray, boolean, integer
 from ..grid import Grid
 from ..material import Material
 from ..relief import Relief
@@ -100,6 +100,7 @@ def run(
         at the bottom of the grid, or wear at its sides; a checkpoint of other arguments. An error
         of a later cycle has the result of those before in its attribute `result`.
     """
+    boolean("progress", progress)
     count = integer("cycles", cycles, 1)
     scene = make_scene(
         grid,

@@ -12,6 +12,7 @@ import scipy
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, finite_array, integer, positive
+from .._short import in_short
 
 Window = int | Sequence[int] | None
 
@@ -96,14 +97,16 @@ def window_and_order(window: Window, order: int) -> tuple[int, int, int]:
     """Checked cells of the window along x and y, and order; (1, 1, 0): no smoothing."""
     sides: list[int] = [1 if window is None else window] * 2 if _single(window) else list(window)  # type: ignore[arg-type,list-item]
     if len(sides) != 2:
-        raise ValueError(f"window must be a number of cells or a pair of them, got {window!r}")
+        raise ValueError(
+            f"window must be a number of cells or a pair of them, got {in_short(window)}"
+        )
     for cells in sides:
         if integer("window", cells, 1) % 2 == 0:
-            raise ValueError(f"window must be odd (cells), got {window!r}")
+            raise ValueError(f"window must be odd (cells), got {in_short(window)}")
     integer("order", order, 0)
     for cells in sides:
         if 1 < cells <= order:
-            raise ValueError(f"order must be less than window = {window!r}, got {order}")
+            raise ValueError(f"order must be less than window = {in_short(window)}, got {order}")
     return int(sides[0]), int(sides[1]), int(order)
 
 

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Values as messages and reprs show them: short, on one line, whatever they are."""
+
+from __future__ import annotations
+
+import math
+import unicodedata
+from collections.abc import Mapping, Set
+from typing import Any
+
+import numpy as np
+
+LONGEST = 80
+"""Characters of a value in a message."""
+_MOST_BITS = 1024  # of a whole number that is shown with all its digits
+
+
+def escaped(text: str) -> str:
+    """Text without control characters, which would command a terminal; lines and tabs stay."""
+    return "".join(
+        repr(c)[1:-1] if unicodedata.category(c) in ("Cc", "Cs") and c not in "\n\t" else c
+        for c in text
+    )
+
+
+def in_short(value: Any, longest: int = LONGEST) -> str:
+    """The repr of a value in at most `longest` characters; large ones by kind and size."""
+    if isinstance(value, np.ndarray) and value.ndim > 0:
+        return _array(value)
+    if isinstance(value, int) and value.bit_length() > _MOST_BITS:
+        return f"<int of about {math.ceil(value.bit_length() * math.log10(2))} digits>"
+    if isinstance(value, (str, bytes)) and len(value) > longest:
+        return _cut(repr(value[:longest]), longest)
+    if isinstance(value, (list, tuple, Set, Mapping)) and len(value) > longest // 10:
+        return f"<{type(value).__name__} of {len(value)}>"
+    try:
+        text = escaped(repr(value))
+    except Exception:  # of a user's class, or of a list with a number of 5000 digits
+        return f"<{type(value).__name__}>"
+    if len(text) <= longest and "\n" not in text:
+        return text
+    if isinstance(value, (str, bytes)):
+        return _cut(text, longest)
+    return f"<{type(value).__name__}>"[:longest]
+
+
+def _cut(text: str, longest: int) -> str:
+    """The repr of a text, ended early."""
+    return f"{text[: longest - 4].rstrip(text[-1])}...{text[-1]}"
+
+
+def _array(value: Any) -> str:
+    shape = " x ".join(map(str, value.shape))
+    if value.dtype.kind not in "iuf":
+        return f"<array {shape} of {value.dtype}>"[:LONGEST]
+    known = value[~np.isnan(value)] if value.dtype.kind == "f" else value
+    span = f", {known.min():.4g} to {known.max():.4g}" if known.size else ""
+    lost = f", {value.size - known.size} NaN" if known.size < value.size else ""
+    return f"<array {shape}{span}{lost}>"
