@@ -29,6 +29,8 @@ MOST_STRESS = 1e75
 """Like the largest load and modulus [Pa]: products stay in the range of numbers."""
 MOST_STEPS = 100_000
 """Increments of one path: more would take months, and a slip of the pen fills the memory."""
+MOST_OF_NAME = 200
+"""Bytes of the name of a file: file systems hold 255, names of partial files are longer."""
 MOST_NUMBER = 1e300
 """Of a size, in SI units: products of larger ones leave the range of numbers."""
 _NOT_REAL = (bool, np.bool_, np.timedelta64)  # to Python or NumPy these are numbers
@@ -89,6 +91,17 @@ def require_type(name: str, value: Any, kind: type) -> None:
         raise TypeError(f"{name} must be a samcontact.{kind.__name__}, got {in_short(value)}")
 
 
+def require_list(name: str, values: Any, kind: type) -> None:
+    """Raise TypeError naming the argument unless `values` is a list or tuple of `kind`."""
+    wrong = values
+    if isinstance(values, (list, tuple)):
+        others = [one for one in values if not isinstance(one, kind)]
+        if not others:
+            return
+        wrong = others[0]
+    raise TypeError(f"{name} must be a list of samcontact.{kind.__name__}, got {in_short(wrong)}")
+
+
 def positive(name: str, value: Any, *, allow_inf: bool = False) -> float:
     """Return `value` as a float > 0, finite unless `allow_inf`."""
     result = number(name, value)
@@ -142,7 +155,9 @@ def in_cells(name: str, length: float, step: float) -> float:
 
 def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any]]:
     """Return `steps` as a list of arguments of `Simulation.step`, whose names are `known`."""
-    several = isinstance(steps, Iterable) and not isinstance(steps, Mapping)
+    several = isinstance(steps, Iterable) and not isinstance(
+        steps, (Mapping, str, bytes, np.ndarray)
+    )
     given = list(islice(steps, MOST_STEPS + 1)) if several else [steps]
     if len(given) > MOST_STEPS:
         raise ValueError(f"{name} must have at most {MOST_STEPS} increments, got more")
@@ -150,7 +165,7 @@ def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any
     if wrong:
         raise TypeError(
             f"{name} must be a list of arguments of step(), e.g. [{{'load': 300.0}}], "
-            f"got {wrong[0]!r:.80}"
+            f"got {in_short(wrong[0])}"
         )
     known = list(known)
     for number_, step in enumerate(given, 1):
@@ -158,7 +173,9 @@ def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any
             if key not in known:
                 near = difflib.get_close_matches(str(key), known, 1)
                 hint = f": did you mean {near[0]}?" if near else f": one of {', '.join(known)}"
-                raise TypeError(f"increment {number_} of {name} has an unknown field {key!r}{hint}")
+                raise TypeError(
+                    f"increment {number_} of {name} has an unknown field {in_short(key)}{hint}"
+                )
         exactly_one(**{key: step.get(key) for key in ("load", "approach", "pressure")})
         if step.get("pressure") is None:
             load_or_approach(step.get("load"), step.get("approach"))
@@ -285,10 +302,10 @@ def _kinds(value: Any) -> set[type]:
     return set().union(*(_kinds(item) for item in value))
 
 
-def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
-    """Return `value` as a float64 array of exactly this `shape` with finite entries."""
+def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...] | None = None) -> FloatArray:
+    """Return `value` as a float64 array of exactly this `shape`, or any, with finite entries."""
     array = real_array(name, value)
-    if array.shape != shape:
+    if shape is not None and array.shape != shape:
         raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
     finite = np.isfinite(array)
     if not finite.all():
@@ -296,6 +313,17 @@ def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatAr
         where = f" at index {index}" if index else ""
         raise ValueError(f"{name} must be finite everywhere, got {array[index]}{where}")
     return array
+
+
+def together(**given: ArrayLike) -> list[FloatArray]:
+    """Return coordinates as arrays of one shape, broadcast, with finite entries."""
+    arrays = {name: finite_array(name, value) for name, value in given.items()}
+    try:
+        return list(np.broadcast_arrays(*arrays.values()))
+    except ValueError:
+        shapes = ", ".join(str(array.shape) for array in arrays.values())
+        allowed = "the same shape, or shapes that extend to it"
+        raise ValueError(f"{', '.join(arrays)} must have {allowed}, got {shapes}") from None
 
 
 def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
@@ -309,9 +337,10 @@ def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray
 
 def of_bodies(name: str, value: float | Sequence[float]) -> tuple[float, float]:
     """Return `value` as two finite floats >= 0, of body 1 and 2; a single one is of body 2."""
-    pair = [0.0, value] if np.ndim(value) == 0 else list(real_array(name, value))
-    if len(pair) != 2:
-        raise ValueError(f"{name} must be a number or a pair, got {len(pair)} values")
+    given = real_array(name, value)
+    pair = [0.0, value] if given.ndim == 0 else list(given)
+    if given.ndim > 1 or len(pair) != 2:
+        raise ValueError(f"{name} must be a number or a pair, got {in_short(value)}")
     return non_negative(name, pair[0]), non_negative(name, pair[1])
 
 
@@ -319,9 +348,15 @@ def file_path(name: str, value: Any) -> Path:
     """Return `value` as the path of a file or folder."""
     if not isinstance(value, (str, os.PathLike)):
         raise TypeError(f"{name} must be a path, got {in_short(value)}")
-    text = os.fspath(value)
+    text = os.fsdecode(value)
     if not text or "\0" in text:
-        raise ValueError(f"{name} must be a path without NUL that is not empty, got {text!r}")
+        raise ValueError(f"{name} must be a path without NUL that is not empty, got {text!r:.80}")
+    longest = max(Path(text).parts, key=len, default="")
+    if len(os.fsencode(longest)) > MOST_OF_NAME:
+        raise ValueError(
+            f"{name} must have parts of at most {MOST_OF_NAME} bytes, which file systems hold, "
+            f"got {in_short(longest)}"
+        )
     return Path(text)
 
 

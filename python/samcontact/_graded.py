@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._checks import FloatArray, real_array
+from ._short import in_short
 
 if TYPE_CHECKING:
     from .material import Material
@@ -30,9 +31,12 @@ MOST = 4096
 
 def profile(kind: str, given: Any) -> Profile:
     """Depths and values, as many of each; what they may be is checked by the core."""
+    holds = f"{kind} must hold {', '.join(PARTS[kind])}, a list of numbers each"
+    if not isinstance(given, (list, tuple)):
+        raise TypeError(f"{holds}, got {in_short(given)}")
     parts = tuple(given)
     if len(parts) != len(PARTS[kind]):
-        raise ValueError(f"{kind} must hold {', '.join(PARTS[kind])}, got {len(parts)} of them")
+        raise ValueError(f"{holds}, got {len(parts)} of them")
     names = [f"{name} of {kind}" for name in PARTS[kind]]
     values = [real_array(name, part) for name, part in zip(names, parts, strict=True)]
     for name, part in zip(names, values, strict=True):

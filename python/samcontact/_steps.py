@@ -19,6 +19,7 @@ from ._checks import (
     number,
     of_bodies,
     positive,
+    real_array,
     tractions,
 )
 from ._heating import Bodies, heating, require_reference
@@ -211,7 +212,7 @@ def plastic_fields(
     first: int | None,
 ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
     """Arguments of `Simulation.set_plastic_strain`, depth-major; terms: number of backstresses."""
-    given = np.shape(strain)
+    given = real_array("strain", strain).shape
     fits = len(given) == 4 and min(given) > 0
     rows = grid.nx
     if first is not None:

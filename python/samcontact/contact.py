@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _expected, _memory, resolution
-from ._checks import FloatArray, choice, exactly_one, finite_array, number, require_type
+from ._checks import FloatArray, choice, exactly_one, finite_array, number, real_array, require_type
 from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
 from ._settings import Configured, ContactSettings
@@ -296,7 +296,7 @@ class ContactSolver(Configured):
         material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
         if material.is_rigid:
             raise ValueError(f"body {body} is rigid: it has no stress")
-        layers = np.size(z)
+        layers = real_array("z", z).size
         needed = _memory.volume(self.grid, _memory.STRESS_OF_TRACTIONS, layers)
         _memory.require_for_grid(f"the stress at {layers} depths", self.grid, needed)
         stress: FloatArray = _core.operators.surface_stress(
@@ -384,7 +384,7 @@ class ContactSolver(Configured):
         """
         index = choice("body", body, (1, 2)) - 1
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
-        layers = np.size(z)
+        layers = real_array("z", z).size
         needed = _memory.volume(self.grid, _memory.TEMPERATURE, layers)
         _memory.require_for_grid(f"the temperature at {layers} depths", self.grid, needed)
         rise: FloatArray = _core.operators.temperature(

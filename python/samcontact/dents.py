@@ -10,7 +10,7 @@ import numpy as np
 
 from ._checks import FloatArray, choice, finite, positive
 from .relief import Relief, rows_within
-from .surfaces import SurfaceGrid
+from .surfaces import SurfaceGrid, require_surface
 
 __all__ = ["furrow", "spherical"]
 
@@ -55,6 +55,7 @@ def spherical(
     ValueError
         An argument outside its range.
     """
+    require_surface(grid)
     centre, across = finite("x", x), np.asarray(grid.y)[None, :] - finite("y", y)
     along, first = rows_within(grid, centre, positive("radius", radius))
     r = np.hypot(along[:, None] - centre, across)
@@ -89,6 +90,7 @@ def furrow(
     ValueError
         An argument outside its range.
     """
+    require_surface(grid)
     middle = finite("position", position)
     if choice("along", along, ("y", "x")) == "x":
         across = np.asarray(grid.y)[None, :] - middle

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._checks import FloatArray
+from ._checks import FloatArray, require_list, require_type
 from ._common_cells import on_common_cells
 from ._repr import Rows, Shown, quantity
+from ._short import in_short
 from .contact import ContactSolver
 from .friction import Coulomb
 from .layered import Body, backstresses_of, materials_at
@@ -61,6 +62,13 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
     ValueError
         A material with thermal softening, whose yield stress the state does not tell.
     """
+    if not isinstance(material, Body):
+        raise TypeError(
+            f"material must be a samcontact.Material or samcontact.Layered, got "
+            f"{in_short(material)}"
+        )
+    for name, track in (("after", after), ("before", after if before is None else before)):
+        require_type(name, track, Track)
     if material.softening is not None:
         raise ValueError("plastic_work needs a material without softening")
     if not material.is_plastic:
@@ -101,6 +109,7 @@ def residual_energy(track: Track) -> float:
     Of a body with stress from the start the change of its energy, which plastic strain may release:
     that stress is in equilibrium as well, and counts twice.
     """
+    require_type("track", track, Track)
     stress = track.residual_stress() + track.initial_stress()
     return -0.5 * _product(stress, track.plastic_strain()) * _cell_volume(track)
 
@@ -166,6 +175,11 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
         Friction as a number; bodies that moved on, soften or are heated; prescribed tractions; no
         states.
     """
+    from .simulation import Simulation
+    from .state import State
+
+    require_type("simulation", simulation, Simulation)
+    require_list("states", states, State)
     why = no_balance(simulation, states)
     if why:
         raise ValueError(why)

@@ -31,6 +31,7 @@ from ._load_scenes import (
 )
 from ._progress import tell
 from ._repr import Rows, Shown, quantity
+from ._short import in_short
 from .grid_errors import estimated
 from .material import Material
 from .runs.journal import describe
@@ -94,7 +95,7 @@ class Search:
         self, quantity: str, target: float, build: Callable[[float], Built], start: float,
         most: float, tolerance: float, progress: bool,
     ) -> None:  # fmt: skip
-        simulation, path = build(most)
+        simulation, path = _made(build, most)
         self.name, self.target = resolved(quantity, simulation), target
         self.build, self.start, self.most = build, start, most
         self.tolerance, self.progress = tolerance, progress
@@ -130,7 +131,7 @@ class Search:
         return self._last[1:]
 
     def _built(self, load: float) -> Built:
-        simulation, path = self.build(load)
+        simulation, path = _made(self.build, load)
         return (elastic(simulation), path) if self.name == YIELD else (simulation, path)
 
     def _solve(self, name: str, built: Built) -> list[State]:
@@ -261,6 +262,8 @@ def searched(
 ) -> Search:
     """What `find_load` does, before anything is solved."""
     boolean("progress", progress)
+    if not isinstance(quantity, str):
+        raise TypeError(f"quantity must be the name of one, got {in_short(quantity)}")
     target, relative = positive("value", value), number("tolerance", tolerance)
     if not 1e-8 <= relative <= 0.1:
         raise ValueError(f"tolerance must be in [1e-8, 0.1], got {tolerance!r}")
@@ -269,11 +272,26 @@ def searched(
         if largest_load is None:
             raise ValueError("largest_load must be given with a function, got None")
         build, start = case, positive("largest_load", largest_load)
+    elif not hasattr(case, "path"):
+        raise TypeError(
+            f"case must be a Case of one contact, or a function of the load, got {in_short(case)}"
+        )
     else:
         start = of_case(case)
         build = Scaled(case, start)
     most = _MOST * start if largest_load is None else positive("largest_load", largest_load)
     return Search(quantity, target, build, min(start, most), most, relative, progress)
+
+
+def _made(build: Callable[[float], Built], load: float) -> Built:
+    """What a function of the load makes."""
+    built = build(load)
+    if not (isinstance(built, tuple) and len(built) == 2):
+        raise TypeError(
+            "case must be a function that returns a simulation and its path, got one that "
+            f"returns {in_short(built)}"
+        )
+    return built
 
 
 def _marks(states: Sequence[State]) -> set[int]:

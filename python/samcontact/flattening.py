@@ -121,6 +121,11 @@ def jackson_green(
         An argument is outside its range.
     """
     onset = critical.jackson_green(R, E_star, nu, yield_stress)
+    if yield_stress > E_star:
+        raise ValueError(
+            f"yield_stress must be at most E_star = {E_star!r}, got {yield_stress!r}: "
+            "both are in pascals"
+        )
     ratio = _interference(interference) / onset.interference
     plastic = np.maximum(ratio, 1.9)
     B = 0.14 * math.exp(23.0 * yield_stress / E_star)

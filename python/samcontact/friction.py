@@ -304,7 +304,11 @@ def pair_of(name: str, pair: Any) -> list[float | None]:
     """Two numbers along x and y, or None in place of each or of both."""
     if pair is None:
         return [None, None]
-    if isinstance(pair, (str, Mapping)) or not hasattr(pair, "__len__") or np.ndim(pair) == 0:
+    if (
+        isinstance(pair, (str, Mapping))
+        or not hasattr(pair, "__len__")
+        or (isinstance(pair, np.ndarray) and pair.ndim == 0)
+    ):
         raise TypeError(f"{name} must be two numbers, along x and y, got {in_short(pair)}")
     if len(pair) != 2:
         raise ValueError(f"{name} must be two numbers, along x and y, got {len(pair)}")

@@ -75,7 +75,8 @@ class Grid(Shown):
             raise ValueError(f"dz must be a finite number > 0 [m] when nz = {self.nz}, got None")
         if self.dz is not None:
             object.__setattr__(self, "dz", number("dz", self.dz))
-        choice("periodic", self.periodic, ("", "x", "y", "xy"))
+        periodic = choice("periodic", self.periodic, ("", "x", "y", "xy"))
+        object.__setattr__(self, "periodic", periodic)
         for name in self.periodic:
             if (cells := getattr(self, f"n{name}")) > 1 and cells % 2 == 1:
                 raise ValueError(
@@ -110,7 +111,7 @@ class Grid(Shown):
 
     def depths(self, layers: int) -> FloatArray:
         """Mid-depths of the first layers [m], shape (layers,)."""
-        return read_only(np.array(self._core.z(layers)))
+        return read_only(np.array(self._core.z(integer("layers", layers, 0))))
 
     @property
     def has_volume(self) -> bool:

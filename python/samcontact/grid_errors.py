@@ -12,10 +12,12 @@ import numpy as np
 
 from . import _certified, half_resolution
 from ._along import ROUNDING, along_surface, not_rounding
-from ._checks import FloatArray
+from ._checks import FloatArray, require_list, step_list
 from ._peak import peak
 from ._quantities import described
 from ._repr import Rows, Shown, quantity
+from ._short import in_short
+from ._steps import STEP
 from .friction import Coulomb
 from .resolution import ROUND_SPOT, area_uncertainty
 
@@ -78,6 +80,8 @@ class GridErrors(Shown):
         The error is that of the dataset's own X: what it differs by from the value between the
         cells is added.
         """
+        if not hasattr(dataset, "attrs"):
+            raise TypeError(f"dataset must be an xarray.Dataset, got {in_short(dataset)}")
         for name, errors in self.errors.items():
             known, body = described(name)
             if name not in dataset:
@@ -126,12 +130,20 @@ def estimate_errors(
         Of either solve.
     """
     from .cases import Case
+    from .simulation import Simulation
+    from .state import State
 
     if isinstance(run, Case):
         run, path = run.build()
         states = run.run(path, progress=False)
+    if not isinstance(run, Simulation):
+        raise TypeError(
+            f"run must be a samcontact.Simulation, or a Case of one contact, got {in_short(run)}"
+        )
     if path is None or states is None:
         raise ValueError("path and states must be given with a simulation")
+    path = step_list("path", path, STEP)
+    require_list("states", states, State)
     if len(path) != len(states):
         raise ValueError(f"path and states must be as many, got {len(path)} and {len(states)}")
     return estimated(run, path, states, lambda coarse, steps: coarse.run(steps, progress=False))

@@ -14,10 +14,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from ._checks import finite, finite_array, non_negative, number, of_bodies, positive
+from ._checks import finite, finite_array, non_negative, number, of_bodies, positive, real_array
 from ._short import in_short
 
 if TYPE_CHECKING:
@@ -131,7 +130,7 @@ def _velocities(velocity: ArrayLike | None) -> tuple[Pair, Pair]:
     """(Vx, Vy) of both bodies; a single one is that of body 2."""
     if velocity is None:
         return _AT_REST
-    if np.ndim(velocity) == 1:
+    if real_array("velocity", velocity).ndim == 1:
         v = finite_array("velocity", velocity, (2,))
         return (0.0, 0.0), (float(v[0]), float(v[1]))
     both = finite_array("velocity", velocity, (2, 2))
@@ -139,7 +138,7 @@ def _velocities(velocity: ArrayLike | None) -> tuple[Pair, Pair]:
 
 
 def _history(history: Sequence[float]) -> Pair:
-    given = list(history) if np.ndim(history) == 1 else []
+    given = list(history) if real_array("history", history).ndim == 1 else []
     if len(given) != 2:
         raise ValueError(f"history must be a pair (shortest, longest) [s], got {in_short(history)}")
     shortest, longest = (positive("history", value) for value in given)
@@ -208,6 +207,8 @@ def partition(
     radius = positive("radius", radius)
     taken = []
     for name, body, velocity in (("body1", body1, velocity1), ("body2", body2, velocity2)):
+        if not hasattr(body, "thermal"):
+            raise TypeError(f"{name} must be a samcontact.Material, got {in_short(body)}")
         if body.thermal is None:
             raise ValueError(f"{name} has no thermal constants: give them with with_thermal()")
         conductivity, _, diffusivity = body.thermal

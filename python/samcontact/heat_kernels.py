@@ -253,7 +253,7 @@ class _Table:
         self.time = number("time", time)
         if not self.time >= 0.0:
             raise ValueError(f"time must be a number >= 0 [s] (inf allowed), got {self.time!r}")
-        if np.shape(velocity) != (2,):
+        if real_array("velocity", velocity).shape != (2,):
             raise ValueError(
                 f"velocity must be two numbers (Vx, Vy) [m/s], got {in_short(velocity)}"
             )

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import FloatArray, axis_number, choice, positive, real_array
+from ._checks import FloatArray, axis_number, choice, number, positive, together
 
 _PRESSURE = 2  # tractions are named by the axis they act along
 
@@ -21,11 +21,7 @@ def _shear(along: str) -> int:
 
 
 def _points(*coordinates: ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
-    named = zip("XYz", coordinates, strict=False)
-    arrays = np.broadcast_arrays(*(real_array(name, given) for name, given in named))
-    for name, array in zip("XYz", arrays, strict=False):
-        if not np.isfinite(array).all():
-            raise ValueError(f"{name} must be finite everywhere")
+    arrays = together(**dict(zip("XYz", coordinates, strict=False)))
     return [np.ascontiguousarray(array).ravel() for array in arrays], arrays[0].shape
 
 
@@ -34,7 +30,7 @@ def _sizes(**sizes: float) -> list[float]:
 
 
 def _constants(E: float, nu: float) -> tuple[float, float]:
-    elastic = _core.Elastic.isotropic(E, nu)
+    elastic = _core.Elastic.isotropic(number("E", E), number("nu", nu))
     return elastic.E, elastic.nu
 
 

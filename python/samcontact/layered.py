@@ -23,12 +23,12 @@ from .material import Material
 
 
 def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
-    if isinstance(given, Material) or not isinstance(given, Iterable):
+    if isinstance(given, (Material, str, np.ndarray)) or not isinstance(given, Iterable):
         raise TypeError(f"layers must be a list of (material, thickness), got {in_short(given)}")
     layers = []
     for n, layer in enumerate(given):
         if isinstance(layer, Material) or not isinstance(layer, Sequence) or len(layer) != 2:
-            raise TypeError(f"layers[{n}] must be (material, thickness), got {layer!r}")
+            raise TypeError(f"layers[{n}] must be (material, thickness), got {in_short(layer)}")
         material, thickness = layer
         require_type(f"material of layers[{n}]", material, Material)
         if material.is_rigid:
@@ -210,7 +210,7 @@ def require_bodies(*bodies: Any) -> None:
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Body):
             raise TypeError(
-                f"body{n} must be a samcontact.Material or samcontact.Layered, got {body!r}"
+                f"body{n} must be a samcontact.Material or samcontact.Layered, got {in_short(body)}"
             )
 
 

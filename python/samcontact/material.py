@@ -68,11 +68,11 @@ class Material(Graded, Shown):
         if self.thermal is not None:
             names = ("conductivity", "expansion", "diffusivity")
             object.__setattr__(self, "thermal", _numbers("thermal", names, self.thermal))
-        if self.softening is not None:
-            self._check_softening(self.softening)
         for name in PARTS:
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, profile(name, getattr(self, name)))
+        if self.softening is not None:
+            self._check_softening("softening", self.softening)
         if self.is_plastic and not np.isfinite(self.yield_stress(0.0)):
             raise ValueError(
                 f"yield stress of law {self.law} must be finite: its constants are too large"
@@ -199,7 +199,7 @@ class Material(Graded, Shown):
             One is not a number.
         """
         moduli, recoveries = _many(modulus), _many(recovery)
-        if np.ndim(recovery) == 0 and len(recoveries) == 1:  # one number for all
+        if real_array("recovery", recovery).ndim == 0:  # one number for all
             recoveries *= len(moduli)
         if len(moduli) != len(recoveries) or not moduli:
             raise ValueError(
@@ -257,12 +257,12 @@ class Material(Graded, Shown):
         TypeError
             The law is not callable.
         """
-        self._check_softening(law)
+        self._check_softening("law", law)
         return replace(self, softening=law)
 
-    def _check_softening(self, law: Any) -> None:
+    def _check_softening(self, name: str, law: Any) -> None:
         if not callable(law):
-            raise TypeError(f"law must be callable, got {in_short(law)}")
+            raise TypeError(f"{name} must be a function of the temperature, got {in_short(law)}")
         if not self.is_plastic:
             raise ValueError("softening needs a body that yields, not an elastic one")
 

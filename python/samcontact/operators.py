@@ -15,8 +15,10 @@ from ._checks import (
     axis_number,
     choice,
     finite_array,
+    number,
     real_array,
     require_fast,
+    require_type,
     tractions,
 )
 from ._settings import Settings
@@ -28,10 +30,11 @@ def shear_components(
     grid: Grid, shear: ArrayLike | None
 ) -> tuple[FloatArray | None, FloatArray | None]:
     """Split shear of shape (nx, ny) or (2, nx, ny) into contiguous s_x, s_y [Pa]."""
+    require_type("grid", grid, Grid)
     if shear is None:
         return None, None
     shape = grid.surface_shape
-    if np.ndim(shear) == 3:
+    if real_array("shear", shear).ndim == 3:
         both = tractions("shear", shear, (2, *shape))
         return both[0], both[1]
     return tractions("shear", shear, shape), None
@@ -49,11 +52,13 @@ def depths_of(z: ArrayLike) -> FloatArray:
 
 def depth_major(grid: Grid, name: str, tensor: ArrayLike) -> FloatArray:
     """Check a (6, nx, ny, nz) tensor field and return it as the core stores it, (6, nz, nx, ny)."""
+    require_type("grid", grid, Grid)
     checked = finite_array(name, tensor, (6, *grid.volume_shape))
     return np.ascontiguousarray(np.moveaxis(checked, 3, 1))
 
 
 def _require_volume(grid: Grid) -> None:
+    require_type("grid", grid, Grid)
     if grid.nz == 0:
         raise ValueError("grid.nz must be > 0 for fields below the surface, got 0")
 
@@ -84,13 +89,14 @@ def surface_displacement(
     -----
     Love (1929) and Cerruti (1882); Boucly (2008), eqs (2.34), (2.37) with the prefactor corrected.
     """
-    number = axis_number(axis)
+    require_type("grid", grid, Grid)
+    number_of_axis = axis_number(axis)
     needed = _memory.surface(grid, _memory.DISPLACEMENT)
     _memory.require_for_grid("a displacement", grid, needed)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
-    body = _core.Stack(_core.Elastic.isotropic(E, nu))
+    body = _core.Stack(_core.Elastic.isotropic(number("E", E), number("nu", nu)))
     field: FloatArray = _core.operators.surface_displacement(
-        grid._core, body, p, *shear_components(grid, shear), number
+        grid._core, body, p, *shear_components(grid, shear), number_of_axis
     )
     return field
 
@@ -115,12 +121,13 @@ def surface_stress(
     -----
     Boucly (2008), eqs (2.81)-(2.93), L_22 corrected.
     """
+    require_type("grid", grid, Grid)
     depths = depths_of(z)
     needed = _memory.volume(grid, _memory.STRESS_OF_TRACTIONS, len(depths))
     _memory.require_for_grid(f"the stress at {len(depths)} depths", grid, needed)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     # The stress due to tractions does not depend on Young's modulus.
-    body = _core.Stack(_core.Elastic.isotropic(1.0, nu))
+    body = _core.Stack(_core.Elastic.isotropic(1.0, number("nu", nu)))
     field: FloatArray = _core.operators.surface_stress(
         grid._core, body, _core.Heating(), depths.tolist(), p, *shear_components(grid, shear)
     )
@@ -153,7 +160,7 @@ def residual_stress(
         stress; in [1e-6, 0.1].
     """
     _require_volume(grid)
-    elastic = _core.Elastic.isotropic(E, nu)
+    elastic = _core.Elastic.isotropic(number("E", E), number("nu", nu))
     exact = choice("method", method, ("exact", "fast")) == "exact"
     require_fast("method", method, grid.periodic)
     images = Settings.checked("image_tol", image_tol)
@@ -183,12 +190,12 @@ def residual_displacement(
     u_z: Boucly (2008), eqs (2.62)-(2.71), corrected and completed by the term of the trace. u_x and
     u_y by reciprocity with the stress of surface shear; docs/theory.md.
     """
-    number = axis_number(axis)
+    number_of_axis = axis_number(axis)
     _require_volume(grid)
-    nu = _core.Elastic.isotropic(1.0, nu).nu
+    nu = _core.Elastic.isotropic(1.0, number("nu", nu)).nu
     needed = _memory.volume(grid, _memory.FAST_RESIDUAL)
     _memory.require_for_grid("a displacement", grid, needed)
     field: FloatArray = _core.operators.residual_displacement(
-        grid._core, depth_major(grid, "strain", strain), nu, number
+        grid._core, depth_major(grid, "strain", strain), nu, number_of_axis
     )
     return field

@@ -58,6 +58,6 @@ class JohnsonCook:
 
     def __call__(self, rise: ArrayLike) -> FloatArray:
         """Factor of the yield stress [-] at a rise of temperature [K], any shape."""
-        T = self.ambient + finite_array("rise", rise, np.shape(rise))
+        T = self.ambient + finite_array("rise", rise)
         homologous = np.clip((T - self.reference) / (self.melting - self.reference), 0.0, 1.0)
         return np.maximum(1.0 - homologous**self.m, self.floor)

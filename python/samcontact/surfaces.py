@@ -44,7 +44,14 @@ class SurfaceGrid(Protocol):
     def y(self) -> FloatArray: ...
 
 
+def require_surface(grid: SurfaceGrid) -> None:
+    """Raise TypeError for what has no cells of a surface."""
+    if not all(hasattr(grid, name) for name in ("nx", "ny", "dx", "dy", "x", "y")):
+        raise TypeError(f"grid must be a samcontact.Grid, got {in_short(grid)}")
+
+
 def _require_memory(grid: SurfaceGrid) -> None:
+    require_surface(grid)
     what = f"a surface of nx = {grid.nx}, ny = {grid.ny}"
     _memory.require(what, _memory.SURFACE * grid.nx * grid.ny)
 
@@ -175,6 +182,7 @@ def sinusoidal(
     """
     amplitude = non_negative("amplitude", amplitude)
     lengths = []
+    require_surface(grid)
     for name, value, step in (
         ("wavelength_x", wavelength_x, grid.dx),
         ("wavelength_y", wavelength_y, grid.dy),
@@ -212,6 +220,7 @@ def from_heights(
     ValueError
         Wrong shape or a value that is not finite.
     """
+    require_surface(grid)
     shape = (grid.nx, grid.ny)
     gap = -finite_array("heights_lower", heights_lower, shape)
     if heights_upper is not None:
@@ -266,6 +275,7 @@ def rough_self_affine(
     rms_height = non_negative("rms_height", rms_height)
     if not 0.0 <= number("hurst", hurst) <= 1.0:
         raise ValueError(f"hurst must be in [0, 1], got {hurst!r}")
+    require_surface(grid)
     shortest = 2.0 * max(grid.dx, grid.dy)
     longest = max(grid.nx * grid.dx, grid.ny * grid.dy)
     low = shortest if wavelength_min is None else positive("wavelength_min", wavelength_min)

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import math
 import re
-from decimal import Decimal
+from decimal import Decimal, DecimalException
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
-from ._short import in_short
+from ._short import LONGEST, in_short
 
 __all__ = ["si"]
 
@@ -36,18 +36,20 @@ def _registry() -> Any:
 
 def from_text(text: str, unit: str) -> float:
     """Number of a text such as "25 um" in this unit; a ValueError that begins with "must be"."""
-    match = _TEXT.fullmatch(text)
+    match = _TEXT.fullmatch(text) if len(text) <= LONGEST else None
     # pint reads up to a semicolon, comment or new line, and forgets the rest
     if match is None or not match.group(2) or re.search(r"[;#\n\r]", match.group(2)):
         raise ValueError(
             f"must be a number and a unit that converts to {unit}, got {in_short(text)}"
         )
     registry = _registry()
-    number = Decimal(match.group(1))
     try:
+        number = Decimal(match.group(1))
         # number and unit apart: temperatures such as "20 degC" cannot be multiplied
         exact = registry.Quantity(number, match.group(2)).to(unit).magnitude
         found = float(exact)
+    except (DecimalException, OverflowError):
+        raise ValueError(f"must be within the range of numbers, got {in_short(text)}") from None
     except Exception as error:  # pint lets errors of Python's tokenizer through as well
         raise ValueError(
             f"must be a number and a unit that converts to {unit}, got {in_short(text)}"
@@ -84,6 +86,8 @@ def si(value: Any, unit: str) -> Any:
     -----
     Units and their conversion are those of pint (https://pint.readthedocs.io).
     """
+    if not isinstance(unit, str) or not unit or len(unit) > LONGEST:
+        raise ValueError(f'unit must be the name of a unit, such as "Pa", got {in_short(unit)}')
     if isinstance(value, str):
         try:
             return from_text(value, unit)
@@ -98,8 +102,13 @@ def si(value: Any, unit: str) -> Any:
             ) from error
     if np.ma.is_masked(value):
         raise ValueError("value must be defined everywhere, got masked values")
-    array = np.asarray(value)
-    if array.dtype == bool or array.dtype.kind not in "iufO":
-        raise TypeError(f"value must be a number, a quantity or a text, got {in_short(value)}")
-    array = array.astype(np.float64)
+    try:
+        array = np.asarray(value)
+        if array.dtype.kind not in "iufO":
+            raise TypeError
+        array = array.astype(np.float64)
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(
+            f"value must be a number, a quantity or a text, got {in_short(value)}"
+        ) from None
     return float(array) if array.ndim == 0 else array

@@ -80,7 +80,7 @@ def test_material_that_passes(run):
 
 def test_what_cannot_be_judged_is_told_before_the_run(run):
     outcome, _ = run("[fatigue]\ndang_van = 300e6")
-    check_failure(outcome, 2, "fatigue.dang_van", "less than or equal to 10")
+    check_failure(outcome, 2, "fatigue.dang_van", "must be a number in [0, 10]")
     outcome, _ = run("[fatigue]\nfatemi_socie = 0.5\n[output]\nbody = 1")
     check_failure(outcome, 2, "fatigue.yield_stress is needed: body1 is elastic")
 

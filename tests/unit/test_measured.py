@@ -317,7 +317,11 @@ def test_plain_files_with_samples_of_their_own(case_file, tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('detrend = "height"', 'detrend = "tilt"', r"surface\.detrend: input should be 'none', "),
+        (
+            'detrend = "height"',
+            'detrend = "tilt"',
+            r'surface\.detrend: must be one of "none", "center"',
+        ),
         ("nx = 16", "nx = 99", r"\[surface\] the cells reach .* along x"),
         ('path = "s.nc"', 'path = "h.xlsx"', r"\[surface\] path: cannot read heights from .*xlsx"),
         ('detrend = "height"', "channel = 3", r"\[surface\] channel must be one of 0: 'Default'"),

@@ -194,12 +194,12 @@ def test_errors_name_field_and_remedy(segment, message):
 @pytest.mark.parametrize(
     ("friction", "message"),
     [
-        ("-0.1", r"contact\.friction: input should be greater than or equal to 0, got -0\.1"),
-        ("{coulomb = -0.1}", r"contact\.friction\.coulomb: input should be greater than or equal"),
-        ("{coulomb = nan}", r"contact\.friction\.coulomb: input should be greater than or equal"),
+        ("-0.1", r"contact\.friction: must be a finite number >= 0, got -0\.1"),
+        ("{coulomb = -0.1}", r"contact\.friction\.coulomb: must be a number >= 0"),
+        ("{coulomb = nan}", r"contact\.friction\.coulomb: must be a number >= 0"),
         ("{coulom = 0.1}", r"contact\.friction\.coulom: unknown field; .*did you mean coulomb\?"),
         ("{mu = 0.1}", r"contact\.friction\.mu: unknown field; .*did you mean coulomb\?"),
-        ("inf", r"contact\.friction: input should be a finite number, got inf"),
+        ("inf", r"contact\.friction: must be a finite number >= 0, got inf"),
     ],
 )
 def test_errors_of_laws_name_the_field(friction, message):

@@ -71,12 +71,12 @@ def test_no_figures_and_no_animation(case_file, tmp_path):
     ("old", "new", "text"),
     [
         ("6e-4", "1.5", r"tugging: interference must be below both radii, < 1.0 m, got 1.5"),
-        ("R1 = 1.0", "R1 = -1.0", r"tugging.R1: input should be greater than 0"),
+        ("R1 = 1.0", "R1 = -1.0", r"tugging.R1: must be a finite number > 0 \[m\]"),
         ("passes = 2", "pases = 2", r"tugging.pases: unknown field; allowed here: R1, R2"),
         ("[contact]", "[contact]\nfriction = 0.1", r"contact.friction: unknown field"),
         ("[contact]", GRID + "[contact]", r"tugging: increments make a grid: leave out \[grid\]"),
         ('"elastic"', '"rigid"', r"body1"),
-        ("increments = 8", "increments = 2", r"tugging.increments: input should be greater"),
+        ("increments = 8", "increments = 2", r"tugging.increments: must be a whole number >= 4"),
     ],
 )
 def test_errors_name_field_and_remedy(case_file, old, new, text):

@@ -73,7 +73,7 @@ def simulation(**settings):
         (
             lambda: simulation(max_iterations=2**31),
             ValueError,
-            "up to 2147483647, got 2.147",
+            "up to 2147483647, got 2147483648",
         ),
         (lambda: sc.Relief(GAP, -(10**20)), ValueError, "first must be an integer of a size up to"),
         (
@@ -89,7 +89,7 @@ def simulation(**settings):
         (
             lambda: simulation().step(load=10**400),
             ValueError,
-            "load must be a finite number, got",
+            "load must be a number of a size up to 1e+300, got <int of about 401 digits>",
         ),
         (
             lambda: simulation().step(load=0.0, advance=(1e300, 0.0)),
@@ -189,7 +189,7 @@ def test_control_characters_of_names_are_escaped_in_errors(tmp_path):
     path.write_text(f'"\\u001b[2Jbad" = 1\n{TEXT}')
     outcome = CliRunner().invoke(main, ["run", str(path)], color=True)
     assert outcome.exit_code == 2
-    assert r"\x1b[2Jbad: unknown field" in outcome.output
+    assert r"'\x1b[2Jbad': unknown field" in outcome.output
     assert "\x1b" not in outcome.output
     assert escaped("a\tb\nµ — ∞") == "a\tb\nµ — ∞"
 
@@ -232,7 +232,7 @@ def test_infinite_radius_beside_units():
     surface = Case.model_validate(content).surface
     assert (surface.Rx, surface.Ry) == (1e-3, math.inf)
     content["grid"]["dx"] = "inf"
-    with pytest.raises(ValueError, match=r"grid\.dx\n.*finite number"):
+    with pytest.raises(ValueError, match=r"grid\.dx: must be a finite number > 0"):
         Case.model_validate(content)
 
 

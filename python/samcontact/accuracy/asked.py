@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import _memory
 from .._checks import boolean, positive
+from .._short import in_short
 from .outcome import Accurate
 from .run import OF_INCREMENTS, Search
 from .scene import Refinable
@@ -136,11 +137,15 @@ def _asked(
     if given is None:
         raise ValueError("accuracy must be a number in (0, 1), e.g. 0.01, or a dict of them")
     chosen = case.quantities if quantities is None else quantities
+    if chosen is not None and not (
+        isinstance(chosen, (list, tuple)) and all(isinstance(name, str) for name in chosen)
+    ):
+        raise TypeError(f"quantities must be a list of names, got {in_short(chosen)}")
     if isinstance(given, Mapping):
         asked = dict(given)
         for name in chosen or ():
             if name not in asked:
-                raise ValueError(f"accuracy has no value for {name!r} of quantities")
+                raise ValueError(f"accuracy has no value for {in_short(name)} of quantities")
     else:
         asked = dict.fromkeys(scene.names if chosen is None else chosen, given)
     if not asked:
@@ -148,11 +153,13 @@ def _asked(
     for name, value in asked.items():
         if name not in scene.names:
             raise ValueError(
-                f"quantities: {name!r} is none of this case, which has {', '.join(scene.names)}"
+                f"quantities: {in_short(name)} is none of this case, which has "
+                f"{', '.join(scene.names)}"
             )
         positive("accuracy", value)
         if not value < 1:
             raise ValueError(
-                f"accuracy must be a relative error in (0, 1), e.g. 0.01 for 1 %, got {value!r}"
+                f"accuracy must be a relative error in (0, 1), e.g. 0.01 for 1 %, "
+                f"got {in_short(value)}"
             )
     return asked

@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 
 from .. import hertz
-from .._checks import integer, non_negative, positive
+from .._checks import integer, non_negative, positive, require_type
 from .._short import in_short
 from .loads import stribeck_load
 from .races import RaceContact
@@ -69,6 +69,10 @@ def static_load_rating(
     they are made by the same formulas, so that this is no evidence of what a bearing bears.
     Sources: ISO 76:2006, *Static load ratings*; ISO/TR 10657, *Explanatory notes on ISO 76*.
     """
+    if not isinstance(races, Sequence) or not all(isinstance(r, RaceContact) for r in races):
+        raise TypeError(
+            f"races must be a list of samcontact.bearings.RaceContact, got {in_short(races)}"
+        )
     if len(races) == 0:
         raise ValueError("races must have one contact at least, got none")
     load = min(_load_at(race, positive("pressure", pressure), E_star, length) for race in races)
@@ -118,5 +122,6 @@ def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -
     Formula and pressures of `static_load_rating` stand for the same experience: that both have
     about 1e-4 of the diameter together is no evidence of either.
     """
+    require_type("race", race, RaceContact)
     Q, D = non_negative("load", load), positive("ball_diameter", ball_diameter)
     return PALMGREN * Q**2 / (D * race.Rx * race.Ry)

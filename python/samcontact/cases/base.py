@@ -15,14 +15,19 @@ from pydantic import (
     ConfigDict,
     Field,
     PrivateAttr,
+    ValidationError,
     field_validator,
 )
 
 from .. import measured
-from .._checks import FloatArray
+from .._checks import MOST_COUNT, MOST_NUMBER, FloatArray
 from .._short import escaped, in_short
 from ..measured.files import is_plain, plain_heights
 from ..units import from_text
+from .errors import explained
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 
 def convert(value: Any, unit: str) -> Any:
@@ -50,7 +55,8 @@ NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Length = Annotated[Positive, in_unit("m")]
 Position = Annotated[Finite, in_unit("m")]
-Count = Annotated[int, Field(ge=1)]
+Count = Annotated[int, Field(ge=1, le=MOST_COUNT)]
+BodyNumber = Annotated[int, Field(ge=1, le=2)]  # to Literal[1, 2], true is 1
 Pair = Annotated[list[Finite], Field(min_length=2, max_length=2)]
 HeatFactor = Annotated[
     NonNegative | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], in_unit("m/s")
@@ -80,6 +86,15 @@ class Section(BaseModel):
             require_printable(value)
         return value
 
+    @field_validator("*")
+    @classmethod
+    def _within_range(cls, value: Any) -> Any:
+        """Products of larger numbers leave the range of floats."""
+        for number in value if isinstance(value, list) else [value]:
+            if isinstance(number, float) and MOST_NUMBER < abs(number) < math.inf:
+                raise ValueError(f"must be of a size up to {MOST_NUMBER:g}, got {number!r}")
+        return value
+
 
 def changed(section: Section, names: Iterable[str]) -> set[str]:
     """Which of these fields are not as they are by default: a copy may give all of them."""
@@ -102,6 +117,20 @@ class CaseFile(Section):
     if TYPE_CHECKING:  # the first and the last field of each kind
         title: str
         output: OutputPlace
+
+    @classmethod
+    def model_validate(cls, obj: Any, **settings: Any) -> Self:
+        """Make a case of a dictionary laid out as a case file, in SI units.
+
+        Raises
+        ------
+        CaseError
+            A field is missing, unknown or out of range; a line for each.
+        """
+        try:
+            return super().model_validate(obj, **settings)
+        except ValidationError as error:
+            raise CaseError("\n".join(explained(cls, error, obj))) from None
 
     _source: Path = PrivateAttr(default=Path("case.toml"))
     _text: str = PrivateAttr(default="")

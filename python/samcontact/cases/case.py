@@ -10,16 +10,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-from pydantic import BeforeValidator, Field, ValidationError, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
 from .. import _memory, paths
 from .. import hertz as _hertz
+from .._checks import file_path
 from .._heating import COLD, heating
 from .._short import in_short
 from ..layered import softest
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
-from .errors import explain
 from .fatigue import FatigueSection
 from .motion import ReliefSection, Segment
 from .sections import (
@@ -269,13 +269,16 @@ def load_case(path: str | Path) -> Case | TuggingCase:
     CaseError
         The file cannot be read, is not TOML, or a field is missing, unknown or out of range.
     """
-    source = Path(path)
+    try:
+        source = file_path("path", path)
+    except ValueError as error:
+        raise CaseError(f"cannot read the case file: {error}") from None
     try:
         text = _text_of(source)
     except UnicodeDecodeError as error:
         reason = f"its byte {error.start} is not UTF-8: save it as UTF-8 text"
         raise CaseError(f"{source}: cannot read the case file: {reason}") from error
-    except (OSError, ValueError) as error:  # ValueError: a null character in its name
+    except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise CaseError(f"{source}: cannot read the case file: {reason}") from error
     return parse_case(text, source)
@@ -329,6 +332,6 @@ def validated(content: Mapping[str, Any], source: Path) -> Case | TuggingCase:
     kind = TuggingCase if "tugging" in content else Case
     try:
         return kind.model_validate(content)
-    except ValidationError as error:
-        lines = [explain(kind, item) for item in error.errors()]
-        raise CaseError("\n".join(f"{source}: {line}" for line in lines)) from error
+    except CaseError as error:
+        lines = str(error).split("\n")
+        raise CaseError("\n".join(f"{source}: {line}" for line in lines)) from None

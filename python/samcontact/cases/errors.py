@@ -5,13 +5,28 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Sequence
-from types import UnionType
-from typing import Annotated, Any, Literal, Union, get_args, get_origin
+from collections.abc import Mapping, Sequence
+from datetime import date, time
+from typing import Any, NamedTuple, get_args, get_origin
 
-from pydantic import BaseModel, Discriminator
+from pydantic import BaseModel, ValidationError
 
 from .._short import in_short
+from .allowed import (
+    described,
+    discriminated,
+    is_model,
+    members,
+    models_in,
+    opened,
+    tags,
+    unit_of,
+)
+
+MOST_LINES = 20
+"""Of the problems of one case."""
+_NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
+_NAME = re.compile(r"[\w-]{1,60}")
 
 # What users call fields, without signs between words.
 _WORDS = {
@@ -53,32 +68,78 @@ _WORDS = {
 }
 
 
-def explain(root: type[BaseModel], item: Any) -> str:
-    """One validation error as "field: what is wrong, what is allowed"."""
-    fields, names = _resolve(root, item["loc"])
-    kind, context = item["type"], item.get("ctx", {})
-    where = _dotted(names)
+def explained(root: type[BaseModel], error: ValidationError, content: Any) -> list[str]:
+    """Each problem of a case once, as "field: what is allowed, and what is there"."""
+    lines = dict.fromkeys(_explain(root, item, content) for item in error.errors())
+    if len(lines) > MOST_LINES:
+        return [*list(lines)[:MOST_LINES], f"and {len(lines) - MOST_LINES} more errors"]
+    return list(lines)
+
+
+def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
+    place = _resolve(root, item["loc"])
+    where, kind = _dotted(place.names), item["type"]
     if kind == "extra_forbidden":
-        near = nearest(str(names[-1]), fields) or _elsewhere(root, str(names[-1]))
+        name = str(place.names[-1])
+        near = nearest(name, place.fields) or _elsewhere(root, name)
         hint = f"; did you mean {near}?" if near else ""
-        return f"{where}: unknown field; allowed here: {', '.join(fields)}{hint}"
+        return f"{where}: unknown field; allowed here: {', '.join(place.fields)}{hint}"
     if kind == "missing":
         return f"{where}: required field is missing"
-    if kind == "union_tag_not_found":
-        key = context["discriminator"].strip("'")
-        return f"{where}.{key}: required field is missing"
-    if kind == "union_tag_invalid":
-        key = context["discriminator"].strip("'")
-        return f"{where}.{key}: must be one of {context['expected_tags']}, got '{context['tag']}'"
     if kind == "value_error":
-        message = str(context["error"])
+        message = str(item["ctx"]["error"])
         return f"{where}: {message}" if where else message
-    if kind == "list_type" and isinstance(item["input"], dict):
-        return f"{where}: must be a list of tables: write [[{where}]] instead of [{where}]"
-    if kind == "model_type" and isinstance(item["input"], list):
-        return f"{where}: must be one table: write [{where}] instead of [[{where}]]"
-    message = item["msg"][0].lower() + item["msg"][1:]
-    return f"{where}: {message}, got {in_short(item['input'])}"
+    given = _at(content, place.names, item["input"])
+    if kind in ("union_tag_not_found", "union_tag_invalid") and isinstance(given, Mapping):
+        key = item["ctx"]["discriminator"].strip("'")
+        if key not in given:
+            return f"{where}.{key}: required field is missing"
+        several = members(opened(place.annotation, place.marks)[0])
+        known = [repr(tag) for one in several for tag in tags(one, key)]
+        return f"{where}.{key}: must be one of {', '.join(known)}, got {in_short(given[key])}"
+    table = re.sub(r"\[\d+\]", "", where)
+    inner = opened(place.annotation, place.marks)[0]
+    if _holds_tables(inner):
+        if isinstance(given, Mapping):
+            return f"{where}: must be a list of tables: write [[{table}]] instead of [{table}]"
+        if given == []:
+            return f"{where}: must have at least one table [[{table}]], got []"
+    elif all(is_model(opened(one)[0]) for one in members(inner)):
+        if isinstance(given, list) and table == where:
+            return f"{where}: must be one table: write [{table}] instead of [[{table}]]"
+        return f"{where}: must be a table, got {in_short(given)}"
+    allowed = described(place.annotation, place.marks)
+    return f"{where}: must be {allowed}, got {in_short(given)}{_slip(allowed, given)}"
+
+
+def _holds_tables(annotation: Any) -> bool:
+    """Whether it is a list of sections."""
+    if get_origin(annotation) is not list:
+        return False
+    return all(is_model(opened(one)[0]) for one in members(opened(get_args(annotation)[0])[0]))
+
+
+def _slip(allowed: str, given: Any) -> str:
+    """How a value that is of another kind may have been meant."""
+    if isinstance(given, (date, time)):
+        return ": it is a date or a time; a text has quotes"
+    if allowed.startswith("true or false"):
+        return ": write true or false, without quotes"
+    if "number" in allowed and isinstance(given, str) and _NUMBER.fullmatch(given):
+        return ": write it without quotes"
+    if "whole number" in allowed and isinstance(given, float) and given.is_integer():
+        return ": write it without a decimal point or an exponent"
+    return ""
+
+
+def _at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
+    """What was written at a place, before units were converted."""
+    for name in names:
+        try:
+            content = content[name]
+        except (KeyError, IndexError, TypeError):
+            return otherwise
+    return content
 
 
 def nearest(name: str, fields: Sequence[str]) -> str | None:
@@ -95,59 +156,52 @@ def nearest(name: str, fields: Sequence[str]) -> str | None:
 def _elsewhere(root: type[BaseModel], name: str) -> str | None:
     """The field of another section that has this name, with or without that of its section."""
     for section, field in root.model_fields.items():
-        known = {inner for model in _models(field.annotation) for inner in model.model_fields}
+        known = {inner for model in models_in(field.annotation) for inner in model.model_fields}
         for meant in (name, name.removeprefix(f"{section}_")):
             if meant in known:
                 return f"{section}.{meant}"
     return None
 
 
-def _dotted(names: list[str | int]) -> str:
+def _dotted(names: Sequence[str | int]) -> str:
     text = ""
     for name in names:
-        text += f"[{name}]" if isinstance(name, int) else f".{name}" if text else name
+        shown = name if isinstance(name, int) or _NAME.fullmatch(name) else in_short(name)
+        text += f"[{shown}]" if isinstance(name, int) else f".{shown}" if text else str(shown)
     return text
 
 
-def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> tuple[list[str], list[str | int]]:
-    """Fields allowed where `loc` points, and `loc` as the user wrote it, without union tags."""
-    models: list[type[BaseModel]] = [root]
-    allowed: list[str] = []
-    names: list[str | int] = []
-    tagged = False
+class _Place(NamedTuple):
+    """Where an error is: the fields allowed there, its name as users write it, what it may be."""
+
+    fields: list[str]
+    names: list[str | int]
+    annotation: Any
+    marks: Sequence[Any]
+
+
+def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _Place:
+    """Follow the location of an error, which has tags of unions in it, into the models.
+
+    Of values that may be of several kinds, each kind has an error: these end at the field.
+    """
+    place = _Place([], [], root, ())
     for element in loc:
-        if tagged:  # by a function: pydantic puts what it returns into the location
-            tagged = False
-            continue
-        if isinstance(element, int):
-            names.append(element)
-            continue
-        if len(models) > 1:  # a tagged union: pydantic puts the tag into the location
-            models = [model for model in models if element in _tags(model)] or models
-            continue
-        if isinstance(element, str) and models:
-            allowed = list(models[0].model_fields)
-            field = models[0].model_fields.get(element)
-            models = _models(field.annotation) if field is not None else []
-            metadata = field.metadata if field is not None else ()
-            tagged = any(isinstance(part, Discriminator) for part in metadata)
-        names.append(element)
-    return allowed, names
-
-
-def _tags(model: type[BaseModel]) -> tuple[Any, ...]:
-    return tuple(
-        tag
-        for field in model.model_fields.values()
-        if get_origin(field.annotation) is Literal
-        for tag in get_args(field.annotation)
-    )
-
-
-def _models(annotation: Any) -> list[type[BaseModel]]:
-    """The section models inside an annotation."""
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return [annotation]
-    if get_origin(annotation) in (Annotated, Union, UnionType, list):
-        return [model for part in get_args(annotation) for model in _models(part)]
-    return []
+        kind, marks = opened(place.annotation, place.marks)
+        several = members(kind)
+        if len(several) > 1 and discriminated(marks):
+            chosen = [one for one in several if element in tags(one)]
+            place = place._replace(annotation=chosen[0] if chosen else None, marks=())
+        elif is_model(kind):
+            names, fields = [*place.names, element], kind.model_fields
+            if element not in fields:
+                return _Place(list(fields), names, None, ())
+            marks = [*fields[element].metadata, fields[element]]
+            place = _Place(list(fields), names, fields[element].annotation, marks)
+        elif get_origin(kind) in (list, dict) and isinstance(element, (int, str)):
+            inherited = [mark for mark in marks if unit_of(None, [mark])]
+            names = [*place.names, element]
+            place = place._replace(names=names, annotation=get_args(kind)[-1], marks=inherited)
+        else:
+            return place
+    return place

@@ -4,38 +4,17 @@
 from __future__ import annotations
 
 import re
-from functools import cache, partial
-from typing import Any, get_args
+from functools import cache
 
 from pydantic import BaseModel
 
 from .._laws import LAWS
+from .allowed import models_in, unit_of
 from .case import Case
 from .tugging import TuggingCase
 
 # Those of laws are not all units for the conversion: microstrain is a number there.
 _OF_LAWS = {name: one.unit for law in LAWS.values() for name, one in law.constants.items()}
-# The marks are for the conversion, these for the reader.
-_WRITTEN = {"m**2/s": "m²/s", "W/(m*K)": "W/(m K)", "N*m": "N m"}
-
-
-def unit_of(annotation: Any, metadata: Any = ()) -> str:
-    """SI unit that marks a field, "" for none."""
-    for part in (*metadata, *get_args(annotation)):
-        convert = getattr(part, "func", None)
-        if isinstance(convert, partial) and "unit" in convert.keywords:
-            unit: str = convert.keywords["unit"]
-            return _WRITTEN.get(unit, unit)
-        if found := unit_of(part):
-            return found
-    return ""
-
-
-def models_in(annotation: Any) -> list[type[BaseModel]]:
-    """The sections that an annotation may hold."""
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return [annotation]
-    return [model for part in get_args(annotation) for model in models_in(part)]
 
 
 def all_models(*roots: type[BaseModel]) -> list[type[BaseModel]]:

@@ -12,6 +12,7 @@ from .. import dents, paths
 from ..paths.ramps import fractions
 from ..relief import Relief
 from .base import (
+    BodyNumber,
     Count,
     Finite,
     HeatFactor,
@@ -72,7 +73,7 @@ class Rolling(_Passes):
 class Sliding(_Passes):
     """Sliding of one body over the other, see `paths.sliding`."""
 
-    slider: Literal[1, 2] = 1
+    slider: BodyNumber = 1
 
 
 class Segment(Along):

@@ -15,6 +15,7 @@ from .._settings import allowed as allowed_of
 from ..friction import Coulomb
 from ..heat import Heat
 from .base import (
+    BodyNumber,
     Count,
     Finite,
     HeatFactor,
@@ -270,5 +271,5 @@ class HeatSection(Section):
 class OutputSection(OutputPlace):
     """[output]: where the results go and what is stored."""
 
-    body: Literal[1, 2] = 2
+    body: BodyNumber = 2
     volume: Literal["none", "last", "peak_and_last", "all"] = "peak_and_last"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, cast
 
 from pydantic import Field, model_validator
 
-from .base import Count, Length, NonNegative, Positive, Section, changed, in_unit
+from .base import BodyNumber, Count, Length, NonNegative, Positive, Section, changed, in_unit
 
 if TYPE_CHECKING:
     from ..material import Material
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from ..wear import FrettingResult, WearResult
 
 Cells = Annotated[int, Field(ge=1)]
-Body = Literal[1, 2]
 WearPerPressure = Annotated[
     Positive | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], in_unit("1/Pa")
 ]
@@ -33,7 +32,7 @@ class WearSection(Section):
     archard: WearPerPressure | None = None
     cycles: Count = 20
     repeats: Count = 1
-    worn: list[Body] = Field([2], min_length=1, max_length=2)
+    worn: list[BodyNumber] = Field([2], min_length=1, max_length=2)
     smoothing_length: Length | None = None
     window: Cells | Annotated[list[Cells], Field(min_length=2, max_length=2)] | None = None
     order: Annotated[int, Field(ge=0)] | None = None

@@ -142,8 +142,8 @@ def cycle(
         if plastic_strain is not None:
             raise ValueError("plastic_strain must not be given with states, which have their own")
         return _of_states(given, 2 if body is None else choice("body", body, (1, 2)))
-    _of_no_body(body)
     stress = _tensors("states", states, "(moments, 6, ...)", 1)
+    _of_no_body(body)
     if stress.shape[0] < 2:
         raise ValueError(f"states must have at least 2 moments, got shape {stress.shape}")
     strain = _strain_like(plastic_strain, stress)
@@ -197,8 +197,8 @@ def passing(
         across = "yx"[number]
         places = {across: getattr(state.grid, across), "z": state.depths}
         return Cycle(paths, _body_of(state, which), FrozenDict(places))
-    _of_no_body(body)
     stress = _tensors("state", state, "(6, nx, ny, nz)", 0)
+    _of_no_body(body)
     if stress.ndim != 4 or stress.shape[1 + number] < 2:
         raise ValueError(
             f"state must have shape (6, nx, ny, nz) with at least 2 cells along {axis}, "

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import scipy
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, exactly_one, positive
+from .._checks import FloatArray, exactly_one, positive, together
 from .._repr import Shown
-from .points import coordinates, require_range, semi_ellipsoid
+from .points import require_range, semi_ellipsoid
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class EllipticContact(Shown):
 
     def pressure(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
         """Pressure [Pa] at x, y [m] (broadcast), zero outside the contact."""
-        across, along = coordinates(x=x, y=y)
+        across, along = together(x=x, y=y)
         return semi_ellipsoid(self.p0, across / self.a_x, along / self.a_y)
 
 

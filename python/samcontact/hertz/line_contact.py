@@ -6,10 +6,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive
+from .._checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive, together
 from .._repr import Shown
 from .axis import line_axis, line_max_von_mises
 from .plane_field import plane_field
@@ -78,8 +77,8 @@ class LineContact(Shown):
         Muskhelishvili 1953), as that of McEwen (1949). The shear's share in the normal
         displacement, zero for bodies of equal elastic constants, is left out.
         """
-        depths = depth_ratio(z, self.b)
-        points = np.broadcast_arrays(coordinates(x=x)[0] / self.b, depths)
+        across, depth = together(x=x, z=z)
+        points = across / self.b, depth_ratio(depth, self.b)
         nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
         return self.p0 * plane_field(points[0], points[1], nu, friction)
 

@@ -7,6 +7,7 @@ import math
 from typing import Protocol
 
 from .._checks import poisson_ratio, positive
+from .._short import in_short
 
 
 class Body(Protocol):
@@ -42,8 +43,8 @@ def effective_modulus(body1: Body, body2: Body) -> float:
     for name, body in (("body1", body1), ("body2", body2)):
         if not hasattr(body, "E"):
             raise TypeError(
-                f"{name} must be homogeneous, with E and nu, got {body!r}: layers have no modulus "
-                "of their own"
+                f"{name} must be homogeneous, with E and nu, got {in_short(body)}: layers have no "
+                "modulus of their own"
             )
         modulus = positive(f"{name}.E", body.E, allow_inf=True)
         if not math.isinf(modulus):

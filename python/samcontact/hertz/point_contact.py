@@ -9,11 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive
+from .._checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive, together
 from .._repr import Shown
 from .axis import point_axis, point_max_von_mises
 from .field import field
-from .points import coordinates, depth_ratio, require_range, semi_ellipsoid
+from .points import depth_ratio, require_range, semi_ellipsoid
 
 
 @dataclass(frozen=True)
@@ -45,12 +45,12 @@ class PointContact(Shown):
 
     def pressure(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
         """Pressure [Pa] at x, y [m] (broadcast), zero outside the contact; (4.24)."""
-        across, along = coordinates(x=x, y=y)
+        across, along = together(x=x, y=y)
         return semi_ellipsoid(self.p0, across / self.a, along / self.a)
 
     def gap(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
         """Gap under load [m] at x, y [m] (broadcast), zero inside the contact; (3.42)."""
-        r = np.maximum(np.hypot(*coordinates(x=x, y=y)) / self.a, 1.0)
+        r = np.maximum(np.hypot(*together(x=x, y=y)) / self.a, 1.0)
         # approach - displacement - r^2/2R with every length in contact radii
         outside = (2.0 - r**2) * np.arcsin(1.0 / r) + np.sqrt(r**2 - 1.0)
         scale = self.a**2 / self.R
@@ -107,9 +107,8 @@ class PointContact(Shown):
         pressure is that of Hertz: the shear's share in the normal displacement, zero for bodies
         of equal elastic constants, is left out.
         """
-        s = depth_ratio(z, self.a)
-        across, along = coordinates(x=x, y=y)
-        points = np.broadcast_arrays(across / self.a, along / self.a, s)
+        across, along, depth = together(x=x, y=y, z=z)
+        points = across / self.a, along / self.a, depth_ratio(depth, self.a)
         nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
         return self.p0 * field(points[0], points[1], points[2], nu, friction)
 

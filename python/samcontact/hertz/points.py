@@ -28,7 +28,7 @@ def semi_ellipsoid(p0: float, *ratios: FloatArray) -> FloatArray:
 
 def coordinates(**given: ArrayLike) -> list[FloatArray]:
     """Checked coordinates, each of its own shape."""
-    return [finite_array(name, values, np.shape(values)) for name, values in given.items()]
+    return [finite_array(name, values) for name, values in given.items()]
 
 
 def depth_ratio(z: ArrayLike, length: float) -> FloatArray:

@@ -17,7 +17,7 @@ from zipfile import BadZipFile
 import numpy as np
 from numpy.lib.format import MAGIC_PREFIX
 
-from .._checks import FloatArray, choice, positive
+from .._checks import FloatArray, choice, file_path, positive
 from .._short import in_short
 from .surface import TRENDS, MeasuredSurface, library
 
@@ -83,7 +83,7 @@ def read(
     """
     choice("undefined", undefined, ("fill", "error", "keep"))
     choice("detrend", detrend, (*TRENDS, None))
-    source = Path(path)
+    source = file_path("path", path)
     step_x = None if dx is None else positive("dx", dx)
     step_y = step_x if dy is None else positive("dy", dy)
     if step_y is not None and step_x is None:
@@ -202,6 +202,8 @@ def _metres(unit: str) -> float:
     """What a length unit is in metres."""
     conversion = library("SurfaceTopography.Support.UnitConversion")
     try:
+        if not isinstance(unit, str):
+            raise TypeError
         return float(conversion.get_unit_conversion_factor(unit, "m"))
     except (KeyError, TypeError, ValueError) as error:
         raise ValueError(

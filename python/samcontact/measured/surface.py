@@ -19,9 +19,10 @@ from numpy.typing import ArrayLike
 from .._checks import FloatArray, boolean, choice, finite, positive, real_array
 from .._frozen import FrozenDict, read_only
 from .._repr import Brief
+from .._short import in_short
 from ..grid import Grid
 from ..relief import Relief, rows_within
-from ..surfaces import SurfaceGrid
+from ..surfaces import SurfaceGrid, require_surface
 
 TRENDS = ("center", "height", "slope", "curvature")
 MANY_UNDEFINED = 0.05  # of all points; beyond, a filled surface is as much guess as measurement
@@ -90,6 +91,8 @@ class MeasuredSurface(Brief):
         object.__setattr__(self, "heights", read_only(heights))
         object.__setattr__(self, "dx", positive("dx", self.dx))
         object.__setattr__(self, "dy", self.dx if self.dy is None else positive("dy", self.dy))
+        if not isinstance(self.attrs, Mapping):
+            raise TypeError(f"attrs must be a mapping, got {in_short(self.attrs)}")
         object.__setattr__(self, "attrs", FrozenDict(self.attrs))
 
     @property
@@ -214,6 +217,7 @@ class MeasuredSurface(Brief):
             The grid reaches beyond the measured area, points are undefined, or an argument is
             outside its range.
         """
+        require_surface(grid)
         return self._at(
             np.asarray(grid.x) - finite("x", x),
             np.asarray(grid.y) - finite("y", y),
@@ -257,6 +261,7 @@ class MeasuredSurface(Brief):
         ValueError
             As `on`; or the measured area is shorter than a cell.
         """
+        require_surface(grid)
         centre = finite("x", x)
         # whole cells inside the measured area; the margin is for rounding
         half = 0.5 * (self.size[0] - grid.dx) + 1e-9 * grid.dx

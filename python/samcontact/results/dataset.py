@@ -114,7 +114,8 @@ def to_dataset(
     if volume is None:
         volume = case.output.volume if case is not None else "peak_and_last"
     choice("body", body, (1, 2))
-    if isinstance(volume, str):
+    listed = isinstance(volume, (Sequence, set, np.ndarray)) and not isinstance(volume, str)
+    if not listed or getattr(volume, "ndim", 1) != 1:
         choice("volume", volume, VOLUME_CHOICES)
 
     states = in_one_window(states)

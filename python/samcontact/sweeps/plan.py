@@ -14,12 +14,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel
 
 from .._checks import choice
 from .._short import in_short
 from ..cases.base import CaseError, CaseFile
-from ..cases.errors import explain
 from ..cases.field_units import field_unit
 
 MODES = ("product", "zip")
@@ -152,8 +151,8 @@ def _validated(
                 except _UnknownField:
                     raise _UnknownField(f"{name}: unknown field{_nearest(case, name)}") from None
             made = type(case).model_validate(content)
-        except ValidationError as error:
-            lines = [_explained(case, item, list(keys)) for item in error.errors()]
+        except CaseError as error:
+            lines = [_renamed(case, line, list(keys)) for line in str(error).split("\n")]
         except _UnknownField as error:
             lines = [str(error)]
         else:
@@ -175,7 +174,7 @@ def _validated(
             made._source, made._text = case.source, case.text
             cases.append(made)
             continue
-        where = ", ".join(f"{n} = {v!r}" for n, v in zip(keys, values, strict=True))
+        where = ", ".join(f"{n} = {in_short(v)}" for n, v in zip(keys, values, strict=True))
         for line in lines:
             problems.setdefault(line, where)
     if problems:
@@ -190,11 +189,10 @@ def _listed(problems: Mapping[str, str]) -> str:
     return "\n".join(lines)
 
 
-def _explained(case: CaseFile, item: Any, names: Sequence[str]) -> str:
-    """One validation error; of a parameter that does not exist, with the nearest that does."""
-    line = explain(type(case), item)
-    where = line.partition(":")[0]
-    if item["type"] == "extra_forbidden":
+def _renamed(case: CaseFile, line: str, names: Sequence[str]) -> str:
+    """A problem of a case; of a parameter that does not exist, with the nearest that does."""
+    where, _, reason = line.partition(": ")
+    if reason.startswith("unknown field;"):
         for name in names:
             if name == where or name.startswith((f"{where}.", f"{where}[")):
                 return f"{name}: unknown field{_nearest(case, name)}; {line.split('; ')[1]}"

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import resolution
 from .._atomic import undisturbed
-from .._checks import boolean, integer
+from .._checks import boolean, file_path, integer
 from .._progress import progress_bar
 from .._short import in_short
 from ..runs.lock import locked
@@ -110,14 +110,15 @@ def sweep(
     from .store import Store, assemble
 
     boolean("progress", progress)
-    base = case if isinstance(case, CaseFile) else load_case(os.fspath(case))
+    base = case if isinstance(case, CaseFile) else load_case(file_path("case", case))
     plan = make_plan(base, parameters, mode)
     digests: dict[Path, str] = {}
     keys = [case_key(made, digests) for made in plan.cases]
     cases = dict(zip(keys, plan.cases, strict=True))
     interrupted: KeyboardInterrupt | None = None
-    with nullcontext() if output is None else locked(Path(output)):
-        run = _Run(cases, None if output is None else Store(Path(output)))
+    folder = None if output is None else file_path("output", output)
+    with nullcontext() if folder is None else locked(folder):
+        run = _Run(cases, None if folder is None else Store(folder))
         with _resolved(executor) as chosen:
             try:
                 run.solve(chosen, progress)

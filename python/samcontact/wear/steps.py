@@ -11,7 +11,7 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, finite_array, integer, positive
+from .._checks import FloatArray, finite_array, integer, positive, real_array
 from .._short import in_short
 
 Window = int | Sequence[int] | None
@@ -49,7 +49,7 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
         Where the strain exceeds the threshold down to the last layer.
     """
     step, limit = positive("dz", dz), positive("threshold", threshold)
-    shape = np.shape(equivalent)
+    shape = real_array("equivalent", equivalent).shape
     if len(shape) != 3 or shape[2] == 0:
         raise ValueError(f"equivalent must have shape (nx, ny, nz), got {shape}")
     field = finite_array("equivalent", equivalent, shape)
@@ -137,7 +137,7 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
     ValueError
         A depth below 0, or a window or order that is not allowed.
     """
-    shape = np.shape(depth)
+    shape = real_array("depth", depth).shape
     if len(shape) != 2:
         raise ValueError(f"depth must have shape (nx, ny), got {shape}")
     given = finite_array("depth", depth, shape)
@@ -225,7 +225,7 @@ def shift(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
     ValueError
         Wrong shape, or a depth below 0.
     """
-    step, shape = positive("dz", dz), np.shape(field)
+    step, shape = positive("dz", dz), real_array("field", field).shape
     if len(shape) < 3 or shape[-1] == 0:
         raise ValueError(f"field must have shape (..., nx, ny, nz), got {shape}")
     values = finite_array("field", field, shape)

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Values that a field of a case file takes, in words, from the annotation of its model."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from functools import partial
+from types import UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+from pydantic import BaseModel, Discriminator, Tag
+from pydantic.fields import FieldInfo
+
+from .._checks import MOST_COUNT
+
+# The marks are for the conversion, these for the reader.
+_WRITTEN = {"m**2/s": "m²/s", "W/(m*K)": "W/(m K)", "N*m": "N m"}
+_LIMITS = ("gt", "ge", "lt", "le", "min_length", "max_length", "allow_inf_nan")
+_SIMPLE = {bool: "true or false", str: "a text"}
+
+
+def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any]]:
+    """What an annotation marks, without `Annotated` and None, and all of its marks."""
+    marks = list(metadata)
+    while True:
+        origin, parts = get_origin(annotation), get_args(annotation)
+        if origin is Annotated:
+            annotation = parts[0]
+            for part in parts[1:]:
+                marks += [part, *part.metadata] if isinstance(part, FieldInfo) else [part]
+            continue
+        wanted = members(annotation)
+        if len(wanted) != 1 or wanted[0] is annotation:
+            return annotation, marks
+        annotation = wanted[0]
+
+
+def members(annotation: Any) -> list[Any]:
+    """What may be given in place of each other, but None."""
+    if get_origin(annotation) not in (Union, UnionType):
+        return [annotation]
+    return [part for part in get_args(annotation) if part is not type(None)]
+
+
+def unit_of(annotation: Any, metadata: Any = ()) -> str:
+    """SI unit that marks a field, "" for none."""
+    for part in (*metadata, *get_args(annotation)):
+        convert = getattr(part, "func", None)
+        if isinstance(convert, partial) and "unit" in convert.keywords:
+            unit: str = convert.keywords["unit"]
+            return _WRITTEN.get(unit, unit)
+        if found := unit_of(part):
+            return found
+    return ""
+
+
+def models_in(annotation: Any) -> list[type[BaseModel]]:
+    """The sections that an annotation may hold."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [annotation]
+    return [model for part in get_args(annotation) for model in models_in(part)]
+
+
+def is_model(annotation: Any) -> bool:
+    """Whether it is a section."""
+    return isinstance(annotation, type) and issubclass(annotation, BaseModel)
+
+
+def discriminated(marks: Sequence[Any]) -> bool:
+    """Whether a word, or a function, decides which of several sections is given."""
+    return any(
+        isinstance(mark, Discriminator) or getattr(mark, "discriminator", None) for mark in marks
+    )
+
+
+def tags(annotation: Any, key: str | None = None) -> tuple[Any, ...]:
+    """What pydantic calls one of several: the words that select a section, or its mark.
+
+    key: the field that selects; default any.
+    """
+    model, marks = opened(annotation)
+    named = tuple(mark.tag for mark in marks if isinstance(mark, Tag))
+    if named or not is_model(model):
+        return named
+    words = (
+        opened(field.annotation)[0]
+        for name, field in model.model_fields.items()
+        if key in (None, name)
+    )
+    return tuple(tag for kind in words if get_origin(kind) is Literal for tag in get_args(kind))
+
+
+def described(annotation: Any, metadata: Sequence[Any] = ()) -> str:
+    """E.g. "a finite number > 0 [m]", or "a list of 2 finite numbers [m/s]"."""
+    kind, marks = opened(annotation, metadata)
+    unit = unit_of(None, marks)
+    limits = {
+        name: getattr(mark, name)
+        for mark in marks
+        if not isinstance(mark, (FieldInfo, partial))
+        for name in _LIMITS
+        if getattr(mark, name, None) is not None
+    }
+    several = members(kind)
+    if len(several) > 1:
+        text = " or ".join(dict.fromkeys(map(described, several)))
+    elif is_model(kind):
+        text = "a table"
+    elif get_origin(kind) is list:
+        text = f"a list of {_counted(limits, described(get_args(kind)[0]))}"
+    elif get_origin(kind) is dict:
+        text = f"a table of {_several(described(get_args(kind)[1]))}"
+    elif get_origin(kind) is Literal:
+        text = " or ".join(f'"{w}"' if isinstance(w, str) else str(w) for w in get_args(kind))
+        text = text if len(get_args(kind)) < 2 else f"one of {text.replace(' or ', ', ')}"
+    elif kind in _SIMPLE:
+        text = _SIMPLE[kind] + (" that is not empty" if limits.get("min_length") else "")
+    else:
+        text = _number(kind, limits)
+    return f"{text} [{unit}]" if unit and f"[{unit}]" not in text else text
+
+
+def _counted(limits: dict[str, Any], one: str) -> str:
+    """How many, of what is described as one."""
+    least, most = limits.get("min_length"), limits.get("max_length")
+    if most is None:
+        count = f"at least {least} " if least else ""
+        return count + (one.removeprefix("a ") if least == 1 else _several(one))
+    return (f"{most} " if least == most else f"{least or 0} to {most} ") + _several(one)
+
+
+def _several(text: str) -> str:
+    """The plural of a description."""
+    return re.sub(r"\b(number|table|text|list)\b", r"\1s", text.removeprefix("a "), count=1)
+
+
+def _number(kind: Any, limits: dict[str, Any]) -> str:
+    name = "whole number" if kind is int else "number"
+    low, high = (
+        next((limits[key] for key in keys if key in limits), None)
+        for keys in (("gt", "ge"), ("lt", "le"))
+    )
+    if kind is float and limits.get("allow_inf_nan") is False and high is None:
+        name = f"finite {name}"
+    if kind is int and high == MOST_COUNT:
+        high = None  # more than memory holds
+    if low is not None and high is not None:
+        if kind is int:
+            if high == low + 1:
+                return f"{low} or {high}"
+            return f"a {name} from {low} to {high}"
+        ends = "(" if "gt" in limits else "[", ")" if "lt" in limits else "]"
+        return f"a {name} in {ends[0]}{low:g}, {high:g}{ends[1]}"
+    bounds = ((low, ">", "gt", ">="), (high, "<", "lt", "<="))
+    signs = [f" {a if key in limits else b} {v:g}" for v, a, key, b in bounds if v is not None]
+    return f"a {name}{''.join(signs)}"

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Values of a wrong kind in every field of every section: one line each, in plain words."""
+
+import datetime
+import math
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+from samcontact.cases import Case, CaseError, TuggingCase, parse_case
+from samcontact.cases.allowed import described, is_model, members, opened, tags
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+FOREIGN = re.compile(
+    r"[Ii]nput should|constrained|validation|valid (dict|list|str|int|number)|instance of|pydantic"
+    r"|<class|Errno|object has no|not iterable|broadcast|list\[|dict\[|Decimal|literal|Section\b"
+)
+"""Words of libraries that know nothing of contacts."""
+LONGEST = 400
+"""Characters of a line but for lists of what is allowed, which are as long as they are."""
+WRONG = [
+    math.nan, math.inf, -math.inf, 1e305, -1.0, 0, 10**400, -(10**400), True, "", "no", "0.3",
+    "1e9999999999999999999 m", "1 parsec**9", "x" * 100_000, "a\x1b[2J", [], [[]], {}, [{}],
+    [math.nan], [True], [0.0] * 3, ["x" * 100_000], {"x" * 1000: 1.0}, datetime.date(1979, 5, 27),
+    datetime.time(7, 32),
+]  # fmt: skip
+BASE = {
+    path.stem: tomllib.loads(path.read_text(encoding="utf-8"))
+    for path in sorted((Path(__file__).parents[2] / "cases").glob("*.toml"))
+}
+
+
+def spoiled(model, content, replaced):
+    """Copies of a section in each of which one field has another value, with what it was."""
+    for name, field in model.model_fields.items():
+        kind, _ = opened(field.annotation)
+        inner = [opened(one)[0] for one in members(kind)]
+        given = content.get(name)
+        for wrong in WRONG:
+            yield replaced({**content, name: wrong}), name, wrong
+        if isinstance(given, dict) and all(map(is_model, inner)):
+            yield from spoiled(
+                chosen(inner, given), given, lambda new, n=name: replaced({**content, n: new})
+            )
+        if isinstance(given, list) and given and isinstance(given[0], dict):
+            models = [opened(one)[0] for one in members(opened(kind.__args__[0])[0])]
+            yield from spoiled(
+                chosen(models, given[0]),
+                given[0],
+                lambda new, n=name, old=given: replaced({**content, n: [new, *old[1:]]}),
+            )
+
+
+def chosen(models, given):
+    """The section that its word selects."""
+    words = {given.get(key) for key in ("law", "shape", "kind")}
+    return next((model for model in models if words & set(tags(model))), models[0])
+
+
+@pytest.mark.parametrize("name", sorted(BASE))
+def test_every_field(name):
+    content = BASE[name]
+    kind = TuggingCase if "tugging" in content else Case
+    refused = 0
+    for case, field, wrong in spoiled(kind, content, lambda new: new):
+        try:
+            kind.model_validate(case)
+        except CaseError as error:
+            refused += 1
+            for line in str(error).split("\n"):
+                shown = re.sub(r"(one of|allowed here:) [^;]*", "", line)
+                assert not FOREIGN.search(line), (field, wrong, line)
+                assert len(shown) < LONGEST, (field, line)
+                assert re.match(r"[\w.\[\]' -]+(:| )", line), line
+    assert refused > 100
+
+
+def test_each_kind_of_value_is_described():
+    """No field falls back to the name of a Python class."""
+    found = set()
+    waiting = [Case, TuggingCase]
+    for model in waiting:
+        for field in model.model_fields.values():
+            marks = [*field.metadata, field]
+            found.add(described(field.annotation, marks))
+            waiting += [m for m in models_below(field.annotation) if m not in waiting]
+    assert len(found) > 30
+    assert [text for text in found if FOREIGN.search(text) or "typing" in text] == []
+
+
+def models_below(annotation):
+    if is_model(annotation):
+        return [annotation]
+    return [model for part in getattr(annotation, "__args__", ()) for model in models_below(part)]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("nx = 16", f"nx = {'1' * 400}", ">= 1, got <int of about 400 digits>"),
+        ("dx = 5e-6", 'dx = "1e9999999999999999999 m"', "dx: must be within the range of numbers"),
+        ("dx = 5e-6", "dx = 1e305", "grid.dx: must be of a size up to 1e+300, got 1e+305"),
+        ("[[path]]", "[output]\nbody = true\n[[path]]", "output.body: must be 1 or 2, got True"),
+        ("[[path]]", "[output]\nfigures = 'no'\n[[path]]", "output.figures: must be true or false"),
+        ('"Ball"', "1979-05-27", "title: must be a text that is not empty, got datetime.date"),
+        ('"Ball"', '""', "title: must be a text that is not empty, got ''"),
+        ("nx = 16", 'nx = "16"', "got '16': write it without quotes"),
+        ("nx = 16", "nx = 16.0", "got 16.0: write it without a decimal point"),
+    ],
+)  # fmt: skip
+def test_what_is_said(old, new, message):
+    text = SCENE.replace(old, new, 1)
+    with pytest.raises(CaseError) as error:
+        parse_case(text, "scene.toml")
+    assert message in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+SCENE = """title = "Ball"
+[grid]
+nx = 16
+ny = 16
+dx = 5e-6
+dy = 5e-6
+[body1]
+law = "rigid"
+[body2]
+law = "elastic"
+E = 210e9
+nu = 0.3
+[surface]
+shape = "paraboloid"
+Rx = 1e-3
+[[path]]
+load = 0.2
+increments = 1
+"""

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Values of a wrong kind for every argument of every public call: it is named, in plain words."""
+
+import datetime
+import re
+import warnings
+
+import numpy as np
+import pytest
+from test_hostile_numbers import CALLS, is_named, names_in
+
+FOREIGN = re.compile(
+    r"incompatible function arg|pybind11|constrained|Input should|broadcast|has no attribute"
+    r"|not iterable|not subscriptable|has no len|not callable$|argument after|unsupported operand"
+    r"|not supported between|inhomogeneous|could not convert|cannot be interpreted|invalid literal"
+    r"|must be real number|unexpected keyword|missing \d+ required|list index|tuple index"
+    r"|truth value of an array|cannot convert|unhashable|<class|Errno|object at 0x"
+)
+"""Words of Python, NumPy and the binding layer."""
+LONGEST = 500
+PLACES = {"path", "checkpoint", "output"}
+
+
+class Broken:
+    """Has no text."""
+
+    def __repr__(self):
+        raise RuntimeError("no text")
+
+
+WRONG = {
+    "True": True,
+    "np.True_": np.True_,
+    "long text": "x" * 100_000,
+    "digits": "12",
+    "complex": 1j,
+    "0-d complex": np.array(1j),
+    "0-d text": np.array("x"),
+    "date": datetime.date(1979, 5, 27),
+    "bytes": b"12",
+    "broken": Broken(),
+    "float": 0.37,
+    "huge": 10**400,
+    "beyond": 1e305,
+    "empty list": [],
+    "list of None": [None, None],
+    "list of True": [True, 1.0],
+    "dict": {},
+    "function": lambda *given, **named: None,
+    "None": None,
+    "ragged": [[1.0], [1.0, 2.0]],
+}
+
+
+def check(name, function, arguments, argument):
+    """Each wrong value is taken for what it is, or refused by name."""
+    problems = []
+    for kind, wrong in WRONG.items():
+        if argument in PLACES and isinstance(wrong, str):
+            continue  # a file that may be there or not
+        try:
+            with warnings.catch_warnings(), np.errstate(all="ignore"):
+                warnings.simplefilter("ignore")
+                function(**{**arguments, argument: wrong})
+        except (ValueError, TypeError) as error:
+            text = str(error)
+            # a number of the right kind may be wrong beside another argument
+            names = arguments if kind == "float" else names_in(argument, arguments[argument])
+            names = {*names, "heat.factor"} if argument == "heat_factor" else names
+            shared = re.match(r"(?:\w, )+\w(?= must)", text)  # by coordinates
+            named = any(is_named(n, text) or (shared and n in shared[0]) for n in names)
+            if FOREIGN.search(text) or len(text) > LONGEST or not named:
+                problems.append(f"{name}({argument}={kind}): {type(error).__name__}: {text[:200]}")
+        except Exception as error:
+            problems.append(f"{name}({argument}={kind}): {type(error).__name__}: {error!s:.200}")
+    return problems
+
+
+@pytest.mark.parametrize(
+    ("name", "function", "arguments"),
+    [pytest.param(*call, id=f"{call[0]}-{n}") for n, call in enumerate(CALLS)],
+)
+def test_is_refused_by_name(name, function, arguments, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # texts are names of files
+    found = [text for one in arguments for text in check(name, function, arguments, one)]
+    assert found == [], "\n".join(found)
