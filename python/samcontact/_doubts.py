@@ -6,16 +6,20 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from ._repr import quantity
 from ._verdict import Verdict
 from .hertz import EllipticContact
+from .layered import Layered, materials_of, softest
 
 if TYPE_CHECKING:
     from ._expected import Expected
+    from ._graded import Profile
     from .grid import Grid
     from .heat import Heat
+    from .layered import Body
     from .material import Material
 
 LARGEST_PART = 0.55
@@ -25,6 +29,22 @@ MOST_WINDOWS, FEWEST_CELLS, MOST_LAYERS = 4.0, 2.0, 1e3
 cell, half across over a layer."""
 SOFTEST_YIELD = 1e-6
 """Yield stress over E: that of pure single crystals is 4e-6."""
+STRONGEST_YIELD = 0.2
+"""Yield stress over E: no bond of atoms bears more."""
+LARGEST_FACTOR = 20.0
+"""Yield stress at a depth over that of the law: a case has 2 to 3."""
+DEEPEST = 0.1
+"""Of a case, residual stress or layer [m]: rolls of mills are hard to 0.1 m."""
+LEAST_STRESS = 1e-7
+"""Residual stress, or modulus of a backstress, over E: in steel 0.02 MPa."""
+LARGEST_MODULUS = 10.0
+"""Of a backstress, over E."""
+FASTEST = 1e3
+"""Speed of a surface through a contact [m/s]: no bearing reaches 300."""
+MOST_WEAR = 1e-9
+"""Volume over work or over load and way [1/Pa]: soft rubber on abrasive paper."""
+LEAST_LIMIT = 1e4
+"""Fatigue limit or yield stress of a solid [Pa]: gels have some 1e4."""
 CAPACITIES = 1e5, 1e7
 """Of heat in a volume of solids [J/(m^3 K)]: 1e6 to 4e6 without pores."""
 LARGEST_EXPANSION = 2e-3
@@ -68,32 +88,36 @@ class Contact(NamedTuple):
 
 
 def doubts_of(
-    contact: Contact | None, grid: Grid, bodies: tuple[Material, Material], heat: Heat
+    contact: Contact | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> Iterator[Doubt]:
     """All that a scene is looked at for, before it is solved; grid: the one that was given."""
-    for number, body in enumerate(bodies, 1):
-        if body.is_plastic:
-            ratio = body.least_yield_stress / body.E
-            name = f"yield stress over E of body {number}"
-            verdict = Verdict(name, ratio, SOFTEST_YIELD, at_least=True)
-            yield Doubt(verdict, lambda: "Both are in pascals")
+    for number, whole in enumerate(bodies, 1):
+        yield from _of_body(f"body {number}", whole)
+    solids = softest(bodies[0]), softest(bodies[1])
     heated = [
         (number, heat.factor[number - 1], body)
-        for number, body in enumerate(bodies, 1)
-        if heat.factor[number - 1] > 0 and body.thermal is not None
+        for number, body in enumerate(solids, 1)
+        if heat.shares[number - 1] > 0 and body.thermal is not None
     ]
     for number, _, body in heated:
         yield from _of_constants(number, body)
+        speed = math.hypot(*heat.velocity[number - 1])
+        verdict = Verdict(f"heat.velocity of body {number}", speed, FASTEST, unit="m/s")
+        yield Doubt(verdict, lambda: "Speeds are in m/s")
     if contact is not None:
-        yield from _of_contact(contact, grid, bodies)
+        yield from _of_contact(contact, grid, solids)
         for number, factor, body in heated:
             yield _of_rise(contact, number, factor, body, heat)
+    for number, whole in enumerate(bodies, 1):  # of what a contact may have told better
+        for material in materials_of(whole):
+            if material.is_plastic:
+                yield _of_strength(number, material)
 
 
 def warn_of_doubts(
     contact: Contact | None,
     grid: Grid,
-    bodies: tuple[Material, Material],
+    bodies: tuple[Body, Body],
     heat: Heat,
     *,
     stacklevel: int,
@@ -102,10 +126,84 @@ def warn_of_doubts(
     found = [d for d in doubts_of(contact, grid, bodies, heat) if not d.verdict.passed]
     if not found:
         return None
-    verdict, remedy, _ = found[0]
-    text = f"{verdict.name} is {verdict.shown}, and should be {verdict.condition}. {remedy()}"
-    warnings.warn(text, UnitWarning, stacklevel=stacklevel + 1)
+    warn_of(found[0], stacklevel=stacklevel + 1)
     return found[0]
+
+
+def warn_of(doubt: Doubt, *, stacklevel: int) -> None:
+    """Warn of a number unless it can be meant."""
+    verdict = doubt.verdict
+    if not verdict.passed:
+        told = f"{verdict.name} is {verdict.shown}, and should be {verdict.condition}"
+        warnings.warn(f"{told}. {doubt.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
+
+
+def wear_coefficient(name: str, value: float) -> Doubt:
+    """Of the work of friction, or of load and way."""
+    verdict = Verdict(name, value, MOST_WEAR, unit="1/Pa")
+    return Doubt(verdict, lambda: "It is in 1/Pa, m³ per joule: 1e-6 mm³/(N m) are 1e-15 1/Pa")
+
+
+def strength(name: str, value: float) -> Doubt:
+    """A fatigue limit, or a yield stress that is given by itself."""
+    verdict = Verdict(name, value, LEAST_LIMIT, at_least=True, unit="Pa")
+    return Doubt(verdict, lambda: "Stresses are in pascals: 300 MPa are 300e6")
+
+
+def _of_body(name: str, body: Body) -> Iterator[Doubt]:
+    if not isinstance(body, Layered):
+        yield from _of_material(name, body)
+        return
+    for place, (material, thickness) in enumerate(body.layers):
+        layer = f"layers[{place}] of {name}"
+        verdict = Verdict(f"thickness of {layer}", thickness, DEEPEST, unit="m")
+        yield Doubt(verdict, lambda: "Thicknesses are in metres")
+        yield from _of_material(layer, material)
+    yield from _of_material(f"the substrate of {name}", body.substrate)
+
+
+def _of_material(name: str, body: Material) -> Iterator[Doubt]:
+    if body.is_plastic:
+        told, limit = f"yield stress over E of {name}", SOFTEST_YIELD
+        verdict = Verdict(told, body.least_yield_stress / body.E, limit, at_least=True)
+        yield Doubt(verdict, lambda: "Both are in pascals")
+    for modulus, _ in body.kinematic:
+        told = f"modulus of kinematic hardening over E of {name}"
+        for limit, least in ((LEAST_STRESS, True), (LARGEST_MODULUS, False)):
+            verdict = Verdict(told, modulus / body.E, limit, least)
+            yield Doubt(verdict, lambda: "Both are in pascals")
+    if body.yield_profile is not None:
+        most_of_law = max(body.yield_profile[1])
+        verdict = Verdict(f"largest yield factor of {name}", most_of_law, LARGEST_FACTOR)
+        yield Doubt(verdict, lambda: "It is a ratio: the hardness there over that of the core")
+        yield _of_depth(f"depth of the yield profile of {name}", body.yield_profile)
+    if body.residual_stress is not None:
+        largest = max(abs(v) for values in body.residual_stress[1:] for v in values)
+        if largest > 0:
+            told = f"largest residual stress over E of {name}"
+            verdict = Verdict(told, largest / body.E, LEAST_STRESS, at_least=True)
+            yield Doubt(verdict, lambda: "Both are in pascals: -800 MPa are -800e6")
+        yield _of_depth(f"depth of the residual stress of {name}", body.residual_stress)
+
+
+def _of_strength(number: int, body: Material) -> Doubt:
+    """The largest yield stress that the law has by itself."""
+    given = body.parameters
+    of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
+    largest = max(*of_law, *given.get("stress", ()))
+    name = f"largest yield stress over E of body {number}"
+    verdict = Verdict(name, largest / body.E, STRONGEST_YIELD)
+    return Doubt(verdict, lambda: "Both are in pascals: 210 GPa are 210e9")
+
+
+def _of_depth(name: str, profile: Profile) -> Doubt:
+    """Where a profile ends to change [m]."""
+    z = profile[0]
+    deepest = 0.0
+    for above, below in pairwise(range(len(z))):
+        if any(values[above] != values[below] for values in profile[1:]):
+            deepest = z[below]
+    return Doubt(Verdict(name, deepest, DEEPEST, unit="m"), lambda: "Depths are in metres")
 
 
 def _of_constants(number: int, body: Material) -> Iterator[Doubt]:
@@ -133,16 +231,22 @@ def _of_rise(contact: Contact, number: int, factor: float, body: Material, heat:
     return Doubt(verdict, lambda: f"The factor of heat is in m/s; {_THERMAL}")
 
 
+def part_of_radius(contact: Contact, said: Callable[[], str] | None = None) -> Doubt:
+    """How large a contact is; said: what is told of it first, default what Hertz expects."""
+    first = said or (lambda: str(contact.expected))
+    share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
+    verdict = Verdict("half width of the Hertz contact over its radius", share, LARGEST_PART)
+    taken = "Bodies are taken as half-spaces, and spheres as paraboloids"
+    return Doubt(verdict, lambda: f"{first()}. {taken}", True)
+
+
 def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material]) -> Iterator[Doubt]:
     expected, extent = contact.expected, contact.extent
 
     def said() -> str:
         return f"{expected}. {likely_slips(contact, grid)}"
 
-    share = max(a / R for a, R in zip(expected.semi_axes, contact.radii, strict=True))
-    name = "half width of the Hertz contact over its radius"
-    taken = "Bodies are taken as half-spaces, and spheres as paraboloids"
-    yield Doubt(Verdict(name, share, LARGEST_PART), lambda: f"{said()}. {taken}", True)
+    yield part_of_radius(contact, said)
     windows = max(
         2 * e / (n * d)
         for e, n, d in zip(extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)

@@ -153,7 +153,7 @@ class Scene:
             driver = "approach" if target.get("load") is None else "load"
             contact = _doubts.Contact(expected, self.extent(**target), driver)
         return _doubts.warn_of_doubts(
-            contact, self.grid, self._solids, heat, stacklevel=stacklevel + 1
+            contact, self.grid, self.bodies, heat, stacklevel=stacklevel + 1
         )
 
     def require_room(self, load: float | None = None, approach: float | None = None) -> None:

@@ -67,7 +67,7 @@ class Track(Fixed):
         With axis="x" or "y" the displacement along the surface.
         """
         return kept(
-            self, f"residual_displacement along {axis}",
+            self, f"residual_displacement along {axis_number(axis)}",
             lambda: self._of_core("residual_displacement", axis_number(axis)),
         )  # fmt: skip
 

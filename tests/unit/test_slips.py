@@ -1,13 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Quantities in other units than those of the SI are told before anything is solved."""
 
+import re
 import warnings
 
+import numpy as np
 import pytest
 
 import samcontact as sc
+from command import invoke
 from samcontact import report, results
+from samcontact._doubts import doubts_of
+from samcontact._heating import COLD
 from samcontact.cases import parse_case
+
+ELASTIC = sc.Material.elastic(210e9, 0.3)
 
 CASE = """
 title = "Two balls"
@@ -108,3 +115,89 @@ def test_a_slip_is_told_before_the_solve_and_fails_a_check(slip, solved):
     loads = "increment", [step["load"] for step in path]
     checks = report.checks(solved.assign(load=loads).assign_attrs(case=case.text))
     assert [name in check.name for check in checks if not check.passed].count(True) == 1
+
+
+STEEL = sc.Material.perfect_plastic(210e9, 0.3, 2e9)
+SLIPS_OF_MATERIALS = {
+    "hardness numbers": (STEEL.with_yield_profile([0, 1e-3], [720, 350]), "largest yield factor"),
+    "case depth in mm": (STEEL.with_yield_profile([0, 0.8, 1], [2, 1, 1]), "depth of the yield"),
+    "depths in mm": (STEEL.with_residual_stress([0, 0.3], [-8e8, 0]), "depth of the residual"),
+    "MPa": (STEEL.with_residual_stress([0, 3e-4], [-800, 0]), "largest residual stress over E"),
+    "E in GPa": (sc.Material.tabulated(210.0, 0.3, [0, 1e-3], [1e9, 2e9]), "largest yield stress"),
+    "E in MPa": (sc.Material.voce(2.1e5, 0.3, 1e4, 2e5, 10.0), "largest yield stress over E"),
+    "backstress in MPa": (STEEL.with_kinematic_hardening(2e4), "modulus of kinematic hardening"),
+    "layer in µm": (sc.Layered([(STEEL, 5.0)], STEEL), "thickness of layers[0] of body 2"),
+    "residual stress below a layer": (
+        sc.Layered([(sc.Material.elastic(3e11, 0.2), 5e-6)], sc.Material.elastic(2e11, 0.3)
+                   .with_residual_stress([0, 3e-4], [-800, 0])),
+        "of the substrate of body 2",
+    ),
+    "speed in mm/s": (STEEL.with_thermal(50.2, 11.7e-6, 1.367e-5), "heat.velocity of body 2"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("slip", SLIPS_OF_MATERIALS)
+def test_a_slip_in_a_material_is_told(slip):
+    body, told = SLIPS_OF_MATERIALS[slip]
+    heat = sc.Heat(1e-3, velocity=(2e3, 0.0)) if "speed" in slip else None
+    found = list(doubts_of(None, sc.Grid(8, 8, 1e-5, 1e-5), (ELASTIC, body), heat or COLD))
+    failed = [doubt for doubt in found if not doubt.verdict.passed]
+    assert any(told in doubt.verdict.name for doubt in failed)
+    assert all(doubt.remedy() for doubt in failed)
+
+
+def test_real_cases_and_layers_are_not_doubted():
+    """A nitrided and a case-hardened steel, a work roll, a coating, gold and a polymer."""
+    case = ([0, 0.4e-3, 0.8e-3, 1.6e-3, 1.0], [2.2, 2.1, 1.6, 1.0, 1.0])
+    roll = ([0, 0.04, 0.08], [3.0, 2.8, 1.0])
+    gold = sc.Material.perfect_plastic(78e9, 0.44, 5e6).with_kinematic_hardening(1e9, 50.0)
+    polymer = sc.Material.tabulated(3e9, 0.4, [0, 0.1], [60e6, 120e6])
+    coating = sc.Layered([(sc.Material.elastic(1e12, 0.1), 50e-9)], gold)
+    bodies = [STEEL.with_yield_profile(*case).with_residual_stress([0, 5e-4], [-1e9, 0])]
+    bodies += [STEEL.with_yield_profile(*roll), gold, polymer, coating]
+    for body in bodies:
+        found = doubts_of(None, sc.Grid(8, 8, 1e-5, 1e-5), (ELASTIC, body), COLD)
+        assert [doubt.verdict.name for doubt in found if not doubt.verdict.passed] == []
+
+
+def test_the_first_slip_is_told_by_a_solver():
+    grid = sc.Grid(8, 8, 1e-5, 1e-5, dz=1e-5)
+    body, told = SLIPS_OF_MATERIALS["hardness numbers"]
+    simulation = sc.Simulation(grid, ELASTIC, body, np.zeros((8, 8)), on_border="warn")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", sc.UnitWarning)
+        with pytest.raises(sc.UnitWarning, match=told):
+            simulation.step(load=1.0)
+
+
+def test_limits_and_coefficients_of_wear():
+    stress = 1e8 * np.sin(np.arange(3 * 6 * 2.0)).reshape(3, 6, 2)
+    with pytest.warns(sc.UnitWarning, match=r"limit is 300 Pa, and should be ≥ 1e\+04 Pa"):
+        sc.fatigue.dang_van(stress, slope=0.3).margin(300.0)
+    with pytest.warns(sc.UnitWarning, match="yield_stress is 900 Pa"):
+        sc.fatigue.fatemi_socie(stress, k=0.3, yield_stress=900.0, material=ELASTIC)
+    given = {"cycle": [{"load": 1.0}, {"load": 1.0}], "friction": sc.Coulomb(0.3), "cycles": 1}
+    grid = sc.Grid(8, 8, 1e-5, 1e-5)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", sc.UnitWarning)
+        with pytest.raises(sc.UnitWarning, match=r"archard is 1e-06 1/Pa.*1e-6 mm³/\(N m\)"):
+            sc.wear.fretting(grid, ELASTIC, ELASTIC, np.zeros((8, 8)), archard=1e-6, **given)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["--R", "7.5", "--E-star", "115e9", "--load", "300"], '--R is 7.5 m, and should be ≤ 1 m'),
+        (["--R", "7.5e-3", "--E-star", "115000", "--load", "3"], "--E-star is 1.15e+05 Pa"),
+        (["--R", "7.5e-3", "--E-star", "115e9", "--p0", "1500"], "--p0 is 1.5e+03 Pa"),
+        (["--R", "10 um", "--E-star", "115 GPa", "--load", "300"], "over its radius is 2.69"),
+    ],
+)  # fmt: skip
+def test_the_command_tells_slips_as_well(arguments, told):
+    with pytest.warns(sc.UnitWarning, match=re.escape(told)):
+        assert invoke("hertz", *arguments).exit_code == 0
+
+
+def test_numbers_with_units_are_meant():
+    outcome = invoke("hertz", "--R", "4 m", "--E-star", "500 kPa", "--load", "300")
+    assert (outcome.exit_code, outcome.stderr) == (0, "")

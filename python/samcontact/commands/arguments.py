@@ -31,6 +31,10 @@ class FilePath(click.Path):
         return super().convert(value, param, context)
 
 
+class Bare(float):
+    """A number without a unit."""
+
+
 class Quantity(Numbers):
     """A number in the SI unit, or a text with another unit of the same kind."""
 
@@ -43,7 +47,7 @@ class Quantity(Numbers):
         self, value: Any, param: click.Parameter | None, context: click.Context | None
     ) -> float:
         try:
-            return float(value)
+            return Bare(value)
         except ValueError:
             pass
         try:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from .. import _core
 from .._checks import FloatArray, choice, non_negative, positive, require_type
+from .._doubts import strength, warn_of
 from .._frozen import FrozenDict, read_only
 from .._short import in_short
 from ..layered import Layered
@@ -313,7 +314,9 @@ def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
 
 def _yield_stress(given: Cycle, material: Material | None, told: float | None) -> float:
     if told is not None:
-        return positive("yield_stress", told)
+        given_stress = positive("yield_stress", told)
+        warn_of(strength("yield_stress", given_stress), stacklevel=4)
+        return given_stress
     body = material if material is not None else given._body
     assert body is not None  # _elasticity has asked
     if not body.is_plastic:

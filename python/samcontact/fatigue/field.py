@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._checks import FloatArray, positive
+from .._doubts import strength, warn_of
 from .._repr import Brief, Rows, Shown, quantity
 
 if TYPE_CHECKING:
@@ -98,6 +99,8 @@ class FatigueField(Brief, Shown):
             0 at the limit, negative where it is passed, infinite where no value is above 0.
         """
         allowed = positive("limit", limit)
+        if self.unit == "Pa":
+            warn_of(strength("limit", allowed), stacklevel=3)
         return allowed / self.largest - 1.0 if self.largest > 0 else math.inf
 
     def over_depth(self) -> FloatArray:

@@ -16,7 +16,6 @@ from .._heating import COLD
 from .._told import SMALL_STRAIN
 from .._verdict import Verdict
 from ..grid_errors import LARGEST_ERROR, LARGEST_SHARE, error_rows
-from ..layered import softest
 from ..resolution import FEW, TOO_FEW, TOO_UNCERTAIN
 from ..results.reading import cell_size, grid_of
 from . import slipping
@@ -132,7 +131,7 @@ def _plausibility(dataset: xr.Dataset, case: Case) -> Iterator[Verdict]:
     expected = None if hertz is None else Expected(hertz)
     contact = None if expected is None else Contact(expected, expected.along_axes)
     heat = COLD if case.heat is None else case.heat.build()
-    bodies = softest(case.body1.build()), softest(case.body2.build())
+    bodies = case.body1.build(), case.body2.build()
     grid = grid_of(dataset) if case.grid is None else case.grid.build()
     for doubt in doubts_of(contact, grid, bodies, heat):
         yield doubt.verdict

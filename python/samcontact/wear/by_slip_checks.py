@@ -19,6 +19,7 @@ from .._checks import (
     require_type,
     step_list,
 )
+from .._doubts import warn_of, wear_coefficient
 from .._short import in_short
 from ..friction import Coulomb, GivenAlong
 from ..grid import Grid
@@ -91,6 +92,7 @@ def make_scene(
     coefficients = of_bodies(law, energy if energy is not None else archard)  # type: ignore[arg-type]
     if not any(coefficients):
         raise ValueError(f"{law} must be above 0 for a body at least, got {coefficients!r}")
+    warn_of(wear_coefficient(law, max(coefficients)), stacklevel=4)
     for n, relief in enumerate(reliefs, 1):
         relief_rows(f"relief{n}", relief, grid)
     path = step_list("cycle", cycle, _TAKEN)
