@@ -36,12 +36,13 @@ def _registry() -> Any:
 
 def from_text(text: str, unit: str) -> float:
     """Number of a text such as "25 um" in this unit; a ValueError that begins with "must be"."""
+    allowed = (
+        f"a number and a unit that converts to {unit}" if unit else "a number, or a percentage"
+    )
     match = _TEXT.fullmatch(text) if len(text) <= LONGEST else None
     # pint reads up to a semicolon, comment or new line, and forgets the rest
     if match is None or not match.group(2) or re.search(r"[;#\n\r]", match.group(2)):
-        raise ValueError(
-            f"must be a number and a unit that converts to {unit}, got {in_short(text)}"
-        )
+        raise ValueError(f"must be {allowed}, got {in_short(text)}")
     registry = _registry()
     try:
         number = Decimal(match.group(1))
@@ -51,9 +52,7 @@ def from_text(text: str, unit: str) -> float:
     except (DecimalException, OverflowError):
         raise ValueError(f"must be within the range of numbers, got {in_short(text)}") from None
     except Exception as error:  # pint lets errors of Python's tokenizer through as well
-        raise ValueError(
-            f"must be a number and a unit that converts to {unit}, got {in_short(text)}"
-        ) from error
+        raise ValueError(f"must be {allowed}, got {in_short(text)}") from error
     if math.isinf(found) or (found == 0.0 and exact != 0):
         raise ValueError(f"must be within the range of numbers, got {in_short(text)}")
     return found
@@ -98,7 +97,7 @@ def si(value: Any, unit: str) -> Any:
             value = value.to(unit).magnitude
         except Exception as error:  # the errors of a pint that need not be ours
             raise ValueError(
-                f"value must have a unit that converts to {unit}, got {value!s}"
+                f"value must have a unit that converts to {unit}, got {in_short(value)}"
             ) from error
     if np.ma.is_masked(value):
         raise ValueError("value must be defined everywhere, got masked values")

@@ -3,18 +3,13 @@
 
 import inspect
 import math
-import re
 
 import numpy as np
 import pytest
-from calls_of_contact import CALLS as ON_GRIDS
-from calls_of_formulas import CALLS as FORMULAS
-from calls_of_shakedown import CALLS as OF_SHAKEDOWN
-from calls_of_wear import CALLS as OF_WEAR
+from public_calls import CALLS, is_named, names_in
 
 import samcontact as sc
 
-CALLS = FORMULAS + ON_GRIDS + OF_SHAKEDOWN + OF_WEAR
 HOSTILE = (math.nan, math.inf, -math.inf)
 
 MADE_BY_THE_PACKAGE = {
@@ -57,13 +52,6 @@ def is_number(value):
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
-PARTS = {
-    "kinematic": {"modulus", "recovery"},
-    "thermal": {"conductivity", "expansion", "diffusivity"},
-}
-"""Names of the numbers of an argument that has several."""
-
-
 def spoiled(value, bad):
     """Each copy of an argument in which one number is replaced; and one number for an array."""
     if is_number(value):
@@ -83,20 +71,6 @@ def spoiled(value, bad):
         for key, item in value.items():
             for other in spoiled(item, bad):
                 yield {**value, key: other}
-
-
-def names_in(name, value):
-    """What an error about an argument may call it: its name, or that of a part with a name."""
-    found = {name} | PARTS.get(name, set())
-    for item in value if isinstance(value, (list, tuple)) else [value]:
-        found |= set(item) if isinstance(item, dict) else set()
-    return found
-
-
-def is_named(name, text):
-    """A single letter may be a word of the sentence anywhere but at its beginning."""
-    where = "^" if len(name) == 1 else r"(?<!\w)"
-    return re.search(rf"{where}{re.escape(name)}(?!\w)", text) is not None
 
 
 def hostile_calls(meant):

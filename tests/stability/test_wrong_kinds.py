@@ -7,7 +7,7 @@ import warnings
 
 import numpy as np
 import pytest
-from test_hostile_numbers import CALLS, is_named, names_in
+from public_calls import CALLS, is_named, names_in
 
 FOREIGN = re.compile(
     r"incompatible function arg|pybind11|constrained|Input should|broadcast|has no attribute"

@@ -95,4 +95,7 @@ def _value(name: str, text: str) -> float:
     except ValueError:
         kind = SYNONYMS.get(name, name).partition("_body")[0]
         unit = CONTACT[kind].unit if kind in CONTACT else "m" if kind == PERMANENT else "1"
-        return from_text(text, {"m2": "m**2", "1": ""}.get(unit, unit))
+        try:
+            return from_text(text, {"m2": "m**2", "1": ""}.get(unit, unit))
+        except ValueError as error:
+            raise ValueError(f"the value of {in_short(name)} {error}") from None
