@@ -77,9 +77,22 @@ def read(path: str | os.PathLike[str], kind: str) -> Tree:
         raise damaged(path, error) from error
 
 
+def other_version(path: str | os.PathLike[str], tree: Tree) -> str:
+    """Return which version of this package wrote a tree; nothing where it is this one."""
+    version = tree.get("samcontact_version")
+    if version == _core.version:
+        return ""
+    return f"{os.fspath(path)!r} was written by samcontact {version}, and this is {_core.version}"
+
+
 def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> None:
     """Raise ForeignCheckpointError for a file of a computation that is not the one of now."""
     before = tree.get("run")
+    if told := other_version(path, tree):
+        raise ForeignCheckpointError(
+            f"{told}, whose results may differ in their last digits: go on with that version, or "
+            "start again in another place"
+        )
     if now != before:
         told = differences(now, before) if isinstance(before, dict) else "a simulation by itself"
         raise ForeignCheckpointError(
@@ -94,7 +107,9 @@ def _require_format(path: str | os.PathLike[str], kind: str, found: Mapping[str,
     version = int(found["format_version"])
     if version != _FORMAT_VERSION:
         raise CheckpointError(
-            f"{name} has checkpoint format {version}; this version reads format {_FORMAT_VERSION}"
+            f"{name} has checkpoint format {version} of samcontact "
+            f"{found.get('samcontact_version')}; this is {_core.version}, which reads format "
+            f"{_FORMAT_VERSION}"
         )
     if found.get("kind") != kind:
         raise CheckpointError(f"{name} is a checkpoint of {found.get('kind')!r}, not of {kind!r}")

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from .._checks import file_path
 from ..state import in_one_window
 from .file import DamagedCheckpointError, read, require_same, write
-from .identity import Identity, identity
+from .identity import Identity, identity, require_identified
 from .journal import Journal, describe
 from .lock import locked
 from .tree import Tree
@@ -58,6 +58,7 @@ class Solves:
         if folder is None:
             yield
             return
+        require_identified(self.who)
         self._folder = file_path("checkpoint", folder)
         with locked(self._folder):
             for file in sorted(self._folder.glob("*.h5")):

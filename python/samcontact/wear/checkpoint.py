@@ -23,7 +23,7 @@ from ..relief import Relief
 from ..runs.file import DAMAGED, DamagedCheckpointError, damaged, require_same
 from ..runs.file import read as read_file
 from ..runs.file import write as write_file
-from ..runs.identity import Identity, identity
+from ..runs.identity import Identity, identity, require_identified
 from ..runs.lock import locked
 from ..runs.tree import Tree, array
 from .results import AnyCycle
@@ -110,6 +110,7 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
 
 def latest(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
     """As `read`; of a damaged file that of the cycle before, with a warning, where there is one."""
+    require_identified(_identity(scene))
     try:
         return read(path, scene)
     except DamagedCheckpointError as error:
