@@ -108,8 +108,8 @@ class Running(Windowed):
         ------
         ValueError
             `checkpoint` holds those of another run or of another version of this package, or a
-            softening law has no identity (see `Material.with_softening`); and as `step`. A contact that does not fit into
-            the grid by far is refused before the first increment.
+            softening law has no identity (see `Material.with_softening`); and as `step`. A contact
+            that does not fit into the grid by far is refused before the first increment.
 
         Warns
         -----

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from .._checks import file_path
+from .._owned import require_marked
 from ..checkpoint import (
     KIND,
     Standing,
@@ -92,7 +93,10 @@ class Journal:
         self.count = 0
         """Increments so far, restored or new."""
         self.folder.mkdir(parents=True, exist_ok=True)
-        for file in sorted(self.folder.glob("*.h5")):  # the first one that is whole tells
+        files = sorted(self.folder.glob("*.h5"))
+        for file in files:
+            require_marked(file, "move it away, or choose another folder")
+        for file in files:  # the first one that is whole tells
             with suppress(DamagedCheckpointError):
                 require_same(self.folder, who, read(file, KIND))
                 break

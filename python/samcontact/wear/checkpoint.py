@@ -16,6 +16,7 @@ import numpy as np
 
 from .._atomic import replacing
 from .._checks import FloatArray, file_path
+from .._owned import require_marked
 from .._seal import check_seal
 from ..grid import Grid
 from ..material import Material
@@ -111,6 +112,8 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
 def latest(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
     """As `read`; of a damaged file that of the cycle before, with a warning, where there is one."""
     require_identified(_identity(scene))
+    for file in (Path(path), _before(path)):
+        require_marked(file)
     try:
         return read(path, scene)
     except DamagedCheckpointError as error:
