@@ -88,6 +88,13 @@ def _before(path: str | os.PathLike[str]) -> Path:
     return Path(f"{os.fspath(path)}.before")
 
 
+def require_own(path: str | os.PathLike[str] | None) -> None:
+    """Raise ValueError for a checkpoint, or that of the cycle before, which is a file of others."""
+    if path is not None:
+        for file in (file_path("checkpoint", path), _before(path)):
+            require_marked(file)
+
+
 def write(path: str | os.PathLike[str], scene: Worn, standing: Standing) -> None:
     """A failure leaves the old file; a copy of it stays in any case."""
     if _is_whole(path):
@@ -112,8 +119,6 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
 def latest(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
     """As `read`; of a damaged file that of the cycle before, with a warning, where there is one."""
     require_identified(_identity(scene))
-    for file in (Path(path), _before(path)):
-        require_marked(file)
     try:
         return read(path, scene)
     except DamagedCheckpointError as error:
