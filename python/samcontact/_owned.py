@@ -145,6 +145,9 @@ def _digest(file: Path) -> str:
 @contextmanager
 def recording(folder: Path) -> Iterator[Record]:
     """List the files that are written into a folder meanwhile; foreign ones are not replaced."""
+    if (record := record_of(folder)) is not None:  # the same list, which changes
+        yield record
+        return
     record = Record(folder)
     before = _recording.set(record)
     try:
@@ -164,17 +167,18 @@ def remove_leftovers(folder: Path, name: str | None = None) -> None:
 
     A living process holds a lock on the file that it is writing.
     """
-    for entry in list(os.scandir(folder)):
-        found = PART.fullmatch(entry.name) if entry.name.startswith(".") else None
+    for entry in os.listdir(folder):
+        found = PART.fullmatch(entry) if entry.startswith(".") else None
         if found and name in (None, found[1]):
-            with contextlib.suppress(OSError), _opened(entry.path) as handle:
+            path = folder / entry
+            with contextlib.suppress(OSError), _opened(path) as handle:
                 fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                if stat.S_ISREG(os.fstat(handle).st_mode):
-                    os.unlink(entry.path)
+                if is_regular(path):
+                    path.unlink()
 
 
 @contextmanager
-def _opened(path: str) -> Iterator[int]:
+def _opened(path: Path) -> Iterator[int]:
     handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
     try:
         yield handle

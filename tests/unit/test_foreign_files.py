@@ -19,7 +19,8 @@ from case_texts import MINIMAL, SCAR
 from command import check_failure, invoke
 from samcontact import plotting, report, results, wear
 from samcontact._atomic import replacing
-from samcontact._owned import RECORD
+from samcontact._owned import RECORD, recording
+from samcontact.commands.folder import publish
 from samcontact.results.trial import try_to_read
 from samcontact.runs.kept import remove_checkpoints
 from samcontact.runs.lock import LOCK
@@ -166,6 +167,18 @@ def test_a_changed_figure_is_not_replaced(tmp_path):
     ):
         plotting.summary_figures(data, tmp_path)
     assert written[0].read_bytes() == retouched
+
+
+def test_files_of_a_second_run_that_are_the_same_are_listed_again(tmp_path):
+    for _ in range(3):
+        with recording(tmp_path):
+            publish(dataset(), tmp_path / "wear.nc")
+            with replacing(tmp_path / "wear.csv") as part:
+                part.write_text("the same")
+    (tmp_path / "wear.csv").write_text("another")
+    with recording(tmp_path), pytest.raises(ValueError, match=r"wear\.csv was not written by"):  # noqa: SIM117
+        with replacing(tmp_path / "wear.csv"):
+            pass
 
 
 def test_a_figure_is_listed_before_it_has_its_name(tmp_path, monkeypatch):

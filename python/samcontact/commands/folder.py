@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from .. import results
 from .._atomic import undisturbed
-from .._owned import Record
+from .._owned import recording
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -56,7 +56,7 @@ def publish(dataset: xr.Dataset, file: Path) -> Path:
     Not before, so that a run that fails costs nothing, and not later, so that no figure or report
     stands beside results that it does not show. Files of others stay.
     """
-    with undisturbed():
+    with undisturbed(), recording(file.parent) as record:
         results.save(dataset, file)
-        Record(file.parent).clear(file, marked=_MAIN)
+        record.clear(file, marked=_MAIN)
     return file
