@@ -4,15 +4,17 @@
 from __future__ import annotations
 
 import errno
+import fcntl
 import os
 import signal
 import tempfile
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO
 
+from ._owned import is_regular, record_of, remove_leftovers, require_marked
 from ._seal import seal
 
 ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -20,17 +22,33 @@ ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 @contextmanager
-def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """A new file beside `path` to write, which takes its place in the end.
+def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
+    """Yield a new file beside `path` to write, which takes its place in the end.
 
-    When something fails the new file is removed, and an old one stays as it is.
+    When something fails the new file is removed, and an old one stays as it is. Of a symbolic link
+    the file behind it is replaced. In a folder under `_owned.recording` only files of this package
+    are.
+
+    Parameters
+    ----------
+    path : path
+        The file; its folder must exist.
+    ending : str, optional
+        Of the name of the new file, for writers that choose a format by it.
+
+    Raises
+    ------
+    OSError
+        The folder is missing or cannot be written, or `path` is a folder, device or pipe.
+    ValueError
+        The folder is recorded, and `path` is a file of others.
     """
-    target = Path(path)
-    if not target.parent.is_dir():
-        raise FileNotFoundError(errno.ENOENT, "there is no folder for", str(target))
-    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".part", dir=target.parent)
-    os.close(handle)
-    temporary = Path(name)
+    record = record_of(Path(path).parent)
+    if record is not None:
+        record.require(Path(path))
+    target = _checked(Path(path))
+    remove_leftovers(target.parent, target.name)
+    handle, temporary = _part(target, ending)
     try:
         yield temporary
         # mkstemp makes the file private; give it what a plain open() would
@@ -39,21 +57,51 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
         temporary.chmod(0o666 & ~mask)
         with open(temporary, "rb") as written:
             os.fsync(written.fileno())
+        if record is not None:
+            record.require(target)
+            record.add(temporary, target.name)
         os.replace(temporary, target)
     except BaseException as error:
         temporary.unlink(missing_ok=True)
         # a full disk is told without a name, others with that of the new file
-        if isinstance(error, OSError) and error.errno and error.filename in (None, name):
+        if isinstance(error, OSError) and error.errno and error.filename in (None, str(temporary)):
             raise _about(target, error) from error
         raise
+    finally:
+        os.close(handle)
+
+
+def _checked(path: Path) -> Path:
+    """The file that a path leads to, which may be missing; its folder must be there."""
+    target = Path(os.path.realpath(path)) if path.is_symlink() else path
+    if not target.parent.is_dir():
+        raise FileNotFoundError(errno.ENOENT, "there is no folder for", str(path))
+    if os.path.lexists(target) and not is_regular(target):
+        kind = "folder" if target.is_dir() else "device or pipe"
+        raise OSError(errno.EINVAL, f"a file must be written, but there is a {kind}", str(path))
+    return target
+
+
+def _part(target: Path, ending: str) -> tuple[int, Path]:
+    """A new file beside the target, with the lock that tells it from those of killed processes."""
+    prefix = f".{target.name}.samcontact-"
+    while True:
+        handle, name = tempfile.mkstemp(f".part{ending}", prefix, target.parent)
+        with suppress(OSError):  # a file system without locks
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        if os.path.exists(name):  # nobody took it for a leftover before it had its lock
+            return handle, Path(name)
+        os.close(handle)
 
 
 @contextmanager
 def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     """The same for HDF5: a file object to write, which gets the digest of `_seal` in the end.
 
-    Ctrl-C waits until the file is complete. Errors of the disk are OSErrors that name `path`.
+    Ctrl-C waits until the file is complete. Errors of the disk are OSErrors that name `path`. An
+    existing file that is none of this package is refused with a ValueError.
     """
+    require_marked(_checked(Path(path)))
     with undisturbed(), replacing(path) as part:
         with open(part, "w+b", buffering=0) as opened:
             file = _Patient(opened)

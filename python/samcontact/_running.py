@@ -107,8 +107,9 @@ class Running(Windowed):
         Raises
         ------
         ValueError
-            `checkpoint` holds those of another run; and as `step`. A contact that does not fit into
-            the grid by far is refused before the first increment.
+            `checkpoint` holds those of another run or of another version of this package, or a
+            softening law has no identity (see `Material.with_softening`); and as `step`. A contact
+            that does not fit into the grid by far is refused before the first increment.
 
         Warns
         -----

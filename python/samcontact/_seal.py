@@ -13,7 +13,8 @@ from typing import BinaryIO
 
 _MARK = b"\nsamcontact sha256 "
 _HEX = 64
-_LENGTH = len(_MARK) + _HEX + 1
+SEALED = len(_MARK) + _HEX + 1
+"""Bytes of the digest with its mark."""
 _BLOCK = 1 << 20
 
 
@@ -30,10 +31,10 @@ def check_seal(path: str | os.PathLike[str]) -> bool:
     Raises ValueError when its bytes are not those that were sealed.
     """
     with open(path, "rb") as file:
-        length = max(0, os.fstat(file.fileno()).st_size - _LENGTH)
+        length = max(0, os.fstat(file.fileno()).st_size - SEALED)
         file.seek(length)
-        end = file.read(_LENGTH)
-        if not end.startswith(_MARK) or len(end) < _LENGTH:
+        end = file.read(SEALED)
+        if not end.startswith(_MARK) or len(end) < SEALED:
             if _MARK.strip() in end or any(end.endswith(_MARK[:n]) for n in range(4, len(_MARK))):
                 raise ValueError("its end is cut off, or something was appended")
             return False

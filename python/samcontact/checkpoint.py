@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, astuple, dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
@@ -18,7 +19,15 @@ from .heat import Heat
 from .layered import Body, Layered
 from .material import Material
 from .relief import Relief
-from .runs.file import DAMAGED, CheckpointError, ForeignCheckpointError, damaged, read, write
+from .runs.file import (
+    DAMAGED,
+    CheckpointError,
+    ForeignCheckpointError,
+    damaged,
+    other_version,
+    read,
+    write,
+)
 from .runs.tree import Tree, array
 from .softening import JohnsonCook
 
@@ -146,7 +155,9 @@ def loaded(
     cls: type[Made], path: str | os.PathLike[str], softening: Sequence[Any], gap: Any = None
 ) -> Made:
     """The simulation of a file; gap: a function that is the one in it."""
-    kept, _ = read_checkpoint(path, softening)
+    kept, tree = read_checkpoint(path, softening)
+    if told := other_version(path, tree):
+        warnings.warn(f"{told}: further increments may differ in their last digits", stacklevel=3)
     try:
         simulation = cls(**kept.arguments | ({} if gap is None else {"gap": gap}))
         resume(simulation, kept)

@@ -34,6 +34,7 @@ from ._repr import Rows, Shown, quantity
 from ._short import in_short
 from .grid_errors import estimated
 from .material import Material
+from .runs.identity import identity
 from .runs.journal import describe
 from .runs.solves import Solves
 
@@ -247,6 +248,8 @@ def find_load(
     search = searched(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
     )
+    if checkpoint is not None and callable(case):  # other loads may make other scenes of it
+        search.solves.who |= identity(function=case)
     with search.solves.kept_in(checkpoint):
         return search.find()
 

@@ -244,7 +244,11 @@ class Material(Graded, Shown):
             Factor of the yield stress, in (0, 1], from the rise of temperature [K]; takes and
             returns an array of shape (nx, ny, nz), once in each increment, with the temperature
             of its first contact solution. `samcontact.softening.JohnsonCook` is one. A checkpoint
-            stores that one only; for others give the law again to `Simulation.load`.
+            stores that one only; for others give the law again to `Simulation.load`. A run with
+            `checkpoint` continues only with the same law: its code and all data it uses are
+            compared (defaults, closures, globals, attributes). A law with hidden state, such as a
+            compiled object, must hold in an attribute `identity` all that it depends on, e.g.
+            ``law.identity = ("my law", 2e-4)``.
 
         Returns
         -------

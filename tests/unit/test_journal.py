@@ -43,10 +43,9 @@ def test_damaged_increments_are_solved_again(tmp_path, expected, numbers):
     assert_same(whole[-1], expected[-1])
 
 
-@pytest.mark.parametrize("content", [b"", b"no checkpoint at all"])
-def test_an_empty_file_is_damaged(tmp_path, expected, content):
+def test_an_empty_file_is_damaged(tmp_path, expected):
     simulation().run(PATH[:1], progress=False, checkpoint=tmp_path / "run")
-    (tmp_path / "run" / "increment_00001.h5").write_bytes(content)
+    (tmp_path / "run" / "increment_00001.h5").write_bytes(b"")
     with pytest.warns(UserWarning, match="is damaged"):
         again = simulation().run(PATH[:1], progress=False, checkpoint=tmp_path / "run")
     assert_same(again[0], expected[0])

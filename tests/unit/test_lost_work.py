@@ -4,7 +4,6 @@
 import errno
 import html
 import os
-import shutil
 
 import pytest
 import xarray as xr
@@ -14,7 +13,7 @@ from case_texts import MINIMAL, SCAR, TUGGING, WEAR
 from command import check_failure, fields, invoke, pressed
 from samcontact import plotting, report, results
 from samcontact.commands import interrupted, solve_contact
-from samcontact.runs import journal, lock
+from samcontact.runs import journal, kept, lock
 from samcontact.runs.lock import LOCK, locked
 
 OPTIONS = ("--no-figures", "--quiet")
@@ -62,7 +61,7 @@ PLACES = {
     "in the table": (solve_contact, "_summary", pressed),
     "in the figures": (plotting, "summary_figures", pressed),
     "before forgetting": (interrupted.Checkpoints, "forget", pressed),
-    "while forgetting": (shutil, "rmtree", pressed),
+    "while forgetting": (kept, "_files", pressed),
 }
 
 
@@ -295,19 +294,25 @@ class TestOneRunAtATime:
         assert list(tmp_path.iterdir()) == []
 
 
-def test_a_run_replaces_the_files_of_the_one_before(case_file, tmp_path, monkeypatch, undrawn):
-    old = ["series.nc", "series.csv", "report.html", "track_print.png", "results_00002_surface.vtr"]
-    mine = ["notes.txt", "my_pressure.png", "results.txt"]
-    for name in (*old, *mine):
+def test_a_run_replaces_the_files_of_the_one_before(case_file, tmp_path, monkeypatch):
+    """Its figures, report and exports, when the new results are there; none of anyone else."""
+    command = ("run", case_file, "--output", tmp_path, "--quiet")
+    assert invoke(*command).exit_code == 0
+    assert invoke("report", tmp_path).exit_code == 0
+    assert invoke("export", tmp_path / "results.nc", "--vtk").exit_code == 0
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    assert {"report.html", "results.vtr", "results_surface.vtr", "pressure.png"} <= set(before)
+    mine = ["notes.txt", "my_pressure.png", "wear.csv", "track_print.pdf", "results_00002.vtr"]
+    for name in mine:
         (tmp_path / name).write_text("old")
-    (tmp_path / "wear.csv").mkdir()  # no file of a run
     with monkeypatch.context() as patch:
         patch.setattr(sc.Simulation, "step", stop_at(1, ERRORS[0]))
-        assert invoke("run", case_file, "--output", tmp_path).exit_code == 1
-    assert all((tmp_path / name).read_text() == "old" for name in (*old, *mine))
-    outcome = invoke("run", case_file, "--output", tmp_path, "--quiet")
+        assert invoke(*command).exit_code == 1
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before | {
+        name: b"old" for name in mine
+    }
+    outcome = invoke(*command, "--no-figures")
     assert outcome.exit_code == 0
-    written = [line.rsplit("/", 1)[1] for line in outcome.stdout.splitlines()]
     left = {path.name for path in tmp_path.iterdir()}
-    assert left == {*written, *mine, "wear.csv"}
-    assert (tmp_path / "notes.txt").read_text() == "old"
+    assert left == {"results.nc", *mine}
+    assert all((tmp_path / name).read_text() == "old" for name in mine)

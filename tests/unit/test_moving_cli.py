@@ -114,7 +114,6 @@ class TestForeignCheckpoints:
         assert sorted(path.name for path in found.iterdir()) == [
             "case.txt",
             "increment_00001.h5",
-            "key.txt",
         ]
         return found
 
@@ -127,7 +126,8 @@ class TestForeignCheckpoints:
         outcome = invoke(*self.command(case_file, tmp_path))
         check_failure(outcome, 2, str(folder), "of another run: remove it, or choose another")
         # it still belongs to the run that left it
-        assert (folder / "case.txt").read_text() == f"{case_file}\n{MOVING}"
+        _, source, text = (folder / "case.txt").read_text().split("\n", 2)
+        assert (source, text) == (str(case_file), MOVING)
 
     def test_without_a_description(self, folder, case_file, tmp_path):
         Simulation.load(folder / "increment_00001.h5").save(folder / "increment_00001.h5")
@@ -206,7 +206,7 @@ def test_ctrl_c_says_how_to_go_on(case_file, tmp_path):
 def test_resume_refuses_a_case_that_changed(case_file, tmp_path):
     folder = tmp_path / "out" / "checkpoints"
     folder.mkdir(parents=True)
-    (folder / "case.txt").write_text(f"{case_file}\n{MOVING}")
+    (folder / "case.txt").write_text(f"samcontact run 0\n{case_file}\n{MOVING}")
     case_file.write_text(MOVING.replace("600.0", "500.0"))
     check_failure(
         invoke("resume", tmp_path / "out"), 2, "is not the case file that was interrupted"

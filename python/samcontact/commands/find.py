@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -66,6 +65,7 @@ def _found(case: Case, search: Search) -> FoundLoad:
     """From what an interrupted search has left, if there is one; another one leaves the same."""
     from .._atomic import undisturbed
     from ..runs.identity import digest
+    from ..runs.kept import remove_checkpoints
 
     folder = case.output_directory / f"find_{digest(search.solves.who)[:12]}"
     kept = folder if folder.exists() else None
@@ -80,7 +80,7 @@ def _found(case: Case, search: Search) -> FoundLoad:
             click.echo(f"the same command goes on from {folder}", err=True)
         raise
     if kept is not None:
-        shutil.rmtree(kept)
+        remove_checkpoints(kept)
     return found
 
 

@@ -9,9 +9,12 @@ from typing import TYPE_CHECKING
 
 from .. import results
 from .._atomic import undisturbed
+from .._owned import recording
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from ..cases.base import CaseFile
 
 _FIGURES = (
     "stick_slip", "fretting_loop", "rolling_force", "creep_curve",
@@ -22,8 +25,9 @@ _FIGURES = (
     "last_cycle_body[12]", "fretting", "fatigue_depth", "fatigue_strain", "fatigue_section",
     "shakedown",
 )  # fmt: skip
+_MAIN = re.compile(r"(results|series|wear|fatigue|shakedown)\.nc")
 _OWN = re.compile(
-    r"(results|series|wear|fatigue|shakedown)\.nc|(series|wear)\.csv|(report|results)\.html|(rolling|stick_slip)\.gif"
+    rf"{_MAIN.pattern}|(series|wear)\.csv|(report|results)\.html|(rolling|stick_slip)\.gif"
     r"|results(_\d{5,})?(_track)?(_surface)?\.vt[ru]|results(_surface)?\.pvd"
     rf"|({'|'.join(_FIGURES)})\.(png|pdf|svg)"
 )
@@ -35,15 +39,24 @@ def is_own(file: Path) -> bool:
     return _OWN.fullmatch(file.name) is not None
 
 
+def written_names(case: CaseFile, main: str, figures: bool, animate: bool) -> re.Pattern[str]:
+    """Return the names of the files that a run may write; main: of its results, without ending."""
+    parts = [name for name in ("fatigue", "shakedown") if getattr(case, name, None) is not None]
+    names = ["|".join((main, *parts)) + r")\.nc", main + r")\.csv"]
+    if figures and case.output.figures:
+        names.append(f"{'|'.join(_FIGURES)})\\.({case.output.format}|png)")
+    if animate:
+        names.append(r"rolling|stick_slip)\.gif")
+    return re.compile("|".join(f"({name}" for name in names))
+
+
 def publish(dataset: xr.Dataset, file: Path) -> Path:
-    """Write the results of a run; what an earlier one has left beside them goes now.
+    """Write the results of a run; what earlier ones have left beside them goes now.
 
     Not before, so that a run that fails costs nothing, and not later, so that no figure or report
-    stands beside results that it does not show.
+    stands beside results that it does not show. Files of others stay.
     """
-    with undisturbed():
+    with undisturbed(), recording(file.parent) as record:
         results.save(dataset, file)
-        for other in file.parent.iterdir():
-            if other != file and is_own(other) and other.is_file():
-                other.unlink()
+        record.clear(file, marked=_MAIN)
     return file

@@ -3,16 +3,18 @@
 
 from __future__ import annotations
 
-import shutil
+import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
 from .._atomic import replacing, undisturbed
+from .._owned import Record, recording
 from ..runs.file import ForeignCheckpointError
+from ..runs.kept import CASE, CASE_MARK, foreign, remove_checkpoints
 from ..runs.lock import locked
 
 if TYPE_CHECKING:
@@ -21,8 +23,7 @@ if TYPE_CHECKING:
 FOLDER = "checkpoints"
 OLD = "checkpoints.old"
 DONE = ".checkpoints.done"
-CASE = "case.txt"
-KEY = "key.txt"
+REMEDY = "give another --output"
 MANY = 20
 """Increments whose checkpoints may take long to write, during which Ctrl-C does nothing."""
 
@@ -48,14 +49,13 @@ class Checkpoints:
 
         With `resume` they are not: whether they fit is for those who read them to say.
         """
-        if (self.directory / DONE).exists():
-            shutil.rmtree(self.directory / DONE)
+        remove_checkpoints(self.directory / DONE)
         if not self.folder.exists() or resume:
             return resume
-        if _text(self.folder / KEY) == self.key:
+        if _read(self.folder / CASE).key == self.key:
             told = f"going on from the checkpoints of an interrupted run: {self.folder}"
         else:
-            shutil.rmtree(self.directory / OLD, ignore_errors=True)
+            remove_checkpoints(self.directory / OLD)
             self.folder.rename(self.directory / OLD)
             told = f"checkpoints of another run, set aside: {self.directory / OLD}"
         click.echo(told, err=True)
@@ -64,11 +64,12 @@ class Checkpoints:
     def remember(self) -> Path:
         """Leave where the case came from, and its text, beside the checkpoints; their folder."""
         self.folder.mkdir(parents=True, exist_ok=True)
-        texts = {CASE: f"{self.case.source.resolve()}\n{self.case.text}", KEY: self.key}
-        for name, text in texts.items():
-            with replacing(self.folder / name) as part:
-                part.write_text(text, encoding="utf-8")
+        self._write(f"{CASE_MARK}{self.key}\n{self.case.source.resolve()}\n{self.case.text}")
         return self.folder
+
+    def _write(self, text: str) -> None:
+        with replacing(self.folder / CASE) as part:
+            part.write_text(text, encoding="utf-8")
 
     @contextmanager
     def used(self) -> Iterator[Path]:
@@ -76,24 +77,19 @@ class Checkpoints:
 
         It belongs to this case from here on, unless what is there turns out to be of another run.
         """
-        before = {name: _text(self.folder / name) for name in (CASE, KEY)}
+        before = _text(self.folder / CASE)
         folder = self.remember()
         try:
             yield folder
         except Exception as error:
             if not any(folder.rglob("*.h5")):  # nothing to go on from
-                shutil.rmtree(folder)
-            elif isinstance(error, ForeignCheckpointError):
-                self._give_back(before)
+                remove_checkpoints(folder)
+            elif isinstance(error, ForeignCheckpointError):  # it is still of the run before
+                if before is None:
+                    (folder / CASE).unlink(missing_ok=True)
+                else:
+                    self._write(before)
             raise
-
-    def _give_back(self, before: dict[str, str | None]) -> None:
-        """The marks of the run that the checkpoints belong to."""
-        for name, text in before.items():
-            if text is None:
-                (self.folder / name).unlink(missing_ok=True)
-            else:
-                (self.folder / name).write_text(text, encoding="utf-8")
 
     def keep(self, write: Callable[[Path], None], increments: int) -> None:
         """Have the increments written that a run without a journal has done, if there is room."""
@@ -111,16 +107,49 @@ class Checkpoints:
             for name in (FOLDER, OLD):
                 if (self.directory / name).exists():
                     (self.directory / name).rename(self.directory / DONE)
-                    shutil.rmtree(self.directory / DONE)
+                    remove_checkpoints(self.directory / DONE)
 
 
 @contextmanager
-def checkpoints_of(directory: Path, case: CaseFile) -> Iterator[Checkpoints]:
-    """The folder of a run, locked; its checkpoints are forgotten when the run reaches its end."""
-    with locked(directory, "give another --output"):
+def checkpoints_of(
+    directory: Path, case: CaseFile, written: re.Pattern[str]
+) -> Iterator[Checkpoints]:
+    """Lock the folder of a run, and forget its checkpoints when the run reaches its end.
+
+    Parameters
+    ----------
+    directory : Path
+    case : CaseFile
+    written : re.Pattern
+        Names of the files that the run may write.
+
+    Raises
+    ------
+    ValueError
+        Files that this package has not written are in the way.
+    """
+    with locked(directory, REMEDY), recording(directory) as record:
+        for name in (FOLDER, OLD, DONE):
+            if (found := foreign(directory / name)) is not None:
+                raise ValueError(
+                    f"{found} was not written by samcontact, which keeps checkpoints of a run in "
+                    f"{directory / name} and removes them at its end: move it away, or {REMEDY}"
+                )
+        for file in sorted(directory.iterdir()):
+            if written.fullmatch(file.name):
+                _require_own(file, record, case)
         checkpoints = Checkpoints(directory, case)
         yield checkpoints
         checkpoints.forget()
+
+
+def _require_own(file: Path, record: Record, case: CaseFile) -> None:
+    if file.exists() and case.source.exists() and file.samefile(case.source):
+        raise ValueError(
+            f"the case file {case.source} has the name of a file that its run may write: rename "
+            f"it, or {REMEDY}"
+        )
+    record.require(file)
 
 
 def is_interrupted(directory: Path) -> bool:
@@ -138,7 +167,7 @@ def interrupted_case(directory: Path) -> Path:
     mark = directory / FOLDER / CASE
     if not is_interrupted(directory):
         raise ValueError(f"{directory} has no interrupted run: there is no {mark}")
-    name, _, text = (_text(mark) or "").partition("\n")
+    _, name, text = _read(mark)
     if not name or "\ufffd" in name:
         raise ValueError(
             f"{mark} is damaged and does not name its case file: go on with\n"
@@ -150,6 +179,22 @@ def interrupted_case(directory: Path) -> Path:
             f"{file} is not the case file that was interrupted any more: run it anew, or restore it"
         )
     return file
+
+
+class _Kept(NamedTuple):
+    """What the file beside checkpoints says of their run."""
+
+    key: str
+    source: str
+    text: str
+
+
+def _read(mark: Path) -> _Kept:
+    first, _, rest = (_text(mark) or "").partition("\n")
+    if not first.startswith(CASE_MARK):
+        return _Kept("", "", "")
+    source, _, text = rest.partition("\n")
+    return _Kept(first.removeprefix(CASE_MARK), source, text)
 
 
 def _text(file: Path) -> str | None:

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
-from contextlib import ExitStack
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import click
 
+from .._owned import recording
 from .arguments import FilePath
 from .errors import short_errors
 
@@ -51,8 +53,9 @@ def export(
         from .. import results
 
         ending = ".html" if html else ".pvd" if every else ".vtr"
-        target = results_file.with_suffix(ending) if output is None else output
-        with results.open_results(results_file) as dataset:
+        default = results_file.with_suffix(ending)
+        target = output or default
+        with results.open_results(results_file) as dataset, _recorded(target, default):
             if html:
                 from ..plotting import save_view, view
 
@@ -80,7 +83,8 @@ def report(run: Path, output: Path | None) -> None:
         from .. import results
 
         source = _results_of(run) if run.is_dir() else run
-        target = output or source.with_name("report.html")
+        default = source.with_name("report.html")
+        target = output or default
         if source.exists():  # else that is what is wrong
             _require_page(target)
         beside = source.with_name("shakedown.nc")
@@ -89,12 +93,25 @@ def report(run: Path, output: Path | None) -> None:
             repeated = None
             if source.name == "results.nc" and beside.is_file():
                 repeated = opened.enter_context(results.open_results(beside))
+            opened.enter_context(_recorded(target, default))
             file = reports.write(dataset, target, shakedown=repeated)
             failed = [check for check in reports.checks(dataset) if not check.passed]
         for check in failed:
             text = f"check failed: {check.name}: {check.shown}, limit {check.condition}"
             click.echo(text, err=True)
         click.echo(str(file))
+
+
+@contextmanager
+def _recorded(target: Path, default: Path) -> Iterator[None]:
+    """List files written under their default names, which replace none of others; a file that the
+    user has named otherwise is replaced whatever it is."""
+    if target != default:
+        yield
+        return
+    with recording(target.parent) as record:
+        record.require(target)
+        yield
 
 
 def _require_page(target: Path) -> None:

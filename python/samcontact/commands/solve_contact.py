@@ -25,7 +25,7 @@ from ..runs.journal import Journal, describe
 from ..state import in_one_window
 from .errors import StoppedEarlyError, tell_partial, to_try_on
 from .fatigue import write_fatigue
-from .folder import publish
+from .folder import publish, written_names
 from .interrupted import Checkpoints, checkpoints_of
 from .shakedown import write_shakedown
 from .tables import CONTACT_COLUMNS, Sheet, numbers, of_contact, values_sheet
@@ -56,7 +56,8 @@ def solve_contact(
     simulation, path = case.build()
     who = describe(simulation, path=path)
     # before the computation: a directory that cannot be made must not cost a run
-    with checkpoints_of(directory, case) as checkpoints:
+    written = written_names(case, "results", figures, animate)
+    with checkpoints_of(directory, case, written) as checkpoints:
         journal = checkpoints.claim(resume)
         console.print(case.title, style="bold", markup=False, highlight=False)
         states: list[State] = []
@@ -92,7 +93,8 @@ def solve_to_accuracy(
     An error or an interrupt leaves the best values so far as results, too.
     """
     search = searched(case, progress=not console.quiet)
-    with checkpoints_of(directory, case) as checkpoints:
+    written = written_names(case, "results", figures, False)
+    with checkpoints_of(directory, case, written) as checkpoints:
         journal = checkpoints.claim(resume)
         console.print(case.title, style="bold", markup=False, highlight=False)
         try:

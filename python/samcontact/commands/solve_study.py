@@ -14,6 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from rich.console import Console
 
+from .._atomic import replacing
 from .._quantities import TUGGING, WEAR
 from ..asperities.series import of_passes
 from ..plotting import tugging, wear
@@ -21,7 +22,7 @@ from ..plotting.parts import column
 from ..plotting.parts import save as save_figure
 from ..results.dataset import completeness
 from .errors import StoppedEarlyError, tell_partial, to_try_on
-from .folder import publish
+from .folder import publish, written_names
 from .interrupted import checkpoints_of
 from .tables import Sheet, values_sheet
 
@@ -115,14 +116,16 @@ def _solve(
         console.print(kind.sheet(dataset))
         if dataset.attrs.get("stopped", 1) == 0 and not stopped_by:
             console.print(f"still wearing after {dataset.sizes['cycle']} cycles", highlight=False)
-        kind.rows(dataset).to_csv(written[-1])
+        with replacing(written[-1]) as part:
+            kind.rows(dataset).to_csv(part)
         if case.output.figures and figures:
             with column(case.output.column):
                 for name, figure in kind.draw(result, dataset).items():
                     written.append(save_figure(figure, directory / f"{name}.{case.output.format}"))
         return written
 
-    with checkpoints_of(directory, case) as checkpoints:
+    names = written_names(case, kind.file, figures, False)
+    with checkpoints_of(directory, case, names) as checkpoints:
         checkpoints.claim(resume)
         console.print(case.title, style="bold", markup=False, highlight=False)
         try:

@@ -13,6 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.image import AxesImage
 from matplotlib.lines import Line2D
 
+from .._atomic import replacing
 from .._checks import FloatArray, choice, positive
 from .._quantities import CONTACT
 from ..state import in_one_window
@@ -234,5 +235,7 @@ def save_animation(
         writer = FFMpegWriter(fps=rate)  # type: ignore[arg-type]
     else:
         raise ValueError(f"path must end in .gif or .mp4, got {str(target)!r}")
-    animation.save(target, writer=writer, dpi=positive("dpi", dpi))
+    resolution = positive("dpi", dpi)
+    with replacing(target, target.suffix) as part:
+        animation.save(part, writer=writer, dpi=resolution)
     return target

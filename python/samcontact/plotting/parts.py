@@ -19,6 +19,7 @@ from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 from numpy.typing import ArrayLike
 
+from .._atomic import replacing
 from .._checks import FloatArray, choice, finite, finite_array
 from .ticks import FittedLocator, fit_ticks
 
@@ -93,7 +94,8 @@ def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
 def save(figure: Figure | None, path: Path) -> Path:
     """Write a figure (that of an axes is never none) without what is blank around it."""
     assert figure is not None
-    draw(figure, path, **_OPTIONS.get(path.suffix, {}))
+    with replacing(path) as part:
+        draw(figure, part, format=path.suffix[1:] or "png", **_OPTIONS.get(path.suffix, {}))
     return path
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .._checks import choice
+from .._owned import recording
 from ..results.reading import grid_of
 from .contact import (
     HertzContact,
@@ -76,7 +77,8 @@ def summary_figures(
     Raises
     ------
     ValueError
-        An unknown body or format.
+        An unknown body or format; or a file of one of these names that was not written by this
+        package, or has been changed since.
     """
     choice("format", format, ("png", "pdf", "svg"))
     scene = Scene(dataset, choice("body", body, (1, 2)), hertz)
@@ -94,7 +96,11 @@ def summary_figures(
             figures |= track_summary(scene.track, travel)
     elif f"residual_displacement_body{body}" in dataset:
         figures |= _of_the_print(scene)
-    return [save(figure, folder / f"{name}.{format}") for name, figure in figures.items()]
+    with recording(folder) as record:
+        files = {folder / f"{name}.{format}": figure for name, figure in figures.items()}
+        for file in files:
+            record.require(file)
+        return [save(figure, file) for file, figure in files.items()]
 
 
 def increments_shown(dataset: xr.Dataset, body: int) -> set[int]:

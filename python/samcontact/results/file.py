@@ -15,8 +15,9 @@ import xarray as xr
 
 from .._atomic import replacing_hdf5
 from .._seal import check_seal
-from ..runs.file import DAMAGED
+from ..runs.file import DAMAGED, require_self_contained
 from .reading import parts_of_a_run
+from .trial import try_to_read
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -72,6 +73,10 @@ def _history(dataset: xr.Dataset) -> str:
 def open_results(path: str | Path) -> xr.Dataset:
     """Open a results file; fields are read when they are used.
 
+    The bytes of a file by `save` are compared with its digest. One that another program has written
+    since has none, and is read as a whole by a process of its own first: HDF5 may crash on damaged
+    metadata, or never end.
+
     Parameters
     ----------
     path : str or Path
@@ -87,14 +92,15 @@ def open_results(path: str | Path) -> xr.Dataset:
     FileNotFoundError
         There is no such file.
     ValueError
-        The file is not a results file of this package.
+        The file is not a results file of this package, is damaged, or has links to other files.
     """
     source = Path(path)
     if not source.is_file():
         raise FileNotFoundError(f"no results file at {source}")
     try:
-        check_seal(source)  # files that other programs have written on purpose have none
-        _check_scales(source)
+        if not check_seal(source):  # other programs have written it on purpose, or damaged it
+            try_to_read(source)
+        _check_structure(source)
         _try(source)
         dataset = xr.open_dataset(source, engine="h5netcdf")
     except PermissionError:
@@ -112,8 +118,11 @@ def open_results(path: str | Path) -> xr.Dataset:
     return dataset
 
 
-def _check_scales(path: Path) -> None:
-    """HDF5 follows what links dimensions without a look at its type: other numbers crash it."""
+def _check_structure(path: Path) -> None:
+    """Refuse values in other files, and links of dimensions to what are none.
+
+    HDF5 follows what links dimensions without a look at its type: other numbers crash it.
+    """
 
     def check(name: str, part: h5py.Group | h5py.Dataset) -> None:
         for link, is_one in (("DIMENSION_LIST", _is_list), ("REFERENCE_LIST", _is_table)):
@@ -124,6 +133,7 @@ def _check_scales(path: Path) -> None:
                     raise ValueError(f"the attribute {link} of {name} does not link dimensions")
 
     with h5py.File(path, "r") as file:
+        require_self_contained(file)
         file.visititems(check)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import h5py
@@ -12,12 +13,14 @@ import h5py
 from .. import _core
 from .._atomic import replacing_hdf5
 from .._checks import file_path
+from .._owned import is_marked
 from .._seal import check_seal
 from .identity import Identity, differences
 from .tree import Tree, read_tree, write_tree
 
 _FORMAT = "samcontact checkpoint"
 _FORMAT_VERSION = 10
+_SIGNATURE = b"\x89HDF\r\n\x1a\n"
 
 DAMAGED = (
     OSError, KeyError, ValueError, TypeError, AttributeError, IndexError, OverflowError,
@@ -65,11 +68,11 @@ def read(path: str | os.PathLike[str], kind: str) -> Tree:
     if not file_path("path", path).is_file():
         raise FileNotFoundError(f"no checkpoint at {os.fspath(path)!r}")
     try:
-        sealed = check_seal(path)
+        if not check_seal(path):  # HDF5 may not come back from a damaged file
+            raise _unsealed(path)
         with h5py.File(path, "r") as file:
+            require_self_contained(file)
             _require_format(path, kind, dict(file.attrs))
-            if not sealed:
-                raise ValueError("the digest at its end is missing: it was cut off or changed")
             return read_tree(file)
     except CheckpointError:
         raise
@@ -77,9 +80,51 @@ def read(path: str | os.PathLike[str], kind: str) -> Tree:
         raise damaged(path, error) from error
 
 
+def other_version(path: str | os.PathLike[str], tree: Tree) -> str:
+    """Return which version of this package wrote a tree; nothing where it is this one."""
+    version = tree.get("samcontact_version")
+    if version == _core.version:
+        return ""
+    return f"{os.fspath(path)!r} was written by samcontact {version}, and this is {_core.version}"
+
+
+def _unsealed(path: str | os.PathLike[str]) -> ValueError:
+    """The error of a file without a digest: one of others, or a damaged one."""
+    with open(path, "rb") as file:
+        is_hdf5 = file.read(len(_SIGNATURE)) == _SIGNATURE
+    if not is_hdf5:
+        return ValueError("it is not an HDF5 file")
+    if not is_marked(Path(path)):
+        return CheckpointError(f"{os.fspath(path)!r} is not a samcontact checkpoint")
+    return ValueError("the digest at its end is missing: it was cut off or changed")
+
+
+def require_self_contained(file: h5py.Group) -> None:
+    """Raise ValueError for an HDF5 file with parts that lie in other files."""
+    found: list[str] = []  # h5py loses exceptions that are raised within a visit
+
+    def check_link(name: str, link: Any) -> None:
+        if isinstance(link, h5py.ExternalLink):
+            found.append(f"{name} is a link to another file, {link.filename!r:.80}")
+
+    def check(name: str, part: h5py.Group | h5py.Dataset) -> None:
+        if isinstance(part, h5py.Dataset) and (part.external or part.is_virtual):
+            found.append(f"the values of {name} are in another file")
+
+    file.visititems_links(check_link)
+    file.visititems(check)
+    if found:
+        raise ValueError(f"{found[0]}, which is not followed: copy the values into the file")
+
+
 def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> None:
     """Raise ForeignCheckpointError for a file of a computation that is not the one of now."""
     before = tree.get("run")
+    if told := other_version(path, tree):
+        raise ForeignCheckpointError(
+            f"{told}, whose results may differ in their last digits: go on with that version, or "
+            "start again in another place"
+        )
     if now != before:
         told = differences(now, before) if isinstance(before, dict) else "a simulation by itself"
         raise ForeignCheckpointError(
@@ -94,7 +139,9 @@ def _require_format(path: str | os.PathLike[str], kind: str, found: Mapping[str,
     version = int(found["format_version"])
     if version != _FORMAT_VERSION:
         raise CheckpointError(
-            f"{name} has checkpoint format {version}; this version reads format {_FORMAT_VERSION}"
+            f"{name} has checkpoint format {version} of samcontact "
+            f"{found.get('samcontact_version')}; this is {_core.version}, which reads format "
+            f"{_FORMAT_VERSION}"
         )
     if found.get("kind") != kind:
         raise CheckpointError(f"{name} is a checkpoint of {found.get('kind')!r}, not of {kind!r}")

@@ -6,18 +6,46 @@ from __future__ import annotations
 import dataclasses
 import hashlib
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
+from .dependencies import IDENTITY, UnidentifiedError, text_of_object
+
 Identity = dict[str, str]
 """The text of each part by name; a digest where that is long."""
 _SHORT = 60
+_EXACT = 1 << 53
+"""Larger integers are not all float64."""
+_UNKNOWN = "unidentified: "
 
 
 def identity(**parts: Any) -> Identity:
-    """Of computations with equal parts: numbers, texts, arrays, dataclasses, and lists of them."""
-    return {name: _shortened(canonical(part)) for name, part in parts.items()}
+    """Return the texts of numbers, arrays, dataclasses, functions, and of nested lists of them.
+
+    A part that cannot be identified has a text that says why: see `require_identified`.
+    """
+    return {name: _identified(part) for name, part in parts.items()}
+
+
+def _identified(part: Any) -> str:
+    try:
+        return _shortened(canonical(part))
+    except UnidentifiedError as error:
+        return f"{_UNKNOWN}{error}"
+
+
+def require_identified(who: Identity) -> None:
+    """Raise UnidentifiedError where it cannot be known later whether a run is the same."""
+    for name, text in who.items():
+        if text.startswith(_UNKNOWN):
+            raise UnidentifiedError(
+                f"{name} has no identity by which a checkpoint could be told from that of another "
+                f"run: {text.removeprefix(_UNKNOWN)}. Set an attribute `{IDENTITY}` of it that "
+                "holds all it depends on, e.g. law.identity = ('my law', 2e-4), or run without a "
+                "checkpoint"
+            )
 
 
 def digest(who: Identity) -> str:
@@ -37,29 +65,82 @@ def differences(now: Identity, before: Identity) -> str:
 
 
 def canonical(value: Any) -> str:
-    """The same text in every process; numbers are what they are worth: 1 is 1.0."""
-    if isinstance(value, np.ndarray):
-        array = np.ascontiguousarray(value, dtype=np.float64)
-        return f"#{array.shape} {_hash(array.tobytes())}"
-    if isinstance(value, (bool, np.bool_)) or value is None:
+    """Return the same text in every process; numbers are what they are worth: 1 is 1.0.
+
+    Raises UnidentifiedError for a function or object whose dependencies cannot be found out.
+    """
+    try:
+        return _Texts().text(value)
+    except RecursionError:
+        raise UnidentifiedError("it is nested too deeply, or endless") from None
+
+
+class _Texts:
+    """Texts of nested values, in which each object may refer to itself."""
+
+    def __init__(self) -> None:
+        self._open: dict[int, int] = {}
+        """Objects whose text is being made, by their number."""
+        self._done: dict[int, tuple[str, Any]] = {}
+        """Texts, with their objects: the number of one that is gone may be that of another."""
+
+    def text(self, value: Any) -> str:
+        plain = _plain(value)
+        if plain is not None:
+            return plain
+        key = id(value)
+        if key in self._open:
+            return f"^{len(self._open) - self._open[key]}"
+        if key not in self._done:
+            self._open[key] = len(self._open)
+            self._done[key] = self._nested(value), value
+            del self._open[key]
+        return self._done[key][0]
+
+    def _nested(self, value: Any) -> str:
+        kind = type(value)
+        own = kind.__module__.partition(".")[0] == "samcontact"
+        if isinstance(value, np.ndarray) and not isinstance(value, np.ma.MaskedArray):
+            return _array(value) or f"#{value.shape} {self.text(value.ravel().tolist())}"
+        if own and dataclasses.is_dataclass(value) and not isinstance(value, type):
+            parts = {item.name: getattr(value, item.name) for item in dataclasses.fields(value)}
+            return f"{kind.__name__}{self.text(parts)}"
+        if isinstance(value, Mapping) and (own or kind in (dict, MappingProxyType)):
+            inner = sorted(f"{self._key(name)}={self.text(part)}" for name, part in value.items())
+            return f"({', '.join(inner)})"
+        if isinstance(value, Sequence) and (own or kind in (list, tuple)):
+            return f"[{', '.join(map(self.text, value))}]"
+        if kind in (set, frozenset):
+            return f"{{{', '.join(sorted(map(self.text, value)))}}}"
+        return text_of_object(value, lambda part: _shortened(self.text(part)))
+
+    def _key(self, name: Any) -> str:
+        return name if type(name) is str else self.text(name)
+
+
+def _plain(value: Any) -> str | None:
+    """The text of a value without parts; None of any other."""
+    if type(value) in (bool, np.bool_) or value is None:
         return repr(value if value is None else bool(value))
-    if isinstance(value, (int, float, np.integer, np.floating)):
+    if type(value) in (int, float) or isinstance(value, (np.integer, np.floating)):
+        if isinstance(value, int) and abs(value) > _EXACT:
+            return repr(value)
         return repr(float(value))
-    if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        parts = {item.name: getattr(value, item.name) for item in dataclasses.fields(value)}
-        return f"{type(value).__name__}{canonical(parts)}"
-    if isinstance(value, Mapping):
-        inner = ", ".join(f"{name}={canonical(value[name])}" for name in sorted(value))
-        return f"({inner})"
-    if isinstance(value, Sequence) and not isinstance(value, (str, bytes)):
-        return f"[{', '.join(map(canonical, value))}]"
-    code = getattr(value, "__code__", None)
-    if code is not None:  # of a function, whose repr has an address
-        plain = [one for one in code.co_consts if isinstance(one, (int, float, str))]
-        return (
-            f"{value.__qualname__} #{_hash(code.co_code + repr((code.co_names, plain)).encode())}"
-        )
-    return repr(value)
+    if type(value) in (str, bytes, complex, range, slice, type(...), type(NotImplemented)):
+        return repr(value)
+    return repr(value) if isinstance(value, (np.generic, np.dtype)) else None
+
+
+def _array(value: np.ndarray[Any, Any]) -> str | None:
+    """The digest of an array; None of one of objects."""
+    if value.dtype.hasobject:
+        return None
+    array = np.ascontiguousarray(value)
+    if array.dtype.kind in "iufb":
+        numbers = array.astype(np.float64)
+        if array.dtype.kind == "f" or np.array_equal(numbers.astype(array.dtype), array):
+            return f"#{array.shape} {_hash(numbers.tobytes())}"
+    return f"#{array.shape} {array.dtype.str} {_hash(array.tobytes())}"
 
 
 def _shortened(text: str) -> str:

@@ -7,10 +7,12 @@ import os
 import warnings
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from .._checks import file_path
+from .._owned import require_marked
 from ..checkpoint import (
     KIND,
     Standing,
@@ -20,8 +22,9 @@ from ..checkpoint import (
     snapshot,
     write_checkpoint,
 )
+from ..material import Material
 from .file import DAMAGED, CheckpointError, DamagedCheckpointError, damaged, read, require_same
-from .identity import Identity, identity
+from .identity import Identity, identity, require_identified
 from .lock import locked
 
 if TYPE_CHECKING:
@@ -36,8 +39,17 @@ class Resumed(Standing, Protocol):
 
 
 def describe(simulation: Standing, **what: Any) -> Identity:
-    """A run that is about to begin, of its scene and what is done with it, e.g. its path."""
-    return identity(**arguments(simulation, simulation._first), **what)
+    """Identify a run that is about to begin: its scene, and what is done with it, e.g. its path.
+
+    Softening laws are parts of their own, so that messages name them.
+    """
+    scene = arguments(simulation, simulation._first)
+    for number in (1, 2):
+        body = scene[f"body{number}"]
+        if isinstance(body, Material) and body.softening is not None:
+            scene[f"body{number}"] = replace(body, softening=None)
+            scene[f"softening law of body {number}"] = body.softening
+    return identity(**scene, **what)
 
 
 @contextmanager
@@ -70,16 +82,21 @@ class Journal:
     Raises
     ------
     ValueError
-        The folder holds something else, or checkpoints of another run.
+        The folder holds something else, or checkpoints of another run or version; or the run
+        cannot be identified, because a law has state that Python cannot read.
     """
 
     def __init__(self, folder: str | os.PathLike[str], simulation: Resumed, who: Identity) -> None:
         self.folder, self.simulation = file_path("checkpoint", folder), simulation
+        require_identified(who)
         self.who = who
         self.count = 0
         """Increments so far, restored or new."""
         self.folder.mkdir(parents=True, exist_ok=True)
-        for file in sorted(self.folder.glob("*.h5")):  # the first one that is whole tells
+        files = sorted(self.folder.glob("*.h5"))
+        for file in files:
+            require_marked(file, "move it away, or choose another folder")
+        for file in files:  # the first one that is whole tells
             with suppress(DamagedCheckpointError):
                 require_same(self.folder, who, read(file, KIND))
                 break

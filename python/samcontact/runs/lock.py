@@ -3,13 +3,19 @@
 
 from __future__ import annotations
 
+import errno
 import fcntl
 import os
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from .._owned import is_regular, remove_leftovers
+
 LOCK = ".samcontact.lock"
+LOCKS = (LOCK, ".cycle.h5.lock")
+"""Locks in folders of checkpoints: of the folder, and of the file of a computation of wear."""
 
 
 @contextmanager
@@ -29,7 +35,8 @@ def locked(
     Raises
     ------
     OSError
-        Another run has it; or it cannot be made or written to.
+        Another run has it; it cannot be made or written to; or the name of the lock belongs to
+        something else.
     """
     try:
         directory.mkdir(parents=True, exist_ok=True)
@@ -38,8 +45,11 @@ def locked(
             f"{directory} must be a directory, or free for one, but it or a part of it is a file: "
             f"{remedy}"
         ) from None
+    except OSError as error:
+        raise _unusable(directory, error, remedy) from error
     handle = _take(directory, remedy, name)
     try:
+        remove_leftovers(directory)
         yield
     finally:
         (directory / name).unlink(missing_ok=True)
@@ -50,7 +60,12 @@ def _take(directory: Path, remedy: str, name: str) -> int:
     """The opened lock file, with the number of this process in it."""
     path = directory / name
     while True:
-        handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o666)
+        if os.path.lexists(path) and not is_regular(path):
+            raise _of_others(path, remedy)
+        try:
+            handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o666)
+        except OSError as error:
+            raise _unusable(directory, error, remedy) from error
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
@@ -64,7 +79,11 @@ def _take(directory: Path, remedy: str, name: str) -> int:
         except OSError:  # a file system without locks
             return handle
         if _is(path, handle):
+            if not re.fullmatch(rb"\d*\s*", os.read(handle, 20)):
+                os.close(handle)
+                raise _of_others(path, remedy)
             os.truncate(handle, 0)
+            os.lseek(handle, 0, os.SEEK_SET)
             os.write(handle, f"{os.getpid()}\n".encode())
             return handle
         os.close(handle)  # the one before has just removed it
@@ -75,3 +94,14 @@ def _is(path: Path, handle: int) -> bool:
         return os.path.samestat(os.stat(path), os.fstat(handle))
     except FileNotFoundError:
         return False
+
+
+def _of_others(path: Path, remedy: str) -> OSError:
+    return OSError(f"{path} is not a lock of samcontact: move it away, or {remedy}")
+
+
+def _unusable(directory: Path, error: OSError, remedy: str) -> OSError:
+    """The error of a folder in which nothing can be written."""
+    readable = {errno.EACCES: "permission denied", errno.EROFS: "it is on a read-only disk"}
+    reason = readable.get(error.errno or 0, error.strerror or "it cannot be used")
+    return OSError(f"cannot write to the folder {directory}: {reason}: {remedy}")

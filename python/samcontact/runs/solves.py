@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import warnings
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -12,10 +11,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .._checks import file_path
+from .._owned import require_marked
 from ..state import in_one_window
 from .file import DamagedCheckpointError, read, require_same, write
-from .identity import Identity, identity
+from .identity import Identity, identity, require_identified
 from .journal import Journal, describe
+from .kept import remove_checkpoints
 from .lock import locked
 from .tree import Tree
 
@@ -58,9 +59,11 @@ class Solves:
         if folder is None:
             yield
             return
+        require_identified(self.who)
         self._folder = file_path("checkpoint", folder)
         with locked(self._folder):
             for file in sorted(self._folder.glob("*.h5")):
+                require_marked(file, "move it away, or choose another folder")
                 self._take(file)
             yield
 
@@ -98,7 +101,7 @@ class Solves:
         for name in {*self.given, *self._solves}.difference(but):
             self._solves.pop(name, None)
             if self._folder is not None:
-                shutil.rmtree(self._folder / name, ignore_errors=True)
+                remove_checkpoints(self._folder / name)
 
     @property
     def increments(self) -> int:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from .._owned import require_marked
 from .._quantities import CONTACT, TUGGING, Quantity
 from ..runs.file import DAMAGED, read, require_same, write
 
@@ -40,14 +42,24 @@ class Store:
     """
 
     def __init__(self, folder: Path) -> None:
+        require_marked(folder / "sweep.nc", "move it away, or choose another output")
         self.folder = folder / "cases"
+        if os.path.lexists(self.folder) and not self.folder.is_dir():
+            raise ValueError(
+                f"{self.folder} must be a folder, or free for one, but it is a file: move it away, "
+                "or choose another output"
+            )
         self.folder.mkdir(parents=True, exist_ok=True)
 
     def file(self, key: str) -> Path:
         return self.folder / f"{key}.h5"
 
     def read(self, key: str) -> Variables | None:
-        """What is kept of a case; None where nothing is, or a damaged file."""
+        """What is kept of a case; None where nothing is, or a damaged file.
+
+        Raises ValueError for a file of others.
+        """
+        require_marked(self.file(key), "move it away, or choose another output")
         try:
             tree = read(self.file(key), _KIND)
             require_same(self.file(key), {"key": key}, tree)

@@ -21,7 +21,7 @@ from ..relief import Relief
 from ..simulation import Simulation
 from ..state import State
 from .by_slip_checks import FrettingScene, closing, make_scene
-from .checkpoint import Standing
+from .checkpoint import Standing, require_own
 from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
@@ -101,6 +101,7 @@ def fretting(
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
+    require_own(checkpoint)
     scene = make_scene(
         grid,
         (body1, body2),

@@ -16,6 +16,7 @@ import numpy as np
 
 from .._atomic import replacing
 from .._checks import FloatArray, file_path
+from .._owned import require_marked
 from .._seal import check_seal
 from ..grid import Grid
 from ..material import Material
@@ -23,7 +24,7 @@ from ..relief import Relief
 from ..runs.file import DAMAGED, DamagedCheckpointError, damaged, require_same
 from ..runs.file import read as read_file
 from ..runs.file import write as write_file
-from ..runs.identity import Identity, identity
+from ..runs.identity import Identity, identity, require_identified
 from ..runs.lock import locked
 from ..runs.tree import Tree, array
 from .results import AnyCycle
@@ -87,6 +88,13 @@ def _before(path: str | os.PathLike[str]) -> Path:
     return Path(f"{os.fspath(path)}.before")
 
 
+def require_own(path: str | os.PathLike[str] | None) -> None:
+    """Raise ValueError for a checkpoint, or that of the cycle before, which is a file of others."""
+    if path is not None:
+        for file in (file_path("checkpoint", path), _before(path)):
+            require_marked(file)
+
+
 def write(path: str | os.PathLike[str], scene: Worn, standing: Standing) -> None:
     """A failure leaves the old file; a copy of it stays in any case."""
     if _is_whole(path):
@@ -110,6 +118,7 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
 
 def latest(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
     """As `read`; of a damaged file that of the cycle before, with a warning, where there is one."""
+    require_identified(_identity(scene))
     try:
         return read(path, scene)
     except DamagedCheckpointError as error:

@@ -18,7 +18,7 @@ from ..material import Material
 from ..relief import Relief
 from ..simulation import Simulation
 from ..state import State
-from .checkpoint import Standing, Strain
+from .checkpoint import Standing, Strain, require_own
 from .checks import Scene, make_filter, make_scene
 from .repeating import reliefs_of, repeat
 from .results import Cycle, Moments, WearResult
@@ -102,6 +102,7 @@ def run(
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
+    require_own(checkpoint)
     scene = make_scene(
         grid,
         (body1, body2),

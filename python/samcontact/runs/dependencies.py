@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Canonical text of users' functions and objects: code, and all data that it depends on."""
+
+from __future__ import annotations
+
+import functools
+import sys
+from collections.abc import Callable, Iterator
+from importlib import metadata
+from pathlib import Path
+from types import (
+    BuiltinFunctionType,
+    CodeType,
+    FunctionType,
+    MethodDescriptorType,
+    MethodType,
+    MethodWrapperType,
+    ModuleType,
+    WrapperDescriptorType,
+)
+from typing import Any
+
+import numpy as np
+
+Text = Callable[[Any], str]
+"""Canonical text of any value."""
+IDENTITY = "identity"
+"""Attribute by which an object states what it depends on."""
+
+_COMPILED = (
+    BuiltinFunctionType, MethodDescriptorType, MethodWrapperType, WrapperDescriptorType, np.ufunc,
+)  # fmt: skip
+_INSTALLED = {"site-packages", "dist-packages"}
+"""Folders of packages, whose code is known by its version; all other code is the user's."""
+_NO_STATE = {"__dict__", "__weakref__", "__doc__", "__module__", "__annotations__"}
+_NO_STATE |= {"__firstlineno__", "__static_attributes__", "__annotate_func__", "__annotate__"}
+
+
+class UnidentifiedError(ValueError):
+    """A function or object whose dependencies cannot be found out."""
+
+
+def text_of_object(value: Any, text: Text) -> str:
+    """Return a text that two objects share only if they act alike.
+
+    Parameters
+    ----------
+    value : object
+        A function, method, partial, class, module, or an instance of any class.
+    text : callable
+        Canonical text of the parts of it.
+
+    Raises
+    ------
+    UnidentifiedError
+        It has state that Python cannot read, such as that of a compiled object.
+    """
+    stated = getattr(value, IDENTITY, None)
+    if stated is not None and not callable(stated):
+        return f"{type(value).__name__} with identity {text(stated)}"
+    if isinstance(value, ModuleType):
+        return _module(value)
+    if isinstance(value, FunctionType):
+        return _from_library(value) or _function(value, text)
+    if isinstance(value, MethodType):
+        return f"method {text(value.__func__)} of {text(value.__self__)}"
+    if isinstance(value, functools.partial):
+        return f"partial {text([value.func, value.args, value.keywords, vars(value)])}"
+    if isinstance(value, functools._lru_cache_wrapper):
+        return f"cached {text(value.__wrapped__)}"
+    if isinstance(value, type):
+        return _from_library(value) or _class(value, text)
+    if isinstance(value, (staticmethod, classmethod)):
+        return f"{type(value).__name__} {text(value.__func__)}"
+    if isinstance(value, property):
+        return f"property {text([value.fget, value.fset, value.fdel])}"
+    if isinstance(value, _COMPILED):
+        return _compiled(value, text)
+    return _instance(value, text)
+
+
+def _function(function: FunctionType, text: Text) -> str:
+    cells = []
+    for cell in function.__closure__ or ():
+        try:
+            cells.append(cell.cell_contents)
+        except ValueError:  # not assigned yet
+            cells.append(None)
+    known = dict(_globals(function.__code__, function.__globals__))
+    state = {name: value for name, value in vars(function).items() if name != "__wrapped__"}
+    parts = [function.__defaults__, function.__kwdefaults__, cells, state, known]
+    return f"{function.__qualname__} {text(_code(function.__code__))} {text(parts)}"
+
+
+def _code(code: CodeType) -> list[Any]:
+    """All that a code object does, without where it was written."""
+    constants = [_code(c) if isinstance(c, CodeType) else c for c in code.co_consts]
+    names = [code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars]
+    counts = [code.co_argcount, code.co_posonlyargcount, code.co_kwonlyargcount, code.co_flags]
+    return [code.co_code, constants, names, counts]
+
+
+def _globals(code: CodeType, scope: dict[str, Any]) -> Iterator[tuple[str, Any]]:
+    """Global names that a function uses, with their values."""
+    names = set(_names(code))
+    imported = {name: sys.modules[name] for name in names - set(scope) if name in sys.modules}
+    yield from _used(names, imported | scope, "", set())
+
+
+def _used(
+    names: set[str], scope: dict[str, Any], prefix: str, seen: set[int]
+) -> Iterator[tuple[str, Any]]:
+    """Parts of a scope by name; of modules of the user, those of their parts that may be meant.
+
+    Attributes are taken by name alone, wherever they occur: too many are as good as those in use.
+    """
+    for name in sorted(names & set(scope)):
+        value = scope[name]
+        if not isinstance(value, ModuleType) or _library(value.__name__) is not None:
+            yield prefix + name, value
+        elif id(value) not in seen:
+            yield from _used(names, vars(value), f"{prefix}{name}.", {*seen, id(value)})
+
+
+def _names(code: CodeType) -> Iterator[str]:
+    yield from code.co_names
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _names(constant)
+
+
+def _class(cls: type, text: Text) -> str:
+    own = {name: part for name, part in vars(cls).items() if name not in _NO_STATE}
+    own = {name: part for name, part in own.items() if not _is_slot(part)}
+    bases = [base for base in cls.__bases__ if base is not object]
+    return f"class {cls.__qualname__} {text([bases, own])}"
+
+
+def _is_slot(part: Any) -> bool:
+    return type(part).__name__ in ("member_descriptor", "getset_descriptor", "_abc_data")
+
+
+def _instance(value: Any, text: Text) -> str:
+    """An object by how Python would make it again; refused where it could not."""
+    try:
+        made = value.__reduce_ex__(4)
+    except Exception as error:  # whatever the class of the user raises
+        raise UnidentifiedError(str(error)) from error
+    if isinstance(made, str):
+        return f"{type(value).__module__}.{made}"
+    maker, arguments, *rest = made
+    state, *more = (*rest, None, None, None)[:3]
+    items = [None if one is None else list(one) for one in more]
+    return f"object {text([maker, arguments, state, *items])}"
+
+
+def _compiled(value: Any, text: Text) -> str:
+    owner = getattr(value, "__self__", None)
+    name = getattr(value, "__qualname__", value.__name__)
+    if owner is not None and not isinstance(owner, (ModuleType, type)):
+        return f"{name} of {text(owner)}"
+    owner = getattr(value, "__objclass__", owner)
+    module = getattr(value, "__module__", None) or getattr(owner, "__module__", None)
+    known = module or getattr(owner, "__name__", None) or "numpy"
+    library = _library(str(known))
+    if library is None and str(known).partition(".")[0] not in sys.builtin_module_names:
+        raise UnidentifiedError(f"{name} is compiled code outside of an installed package")
+    return f"{known}.{name} of {library}"
+
+
+def _module(module: ModuleType) -> str:
+    return f"module {module.__name__} of {_library(module.__name__)}"
+
+
+def _from_library(value: Any) -> str | None:
+    """A function or class that stands under its name in an installed package."""
+    module, name = value.__module__, value.__qualname__
+    library = _library(str(module))
+    found: Any = sys.modules.get(str(module))
+    for part in name.split("."):
+        found = getattr(found, part, None)
+    return f"{module}.{name} of {library}" if library is not None and found is value else None
+
+
+@functools.cache
+def _library(module: str) -> str | None:
+    """The package of a module with its version; None for a module of the user."""
+    top = module.partition(".")[0]
+    if top in sys.stdlib_module_names and top != "__main__":
+        return f"Python {sys.version_info.major}.{sys.version_info.minor}"
+    loaded = sys.modules.get(top)
+    file = getattr(loaded, "__file__", None)
+    installed = file and _INSTALLED & set(Path(file).resolve().parts)
+    if top != "samcontact" and not installed:
+        return None
+    try:
+        return f"{top} {metadata.version(top)}"
+    except metadata.PackageNotFoundError:
+        return f"{top} {getattr(loaded, '__version__', '')}"
