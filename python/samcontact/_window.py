@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _expected, _memory
-from ._checks import FloatArray, finite_array
+from ._checks import FloatArray, gap_array
 from ._core import GridTooSmallError
 from ._frozen import read_only
 from ._settings import Configured, Settings
@@ -78,7 +78,7 @@ class Surfaces:
         reliefs = [r(grid) if callable(r) else r for r in (self.relief1, self.relief2)]
         for number, relief in enumerate(reliefs, 1):
             relief_rows(f"relief{number}", relief, grid)
-        checked = np.array(finite_array("gap", gap, grid.surface_shape), order="C")
+        checked = np.array(gap_array("gap", gap, grid.surface_shape), order="C")
         return Window(grid, read_only(checked), *reliefs)
 
 
@@ -94,10 +94,14 @@ def require_continued(larger: Window, window: Window) -> None:
             heights = heights_over(now, first + i, rows)[:, columns]
             shown.append((f"relief{number}", heights, before.heights))
     for name, field, known in shown:
-        if not np.allclose(field, known, rtol=0.0, atol=_SAME * float(np.ptp(known))):
+        body = np.isfinite(known)
+        if not np.array_equal(np.isfinite(field), body):
+            raise ValueError(f"{name} on a larger grid is infinite in other cells, no body there")
+        off = np.abs(field[body] - known[body])
+        if not np.all(off <= _SAME * float(np.ptp(known[body]))):
             raise ValueError(
                 f"{name} is another surface on a larger grid, which differs by up to "
-                f"{np.abs(field - known).max():.3g} m where both know it"
+                f"{off.max():.3g} m where both know it"
             )
 
 
