@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _expected, _memory
+from ._border import GROWS, told_of_fixed
 from ._checks import FloatArray, gap_array
 from ._core import GridTooSmallError
 from ._frozen import read_only
@@ -36,8 +37,6 @@ ROOM = 1.25
 """Sides of a window over those of the Hertz contact: yielding bodies touch over more."""
 _WIDER, _LEAST = 1.5, 1.25  # a side that the contact touches, and one that needs to be longer
 _SAME = 1e-9  # of the heights
-GROWS = "the grid grows by itself where the gap is a function of it"
-"""What helps where it does not."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -239,7 +238,9 @@ class Windowed(Configured):
     ) -> None:
         """Go on in a larger window; raise the error where there is none."""
         if why := self._stays:
-            if why != "it stays":
+            if why == GROWS and not callable(self._surfaces.gap):
+                told_of_fixed(error, self._scene)
+            elif why != "it stays":
                 error.args = (f"{error}; {why}",)
             raise error
         with told_in(error, self.grid):

@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _expected, _memory, resolution
+from ._border import told_of_fixed
 from ._checks import FloatArray, choice, exactly_one, finite_array, number, require_type
 from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
 from ._settings import Configured, ContactSettings
-from ._window import GROWS, Surfaces, Window, counts_for, require_continued, told_in
+from ._window import Surfaces, Window, counts_for, require_continued, told_in
 from .friction import Coulomb, Drive, Pressing, require_heat_of, tangential_drive
 from .grid import Grid
 from .heat import Heat
@@ -215,7 +216,7 @@ class ContactSolver(Configured):
                 break
             except _core.GridTooSmallError as error:
                 if not callable(gap) and not self.grid.periodic:
-                    error.args = (f"{error}; {GROWS}",)
+                    told_of_fixed(error, scene)
                 if not callable(gap) or self.grid.periodic:
                     raise
                 with told_in(error, window.grid):

@@ -87,6 +87,8 @@ def surface_map(
     ends = bool(np.any(pressed > 0) and not np.all(pressed > 0))
     if quantity in _BLANK and ends:
         inside, note = edge if quantity == "pressure" else -edge, _BLANK[quantity]
+    if np.isnan(values).any():
+        note = f"{note} or no body" if note else ", white: no body"
     shown = CONTACT[SURFACES[quantity]]
     ax = show_surface(ax, plane, values, shown, across, note, inside=inside, cells=cells)
     if ends and not cells:
