@@ -148,6 +148,8 @@ def _of_columns(
     names = ("x", "z") if len(which) == 2 else ("x", "y", "z")
     what = "a profile, columns x and z" if len(names) == 2 else "points, columns x, y and z"
     rows = f'{source} holds {what} (rows of heights: format="array")'
+    if len(names) == 3:
+        grid_of_points(found.values, source)
     if given.steps is not None:
         raise ValueError(f"dx must not be given: {rows}")
     if given.channel not in _FIRST:
