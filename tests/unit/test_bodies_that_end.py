@@ -114,7 +114,7 @@ class TestSimulation:
         assert np.isnan(errors.slope_beyond)
         ax = plotting.surface_map(states[-1].gap, self.grid, quantity="gap")
         assert ax.get_title().endswith("white: contact or no body")
-        results.save_results(tmp_path / "r.nc", simulation, states)
+        results.save(results.to_dataset(simulation, states), tmp_path / "r.nc")
         with results.open_results(tmp_path / "r.nc") as data:
             np.testing.assert_array_equal(data["gap"].values[-1], states[-1].gap)
 
