@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._core import GridTooSmallError
 from ._repr import quantity
 
 if TYPE_CHECKING:
@@ -21,8 +20,8 @@ _REPEAT = 'let it repeat itself with Grid(..., periodic="xy")'
 _REMEDY = ": enlarge "
 
 
-def told_of_fixed(error: GridTooSmallError, scene: Scene) -> None:
-    """Add to an error what helps a gap that is an array: a measured one cannot become larger."""
+def told_of_fixed(error: ValueError, scene: Scene) -> None:
+    """Add to a GridTooSmallError what helps an array as gap: a measured one cannot be enlarged."""
     text = str(error)
     if scene.radii is None:
         before, _, remedy = text.partition(_REMEDY)

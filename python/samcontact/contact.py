@@ -125,8 +125,9 @@ class ContactSolver(Configured):
         ----------
         gap : array_like, shape (nx, ny), or callable
             Initial separation of the undeformed bodies [m], inf where one of them is not; or a
-            function of a grid that returns it. Then the solution is that on a larger grid where that of the solver does not hold
-            the contact, as in a `Simulation`; the solver keeps its own.
+            function of a grid that returns it. Then the solution is that on a larger grid where
+            that of the solver does not hold the contact, as in a `Simulation`; the solver keeps its
+            own.
         load : float
             Total load [N], >= 0; or
         approach : float

@@ -175,11 +175,13 @@ class TestFixedGapAtTheBorder:
     rough = 1e-8 * np.random.default_rng(3).standard_normal((48, 40))
 
     def message(self, gap, load, simulated):
-        with pytest.raises(sc.GridTooSmallError) as caught:
+        def press():
             if simulated:
-                sc.Simulation(self.grid, RIGID, STEEL, gap).step(load=load)
-            else:
-                sc.ContactSolver(self.grid, RIGID, STEEL).solve(gap, load=load)
+                return sc.Simulation(self.grid, RIGID, STEEL, gap).step(load=load)
+            return sc.ContactSolver(self.grid, RIGID, STEEL).solve(gap, load=load)
+
+        with pytest.raises(sc.GridTooSmallError) as caught:
+            press()
         return str(caught.value)
 
     @pytest.mark.parametrize("simulated", [False, True])

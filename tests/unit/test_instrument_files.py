@@ -136,7 +136,7 @@ def test_reasons_are_sentences(tmp_path):
     (tmp_path / "s.txt.gz").write_bytes(gzip.compress(b"1 2 3 4\n" * 4))
     with pytest.raises(ValueError, match="packed with gzip: unpack it first"):
         measured.read(tmp_path / "s.txt.gz")
-    with pytest.raises(ValueError, match="cannot read heights from .*: no such file"):
+    with pytest.raises(ValueError, match=r"cannot read heights from .*: no such file"):
         measured.read(tmp_path / "none.sur")
 
     def fails():
