@@ -212,6 +212,10 @@ class TestColumns:
         even = x[0] + found.dx * np.arange(400)
         np.testing.assert_allclose(found.heights[:, 0], 2.0 * even, rtol=1e-12)
         assert found.attrs["interpolated_from"].startswith("steps of ")
+        # with a header of values by the library, to which steps below 1e-6 m are all the same
+        np.savetxt(tmp_path / "p.txt", np.column_stack([x, 2.0 * x]), header="measured: today")
+        again = measured.read(tmp_path / "p.txt", unit="m", detrend=None)
+        np.testing.assert_allclose(again.heights, found.heights, rtol=1e-12)
 
     def test_what_is_neither_profile_nor_grid_is_refused(self, tmp_path):
         table = np.column_stack([self.x, self.z])

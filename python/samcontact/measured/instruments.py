@@ -11,7 +11,8 @@ from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
 
-from .plain import profile, said
+from .._checks import FloatArray
+from .plain import profile, said, written_positions
 from .surface import MeasuredSurface, library
 
 OWN = ("array", "xyz")
@@ -134,7 +135,9 @@ def _read(io: Any, path: Path, file: BinaryIO, format: str, given: Given) -> Mea
         topography = _tried(io, lambda: info.topography(**missing).to_unit("m"))
         attrs = _provenance(path, format, info, topography)
         if info.dim == 1:
-            surface: MeasuredSurface = _tried(io, lambda: _profile(topography, attrs))
+            x = written_positions(path) if format == "xyz" else None
+            x = None if x is None else x * metres(str(info.unit or unit))
+            surface: MeasuredSurface = _tried(io, lambda: _profile(topography, attrs, x))
             return surface
         heights, sizes = _tried(io, lambda: (topography.heights(), topography.pixel_size))
     if plain:
@@ -159,10 +162,16 @@ def _tried(io: Any, call: Any) -> Any:
         ) from error
 
 
-def _profile(topography: Any, attrs: dict[str, Any]) -> MeasuredSurface:
-    """A line scan as a surface with one row of samples."""
+def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None) -> MeasuredSurface:
+    """A line scan as a surface with one row of samples.
+
+    written: its positions [m] where they are known from the file; the library takes those that
+    differ by less than 1e-6 of any unit for equal steps.
+    """
     x, z = np.asarray(topography.positions(), dtype=float), np.ma.asarray(topography.heights())
-    if len(x) < 2 or not (np.diff(x) > 0).all():
+    if written is not None and len(written) == len(x):
+        x = written
+    if len(x) < 2 or not ((np.diff(x) > 0).all() or (np.diff(x) < 0).all()):
         raise _Refused("x of the profile must rise from point to point")
     heights, step, uneven = profile(x, np.ma.filled(z.astype(float), np.nan))
     return MeasuredSurface(

@@ -114,6 +114,17 @@ def table(path: Path) -> Table | None:
     return Table(np.asarray(values, dtype=np.float64), units)
 
 
+def written_positions(path: Path) -> FloatArray | None:
+    """x of a profile as its text has it, whatever its header; None where it is another file."""
+    try:
+        lines = _lines(path)
+        values = _rows(lines, path.suffix.lower() == ".csv", skip=_header(lines))
+        which = columns(values, path) if values.shape[1] in (2, 3) else None
+    except (OSError, ValueError):
+        return None
+    return None if which is None or len(which) != 2 else np.asarray(values[:, which[0]])
+
+
 def _unit_of(label: str) -> str | None:
     """The length unit that the label of a column names."""
     for unit, words in _UNITS.items():
