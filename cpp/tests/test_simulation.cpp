@@ -2,6 +2,7 @@
 // The core alone, without Python: acceleration, interruption, and one small elastic-plastic scene.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <numeric>
@@ -9,6 +10,7 @@
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/anderson.hpp"
+#include "samcontact/simulation/motion.hpp"
 #include "samcontact/simulation/simulation.hpp"
 
 using namespace samcontact;
@@ -117,4 +119,33 @@ TEST_CASE("an interrupt leaves the state as it was") {
   const double reached = simulation.state().load;
   CHECK((reached == 100.0 || reached == 200.0 || reached == 250.0));
   CHECK(simulation.step(load(250.0)).converged);
+}
+
+TEST_CASE("a gap that ends moves to the nearest cell, and stays a plane where it is one") {
+  const Grid grid(12, 2, 1.0, 1.0);
+  const auto at = [](double x, int j) { return 3.0 + 0.5 * x + j; };
+  Field gap(grid.surface_size());
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      const bool is_body = i >= 3 && i != 7 && i < 10;
+      gap[i * grid.ny + j] = is_body ? at(i, j) : INFINITY;
+    }
+  }
+  for (const double shift : {0.3, -0.3, 0.7, -2.4}) {
+    const Field moved = shifted_gap(gap, grid, shift);
+    for (int i = 0; i < grid.nx; ++i) {
+      for (int j = 0; j < grid.ny; ++j) {
+        const double x = std::clamp(i - shift, 0.0, grid.nx - 1.0);
+        const int nearest = static_cast<int>(std::lround(x));
+        const double there = gap[nearest * grid.ny + j], found = moved[i * grid.ny + j];
+        CHECK(std::isinf(found) == std::isinf(there));
+        CHECK(found > 0);  // neither -inf nor NaN
+        if (!std::isfinite(there)) continue;
+        // beside an end the height of the nearest cell, at most half a cell off
+        CHECK(std::fabs(found - at(x, j)) <= 0.25 + 1e-12);
+        const bool between = nearest > 3 && nearest < 6;
+        if (between) CHECK(found == doctest::Approx(at(x, j)));
+      }
+    }
+  }
 }

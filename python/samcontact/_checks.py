@@ -326,6 +326,28 @@ def together(**given: ArrayLike) -> list[FloatArray]:
         raise ValueError(f"{', '.join(arrays)} must have {allowed}, got {shapes}") from None
 
 
+def gap_array(
+    name: str, value: ArrayLike, shape: tuple[int, ...], nobody: float = math.inf
+) -> FloatArray:
+    """Return `value` as a float64 array of exactly this `shape`, finite in at least one cell.
+
+    nobody: the infinity that stands where there is no body, +inf of a gap.
+    """
+    array = real_array(name, value)
+    if array.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
+    wrong = ~np.isfinite(array) & (array != nobody)
+    if wrong.any():
+        index = tuple(int(i) for i in np.argwhere(wrong)[0])
+        raise ValueError(
+            f"{name} must be finite everywhere, or {nobody:+} where there is no body, got "
+            f"{array[index]} at index {index}"
+        )
+    if not np.isfinite(array).any():
+        raise ValueError(f"{name} must be finite somewhere, got {nobody:+}, no body, everywhere")
+    return array
+
+
 def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
     """Return `value` as a contiguous array of stresses [Pa] that a load can be made of."""
     array = np.ascontiguousarray(finite_array(name, value, shape))

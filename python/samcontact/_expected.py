@@ -99,6 +99,8 @@ class Scene:
         grids = np.meshgrid(self.grid.x[rows] / a, self.grid.y[columns] / b, indexing="ij")
         x, y = (v.ravel() for v in grids)
         heights = self.gap[np.ix_(rows, columns)].ravel()
+        if np.isinf(self.gap).any():  # a body that ends is no paraboloid
+            return None
         lowest, highest = float(heights.min()), float(heights.max())
         if not 0 < highest - lowest < math.inf:
             return None

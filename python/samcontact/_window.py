@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _expected, _memory
-from ._checks import FloatArray, finite_array
+from ._border import GROWS, told_of_fixed
+from ._checks import FloatArray, gap_array
 from ._core import GridTooSmallError
 from ._frozen import read_only
 from ._settings import Configured, Settings
@@ -36,8 +37,6 @@ ROOM = 1.25
 """Sides of a window over those of the Hertz contact: yielding bodies touch over more."""
 _WIDER, _LEAST = 1.5, 1.25  # a side that the contact touches, and one that needs to be longer
 _SAME = 1e-9  # of the heights
-GROWS = "the grid grows by itself where the gap is a function of it"
-"""What helps where it does not."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +77,7 @@ class Surfaces:
         reliefs = [r(grid) if callable(r) else r for r in (self.relief1, self.relief2)]
         for number, relief in enumerate(reliefs, 1):
             relief_rows(f"relief{number}", relief, grid)
-        checked = np.array(finite_array("gap", gap, grid.surface_shape), order="C")
+        checked = np.array(gap_array("gap", gap, grid.surface_shape), order="C")
         return Window(grid, read_only(checked), *reliefs)
 
 
@@ -94,10 +93,14 @@ def require_continued(larger: Window, window: Window) -> None:
             heights = heights_over(now, first + i, rows)[:, columns]
             shown.append((f"relief{number}", heights, before.heights))
     for name, field, known in shown:
-        if not np.allclose(field, known, rtol=0.0, atol=_SAME * float(np.ptp(known))):
+        body = np.isfinite(known)
+        if not np.array_equal(np.isfinite(field), body):
+            raise ValueError(f"{name} on a larger grid is infinite in other cells, no body there")
+        off = np.abs(field[body] - known[body])
+        if not np.all(off <= _SAME * float(np.ptp(known[body]))):
             raise ValueError(
                 f"{name} is another surface on a larger grid, which differs by up to "
-                f"{np.abs(field - known).max():.3g} m where both know it"
+                f"{off.max():.3g} m where both know it"
             )
 
 
@@ -235,7 +238,9 @@ class Windowed(Configured):
     ) -> None:
         """Go on in a larger window; raise the error where there is none."""
         if why := self._stays:
-            if why != "it stays":
+            if why == GROWS and not callable(self._surfaces.gap):
+                told_of_fixed(error, self._scene)
+            elif why != "it stays":
                 error.args = (f"{error}; {why}",)
             raise error
         with told_in(error, self.grid):

@@ -250,7 +250,7 @@ def _arguments(scene: Tree, *laws: Any) -> dict[str, Any]:
     given["grid"] = Grid(**scene["grid"])
     for name, law in zip(("body1", "body2"), laws, strict=True):
         given[name] = _body(name, scene[name], law)
-    given["gap"] = array(scene, "gap", given["grid"].surface_shape)
+    given["gap"] = array(scene, "gap", given["grid"].surface_shape, may_end=True)
     for name in ("relief1", "relief2"):
         if name in scene:
             given[name] = Relief(**scene[name])

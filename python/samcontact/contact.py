@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _expected, _memory, resolution
+from ._border import told_of_fixed
 from ._checks import FloatArray, choice, exactly_one, finite_array, number, real_array, require_type
 from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
 from ._settings import Configured, ContactSettings
-from ._window import GROWS, Surfaces, Window, counts_for, require_continued, told_in
+from ._window import Surfaces, Window, counts_for, require_continued, told_in
 from .friction import Coulomb, Drive, Pressing, require_heat_of, tangential_drive
 from .grid import Grid
 from .heat import Heat
@@ -123,9 +124,10 @@ class ContactSolver(Configured):
         Parameters
         ----------
         gap : array_like, shape (nx, ny), or callable
-            Initial separation of the undeformed bodies [m]; or a function of a grid that returns
-            it. Then the solution is that on a larger grid where that of the solver does not hold
-            the contact, as in a `Simulation`; the solver keeps its own.
+            Initial separation of the undeformed bodies [m], inf where one of them is not; or a
+            function of a grid that returns it. Then the solution is that on a larger grid where
+            that of the solver does not hold the contact, as in a `Simulation`; the solver keeps its
+            own.
         load : float
             Total load [N], >= 0; or
         approach : float
@@ -215,7 +217,7 @@ class ContactSolver(Configured):
                 break
             except _core.GridTooSmallError as error:
                 if not callable(gap) and not self.grid.periodic:
-                    error.args = (f"{error}; {GROWS}",)
+                    told_of_fixed(error, scene)
                 if not callable(gap) or self.grid.periodic:
                     raise
                 with told_in(error, window.grid):

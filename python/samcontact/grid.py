@@ -80,8 +80,9 @@ class Grid(Shown):
         for name in self.periodic:
             if (cells := getattr(self, f"n{name}")) > 1 and cells % 2 == 1:
                 raise ValueError(
-                    f"n{name} must be even, or 1, where the grid is periodic along {name}, "
-                    f"got {cells}"
+                    f"n{name} must be even, or 1, where the grid is periodic along {name}, got "
+                    f"{cells}; a measured period of any number of samples is put onto it with "
+                    f'MeasuredSurface.on(grid, periodic="{name}")'
                 )
         if self.periodic == "xy" and self.nx == self.ny == 1:
             raise ValueError('nx or ny must be larger than 1 with periodic="xy", got 1 and 1')

@@ -176,7 +176,7 @@ def estimated(
         for name, (value, error) in _of_slip(states, [found[n] for n in which]).items():
             values[name], errors[name] = value, error
     beyond = np.nan
-    if not callable(run._surfaces.gap):
+    if not callable(run._surfaces.gap) and np.isfinite(run.initial_gap).all():
         beyond = half_resolution.slope_beyond(run.initial_gap, run.grid.dx, run.grid.dy)
     return GridErrors(values, errors, list(states), beyond)
 

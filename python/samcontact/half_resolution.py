@@ -155,6 +155,12 @@ def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
 
 def _gap(simulation: Simulation, grid: Grid) -> FloatArray:
     window = simulation._window
+    body = np.isfinite(window.initial_gap)
+    if not body.all():  # cells of which most have a body are as high as that
+        share = _averaged(body.astype(np.float64), window.grid, grid)
+        height = _averaged(np.where(body, window.initial_gap, 0.0), window.grid, grid)
+        kept = share >= 0.5
+        return np.where(kept, height / np.where(kept, share, 1.0), np.inf)
     if simulation._scene.radii is None:
         return _averaged(window.initial_gap, window.grid, grid)
     fine = window.grid

@@ -44,9 +44,9 @@ class Simulation(Running, Windowed, Shown):
     body1, body2 : Material or Layered
         Upper and lower body; any of them inelastic, at most one rigid.
     gap : array_like, shape (nx, ny), or callable
-        Initial separation of the undeformed bodies [m]; or a function of a grid that returns it,
-        e.g. ``lambda grid: surfaces.paraboloid(grid, R)``. Then the grid becomes larger by itself
-        where it does not hold the contact, see Notes.
+        Initial separation of the undeformed bodies [m], inf where one of them is not; or a function
+        of a grid that returns it, e.g. ``lambda grid: surfaces.paraboloid(grid, R)``. Then the grid
+        becomes larger by itself where it does not hold the contact, see Notes.
     friction : float or Coulomb, optional
         Coefficient of friction mu >= 0: gross sliding along +x on body 2. `Coulomb(mu)`: the bodies
         stick and slip, driven by `step` along the surface.

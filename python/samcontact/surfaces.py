@@ -7,6 +7,7 @@ ball is ``paraboloid(grid, R) + sinusoidal(grid, ...)``.
 
 from __future__ import annotations
 
+import math
 from typing import Protocol
 
 import numpy as np
@@ -14,7 +15,7 @@ import scipy
 from numpy.typing import ArrayLike
 
 from . import _memory
-from ._checks import FloatArray, choice, finite_array, integer, non_negative, number, positive
+from ._checks import FloatArray, choice, gap_array, integer, non_negative, number, positive
 from ._short import in_short
 
 __all__ = [
@@ -206,25 +207,28 @@ def from_heights(
     grid : Grid
         Where the gap is wanted.
     heights_lower : array_like, shape (nx, ny)
-        Heights of the lower surface (body 2) [m], upwards, out of body 2.
+        Heights of the lower surface (body 2) [m], upwards, out of body 2; -inf where there is none.
     heights_upper : array_like, shape (nx, ny), optional
-        Heights of the upper surface (body 1) [m], upwards, into body 1; flat by default.
+        Heights of the upper surface (body 1) [m], upwards, into body 1; +inf where there is none.
+        Flat by default.
 
     Returns
     -------
     ndarray, shape (nx, ny)
-        upper - lower, its minimum shifted to 0 [m].
+        upper - lower, its minimum shifted to 0 [m]; +inf where there is no body.
 
     Raises
     ------
     ValueError
-        Wrong shape or a value that is not finite.
+        Wrong shape, NaN or an infinity of the other sign, or no cell in which both bodies are.
     """
     require_surface(grid)
     shape = (grid.nx, grid.ny)
-    gap = -finite_array("heights_lower", heights_lower, shape)
+    gap = -gap_array("heights_lower", heights_lower, shape, -math.inf)
     if heights_upper is not None:
-        gap = gap + finite_array("heights_upper", heights_upper, shape)
+        gap = gap + gap_array("heights_upper", heights_upper, shape)
+    if not np.isfinite(gap).any():
+        raise ValueError("heights_lower and heights_upper must both be finite in some cell")
     return np.asarray(gap - gap.min(), dtype=np.float64)
 
 

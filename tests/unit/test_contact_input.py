@@ -198,12 +198,12 @@ class TestBadInput:
             (
                 {"gap": spoiled(math.nan), "load": 1.0},
                 ValueError,
-                "gap must be finite everywhere, got nan at index (2, 3)",
+                "or +inf where there is no body, got nan at index (2, 3)",
             ),
             (
                 {"gap": spoiled(-math.inf), "load": 1.0},
                 ValueError,
-                "gap must be finite everywhere, got -inf at index (2, 3)",
+                "or +inf where there is no body, got -inf at index (2, 3)",
             ),
             ({"gap": "flat", "load": 1.0}, TypeError, "gap must be an array of numbers, got str"),
             (

@@ -226,7 +226,8 @@ def test_mirrored(surface):
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: MeasuredSurface(np.zeros(3), 1.0), r"shape \(nx, ny\), each >= 2, got \(3,\)"),
+        (lambda: MeasuredSurface(np.zeros((1, 3)), 1.0), r"each >= 2, .* profile, got \(1, 3\)"),
+        (lambda: MeasuredSurface(0.0, 1.0), r"shape \(nx, ny\), .* got \(\)"),
         (lambda: MeasuredSurface(np.full((2, 2), np.nan), 1.0), "defined somewhere"),
         (lambda: MeasuredSurface([[0, np.inf], [0, 0]], 1.0), "finite, or NaN"),
         (lambda: MeasuredSurface(np.zeros((2, 2)), 0.0), "dx must be a finite number > 0"),

@@ -13,7 +13,7 @@ import samcontact as sc
 from samcontact import kernels, measured
 from samcontact.cases import Case, CaseError
 from samcontact.measured import MeasuredSurface
-from samcontact.measured.files import is_plain
+from samcontact.measured.plain import is_plain
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore", ImportWarning)  # no MPI

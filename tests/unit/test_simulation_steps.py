@@ -219,7 +219,11 @@ class TestBadInput:
             ),
             ({"body1": RIGID, "body2": RIGID}, ValueError, "body1 and body2 are both rigid"),
             ({"gap": BALL[1:]}, ValueError, "gap must have shape (19, 21), got (18, 21)"),
-            ({"gap": BALL * np.nan}, ValueError, "gap must be finite everywhere, got nan at index"),
+            (
+                {"gap": BALL * np.nan},
+                ValueError,
+                "gap must be finite everywhere, or +inf where there is no body, got nan at index",
+            ),
             ({"gap": "ball"}, TypeError, "gap must be an array of numbers, got str"),
             ({"friction": -0.1}, ValueError, "friction must be a finite number >= 0, got -0.1"),
             ({"friction": math.nan}, ValueError, "friction must be a finite number >= 0, got nan"),

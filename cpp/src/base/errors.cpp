@@ -12,11 +12,11 @@ std::string to_text(double value) {
   return std::string(text.data(), end);
 }
 
-std::string to_short_text(double value) {
+std::string to_short_text(double value, int digits) {
   std::array<char, 32> text{};
-  char* const end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3)
-          .ptr;
+  char* const end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                  std::chars_format::general, digits)
+                        .ptr;
   return std::string(text.data(), end);
 }
 

@@ -14,7 +14,9 @@ bool all_finite(const Field& field) {
 }
 
 bool is_finite(const Solution& solution) {
-  return all_finite(solution.tractions.pressure) && all_finite(solution.gap) &&
+  const auto is_gap = [](double g) { return std::isfinite(g) || g == INFINITY; };
+  return all_finite(solution.tractions.pressure) &&
+         std::all_of(solution.gap.begin(), solution.gap.end(), is_gap) &&
          std::isfinite(solution.load);
 }
 

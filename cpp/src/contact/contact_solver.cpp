@@ -18,6 +18,8 @@ constexpr int max_coupling_iterations = 200;
 // the scene has a solution for any mu: from this contraction on rounds are accelerated.
 constexpr double slow_contraction = 0.5;
 constexpr int coupling_depth = 12;
+/// A contact over so much of the grid has no shape that a larger one would hold.
+constexpr double covered = 0.9;
 
 bool is_zero(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
@@ -83,7 +85,7 @@ void require_below_mean(const Grid& grid, const Field& gap, Given normal) {
   if (grid.period.x == 0 || grid.period.y == 0 || normal.is_force()) return;
   const double mean = ordered_sum(gap.size(), [&](std::size_t i) { return gap[i]; }) / gap.size();
   require(normal.value < mean, "approach",
-          "less than the mean of the gap, " + to_text(mean) +
+          "less than the mean of the gap, " + to_short_text(mean, 6) +
               " m, at which periodic surfaces touch everywhere and any larger load is possible: "
               "give the load",
           normal.value);
@@ -103,9 +105,14 @@ std::string border_complaint(const Grid& grid, const Field& pressure, const std:
     where += (where.empty() ? "" : ", ") + percent(at_y) + "at those across y";
     what_helps += what_helps.empty() ? "ny dy" : " and ny dy";
   }
+  const auto touching =
+      std::count_if(pressure.begin(), pressure.end(), [](double p) { return p > 0; });
+  const double share = static_cast<double>(touching) / static_cast<double>(pressure.size());
+  const std::string cover =
+      share >= covered ? ", and covers " + to_short_text(100 * share) + " % of it" : "";
   return "at " + what + " the contact touches the border of the grid (" +
-         to_text(grid.nx * grid.dx) + " m x " + to_text(grid.ny * grid.dy) +
-         " m), with a pressure of " + where + " of the largest: enlarge " + what_helps;
+         to_short_text(grid.nx * grid.dx, 4) + " m x " + to_short_text(grid.ny * grid.dy, 4) +
+         " m), with a pressure of " + where + " of the largest" + cover + ": enlarge " + what_helps;
 }
 
 GridTooSmallError too_small(const Grid& grid, const Field& pressure, const std::string& complaint) {
@@ -145,23 +152,25 @@ void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
     throw ConvergenceError("the contact may be thermoelastically unstable at " + describe(drive) +
                                ": frictional heat makes the operator indefinite " +
                                std::to_string(solution.negative_curvatures) +
-                               " times on the way; error " + to_text(solution.error) + " after " +
-                               std::to_string(solution.iterations) + " iterations, tol " +
-                               to_text(settings.tol) + ": take a smaller load, speed or friction",
+                               " times on the way; error " + to_short_text(solution.error) +
+                               " after " + std::to_string(solution.iterations) +
+                               " iterations, tol " + to_text(settings.tol) +
+                               ": take a smaller load, speed or friction",
                            solution.iterations, solution.error);
   }
   if (!solution.converged) {
-    throw ConvergenceError(
-        "contact did not converge at " + describe(drive) + ": error " + to_text(solution.error) +
-            " after " + std::to_string(solution.iterations) + " iterations, tol " +
-            to_text(settings.tol) + ": allow more max_iterations, a larger tol, or smaller cells",
-        solution.iterations, solution.error);
+    throw ConvergenceError("contact did not converge at " + describe(drive) + ": error " +
+                               to_short_text(solution.error) + " after " +
+                               std::to_string(solution.iterations) + " iterations, tol " +
+                               to_text(settings.tol) +
+                               ": allow more max_iterations, a larger tol, or smaller cells",
+                           solution.iterations, solution.error);
   }
 }
 
 Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field& initial_pressure,
                               const ContactSettings& settings) const {
-  require_surface(gap, grid_, "gap");
+  require_gap(gap, grid_, "gap");
   if (!initial_pressure.empty()) require_surface(initial_pressure, grid_, "initial_pressure");
   require_valid(drive);
   require_below_mean(grid_, gap, drive.normal);

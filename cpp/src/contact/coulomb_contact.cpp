@@ -261,10 +261,12 @@ class CoulombContact::Sweeps {
   Field lift_gap() {
     Solution& s = s_.normal;
     const Field& p = s.tractions.pressure;
-    Field change(n_), displacement(n_);
+    Field change(n_), displacement(n_, 0.0);
     raise(s_.tangential.shear, change);
     add_scaled(-1.0, raised_, change);
     for (std::size_t i = 0; i < n_; ++i) {
+      // Nothing is known of the displacement where there is no body.
+      if (std::isinf(gap_[i])) continue;
       displacement[i] = s.gap[i] - gap_[i] - raised_[i] + s.motion.approach;
     }
     add_scaled(1.0, change, s.gap);
@@ -306,13 +308,13 @@ void require_solved(const CoulombSolution& solution, Given normal, const Contact
   if (solution.normal.converged) return;
   std::string text = "stick and slip did not converge at " + describe(Drive{normal}) + ": ";
   if (shear.converged && solution.normal.error > settings.tol) {
-    text += "error of the pressure " + to_text(solution.normal.error);
+    text += "error of the pressure " + to_short_text(solution.normal.error);
   } else {
-    text += "error of the shear " + to_text(shear.error);
+    text += "error of the shear " + to_short_text(shear.error);
   }
   text += " after " + std::to_string(solution.sweeps) + " sweeps, tol " + to_text(settings.tol) +
-          "; reached: tangential_load = (" + to_text(shear.force[0]) + ", " +
-          to_text(shear.force[1]) + ") N, torque = " + to_text(shear.force[2]) +
+          "; reached: tangential_load = (" + to_short_text(shear.force[0], 6) + ", " +
+          to_short_text(shear.force[1], 6) + ") N, torque = " + to_short_text(shear.force[2], 6) +
           " N m: take a smaller force or increment, or a larger tol";
   if (may_have_none) {
     text +=
@@ -328,11 +330,11 @@ void require_solved(const CoulombSolution& solution, Given normal, const Contact
 
 void CoulombContact::require_contact(const Field& gap, Given normal,
                                      const ContactHistory& before) const {
-  require_surface(gap, grid_, "gap");
+  require_gap(gap, grid_, "gap");
   if (!before.pressure.empty()) {
     require_surface(before.pressure, grid_, "previous.pressure");
     require_vectors(before.shear, grid_, "previous.shear");
-    if (!before.gap.empty()) require_surface(before.gap, grid_, "previous.gap");
+    if (!before.gap.empty()) require_gap(before.gap, grid_, "previous.gap");
   }
   require_valid(Drive{normal});
   require_below_mean(grid_, gap, normal);

@@ -10,8 +10,8 @@ namespace samcontact::contact {
 
 std::string describe(const Drive& drive) {
   const Given& normal = drive.normal;
-  return normal.is_force() ? "load " + to_text(normal.value) + " N"
-                           : "approach " + to_text(normal.value) + " m";
+  const std::string value = to_short_text(normal.value, 6);
+  return normal.is_force() ? "load " + value + " N" : "approach " + value + " m";
 }
 
 void require_valid(const Drive& drive) {
@@ -24,13 +24,32 @@ void require_valid(const Drive& drive) {
   }
 }
 
+namespace {
+
+void require_shape(const Field& field, const Grid& grid, const std::string& name) {
+  if (field.size() == grid.surface_size()) return;
+  throw std::invalid_argument(name + " must have shape (" + std::to_string(grid.nx) + ", " +
+                              std::to_string(grid.ny) + ")");
+}
+
+}  // namespace
+
 void require_surface(const Field& field, const Grid& grid, const std::string& name) {
-  if (field.size() != grid.surface_size()) {
-    throw std::invalid_argument(name + " must have shape (" + std::to_string(grid.nx) + ", " +
-                                std::to_string(grid.ny) + ")");
-  }
+  require_shape(field, grid, name);
   if (!std::all_of(field.begin(), field.end(), [](double v) { return std::isfinite(v); })) {
     throw std::invalid_argument(name + " must be finite everywhere");
+  }
+}
+
+void require_gap(const Field& gap, const Grid& grid, const std::string& name) {
+  require_shape(gap, grid, name);
+  const auto is_known = [](double v) { return std::isfinite(v) || v == INFINITY; };
+  const auto is_body = [](double v) { return std::isfinite(v); };
+  if (!std::all_of(gap.begin(), gap.end(), is_known) ||
+      !std::any_of(gap.begin(), gap.end(), is_body)) {
+    throw std::invalid_argument(name +
+                                " must be finite, or +inf where there is no body, and finite "
+                                "somewhere");
   }
 }
 

@@ -60,8 +60,10 @@ double slid_by_angle(double share) {
 std::array<double, 2> edge_normal(const Grid& grid, const Field& gap, std::size_t at) {
   const int i = static_cast<int>(at) / grid.ny, j = static_cast<int>(at) % grid.ny;
   const auto of = [&](int a, int b) {
-    return gap[static_cast<std::size_t>(std::clamp(a, 0, grid.nx - 1)) * grid.ny +
-               std::clamp(b, 0, grid.ny - 1)];
+    const double there = gap[static_cast<std::size_t>(std::clamp(a, 0, grid.nx - 1)) * grid.ny +
+                             std::clamp(b, 0, grid.ny - 1)];
+    // Beside the end of a body, as at the cell itself.
+    return std::isfinite(there) ? there : gap[at];
   };
   const double x = (of(i + 1, j) - of(i - 1, j)) / grid.dx,
                y = (of(i, j + 1) - of(i, j - 1)) / grid.dy, length = std::hypot(x, y);

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/active_set.hpp"
@@ -37,6 +38,10 @@ constexpr int patience = 2;
 constexpr double most_off = 1e-12;
 /// Of a gap, and of a displacement relative to that of the longest wave.
 constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
+
+/// A gap of cells without a body is so many times what could close; more in each further try.
+constexpr double far_off = 4, further_off = 64;
+constexpr int most_tries = 4;
 
 bool is_zero(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
@@ -275,13 +280,49 @@ Multilevel::~Multilevel() = default;
 Multilevel::Multilevel(Multilevel&&) noexcept = default;
 Multilevel& Multilevel::operator=(Multilevel&&) noexcept = default;
 
+Solution Multilevel::solve_beside_ends(const Field& initial_gap, Given normal, Field pressure,
+                                       double tol, int max_iterations) const {
+  double lowest = INFINITY, highest = -INFINITY;
+  for (std::size_t i = 0; i < initial_gap.size(); ++i) {
+    if (std::isinf(initial_gap[i])) {
+      pressure[i] = 0.0;
+      continue;
+    }
+    lowest = std::min(lowest, initial_gap[i]);
+    highest = std::max(highest, initial_gap[i]);
+  }
+  // No displacement is larger than that of all the load on one cell.
+  const double closed = normal.is_force() ? std::fabs(displacement().self_influence()) *
+                                                normal.value / finest_->grid().cell_area()
+                                          : std::max(0.0, normal.value - lowest);
+  double beyond = far_off * (closed + (highest - lowest));
+  for (int n = 0; n < most_tries; ++n, beyond *= further_off) {
+    Field gap = initial_gap;
+    for (double& g : gap) g = std::isinf(g) ? highest + beyond : g;
+    Solution solution = finest_->solve(gap, normal, pressure, tol, max_iterations);
+    bool touches = false;
+    for (std::size_t i = 0; i < gap.size(); ++i) {
+      if (!std::isinf(initial_gap[i])) continue;
+      touches = touches || solution.tractions.pressure[i] > 0;
+      solution.gap[i] = initial_gap[i];
+    }
+    if (!touches) return solution;
+  }
+  throw ConvergenceError("the contact reaches into cells without a body, where the gap is infinite",
+                         max_iterations, INFINITY);
+}
+
 const operators::SurfaceDisplacement& Multilevel::displacement() const {
   return finest_->displacement();
 }
 
 Solution Multilevel::solve(const Field& initial_gap, Given normal, Field pressure, double tol,
                            int max_iterations) const {
-  Solution solution = finest_->solve(initial_gap, normal, std::move(pressure), tol, max_iterations);
+  const auto has_none = [](double gap) { return std::isinf(gap); };
+  const bool ends = std::any_of(initial_gap.begin(), initial_gap.end(), has_none);
+  Solution solution =
+      ends ? solve_beside_ends(initial_gap, normal, std::move(pressure), tol, max_iterations)
+           : finest_->solve(initial_gap, normal, std::move(pressure), tol, max_iterations);
   solution.work /= displacement().cost();
   const double area = finest_->grid().cell_area();
   const Field& p = solution.tractions.pressure;

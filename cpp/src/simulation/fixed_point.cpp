@@ -111,8 +111,8 @@ class FixedPoint {
   ConvergenceError not_converged() const {
     return {"the plastic increment to " + describe(target_) + " did not converge in " +
                 std::to_string(settings_.max_iterations) + " iterations: relative change " +
-                to_text(residual_) + ", yield excess " + to_text(result_.excess) + ", tol " +
-                to_text(settings_.tol) +
+                to_short_text(residual_) + ", yield excess " + to_short_text(result_.excess) +
+                ", tol " + to_text(settings_.tol) +
                 "; take smaller increments, residual_stress = \"fast\", more "
                 "max_iterations or a larger tol",
             settings_.max_iterations, residual_};

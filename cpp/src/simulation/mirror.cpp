@@ -19,14 +19,18 @@ fft::Symmetry symmetry_of(const operators::HeatingPair& heating) {
 fft::Symmetry symmetry_of(const Field& field, const Grid& grid, kernels::Parity parity) {
   const auto at = [&](int i, int j) { return field[static_cast<std::size_t>(i) * grid.ny + j]; };
   double largest = 0.0;
-  for (const double value : field) largest = std::max(largest, std::fabs(value));
+  for (const double value : field) {
+    // A gap is infinite where there is no body.
+    if (std::isfinite(value)) largest = std::max(largest, std::fabs(value));
+  }
   const double rounding = 1e-10 * largest;
   const double sign_x = parity.odd_x ? -1.0 : 1.0, sign_y = parity.odd_y ? -1.0 : 1.0;
+  const auto same = [&](double a, double b) { return a == b || std::fabs(a - b) <= rounding; };
   bool x = true, y = true;
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
-      y = y && std::fabs(at(i, j) - sign_y * at(i, grid.ny - 1 - j)) <= rounding;
-      x = x && std::fabs(at(i, j) - sign_x * at(grid.nx - 1 - i, j)) <= rounding;
+      y = y && same(at(i, j), sign_y * at(i, grid.ny - 1 - j));
+      x = x && same(at(i, j), sign_x * at(grid.nx - 1 - i, j));
     }
   }
   if (!y) return fft::Symmetry::none;

@@ -70,6 +70,23 @@ operators::Tractions seen_from_body(const operators::Tractions& tractions, const
           seen_from_body(tractions.shear_y, grid, offset)};
 }
 
+namespace {
+
+/// A gap at row x of a column where bodies end.
+double beside_end(const Field& gap, const Grid& grid, double x, int j) {
+  const auto at = [&](int row) { return gap[static_cast<std::size_t>(row) * grid.ny + j]; };
+  const double inside = std::clamp(x, 0.0, grid.nx - 1.0);
+  const double nearest = at(static_cast<int>(std::lround(inside)));
+  const int before = static_cast<int>(std::floor(inside)),
+            after = std::min(before + 1, grid.nx - 1);
+  if (!std::isfinite(nearest) || !std::isfinite(at(before)) || !std::isfinite(at(after))) {
+    return nearest;
+  }
+  return at(before) + (inside - before) * (at(after) - at(before));
+}
+
+}  // namespace
+
 Field shifted_gap(const Field& gap, const Grid& grid, double shift) {
   if (shift == 0) return gap;
   Field out(gap.size());
@@ -88,6 +105,10 @@ Field shifted_gap(const Field& gap, const Grid& grid, double shift) {
       }
       const double* from = gap.data() + static_cast<std::size_t>(first + n) * grid.ny;
       for (int j = 0; j < grid.ny; ++j) to[j] += weight * from[j];
+    }
+    // A row without a body makes infinities of both signs, or none that is a number.
+    for (int j = 0; j < grid.ny; ++j) {
+      if (!std::isfinite(to[j])) to[j] = beside_end(gap, grid, x, j);
     }
   }
   return out;

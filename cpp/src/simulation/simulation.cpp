@@ -113,7 +113,7 @@ Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
                        const plasticity::Body& body2, Field initial_gap,
                        const contact::Friction& friction, const Settings& settings,
                        const HeatMarch& march, Reliefs reliefs)
-    : scene_((contact::require_surface(initial_gap, grid, "gap"),
+    : scene_((contact::require_gap(initial_gap, grid, "gap"),
               std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
                                       settings.image_tol, march, settings.reach, std::move(reliefs),
                                       settings.split))),
@@ -188,7 +188,7 @@ State Simulation::heated_by_slip(Target target) {
     for (double& q : power) q = std::max(q, 0.0);
   }
   throw ConvergenceError("slip and the heat that it makes did not settle at " + describe(target) +
-                             ": relative change " + to_text(error) + " after " +
+                             ": relative change " + to_short_text(error) + " after " +
                              std::to_string(most_heatings) +
                              " solves: take a longer duration or a smaller increment",
                          most_heatings, error);

@@ -22,7 +22,10 @@ from pydantic import (
 from .. import measured
 from .._checks import MOST_COUNT, MOST_NUMBER, FloatArray
 from .._short import escaped, in_short
-from ..measured.files import is_plain, plain_heights
+from ..grid import Grid
+from ..measured.files import has_columns
+from ..measured.plain import is_plain, plain_heights
+from ..measured.plausible import warn_of_size
 from ..units import from_text
 from .errors import explained
 
@@ -159,6 +162,7 @@ class HeightsFile(Section):
     """Heights of a body from a file: plain rows on the grid's cells, or a measured surface."""
 
     path: Annotated[str, Field(min_length=1)]
+    format: str | None = None
     channel: int | str | None = None
     detrend: Literal["none", "center", "height", "slope", "curvature"] | None = None
     unit: str | None = None
@@ -170,17 +174,22 @@ class HeightsFile(Section):
     average: bool | None = None
     fill: Position | None = None
 
-    def is_plain(self, folder: Path) -> bool:
-        """Whether it is an array for exactly the cells of the grid."""
-        return changed(self, HeightsFile.model_fields) <= {"path"} and is_plain(folder / self.path)
-
-    def plain(self, folder: Path) -> FloatArray:
-        return plain_heights(folder / self.path)
+    def plain(self, grid: Grid, folder: Path) -> FloatArray | None:
+        """Heights for exactly the cells of the grid; None of a measured surface."""
+        path = folder / self.path
+        if not changed(self, HeightsFile.model_fields) <= {"path"} or not is_plain(path):
+            return None
+        heights = plain_heights(path)
+        if heights.shape[1] != grid.ny and has_columns(path):
+            return None
+        warn_of_size(heights, (grid.dx, grid.dy), self.path, stacklevel=2)
+        return heights
 
     def surface(self, folder: Path) -> measured.MeasuredSurface:
         trend = "center" if self.detrend is None else self.detrend
         surface = measured.read(
             folder / self.path,
+            format=self.format,
             channel=self.channel,
             detrend=None if trend == "none" else trend,
             dx=self.dx,

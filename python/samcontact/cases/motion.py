@@ -213,10 +213,10 @@ class FileRelief(HeightsFile):
     periodic: bool = False
 
     def build(self, grid: Grid, folder: Path) -> Relief:
-        if not self.is_plain(folder):
+        heights = self.plain(grid, folder)
+        if heights is None:
             surface = self.surface(folder)
             return surface.relief(grid, self.x, periodic=self.periodic, **self.placement())
-        heights = self.plain(folder)
         first = round(self.x / grid.dx + 0.5 * (grid.nx - heights.shape[0]))
         return Relief(heights, first, self.periodic)
 

@@ -153,6 +153,8 @@ class FileSurface(_Surface, HeightsFile):
 
     shape: Literal["file"]
     x: Position | None = None
+    fill: Annotated[float, in_unit("m")] | None = None  # -inf: no body there
+    periodic: Literal["", "x", "y", "xy"] = ""
     Rx: Radius | None = None
     Ry: Radius | None = None
 
@@ -167,11 +169,13 @@ class FileSurface(_Surface, HeightsFile):
         return False
 
     def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
-        if self.is_plain(folder) and self.x is None:
-            heights = self.plain(folder)
-        else:
+        heights = None
+        if self.x is None and not self.periodic:
+            heights = self.plain(grid, folder)
+        if heights is None:
             x = 0.0 if self.x is None else self.x
-            heights = self.surface(folder).on(grid, x, **self.placement())
+            surface = self.surface(folder)
+            heights = surface.on(grid, x, periodic=self.periodic, **self.placement())
         upper = None if self.Rx is None else surfaces.paraboloid(grid, self.Rx, self.Ry)
         return surfaces.from_heights(grid, heights, upper)
 

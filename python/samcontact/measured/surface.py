@@ -16,13 +16,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, boolean, choice, finite, positive, real_array
+from .._checks import FloatArray, choice, finite, positive, real_array
 from .._frozen import FrozenDict, read_only
 from .._repr import Brief
 from .._short import in_short
 from ..grid import Grid
 from ..relief import Relief, rows_within
 from ..surfaces import SurfaceGrid, require_surface
+from .resampling import Sampling, resampled
+from .trends import detrended_profile, filled_profile
 
 TRENDS = ("center", "height", "slope", "curvature")
 MANY_UNDEFINED = 0.05  # of all points; beyond, a filled surface is as much guess as measurement
@@ -56,9 +58,9 @@ class MeasuredSurface(Brief):
 
     Parameters
     ----------
-    heights : array_like, shape (nx, ny)
+    heights : array_like, shape (nx, ny) or (nx,)
         [m], positive out of the body; the first index runs along x. NaN, or masked, where
-        undefined. At least two samples each way.
+        undefined. At least two samples each way, or one along y: a profile, the same at every y.
     dx, dy : float
         Distance of the samples along x and y [m]. dy defaults to dx.
     attrs : mapping, optional
@@ -82,8 +84,12 @@ class MeasuredSurface(Brief):
 
     def __post_init__(self) -> None:
         heights = undefined_as_nan(self.heights)
-        if heights.ndim != 2 or min(heights.shape) < 2:
-            raise ValueError(f"heights must have shape (nx, ny), each >= 2, got {heights.shape}")
+        given = heights.shape
+        heights = heights[:, None] if heights.ndim == 1 else heights
+        if heights.ndim != 2 or heights.shape[0] < 2 or heights.shape[1] < 1:
+            raise ValueError(
+                f"heights must have shape (nx, ny), each >= 2, or (nx, 1) of a profile, got {given}"
+            )
         if np.isinf(heights).any():
             raise ValueError("heights must be finite, or NaN where undefined, got inf")
         if np.isnan(heights).all():
@@ -106,6 +112,11 @@ class MeasuredSurface(Brief):
         return self.heights.shape[0] * self.steps[0], self.heights.shape[1] * self.steps[1]
 
     @property
+    def is_profile(self) -> bool:
+        """Whether there is one row of samples along x, which is the same at every y."""
+        return bool(self.heights.shape[1] == 1)
+
+    @property
     def undefined(self) -> int:
         """Number of samples without a height."""
         return int(np.isnan(self.heights).sum())
@@ -125,7 +136,8 @@ class MeasuredSurface(Brief):
         ----------
         trend : {"center", "height", "slope", "curvature"}
             Mean; plane of the least rms height; plane of the least rms slope; polynomial of second
-            order, which also removes the shape of a ball. All but the mean need SurfaceTopography.
+            order, which also removes the shape of a ball. All but the mean need SurfaceTopography
+            for a map. Of a profile a line, and a parabola.
 
         Returns
         -------
@@ -140,10 +152,14 @@ class MeasuredSurface(Brief):
         """
         if choice("trend", trend, TRENDS) == "center":
             return self._changed(self.heights - np.nanmean(self.heights), detrend=trend)
+        if self.is_profile:
+            heights = detrended_profile(self.heights[:, 0], trend)[:, None]
+            return self._changed(heights, detrend=trend)
         return self._changed(self._topography().detrend(trend).heights(), detrend=trend)
 
     def filled(self) -> MeasuredSurface:
-        """The surface with its undefined points interpolated by harmonic functions.
+        """The surface with its undefined points interpolated by harmonic functions (of a profile
+        lines).
 
         Needs SurfaceTopography where there are any (ImportError). `attrs` tells how many there
         were; beyond 5 % of all points a UserWarning does too.
@@ -158,7 +174,10 @@ class MeasuredSurface(Brief):
                 f"{share:.1f} % of the measured points{source} are undefined and were interpolated",
                 stacklevel=2,
             )
-        heights = self._topography().interpolate_undefined_data().heights()
+        if self.is_profile:
+            heights: Any = filled_profile(self.heights[:, 0])[:, None]
+        else:
+            heights = self._topography().interpolate_undefined_data().heights()
         return self._changed(heights, filled_points=count)
 
     def mirrored(self, axis: str = "y") -> MeasuredSurface:
@@ -188,6 +207,7 @@ class MeasuredSurface(Brief):
         method: str = "cubic",
         average: bool = False,
         fill: float | None = None,
+        periodic: str = "",
     ) -> FloatArray:
         """Heights at the cells of a grid.
 
@@ -203,7 +223,12 @@ class MeasuredSurface(Brief):
             Mean over each cell instead of the value at its centre: leaves out what is shorter than
             a cell. For cells larger than the distance of the samples.
         fill : float, optional
-            Height beyond the measured area [m]; by default there must be none such.
+            Height beyond the measured area [m], or -inf: no body there; by default there must be
+            none such.
+        periodic : {"", "x", "y", "xy"}, optional
+            Directions in which the measured area, nx dx long and ny dy wide, is one period, of any
+            number of samples: it is repeated, without a step at its ends. A grid that is periodic
+            along such a direction must be a whole number of periods long.
 
         Returns
         -------
@@ -218,14 +243,10 @@ class MeasuredSurface(Brief):
             outside its range.
         """
         require_surface(grid)
-        return self._at(
-            np.asarray(grid.x) - finite("x", x),
-            np.asarray(grid.y) - finite("y", y),
-            (grid.dx, grid.dy),
-            method,
-            average,
-            fill,
-        )
+        sampling = Sampling(method, average, fill, periodic, edgeless=True)
+        self._require_periods(grid, periodic)
+        points = np.asarray(grid.x) - finite("x", x), np.asarray(grid.y) - finite("y", y)
+        return self._at(points, (grid.dx, grid.dy), sampling)
 
     def relief(
         self,
@@ -271,67 +292,35 @@ class MeasuredSurface(Brief):
                 f"the measured area must hold a cell of the grid, {grid.dx!r} m long, "
                 f"got {self.size[0]!r} m"
             )
-        across = np.asarray(grid.y) - finite("y", y)
-        cell = (grid.dx, grid.dy)
-        heights = self._at(along - centre, across, cell, method, average, fill)
+        points = along - centre, np.asarray(grid.y) - finite("y", y)
+        heights = self._at(points, (grid.dx, grid.dy), Sampling(method, average, fill))
         return Relief(heights, first, periodic)
 
     def _at(
-        self,
-        x: FloatArray,
-        y: FloatArray,
-        cell: tuple[float, float],
-        method: str,
-        average: bool,
-        fill: float | None,
+        self, points: tuple[FloatArray, FloatArray], cell: tuple[float, float], sampling: Sampling
     ) -> FloatArray:
         """Heights at all pairs of x and y, counted from the middle of the measured area."""
-        from scipy.interpolate import RectBivariateSpline
-
-        boolean("average", average)
-        order = {"cubic": 3, "linear": 1}[choice("method", method, ("cubic", "linear"))]
         if self.undefined:
             first = tuple(int(i) for i in np.argwhere(np.isnan(self.heights))[0])
             raise ValueError(
                 f"{self.undefined} measured points are undefined, the first at index {first}: "
                 "interpolate them with filled()"
             )
-        edges = [0.5 * size if average else 0.0 for size in cell]
-        inside = [self._inside(p, axis, edges[axis], fill) for axis, p in enumerate((x, y))]
-        shape = self.heights.shape
-        at = [(np.arange(n) - 0.5 * (n - 1)) * d for n, d in zip(shape, self.steps, strict=True)]
-        kx, ky = (min(order, n - 1) for n in shape)
-        spline = RectBivariateSpline(*at, self.heights, kx=kx, ky=ky, s=0)
-        # beyond the outermost samples, by half a step at most, their height is taken
-        parts = [
-            np.clip(_parts(p, size, step) if average else p[:, None], s[0], s[-1])
-            for p, size, step, s in zip((x, y), cell, self.steps, at, strict=True)
-        ]
-        heights = np.zeros((x.size, y.size))
-        for part_x in parts[0].T:
-            for part_y in parts[1].T:
-                heights += spline(part_x, part_y)
-        heights /= parts[0].shape[1] * parts[1].shape[1]
-        if fill is not None:
-            heights[~(inside[0][:, None] & inside[1][None, :])] = finite("fill", fill)
-        return heights
+        return resampled(self.heights, self.steps, points, cell, sampling)
 
-    def _inside(self, positions: FloatArray, axis: int, edge: float, fill: float | None) -> Any:
-        """Which positions, with an edge around them, are measured; all must be without a fill."""
-        half = 0.5 * self.size[axis]
-        inside = np.abs(positions) + edge <= half * (1.0 + 1e-9)
-        if fill is None and not inside.all():
+    def _require_periods(self, grid: SurfaceGrid, periodic: str) -> None:
+        """Raise ValueError unless a periodic grid is a whole number of periods long."""
+        for axis, (n, d) in enumerate(((grid.nx, grid.dx), (grid.ny, grid.dy))):
             name = "xy"[axis]
-            raise ValueError(
-                f"the cells reach from {positions.min() - edge:.6g} to "
-                f"{positions.max() + edge:.6g} m along {name}, counted from the middle of the "
-                f"measured area, beyond its {-half:.6g} to {half:.6g} m: make the grid smaller, "
-                "or give fill"
-            )
-        return inside
-
-
-def _parts(positions: FloatArray, cell: float, step: float) -> FloatArray:
-    """Points that divide each cell into equal parts no longer than a step, one row a cell."""
-    count = max(1, int(np.ceil(cell / step - 1e-9)))
-    return np.asarray(positions[:, None] + ((np.arange(count) + 0.5) / count - 0.5) * cell)
+            if name not in periodic or name not in getattr(grid, "periodic", ""):
+                continue
+            if axis == 1 and self.is_profile:
+                continue
+            period = self.size[axis]
+            periods = n * d / period
+            if abs(periods - round(periods)) > 1e-6 or round(periods) < 1:
+                raise ValueError(
+                    f"n{name} d{name} of the periodic grid must be a whole number of periods of "
+                    f"the measured area, {period:.6g} m, got {n * d:.6g} m: take d{name} = "
+                    f"{period:.6g}/n{name}"
+                )

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
-from .._checks import choice, finite_array
+from .._checks import choice, finite_array, gap_array
 from .._quantities import CONTACT
 from ..results.reading import cell_size
 from .fields import Plane, inside_of_contact, name_sides, outline, show_surface
@@ -67,13 +67,17 @@ def surface_map(
     """
     choice("quantity", quantity, tuple(SURFACES))
     choice("across", across, ("x", "y"))
-    values = finite_array(quantity, field, (grid.nx, grid.ny))
+    if quantity == "gap":  # white where there is no body
+        values = gap_array(quantity, field, (grid.nx, grid.ny))
+        values = np.where(np.isfinite(values), values, np.nan)
+    else:
+        values = finite_array(quantity, field, (grid.nx, grid.ny))
     if contact is not None:
         pressed = finite_array("contact", np.asarray(contact, dtype=float), values.shape)
     elif quantity == "print":
         pressed = np.zeros_like(values)
     else:  # a gap is closed but for the tolerance of the contact
-        closed = values <= _CLOSED * values.max()
+        closed = values <= _CLOSED * np.nanmax(values)
         pressed = values if quantity == "pressure" else closed.astype(np.float64)
     plane = Plane(edges(grid.x, grid.dx), edges(grid.y, grid.dy))
     if across == "y":
@@ -83,6 +87,8 @@ def surface_map(
     ends = bool(np.any(pressed > 0) and not np.all(pressed > 0))
     if quantity in _BLANK and ends:
         inside, note = edge if quantity == "pressure" else -edge, _BLANK[quantity]
+    if np.isnan(values).any():
+        note = f"{note} or no body" if note else ", white: no body"
     shown = CONTACT[SURFACES[quantity]]
     ax = show_surface(ax, plane, values, shown, across, note, inside=inside, cells=cells)
     if ends and not cells:

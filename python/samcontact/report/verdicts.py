@@ -66,8 +66,11 @@ def _complementarity(dataset: xr.Dataset, tol: float) -> Iterator[Verdict]:
         return
     pressure = dataset["pressure"].values[solved]
     gap = dataset["gap"].values[solved]
-    moved = gap - dataset["initial_gap"].values + approach[solved, None, None]
-    displacement: FloatArray = np.max(np.abs(moved), axis=(1, 2))
+    initial = dataset["initial_gap"].values
+    body = np.isfinite(initial)
+    moved = gap - np.where(body, initial, 0.0) + approach[solved, None, None]
+    # nothing is known of it where there is no body
+    displacement: FloatArray = np.max(np.abs(moved), axis=(1, 2), initial=0.0, where=body)
     yield Verdict("least pressure", float(pressure.min()), 0.0, at_least=True, unit="Pa")
     largest = float(displacement.max())
     if largest > 0:

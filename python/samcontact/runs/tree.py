@@ -70,10 +70,12 @@ def _array(name: str, values: h5py.Dataset) -> Any:
     return np.ascontiguousarray(values[...])
 
 
-def array(tree: Tree, name: str, shape: tuple[int | None, ...]) -> FloatArray:
+def array(
+    tree: Tree, name: str, shape: tuple[int | None, ...], *, may_end: bool = False
+) -> FloatArray:
     """An array of finite float64; raises ValueError for another, KeyError where it is missing.
 
-    shape: None is any extent.
+    shape: None is any extent. may_end: +inf is allowed, a gap where there is no body.
     """
     values: FloatArray = tree[name]
     if not isinstance(values, np.ndarray) or values.dtype != np.float64:
@@ -83,6 +85,7 @@ def array(tree: Tree, name: str, shape: tuple[int | None, ...]) -> FloatArray:
     )
     if not fits:
         raise ValueError(f"{name} has shape {values.shape}, not {shape}")
-    if not np.isfinite(values).all():
+    finite = np.isfinite(values)
+    if not finite.all() and not (may_end and np.all(finite | (values == np.inf))):
         raise ValueError(f"{name} has values that are not finite")
     return values

@@ -35,8 +35,8 @@ class GridTooSmallError : public std::invalid_argument {
 
 /// Shortest decimal text that reads back as the same double.
 std::string to_text(double value);
-/// The same with three significant digits.
-std::string to_short_text(double value);
+/// The same with so many significant digits at most.
+std::string to_short_text(double value, int digits = 3);
 
 /// Throws std::invalid_argument "NAME must be ALLOWED, got VALUE" unless `condition` holds.
 void require(bool condition, const std::string& name, const std::string& allowed, double value);

@@ -16,7 +16,7 @@ namespace samcontact::contact {
 
 struct Solution {
   operators::Tractions tractions;  // on body 2
-  Field gap;                       // [i][j] [m]
+  Field gap;                       // [i][j] [m]; +inf where there is no body
   RigidMotion motion;
   double load = 0.0;  // [N]
   /// max over cells of |min(p / max p, g / max u)|: pressure where there is a gap, and gap or

@@ -41,5 +41,7 @@ std::string describe(const Drive& drive);
 void require_valid(const Drive& drive);
 /// Throws std::invalid_argument unless a surface field has the shape of the grid and is finite.
 void require_surface(const Field& field, const Grid& grid, const std::string& name);
+/// The same of a gap, which is +inf in cells without a body, finite in at least one.
+void require_gap(const Field& gap, const Grid& grid, const std::string& name);
 
 }  // namespace samcontact::contact

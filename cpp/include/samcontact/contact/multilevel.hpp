@@ -26,12 +26,17 @@ class Multilevel {
   const operators::SurfaceDisplacement& displacement() const;
 
   /// Starts from `pressure`, or from a coarser grid if that is zero everywhere. Returns converged =
-  /// false after max_iterations.
+  /// false after max_iterations. Cells of infinite gap, where there is no body, stay out of
+  /// contact.
   Solution solve(const Field& initial_gap, Given normal, Field pressure, double tol,
                  int max_iterations) const;
 
  private:
   class Level;
+
+  Solution solve_beside_ends(const Field& initial_gap, Given normal, Field pressure, double tol,
+                             int max_iterations) const;
+
   std::unique_ptr<Level> finest_;
 };
 

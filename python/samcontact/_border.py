@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What helps where the contact of a gap that is known on one grid only touches the border."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ._repr import quantity
+
+if TYPE_CHECKING:
+    from ._checks import FloatArray
+    from ._expected import Scene
+
+GROWS = "the grid grows by itself where the gap is a function of it"
+"""What helps where it does not."""
+_TILTED = 0.5  # of the other heights, from which on a plane is the reason
+_REPEAT = 'let it repeat itself with Grid(..., periodic="xy")'
+_REMEDY = ": enlarge "
+
+
+def told_of_fixed(error: ValueError, scene: Scene) -> None:
+    """Add to a GridTooSmallError what helps an array as gap: a measured one cannot be enlarged."""
+    text = str(error)
+    if scene.radii is None:
+        before, _, remedy = text.partition(_REMEDY)
+        if tilt := _tilt(scene.gap):
+            text = (
+                f"{before}. The gap is tilted, {tilt}: level a measured surface with "
+                f'detrend="height", or ask for a warning with on_border="warn"'
+            )
+        elif "covers" in before:
+            text = (
+                f"{before}: a surface that touches everywhere does so on a larger grid too; "
+                f'{_REPEAT}, or ask for a warning with on_border="warn"'
+            )
+        else:
+            text = (
+                f"{before}{_REMEDY}{remedy}; of a measured surface take the shape off with "
+                f'detrend="curvature", or {_REPEAT}'
+            )
+    error.args = (f"{text}; {GROWS}",)
+
+
+def _tilt(gap: FloatArray) -> str:
+    """By how much the plane through a gap rises over the grid, where its heights are mostly that;
+    else nothing."""
+    body = np.isfinite(gap)
+    axes = np.meshgrid(*(np.linspace(-0.5, 0.5, n) for n in gap.shape), indexing="ij")
+    places = [np.ones(int(body.sum())), *(axis[body] for axis in axes)]
+    basis = np.stack(places, axis=1)
+    found = np.linalg.lstsq(basis, gap[body], rcond=None)[0]
+    others = float(np.ptp(gap[body] - basis @ found))
+    rises = [
+        abs(float(rise)) if n > 1 else 0.0 for rise, n in zip(found[1:], gap.shape, strict=True)
+    ]
+    if max(rises) <= _TILTED * others or max(rises) == 0.0:
+        return ""
+    along = " and ".join(
+        f"{quantity(rise, 'm')} along {axis}"
+        for rise, axis in zip(rises, "xy", strict=True)
+        if rise > 0.1 * max(rises)
+    )
+    return f"by {along} beside other heights of {quantity(others, 'm')}"

@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of instruments, by the readers of SurfaceTopography."""
+
+from __future__ import annotations
+
+import difflib
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, BinaryIO, NamedTuple
+
+import numpy as np
+
+from .._checks import FloatArray
+from .._short import in_short
+from .plain import profile, said, written_positions
+from .surface import MeasuredSurface, library
+
+OWN = ("array", "xyz")
+"""Formats read without SurfaceTopography; the second one it knows as well."""
+_PACKED = {b"\x1f\x8b": "gzip", b"BZh": "bzip2", b"\xfd7zXZ": "xz"}
+_NMS_STEPS = 1376  # where NanoFocus files hold the steps along x and y
+_NMS_FIELDS = 2e-5, 5e-2  # of microscope objectives [m]
+
+
+class Given(NamedTuple):
+    """Arguments that tell what a file does not."""
+
+    channel: int | str | None
+    steps: tuple[float, float] | None
+    unit: str | None
+
+
+class _Refused(Exception):
+    """Why a reader cannot use a file."""
+
+
+def require_format(name: str | None) -> str | None:
+    """Return the name of a reader in lower case; a ValueError that names the nearest one."""
+    if name is None:
+        return None
+    if not isinstance(name, str):
+        raise TypeError(f'format must be a text, e.g. "sur", got {in_short(name)}')
+    wanted = name.lower().lstrip(".")
+    if wanted in OWN:
+        return wanted
+    io = library("SurfaceTopography.IO")
+    known = sorted({*OWN, *io.lookup_reader_by_format})
+    if wanted in known:
+        return wanted
+    near = difflib.get_close_matches(wanted, known, 1)
+    hint = f"did you mean {near[0]!r}?" if near else f"one of {', '.join(known)}"
+    raise ValueError(f"format must be the name of a reader, got {in_short(name)}: {hint}")
+
+
+def metres(unit: str) -> float:
+    """What a length unit is in metres."""
+    conversion = library("SurfaceTopography.Support.UnitConversion")
+    try:
+        if not isinstance(unit, str):
+            raise TypeError
+        return float(conversion.get_unit_conversion_factor(unit, "m"))
+    except (KeyError, TypeError, ValueError) as error:
+        raise ValueError(
+            f'unit must be a length unit, e.g. "nm" or "um", got {in_short(unit)}'
+        ) from error
+
+
+def with_library(path: Path, format: str | None, given: Given) -> MeasuredSurface:
+    """The surface that the first suitable reader finds; a ValueError with the reason of those
+    that know the format, where none does."""
+    io = library("SurfaceTopography.IO")
+    reasons: list[tuple[int, str]] = []
+    try:
+        # an open file: given a path, readers that fail to recognise the file may leave it open
+        with path.open("rb") as file:
+            start = file.read(io.MAGIC_BUFFER_SIZE)
+            for mark, name in _PACKED.items():
+                if start.startswith(mark):
+                    raise ValueError(f"path: {path} is packed with {name}: unpack it first")
+            for reader, rank in _candidates(io, path, start, format):
+                file.seek(0)
+                try:
+                    return _read(io, path, file, reader.format(), given)
+                except _Refused as refusal:
+                    reasons.append((rank, f"{reader.name()} ({reader.format()}): {refusal}"))
+    except OSError as error:
+        raise ValueError(f"path: cannot read heights from {path}: {said(error)}") from error
+    told = [text for rank, text in sorted(reasons, key=lambda r: r[0]) if rank < _UNKNOWN]
+    reason = told[0] if told else f"no format that SurfaceTopography knows{_expected(io, path)}"
+    raise ValueError(f"path: cannot read heights from {path}: {reason}")
+
+
+_UNKNOWN = 2
+
+
+def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterator[tuple[Any, int]]:
+    """Readers for a file and how well they suit it: by its mark (0), by the ending of its name (1),
+    or not at all (2); of texts in the library's order, in which some need to come before others."""
+    if format is not None:
+        yield io.lookup_reader_by_format[format], 0
+        return
+    ending = path.suffix.lower()[1:]
+    found = []
+    for number, reader in enumerate(io.readers):
+        match = reader.can_read(start)
+        if match == io.MagicMatch.NO:
+            continue
+        named = ending in reader.file_extensions()
+        is_text = reader.mime_types() == ["text/plain"]
+        rank = 0 if match == io.MagicMatch.YES else 1 if named else _UNKNOWN
+        order = (0 if named else 1) if rank == 0 else 2 if named and not is_text else 3
+        found.append((order, number, reader, rank))
+    for _, _, reader, rank in sorted(found, key=lambda f: f[:2]):
+        yield reader, rank
+
+
+def _expected(io: Any, path: Path) -> str:
+    """What the ending of a name promises that the content does not keep."""
+    ending = path.suffix.lower()[1:]
+    names = [reader.name() for reader in io.readers if ending in reader.file_extensions()]
+    return f"; it does not begin as a file of {names[0]} does" if names else ""
+
+
+def _read(io: Any, path: Path, file: BinaryIO, format: str, given: Given) -> MeasuredSurface:
+    """The surface in an open file; _Refused for the reader's reasons, errors for the arguments."""
+    reader = _tried(io, lambda: io.open_topography(file, format=format))
+    with reader:
+        if not len(_tried(io, lambda: list(reader.channels))):
+            raise _Refused("the file has no channels")
+        info = _channel(reader, given.channel, path)
+        steps, unit = given.steps, given.unit
+        # a text whose header tells nothing is a plain array all the same
+        plain = (format, info.physical_sizes, info.unit, info.dim) == ("asc", None, None, 2)
+        if plain:
+            steps, unit = steps and steps[::-1], unit or "m"
+        missing = _missing(info, steps, unit, path)
+        topography = _tried(io, lambda: info.topography(**missing).to_unit("m"))
+        attrs = _provenance(path, format, info, topography)
+        if info.dim == 1:
+            x = written_positions(path) if format == "xyz" else None
+            x = None if x is None else x * metres(str(info.unit or unit))
+            surface: MeasuredSurface = _tried(io, lambda: _profile(topography, attrs, x))
+            return surface
+        heights, sizes = _tried(io, lambda: (topography.heights(), topography.pixel_size))
+    if plain:
+        heights, sizes = heights.T, sizes[::-1]
+    if format == "nms":
+        sizes = _nms_steps(file, heights.shape, sizes)
+    return MeasuredSurface(heights, float(sizes[0]), float(sizes[1]), attrs)
+
+
+def _tried(io: Any, call: Any) -> Any:
+    """What a reader returns; _Refused with its reason for any error: damaged files end in all."""
+    try:
+        return call()
+    except (ImportError, _Refused):
+        raise
+    except (io.ReadFileError, io.UnknownFileFormat) as error:
+        raise _Refused(said(error)) from error
+    except Exception as error:
+        raise _Refused(
+            f"its reader failed ({type(error).__name__}: {said(error)}): the file is damaged, or "
+            "of a variant that SurfaceTopography does not know"
+        ) from error
+
+
+def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None) -> MeasuredSurface:
+    """A line scan as a surface with one row of samples.
+
+    written: its positions [m] where they are known from the file; the library takes those that
+    differ by less than 1e-6 of any unit for equal steps.
+    """
+    x, z = np.asarray(topography.positions(), dtype=float), np.ma.asarray(topography.heights())
+    if written is not None and len(written) == len(x):
+        x = written
+    if len(x) < 2 or not ((np.diff(x) > 0).all() or (np.diff(x) < 0).all()):
+        raise _Refused("x of the profile must rise from point to point")
+    heights, step, uneven = profile(x, np.ma.filled(z.astype(float), np.nan))
+    return MeasuredSurface(
+        heights, step, attrs=attrs | ({"interpolated_from": uneven} if uneven else {})
+    )
+
+
+def _nms_steps(file: BinaryIO, shape: tuple[int, ...], steps: Any) -> Any:
+    """Steps of a NanoFocus file [m]: it holds them in nm, which the library may take for mm."""
+    file.seek(_NMS_STEPS)
+    own = [1e-9 * step for step in struct.unpack("<2d", file.read(16))]
+    low, high = _NMS_FIELDS
+    is_field = all(low <= n * step <= high for n, step in zip(shape, own, strict=True))
+    return own if is_field else steps
+
+
+def _provenance(path: Path, format: str, info: Any, topography: Any) -> dict[str, Any]:
+    """Where heights come from."""
+    attrs = {"source": str(path), "format": format, "channel": info.name}
+    if info.unit is not None:
+        attrs["unit"] = info.unit
+    for name in ("instrument", "acquisition_time"):
+        if topography.info.get(name) is not None:
+            attrs[name] = topography.info[name]
+    return attrs
+
+
+def _channel(reader: Any, channel: int | str | None, path: Path) -> Any:
+    """The wanted channel of a file, by default the first one of heights."""
+    channels = list(reader.channels)
+    listed = ", ".join(f"{info.index}: {info.name!r}" for info in channels)
+    if channel is None:
+        default = reader.default_channel
+        found = [info for info in (default, *channels) if info.is_height_channel][:1] or [default]
+    else:
+        found = [info for info in channels if channel in (info.index, info.name)]
+    if not found:
+        raise ValueError(f"channel must be one of {listed} in {path}, got {in_short(channel)}")
+    if not found[0].is_height_channel:
+        raise ValueError(
+            f"channel {found[0].name!r} of {path} is {found[0].data_kind.value}, no height; the "
+            f"file has {listed}"
+        )
+    return found[0]
+
+
+def _missing(
+    info: Any, steps: tuple[float, float] | None, unit: str | None, path: Path
+) -> dict[str, Any]:
+    """What the file does not tell about a channel, from the arguments."""
+    for name, known, given in (("dx", info.physical_sizes, steps), ("unit", info.unit, unit)):
+        if known is not None and given is not None:
+            raise ValueError(f"{name} must not be given: {path} has its own")
+        if known is None and given is None:
+            raise ValueError(f"{name} must be given: {path} does not tell it")
+    metadata: dict[str, Any] = {}
+    if unit is not None:
+        metadata["unit"] = unit
+    if steps is not None:
+        # sizes are in the unit of the heights
+        metre = metres(info.unit if unit is None else unit)
+        counts = info.nb_grid_pts
+        sizes = tuple(n * step / metre for n, step in zip(counts, steps, strict=False))
+        metadata["physical_sizes"] = sizes if len(counts) > 1 else sizes[0]
+    return metadata

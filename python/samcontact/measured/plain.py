@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plain arrays and texts: rows of heights, or columns of positions and heights."""
+
+from __future__ import annotations
+
+import codecs
+import re
+import stat
+import warnings
+from itertools import takewhile
+from pathlib import Path
+from tokenize import TokenError
+from typing import Any, NamedTuple
+from zipfile import BadZipFile
+
+import numpy as np
+from numpy.lib.format import MAGIC_PREFIX
+
+from .._checks import FloatArray
+
+PLAIN_FORMATS = (".npy", ".txt", ".dat", ".asc", ".csv")
+_TABLES = (*PLAIN_FORMATS, ".xyz")
+# what np.load raises; the last of headers and archives of numpy.save
+_DAMAGED = (
+    OSError, ValueError, EOFError, TypeError, ArithmeticError, MemoryError,
+    SyntaxError, TokenError, BadZipFile, KeyError, NotImplementedError,
+)  # fmt: skip
+_FEWEST = 4  # rows that can be columns of positions
+# a comment that holds no value: those stand after a colon (in Japanese a wide one) or equals sign
+_COMMENT = re.compile("\\s*(#[^:=\N{FULLWIDTH COLON}]*)?")
+_UNITS = {
+    "nm": r"nm|nanomet\w+",
+    "um": r"[u\u00b5\u03bc]m|micron\w*|micromet\w+",
+    "mm": r"mm|millimet\w+",
+    "m": r"m|met(?:er|re)s?",
+}
+
+
+class Table(NamedTuple):
+    """Numbers of a file, and the unit that the label of each column names, if any."""
+
+    values: FloatArray
+    units: tuple[str | None, ...]
+
+
+def said(error: BaseException) -> str:
+    """Text of an error on one line, without numbers of the operating system."""
+    if isinstance(error, OSError) and error.strerror:
+        return error.strerror.lower()
+    text = " ".join(str(error).split())
+    return text if len(text) <= 200 else f"{text[:200]}..."
+
+
+def is_array(path: Path) -> bool:
+    """Whether a file begins as one of numpy.save; a ValueError for what can be read only once."""
+    try:
+        mode = path.stat().st_mode
+        if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+            raise ValueError(f"path: {path} must be a file, is a pipe or device")
+        with path.open("rb") as file:
+            return file.read(len(MAGIC_PREFIX)) == MAGIC_PREFIX
+    except OSError:  # told by reading its heights
+        return False
+
+
+def is_plain(path: Path) -> bool:
+    """Whether a file is an array of numbers only, without sizes or units of its own."""
+    array = is_array(path)
+    if array or path.suffix.lower() not in PLAIN_FORMATS:
+        return array
+    try:
+        lines = [] if path.suffix.lower() == ".npy" else _lines(path)
+    except OSError:  # told by reading its heights
+        return True
+    return all(_COMMENT.fullmatch(line) for line in _header(lines))
+
+
+def plain_heights(path: Path) -> FloatArray:
+    """Rows of numbers from a plain file; a ValueError that names it where it cannot be read."""
+    try:
+        if path.suffix.lower() == ".npy" or is_array(path):
+            heights: Any = _array(path)
+        else:
+            heights = _rows(_lines(path), path.suffix.lower() == ".csv")
+    except _DAMAGED as error:
+        raise ValueError(f"path: cannot read heights from {path}: {said(error)}") from error
+    numbers = isinstance(heights, np.ndarray) and heights.dtype.kind in "iuf"
+    if not numbers or heights.ndim != 2 or heights.size == 0:
+        found = f"{heights.dtype} of shape {heights.shape}" if numbers else type(heights).__name__
+        raise ValueError(f"path: {path} must hold rows of numbers, has {found}")
+    return np.asarray(heights)
+
+
+def table(path: Path) -> Table | None:
+    """Two or three columns that may be positions and heights; None for other files."""
+    if is_array(path):
+        values, header = plain_heights(path), []
+    elif path.suffix.lower() in _TABLES:
+        try:
+            lines = _lines(path)
+            header = [line for line in _header(lines) if not _COMMENT.fullmatch(line)]
+            if len(header) > 1 or any("#" in line or "valid" in line for line in header):
+                return None
+            values = _rows(lines, path.suffix.lower() == ".csv", skip=_header(lines))
+        except (OSError, ValueError):  # told by those that read its heights
+            return None
+    else:
+        return None
+    if values.ndim != 2 or values.shape[1] not in (2, 3) or values.dtype.kind not in "iuf":
+        return None
+    labels = re.split(r"[,;\t]|\s{2,}", header[0].strip()) if header else []
+    fits = len(labels) == values.shape[1]
+    units = tuple(_unit_of(label) for label in labels) if fits else (None,) * values.shape[1]
+    return Table(np.asarray(values, dtype=np.float64), units)
+
+
+def written_positions(path: Path) -> FloatArray | None:
+    """x of a profile as its text has it, whatever its header; None where it is another file."""
+    try:
+        lines = _lines(path)
+        values = _rows(lines, path.suffix.lower() == ".csv", skip=_header(lines))
+        which = columns(values, path) if values.shape[1] in (2, 3) else None
+    except (OSError, ValueError):
+        return None
+    return None if which is None or len(which) != 2 else np.asarray(values[:, which[0]])
+
+
+def _unit_of(label: str) -> str | None:
+    """The length unit that the label of a column names."""
+    for unit, words in _UNITS.items():
+        if re.search(rf"(?<![^\W_])(?:{words})(?![^\W_])", label):
+            return unit
+    return None
+
+
+def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
+    """Which columns are x, (y,) z; None where the table is rows of heights.
+
+    A ValueError for what is neither: x of a profile that turns back, or points without a grid.
+    """
+    if len(values) < _FEWEST or not np.isfinite(values[:, :-1]).all():
+        return None
+    if values.shape[1] == 3 and not (_counts(values[:, 0]) and _rises(values[:, 1]) == 1.0):
+        return 0, 1, 2  # points that fill a grid, or an error
+    first = values.shape[1] - 2
+    share = _rises(values[:, first])
+    if share == 1.0:
+        return first, first + 1
+    if share >= 0.9:
+        steps = np.diff(values[:, first])
+        turns = np.flatnonzero(np.sign(steps) != np.sign(values[-1, first] - values[0, first]))
+        raise ValueError(
+            f"path: x of the profile in {path} must rise or fall from row to row, but turns at row "
+            f'{turns[0] + 2}; if its lines are rows of heights, give format="array"'
+        )
+    return None
+
+
+def _counts(column: FloatArray) -> bool:
+    """Whether a column numbers its rows."""
+    return bool(np.array_equal(column - column[0], np.arange(len(column))))
+
+
+def _rises(column: FloatArray) -> float:
+    """Share of steps in the direction of most of them."""
+    steps = np.diff(column)
+    return float(max((steps > 0).mean(), (steps < 0).mean()))
+
+
+def profile(x: FloatArray, z: FloatArray) -> tuple[FloatArray, float, str]:
+    """Heights at equal steps along x, the step, and what was interpolated from (or nothing)."""
+    if x[0] > x[-1]:
+        x, z = x[::-1], z[::-1]
+    count = np.arange(len(x))
+    step = float(x[-1] - x[0]) / (len(x) - 1)
+    even = x[0] + step * count
+    if np.abs(x - even).max() <= 1e-6 * step:
+        return z, step, ""
+    # positions that were rounded where they were written
+    digit = _last_digit(x, step)
+    start, rounded = np.polynomial.Polynomial.fit(count, x, 1).convert().coef
+    if np.abs(x - start - rounded * count).max() <= 0.55 * digit:
+        return z, float(rounded), ""
+    steps = np.diff(x)
+    return np.interp(even, x, z), step, f"steps of {steps.min():.4g} to {steps.max():.4g} m"
+
+
+def _last_digit(x: FloatArray, step: float) -> float:
+    """What positions are rounded to [m]; 0 where they have more digits than that tells."""
+    for digits in range(4):
+        unit = 10.0 ** (np.floor(np.log10(step) + 1e-9) - digits)
+        if np.abs(x / unit - np.round(x / unit)).max() < 1e-4:
+            return float(unit)
+    return 0.0
+
+
+def grid_of_points(points: FloatArray, path: Path) -> tuple[FloatArray, float, float]:
+    """Heights [i][j] of points x, y, z in any order, and their steps along x and y.
+
+    A ValueError unless each place of a grid of equal steps has one point.
+    """
+    axes = [_places(points[:, axis]) for axis in (0, 1)]
+    (i, x), (j, y) = axes
+    missing = len(x) * len(y) - len(np.unique(i * len(y) + j))
+    if missing or len(points) != len(x) * len(y) or min(len(x), len(y)) < 2:
+        raise ValueError(
+            f"path: the three columns of {path} are taken for points x, y, z, which must fill a "
+            f"grid: {len(points)} points lie at {len(x)} x and {len(y)} y. Put them onto a grid, "
+            'or, if its lines are rows of heights, give format="array"'
+        )
+    steps = []
+    for name, places in (("x", x), ("y", y)):
+        between = np.diff(places)
+        if np.ptp(between) > 0.02 * between.mean():
+            raise ValueError(
+                f"path: the points of {path} must have equal steps along {name}, got steps of "
+                f"{between.min():.4g} to {between.max():.4g}"
+            )
+        steps.append(float(between.mean()))
+    heights = np.empty((len(x), len(y)))
+    heights[i, j] = points[:, 2]
+    return heights, steps[0], steps[1]
+
+
+def _places(column: FloatArray) -> tuple[Any, FloatArray]:
+    """Of each point the number of its place along an axis, and the places."""
+    order = np.argsort(column, kind="stable")
+    steps = np.diff(column[order])
+    number = np.zeros(len(column), dtype=int)
+    number[order[1:]] = np.cumsum(steps > 0.5 * steps.max(initial=0.0))
+    totals = np.bincount(number, weights=column)
+    return number, totals / np.bincount(number)
+
+
+def _is_data(line: str) -> bool:
+    """Whether a line of a text begins with a number."""
+    first = re.split(r"[\s,;]", line.strip(), maxsplit=1)[0]
+    try:
+        float(first)
+    except ValueError:
+        return False
+    return True
+
+
+def _header(lines: list[str]) -> list[str]:
+    """Lines before the first numbers."""
+    return list(takewhile(lambda line: not _is_data(line), lines))
+
+
+def _lines(path: Path) -> list[str]:
+    """The lines of a text as spreadsheets and instruments write it, with or without a mark."""
+    content = path.read_bytes()
+    is_wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    # what is no text is no number either, and refused as such
+    return content.decode("utf-16" if is_wide else "utf-8-sig", errors="replace").splitlines()
+
+
+def _array(path: Path) -> Any:
+    with path.open("rb") as file:
+        start = file.read(6)
+    # others would be taken for pickles, and the user be told to load them without safety
+    if not start.startswith((b"\x93NUMPY", b"PK")):
+        raise ValueError(f"it begins with {start!r}, is no file of numpy.save")
+    return np.load(path, allow_pickle=False)
+
+
+def _rows(lines: list[str], is_csv: bool, skip: list[str] | None = None) -> FloatArray:
+    """Numbers of a text; a comma is never guessed to be a decimal one. skip: lines before them."""
+    first = next((line for line in lines if _is_data(line)), "")
+    delimiter = ";" if ";" in first else "," if is_csv and "," in first else None
+    if "," in first and delimiter != ",":
+        raise ValueError(
+            f"numbers must have decimal points, and commas separate them in .csv only, got "
+            f"{first.strip()[:40]!r}"
+        )
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of an empty file, which is refused by shape
+        try:
+            return np.loadtxt(lines[len(skip or ()) :], delimiter=delimiter, ndmin=2)
+        except ValueError as error:  # without what NumPy advises, which is for its own arguments
+            raise ValueError(str(error).split("; use `usecols`")[0]) from error

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sizes and slopes of measured heights that hardly can be."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from .._checks import FloatArray
+from .._doubts import UnitWarning
+from .._repr import lengths, quantity
+
+LONGEST = 1.0
+"""Of a measured area [m]."""
+STEEPEST = 2.0
+"""Root mean square slope [-]: instruments measure up to some 70 degrees."""
+
+
+def warn_of_size(
+    heights: FloatArray, steps: tuple[float, float], source: str, *, stacklevel: int
+) -> None:
+    """Warn, with numbers, of heights whose unit or steps are likely in another unit.
+
+    heights: shape (nx, ny) [m], NaN where undefined; steps: distance of the samples [m]. A
+    UnitWarning where the area is longer than 1 m, the rms slope is above 2, or the heights span
+    more than the longer side.
+    """
+    size = [n * step for n, step in zip(heights.shape, steps, strict=True)]
+    sides = size[:1] if heights.shape[1] == 1 else size
+    known = heights[np.isfinite(heights)]
+    span = float(np.ptp(known)) if known.size else 0.0
+    slope = _rms_slope(heights, steps)
+    doubts = []
+    if max(sides) > LONGEST:
+        doubts.append(f"an area longer than {LONGEST:g} m")
+    if slope > STEEPEST:
+        doubts.append(f"an rms slope of {slope:.3g}")
+    if span > max(sides):
+        doubts.append("heights that span more than the length")
+    if not doubts:
+        return
+    over = lengths(*sides) if len(sides) == 2 else quantity(sides[0], "m")
+    warnings.warn(
+        f"the heights of {source} span {quantity(span, 'm')} over {over}: "
+        f"{' and '.join(doubts)} can hardly be; is the unit of the heights or of the steps "
+        "another?",
+        UnitWarning,
+        stacklevel=stacklevel + 1,
+    )
+
+
+def _rms_slope(heights: FloatArray, steps: tuple[float, float]) -> float:
+    """Root mean square of the slope between neighbours, along x and y together."""
+    total = 0.0
+    with np.errstate(over="ignore", invalid="ignore"):
+        for axis, step in enumerate(steps):
+            slopes = np.diff(heights, axis=axis) / step
+            known = slopes[np.isfinite(slopes)]
+            if known.size:
+                total += float(np.mean(known**2))
+    return float(np.sqrt(total))

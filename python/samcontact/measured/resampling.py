@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measured heights between their samples: splines, means over cells, what lies beyond."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .._checks import FloatArray, boolean, choice, number
+
+_REACH = 24  # samples over which a cubic spline forgets its ends, to rounding
+
+
+@dataclass(frozen=True, eq=False)
+class Sampling:
+    """How heights are wanted.
+
+    method, average, fill: as those of `MeasuredSurface.on`; periodic: axes along which the measured
+    area repeats itself; edgeless: whether fill may be -inf, no body.
+    """
+
+    method: str = "cubic"
+    average: bool = False
+    fill: float | None = None
+    periodic: str = ""
+    edgeless: bool = False
+
+    def __post_init__(self) -> None:
+        boolean("average", self.average)
+        choice("method", self.method, ("cubic", "linear"))
+        choice("periodic", self.periodic, ("", "x", "y", "xy"))
+        if self.fill is None:
+            return
+        fill = number("fill", self.fill)
+        if not (np.isfinite(fill) or (self.edgeless and fill == -np.inf)):
+            allowed = "a finite number, or -inf for no body" if self.edgeless else "a finite number"
+            raise ValueError(f"fill must be {allowed}, got {fill!r}")
+
+
+def resampled(
+    heights: FloatArray,
+    steps: tuple[float, float],
+    points: tuple[FloatArray, FloatArray],
+    cell: tuple[float, float],
+    sampling: Sampling,
+) -> FloatArray:
+    """Heights at all pairs of x and y, counted from the middle of the measured area [m].
+
+    heights: shape (nx, ny), all defined; one row (ny = 1) is the same at every y. cell: its lengths
+    along x and y [m]. A ValueError where points lie beyond the measured area and there is no fill.
+    """
+    from scipy.interpolate import RectBivariateSpline
+
+    is_profile = heights.shape[1] == 1
+    axes, orders, parts, inside = [], [], [], []
+    for axis, (p, length, step) in enumerate(zip(points, cell, steps, strict=True)):
+        repeats = "xy"[axis] in sampling.periodic or (axis == 1 and is_profile)
+        n = heights.shape[axis]
+        edge = 0.5 * length if sampling.average else 0.0
+        inside.append(
+            np.ones(p.size, dtype=bool) if repeats else _inside(p, axis, n * step, edge, sampling)
+        )
+        wide = _REACH if repeats else 0
+        heights = np.pad(heights, [(wide, wide) if a == axis else (0, 0) for a in (0, 1)], "wrap")
+        at = (np.arange(n + 2 * wide) - 0.5 * (n + 2 * wide - 1)) * step
+        within = _parts(p, length, step) if sampling.average else p[:, None]
+        if repeats:
+            within = within - n * step * np.round(within / (n * step))
+        axes.append(at)
+        orders.append(min({"cubic": 3, "linear": 1}[sampling.method], len(at) - 1))
+        # beyond the outermost samples, by half a step at most, their height is taken
+        parts.append(np.clip(within, at[0], at[-1]))
+    spline = RectBivariateSpline(*axes, heights, kx=orders[0], ky=orders[1], s=0)
+    found = np.zeros((points[0].size, points[1].size))
+    for part_x in parts[0].T:
+        rows, back_x = np.unique(part_x, return_inverse=True)
+        for part_y in parts[1].T:
+            columns, back_y = np.unique(part_y, return_inverse=True)
+            found += spline(rows, columns)[np.ix_(back_x, back_y)]
+    found /= parts[0].shape[1] * parts[1].shape[1]
+    if sampling.fill is not None:
+        found[~(inside[0][:, None] & inside[1][None, :])] = sampling.fill
+    return found
+
+
+def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling: Sampling) -> Any:
+    """Which positions, with an edge around them, are measured; all must be without a fill."""
+    half = 0.5 * size
+    inside = np.abs(positions) + edge <= half * (1.0 + 1e-9)
+    if sampling.fill is None and not inside.all():
+        raise ValueError(
+            f"the cells reach from {positions.min() - edge:.6g} to "
+            f"{positions.max() + edge:.6g} m along {'xy'[axis]}, counted from the middle of the "
+            f"measured area, beyond its {-half:.6g} to {half:.6g} m: make the grid smaller, "
+            "or give fill"
+        )
+    return inside
+
+
+def _parts(positions: FloatArray, cell: float, step: float) -> FloatArray:
+    """Points that divide each cell into equal parts no longer than a step, one row a cell."""
+    count = max(1, int(np.ceil(cell / step - 1e-9)))
+    return np.asarray(positions[:, None] + ((np.arange(count) + 0.5) / count - 0.5) * cell)

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Trends and gaps of profiles; those of maps are left to SurfaceTopography."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .._checks import FloatArray
+
+
+def detrended_profile(z: FloatArray, trend: str) -> FloatArray:
+    """Heights of a profile at equal steps without its trend, fitted to the defined ones.
+
+    trend: "height", line of the least rms height; "slope", line of the least rms slope, level at
+    the mean; "curvature", parabola of the least rms height.
+    """
+    s = np.linspace(-1.0, 1.0, len(z))
+    known = np.isfinite(z)
+    if trend == "slope":
+        ends = np.flatnonzero(known)[[0, -1]]
+        rise = (z[ends[1]] - z[ends[0]]) / (s[ends[1]] - s[ends[0]]) if ends[1] > ends[0] else 0.0
+        level = z - rise * s
+        return np.asarray(level - level[known].mean())
+    degree = min({"height": 1, "curvature": 2}[trend], int(known.sum()) - 1)
+    fitted = np.polynomial.Polynomial.fit(s[known], z[known], degree)
+    return np.asarray(z - fitted(s))
+
+
+def filled_profile(z: FloatArray) -> FloatArray:
+    """Heights of a profile with the undefined ones interpolated linearly."""
+    known = np.flatnonzero(np.isfinite(z))
+    return np.interp(np.arange(len(z)), known, z[known])
