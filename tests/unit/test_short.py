@@ -26,7 +26,7 @@ LONG_NAME = "name_of_a_field_that_is_as_long_as_this"
 VALUES = [
     "x" * 10**6, "'" * 200, "\x1b[2J" * 40, b"\0" * 200, "line\nbreak", None, 1e305,
     10**100, 10**5000, -(10**400), [10**5000], [[1.0] * 9] * 9, dict.fromkeys(range(99)), {1, 2},
-    np.zeros((3, 0)), np.full((9, 9), np.nan), np.array("x" * 500), np.zeros(3, [(LONG_NAME, "f8")]),
+    np.zeros((3, 0)), np.full((9, 9), np.nan), np.array("x" * 500), np.zeros(3, [(LONG_NAME, "f")]),
     Broken(), Long(), [Broken()], datetime.date(1979, 5, 27),
 ]  # fmt: skip
 
