@@ -10,7 +10,7 @@ import pytest
 from pydantic import BaseModel
 
 from samcontact import wear
-from samcontact.cases import Case, TuggingCase, fatigue, shakedown, tugging
+from samcontact.cases import Case, CaseError, TuggingCase, fatigue, shakedown, tugging
 
 SWIFT = {
     "law": "swift", "E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121,
