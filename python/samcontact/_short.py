@@ -12,7 +12,6 @@ import numpy as np
 
 LONGEST = 80
 """Characters of a value in a message."""
-_MOST_BITS = 1024  # of a whole number that is shown with all its digits
 
 
 def escaped(text: str) -> str:
@@ -27,7 +26,7 @@ def in_short(value: Any, longest: int = LONGEST) -> str:
     """The repr of a value in at most `longest` characters; large ones by kind and size."""
     if isinstance(value, np.ndarray) and value.ndim > 0:
         return _array(value)
-    if isinstance(value, int) and value.bit_length() > _MOST_BITS:
+    if isinstance(value, int) and value.bit_length() > 3 * longest:
         return f"<int of about {math.ceil(value.bit_length() * math.log10(2))} digits>"
     if isinstance(value, (str, bytes)) and len(value) > longest:
         return _cut(repr(value[:longest]), longest)
@@ -56,4 +55,4 @@ def _array(value: Any) -> str:
     known = value[~np.isnan(value)] if value.dtype.kind == "f" else value
     span = f", {known.min():.4g} to {known.max():.4g}" if known.size else ""
     lost = f", {value.size - known.size} NaN" if known.size < value.size else ""
-    return f"<array {shape}{span}{lost}>"
+    return f"<array {shape}{span}{lost}>"[:LONGEST]

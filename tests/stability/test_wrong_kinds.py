@@ -84,3 +84,26 @@ def test_is_refused_by_name(name, function, arguments, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # texts are names of files
     found = [text for one in arguments for text in check(name, function, arguments, one)]
     assert found == [], "\n".join(found)
+
+
+NUMBERS = (True, np.False_, "12", 1j, np.array(True), np.array(1j), datetime.date(1979, 5, 27))
+FLAGS = ("no", "false", "", 1, 0, 1.0, None, np.array(1), [])
+
+
+@pytest.mark.parametrize(
+    ("name", "function", "arguments"),
+    [pytest.param(*call, id=f"{call[0]}-{n}") for n, call in enumerate(CALLS)],
+)
+def test_numbers_and_truth_values_are_not_each_other(name, function, arguments):
+    taken = []
+    for argument, value in arguments.items():
+        kinds = FLAGS if isinstance(value, bool) else NUMBERS
+        for wrong in kinds if isinstance(value, (bool, int, float)) else ():
+            try:
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")
+                    function(**{**arguments, argument: wrong})
+            except (ValueError, TypeError):
+                continue
+            taken.append((argument, wrong))
+    assert taken == []

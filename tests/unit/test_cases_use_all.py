@@ -7,10 +7,10 @@ from typing import Literal, get_args, get_origin
 
 import numpy as np
 import pytest
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel
 
 from samcontact import wear
-from samcontact.cases import Case, TuggingCase, fatigue, shakedown, tugging
+from samcontact.cases import Case, CaseError, TuggingCase, fatigue, shakedown, tugging
 
 SWIFT = {
     "law": "swift", "E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121,
@@ -278,7 +278,7 @@ def others(name, field, value):
 def outcome(computed, content):
     try:
         return computed(content)
-    except ValueError as error:  # a ValidationError too
+    except ValueError as error:  # a CaseError too
         return error
 
 
@@ -363,9 +363,9 @@ def test_every_field_of_every_section_is_tried():
          r"output\.volume = 'all' needs a \[grid\] with dz"),
         ({"heat": None, "path": [{"load": 1.0}]}, r"body1\.thermal is of frictional"),
         ({"body2": COATED, "wear": WEAR}, r"body2\.layers: \[wear\] knows homogeneous"),
-        ({"body2": SWIFT | {"layers": [LAYER]}}, r"body2.*\s.*substrate must have no thermal"),
+        ({"body2": SWIFT | {"layers": [LAYER]}}, r"body2: .*substrate must have no thermal"),
         ({"body2": COLD | {"layers": [LAYER | {"thermal": SWIFT["thermal"]}]}},
-         r"layers\.0\.elastic\.thermal\s+Extra inputs are not permitted"),
+         r"body2\.layers\[0\]\.thermal: unknown field"),
         ({"body1": COLD, "body2": COATED | {"layers": [COLD | {"thickness": 1e-6}]},
              "grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}},
          r"body1 is inelastic \(swift\): \[grid\] needs dz"),
@@ -375,7 +375,7 @@ def test_every_field_of_every_section_is_tried():
     ],
 )  # fmt: skip
 def test_what_has_no_effect_is_refused_by_name(change, message):
-    with pytest.raises(ValidationError, match=message):
+    with pytest.raises(CaseError, match=message):
         Case.model_validate(BASE | change)
 
 
@@ -387,7 +387,7 @@ def test_a_source_that_is_off_may_have_all_of_heat():
 def test_tugging_knows_no_heat():
     for name in ("thermal", "softening"):
         body = COLD | {name: SWIFT[name]}
-        with pytest.raises(ValidationError, match=rf"body2\.{name} .*\[tugging\] knows no heat"):
+        with pytest.raises(CaseError, match=rf"body2\.{name} .*\[tugging\] knows no heat"):
             TuggingCase.model_validate(TUGGING | {"body2": body})
     warm = COLD | {"softening": SWIFT["softening"] | {"ambient": 400.0}}
     TuggingCase.model_validate(TUGGING | {"body2": warm})
