@@ -85,7 +85,7 @@ def rolling_animation(
         for state, window in zip(states, windows, strict=True)
     ]
     prints = [_print(state, body, row) for state in states]
-    pressures = [state.pressure[:, row] * 1e-9 for state in states]
+    pressures = [state.pressure[:, row] * CONTACT["pressure"].factor for state in states]
 
     shown = CONTACT[quantity]
     across, depth = edges(x, grid.dx) * 1e6, edges(depths, grid.dz) * 1e6
@@ -124,7 +124,7 @@ def rolling_animation(
 def _pressure_panel(ax: Axes, pressures: list[FloatArray]) -> Line2D:
     (line,) = ax.plot([], [], "-", linewidth=1.2, color="C3")
     ax.set_ylim(0.0, 1.08 * max(float(np.max(p)) for p in pressures) or 1.0)
-    ax.set_ylabel("pressure [GPa]")
+    ax.set_ylabel(CONTACT["pressure"].label)
     finish(ax)
     return line
 

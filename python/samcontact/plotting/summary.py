@@ -14,16 +14,16 @@ from ..results.reading import grid_of
 from .contact import (
     HertzContact,
     axis_profile,
+    draw_pressure,
     load_approach,
-    pressure_profile,
     print_profile,
-    section,
     temperature_profile,
 )
 from .interface import interface_figure
-from .maps import surface_map, track_map
+from .maps import peak_map, surface_map, track_map
 from .parts import add_to_title, elsewhere, map_height, new_figure, save
 from .scene import Scene
+from .section import section
 from .slip_summary import slip_figures
 from .track import print_along, residual_along, track_summary
 
@@ -119,16 +119,15 @@ def _moment(scene: Scene, position: int) -> str:
 def _of_the_peak(scene: Scene) -> dict[str, Figure]:
     """Pressure and gap, and stresses where there is a volume."""
     grid, number = scene.grid, scene.number(scene.peak)
-    across, size = scene.map_look
+    _, size = scene.map_look
     figures = {"pressure": _panel(), "pressure_map": _panel(*size), "gap_map": _panel(*size)}
     pressure = scene.surface("pressure", scene.peak)
     y = scene.row(pressure)
     ax = figures["pressure"].axes[0]
-    pressure_profile(pressure, grid, ax, hertz=scene.hertz, position=y)
+    draw_pressure(pressure, grid, ax, scene.hertz, "x", y)
     add_to_title(ax, _moment(scene, scene.peak), elsewhere("y", y, grid.dy))
     for name in ("pressure", "gap"):
-        ax, field = figures[f"{name}_map"].axes[0], scene.surface(name, scene.peak)
-        surface_map(field, grid, ax, quantity=name, contact=pressure, across=across)
+        peak_map(scene, name, figures[f"{name}_map"].axes[0])
     if scene.has("stress", number):
         figures["axis_stress"] = _panel(4.6, 4.2)
         ax, stress = figures["axis_stress"].axes[0], scene.field("stress", number)
