@@ -178,7 +178,9 @@ def touching_along(
 def scale_of(values: FloatArray, quantity: Quantity) -> tuple[Normalize, FloatArray, FloatArray]:
     """Colours of the values in the units shown, edges of the bands of colour, and contour lines."""
     low, high = float(np.nanmin(values)), float(np.nanmax(values))
-    if quantity.from_zero or low == high:
+    if quantity.from_zero:
+        low = 0.0
+    elif low == high:
         low, high = min(low, 0.0), max(high, 0.0)
     if quantity.signed:
         span = max(abs(low), abs(high))

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 _ROUNDING = 1e-6
 """Of the largest value, or of the size of the grid: what is less below zero is rounding."""
+_ROUNDING_OF_HEAT = 1e-3
+"""What transforms and quadrature leave of the temperature beside a source."""
 _MOST = {"strain": 1e2, "heat": 1e6}
 _MOST_SIZES = 1e3
 """A length over the size of the grid."""
@@ -82,7 +84,8 @@ def _size(grid: Grid) -> float:
 
 def _rounding(values: FloatArray, quantity: Quantity, grid: Grid) -> float:
     size = _size(grid) if quantity.unit == "m" else 0.0
-    return _ROUNDING * max(size, float(np.abs(values).max()))
+    share = _ROUNDING_OF_HEAT if quantity.kind == "heat" else _ROUNDING
+    return share * max(size, float(np.abs(values).max()))
 
 
 def _is_negative(values: FloatArray, rounding: float) -> bool:

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .._checks import choice
-from ..results.reading import grid_of
+from ..results.reading import body_shown, grid_of
 from .contact import (
     HertzContact,
     axis_profile,
@@ -38,7 +38,7 @@ def summary_figures(
     dataset: xr.Dataset,
     directory: str | Path,
     *,
-    body: int = 2,
+    body: int | None = None,
     hertz: HertzContact | None = None,
     format: str = "png",
 ) -> list[Path]:
@@ -55,7 +55,8 @@ def summary_figures(
     directory : str or Path
         Created when missing.
     body : {1, 2}
-        Whose stresses and print are shown.
+        Whose stresses and print are shown; default that of [output], or the one that has volume
+        fields.
     hertz : PointContact or EllipticContact, optional
         Hertz contact at the load of the peak.
     format : {"png", "pdf", "svg"}
@@ -79,7 +80,8 @@ def summary_figures(
         An unknown body or format.
     """
     choice("format", format, ("png", "pdf", "svg"))
-    scene = Scene(dataset, choice("body", body, (1, 2)), hertz)
+    body = body_shown(dataset, body)
+    scene = Scene(dataset, body, hertz)
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
     figures = _of_the_peak(scene)
