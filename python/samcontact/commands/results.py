@@ -64,6 +64,11 @@ def export(
         number = None if body is None else int(body)
         written: list[Path] = []
         with results.open_results(source) as dataset:
+            if "pressure" not in dataset:
+                raise ValueError(
+                    f"{source} has no fields of a contact to export: samcontact report shows "
+                    "results of tugging and wear"
+                )
             if vtk and every:
                 written += results.to_pvd(dataset, target, number)
             elif vtk:

@@ -147,7 +147,7 @@ def _section_panel(
     ax.figure.colorbar(image, ax=ax)
     framed = quantity == "von_mises"
     grey = "" if quantity == "equivalent_plastic_strain" else ", grey: not computed"
-    edge = ", dotted: edge of the grid" if framed else ""
+    edge = ", dotted: edge of the grid, residual beyond" if framed else ""
     ax.set_title(f"{shown.label}{grey}{edge}", fontsize="medium")
     ax.set_facecolor("0.85")
     frame = [ax.axvline(color="C3", linestyle=":", linewidth=framed) for _ in range(2)]
