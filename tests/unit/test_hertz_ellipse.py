@@ -6,8 +6,10 @@ import math
 import numpy as np
 import pytest
 
+import samcontact as sc
 from samcontact import hertz
 from samcontact.hertz.axis import elliptic_axis
+from samcontact.results.against_hertz import hertz_rows
 
 
 @pytest.mark.parametrize("nu", [0.0, 0.3, 0.5])
@@ -69,3 +71,19 @@ def test_elliptic_largest_shear_stress(ratio, shear):
     """Johnson (1985), table 4.1, nu = 0.3, to its digits."""
     normal = np.array(elliptic_axis(np.linspace(0.4, 0.9, 2001), 1.0 / ratio, 0.3))
     assert 0.5 * np.ptp(normal, axis=0).max() == pytest.approx(shear, abs=1e-3)
+
+
+def test_an_elliptic_contact_is_compared_with_its_von_mises_stress():
+    """Of cells of a twelfth of the shorter semi-axis, whose centres do not meet the largest."""
+    ball = sc.Material.elastic(210e9, 0.3)
+    contact = hertz.elliptic(5e-3, 15e-3, hertz.effective_modulus(ball, ball), load=20.0)
+    step = min(contact.a_x, contact.a_y) / 12
+    grid = sc.Grid(41, 81, step, step, nz=20, dz=step)
+    gap = sc.surfaces.paraboloid(grid, 5e-3, 15e-3)
+    simulation = sc.Simulation(grid, ball, ball, gap)
+    dataset = sc.results.to_dataset(simulation, simulation.run([{"load": 20.0}], progress=False))
+    rows = {quantity.heading: (exact, here) for quantity, exact, here in hertz_rows(
+        dataset, 0, contact, 2)}  # fmt: skip
+    exact, here = rows["maximum von Mises stress"]
+    assert exact == pytest.approx(contact.max_von_mises(0.3)[0])
+    assert here == pytest.approx(exact, rel=0.01)
