@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Semi-analytical elastic-plastic contact of two bodies. SI units everywhere."""
 
+from importlib import import_module as _import_module
+from typing import TYPE_CHECKING
+
 from . import _starting  # noqa: F401  (while all else is loaded)
 
 # isort: split
@@ -108,3 +111,20 @@ __all__ = [
     "units",
     "wear",
 ]
+
+if TYPE_CHECKING:
+    from . import cases as cases
+    from . import plotting as plotting
+    from . import report as report
+    from . import results as results
+else:
+    _ON_DEMAND = ("cases", "plotting", "report", "results")
+    # they load libraries for files and figures, which a solution does not need
+
+    def __getattr__(name):
+        if name in _ON_DEMAND:
+            return _import_module(f"{__name__}.{name}")
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+    def __dir__():
+        return sorted({*globals(), *_ON_DEMAND})

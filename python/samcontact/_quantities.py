@@ -28,6 +28,7 @@ _COLOURS = {
     "heat": "inferno",
     "length": "cividis",
     "height": "cividis",
+    "any": "viridis",
 }
 """Colour map of each kind of field."""
 
@@ -48,8 +49,8 @@ class Quantity(NamedTuple):
     digits: int = 5
     """Of the largest value on a terminal."""
     kind: str = ""
-    """Of a field: decides its colours. Only "signed", "height" and "criterion" go below
-    zero."""
+    """Of a field: decides its colours. Only "signed", "height", "criterion" and "any" go
+    below zero."""
 
     @property
     def factor(self) -> float:
@@ -68,8 +69,8 @@ class Quantity(NamedTuple):
 
     @property
     def from_zero(self) -> bool:
-        """Whether its colours begin at zero."""
-        return self.kind not in ("signed", "height", "criterion")
+        """Whether it is never below zero, where its colours begin."""
+        return self.kind not in ("signed", "height", "criterion", "any")
 
     @property
     def label(self) -> str:
@@ -208,8 +209,8 @@ CONTACT = {
     # of the surface
     "pressure": Q("Pa", "contact pressure", "GPa", "pressure", kind="magnitude"),
     "gap": Q("m", "gap under load", "µm", "gap", kind="length"),
-    "shear_x": Q("Pa", "shear along +x on body 2", "MPa", "shear along x"),
-    "shear_y": Q("Pa", "shear along +y on body 2", "MPa", "shear along y"),
+    "shear_x": Q("Pa", "shear along +x on body 2", "MPa", "shear along x", kind="signed"),
+    "shear_y": Q("Pa", "shear along +y on body 2", "MPa", "shear along y", kind="signed"),
     "slip_x": Q("m", "slip of body 1 over body 2 in the increment, along +x"),
     "slip_y": Q("m", "slip of body 1 over body 2 in the increment, along +y"),
     "sticking": Q("1", "whether a cell in contact sticks in the increment"),
@@ -218,7 +219,9 @@ CONTACT = {
         "residual displacement", kind="signed",
     ),
     "initial_gap": Q("m", "gap of the unloaded bodies"),
-    "surface_temperature": Q("K", "rise of temperature of the surface", "K", "rise of temperature"),
+    "surface_temperature": Q(
+        "K", "rise of temperature of the surface", "K", "rise of temperature", kind="heat"
+    ),
     # of the volume
     "stress": Q("Pa", "stress, positive in tension", "MPa", "stress", kind="signed"),
     "von_mises": Q("Pa", "von Mises stress", "MPa", "von Mises stress", kind="magnitude"),
@@ -226,8 +229,10 @@ CONTACT = {
     "equivalent_plastic_strain": Q(
         "1", "equivalent plastic strain", "%", "equivalent plastic strain", kind="strain"
     ),
-    "plastic_strain": Q("1", "plastic strain tensor"),
-    "residual_stress": Q("Pa", "stress without tractions and heat"),
+    "plastic_strain": Q("1", "plastic strain tensor", "%", "plastic strain", kind="signed"),
+    "residual_stress": Q(
+        "Pa", "stress without tractions and heat", "MPa", "residual stress", kind="signed"
+    ),
     "residual_von_mises": Q(
         "Pa", "von Mises stress without tractions and heat", "MPa", "residual von Mises stress",
         kind="magnitude",

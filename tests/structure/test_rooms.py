@@ -304,6 +304,24 @@ def test_a_first_solve_loads_nothing():
     assert found.stdout.strip() == "[]"
 
 
+def test_every_documented_module_is_there_when_it_is_asked_for():
+    pages = [file.read_text(encoding="utf-8") for file in (ROOT / "docs" / "api").glob("*.md")]
+    modules = sorted(re.findall(r"automodule:: samcontact\.(\S+)", "\n".join(pages)))
+    assert {"cases", "plotting", "plotting.wear", "report", "results"} <= set(modules)
+    code = f"""if True:
+        import operator, sys, samcontact as sc
+        for name in {modules}:
+            assert name.split(".")[0] in dir(sc), name
+            found = operator.attrgetter(name)(sc)
+            assert found is sys.modules["samcontact." + name], name
+        try:
+            sc.plots
+        except AttributeError as error:
+            print(error)"""
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == "module 'samcontact' has no attribute 'plots'"
+
+
 def public(owner, prefix):
     """Public functions, classes, methods and properties below a module or class, with names."""
     own = inspect.isclass(owner) and [name for base in owner.__mro__[:-1] for name in vars(base)]

@@ -152,8 +152,15 @@ def test_all_errors_are_reported_at_once(write):
 def test_rigid_bodies(write):
     elastic = 'law = "elastic"\nE = 210e9\nnu = 0.3'
     text = replaced(SWIFT, 'law = "rigid"')
-    with pytest.raises(CaseError, match=r"output\.body = 2 is rigid .* set it to 1"):
-        load_case(write(text))
+    case = load_case(write(text))
+    assert case.output.body == 1  # the one that has stresses
+    assert case.build()[0].body2.law == "rigid"
+    with pytest.raises(CaseError, match=r"output\.body = 2 is rigid .* set it to 1, or leave it"):
+        load_case(write(text + "[output]\nbody = 2\n"))
+    turned = replaced(elastic, 'law = "rigid"')
+    assert load_case(write(turned)).output.body == 2
+    with pytest.raises(CaseError, match=r"output\.body = 1 is rigid .* set it to 2, or leave it"):
+        load_case(write(turned + "[output]\nbody = 1\n"))
     with pytest.raises(CaseError, match="both rigid"):
         load_case(write(text.replace(elastic, 'law = "rigid"')))
 

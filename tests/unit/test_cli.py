@@ -10,7 +10,7 @@ import pytest
 import samcontact
 from case_texts import MINIMAL, SWIFT, TUGGING
 from command import check_failure, invoke
-from samcontact import results
+from samcontact import hertz, results
 
 
 @pytest.fixture
@@ -122,11 +122,51 @@ def test_hertz_point_and_elliptic():
     assert values["ellipticity a_y/a_x [-]"] == pytest.approx(2.890181, abs=1e-6)
 
 
+def hertz_values(*arguments):
+    outcome = invoke("hertz", "--R", "7.5e-3", "--E-star", "115e9", *arguments)
+    assert outcome.exit_code == 0, outcome.output
+    return {line[:32].strip(): float(line[32:]) for line in outcome.stdout.splitlines()}
+
+
+def test_hertz_line():
+    line = hertz.line(7.5e-3, 115e9, load_per_length=1e5)
+    values = hertz_values("--load", "1 kN", "--length", "10 mm", "--nu", 0.3)
+    assert values["maximum pressure p0 [Pa]"] == pytest.approx(line.p0, rel=1e-8)
+    assert values["half-width b [m]"] == pytest.approx(line.b, rel=1e-8)
+    assert values["its depth [m]"] == pytest.approx(line.max_von_mises(0.3)[1], rel=1e-8)
+    same = hertz_values("--load-per-length", "100 N/mm", "--nu", 0.3)
+    assert {**same, "load [N]": 1000.0} == values
+    by_pressure = hertz_values("--p0", line.p0, "--length", 0.01)
+    assert by_pressure["load [N]"] == pytest.approx(1000.0, rel=1e-8)
+
+
+def test_hertz_stress_on_the_axis():
+    shapes = {
+        (): hertz.point(7.5e-3, 115e9, p0=1e9),
+        ("--Ry", "30 mm"): hertz.elliptic(7.5e-3, 30e-3, 115e9, p0=1e9),
+        ("--length", "10 mm"): hertz.line(7.5e-3, 115e9, p0=1e9),
+    }
+    for options, contact in shapes.items():
+        depth = contact.max_von_mises(0.3)[1]
+        values = hertz_values(*options, "--p0", "1 GPa", "--nu", 0.3, "--depth", depth)
+        normal = contact.axis_stress(depth, 0.3)
+        found = [values[f"sigma_{name} at {depth:.5g} m [Pa]"] for name in ("xx", "yy", "zz")]
+        expected = normal if len(normal) == 3 else (normal[0], *normal)
+        assert found == pytest.approx(expected, rel=1e-8)
+        largest = values["maximum von Mises stress [Pa]"]
+        assert values[f"von Mises at {depth:.5g} m [Pa]"] == pytest.approx(largest, rel=1e-8)
+
+
 def test_hertz_errors():
     common = ("hertz", "--R", "1", "--E-star", "1")
     check_failure(invoke(*common), 2, "exactly one of load, approach, p0; got none")
     check_failure(invoke(*common, "--load", "-1"), 2, "load must be a finite number > 0, got -1.0")
     check_failure(invoke(*common, "--load", "1", "--nu", "2"), 2, "nu must be in [0, 0.5]")
+    check_failure(invoke(*common, "--load", "1", "--depth", "1"), 2, "nu is needed")
+    common = (*common, "--length", "1")
+    check_failure(invoke(*common), 2, "exactly one of load, load_per_length, p0; got none")
+    check_failure(invoke(*common, "--approach", "1"), 2, "approach is for point and elliptic")
+    check_failure(invoke(*common, "--load", "1", "--Ry", "1"), 2, "Ry is for elliptic contacts")
 
 
 def test_module_is_the_same_command():

@@ -132,7 +132,8 @@ def test_an_error_leaves_what_was_computed(
     outcome = invoke("report", tmp_path)
     assert "check failed: increments: the whole path" in outcome.stderr
     assert str(error) in html.unescape((tmp_path / "report.html").read_text())
-    outcome = invoke("resume", tmp_path, *OPTIONS)  # with what was missing
+    # with what was missing
+    outcome = invoke("resume", tmp_path / "results.nc", *OPTIONS)
     assert outcome.exit_code == 0, outcome.output
     xr.testing.assert_identical(fields(tmp_path), expected)
     assert expected.attrs["complete"] == 1
@@ -161,7 +162,8 @@ def test_results_that_cannot_be_written_leave_checkpoints(
     with monkeypatch.context() as patch:
         patch.setattr(results, name, fails(OSError("no room")))
         check_failure(invoke("run", case_file, "--output", tmp_path, *OPTIONS), 1, "no room")
-    assert invoke("resume", tmp_path, *OPTIONS).exit_code == 0
+    # the file of the run, which is not there yet
+    assert invoke("resume", tmp_path / "results.nc", *OPTIONS).exit_code == 0
     xr.testing.assert_identical(fields(tmp_path), expected)
 
 

@@ -160,7 +160,7 @@ def test_volumes_of_increments_lie_at_common_depths(tmp_path):
     np.testing.assert_array_equal(
         dataset["plastic_strain_body2"].values[0][..., :n], states[0].plastic_strain()
     )
-    figure = plotting.section(states[1].von_mises(), sim.grid).figure
+    figure = plotting.section(states[1].von_mises(), sim.grid, quantity="von_mises").figure
     assert figure.axes
 
 

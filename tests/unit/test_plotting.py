@@ -73,7 +73,7 @@ def test_hertz_follows_the_row_of_cells_of_an_even_grid(ax):
 def test_section_shows_the_plane_with_depth_downward(state, simulation, ax):
     grid = simulation.grid
     field = state.von_mises(body=2)
-    plotting.section(field, grid, ax, cells=True)
+    plotting.section(field, grid, ax, quantity="von_mises", cells=True)
     (mesh,) = ax.collections
     np.testing.assert_allclose(mesh.get_array(), field[:, 4, :].T * 1e-6)
     corners = mesh.get_coordinates()
@@ -106,7 +106,7 @@ def test_strain_in_percent(state, simulation, ax):
 def test_no_grid_lies_over_colours(state, simulation):
     with matplotlib.rc_context({"axes.grid": True}):
         ax = Figure().subplots()
-    plotting.section(state.von_mises(), simulation.grid, ax)
+    plotting.section(state.von_mises(), simulation.grid, ax, quantity="von_mises")
     assert not any(line.get_visible() for line in [*ax.get_xgridlines(), *ax.get_ygridlines()])
 
 
@@ -123,7 +123,7 @@ def test_a_field_that_is_zero_says_so(simulation, ax):
 @pytest.mark.parametrize("layers", [2, 12])
 def test_the_label_of_a_section_is_where_it_has_room(layers, ax):
     grid = make_grid(nz=layers, dz=1e-4)
-    plotting.section(np.ones((grid.nx, grid.ny, grid.nz)), grid, ax)
+    plotting.section(np.ones((grid.nx, grid.ny, grid.nz)), grid, ax, quantity="von_mises")
     beside = ax.figure.axes[1].get_ylabel()
     assert (ax.get_title(), beside)[layers > 5] == "von Mises stress [MPa]"
     assert (ax.get_title(), beside)[layers < 5] == ""
@@ -321,7 +321,7 @@ def test_the_edge_of_a_contact_lies_between_cells(cells):
         .solve(surfaces.paraboloid(grid, 7.5e-3), load=300.0)
         .pressure
     )
-    ax = plotting.surface_map(pressure, grid, contact=pressure)
+    ax = plotting.surface_map(pressure, grid, quantity="pressure", contact=pressure)
     edge = ax.collections[-1]
     assert isinstance(edge, QuadContourSet)
     (path,) = edge.get_paths()
@@ -336,7 +336,7 @@ def test_the_edge_of_a_contact_lies_between_cells(cells):
 def test_one_cell_in_contact_has_an_edge():
     pressure = np.zeros((9, 7))
     pressure[4, 3] = pressure[7, 1] = 1e9
-    ax = plotting.surface_map(pressure, Grid(9, 7, 1e-6, 1e-6))
+    ax = plotting.surface_map(pressure, Grid(9, 7, 1e-6, 1e-6), quantity="pressure")
     rings = ax.collections[-1].get_paths()[0].to_polygons()
     assert len(rings) == 2
     assert np.mean(rings[0], axis=0) == pytest.approx([0.0, 0.0], abs=0.2) or np.mean(
@@ -348,7 +348,7 @@ def test_a_section_tells_where_the_bodies_touch(state, simulation, ax):
     grid = simulation.grid
     touching = np.zeros((grid.nx, grid.ny))
     touching[[2, 3, 7], 4] = 1e9
-    plotting.section(state.von_mises(), grid, ax, contact=touching)
+    plotting.section(state.von_mises(), grid, ax, quantity="von_mises", contact=touching)
     ends = [line.get_xdata() * 1e-6 for line in ax.lines]
     sides = grid.x[[2, 3, 7, 7]] + grid.dx * np.array([-0.5, 0.5, -0.5, 0.5])
     assert np.ravel(ends) == pytest.approx(sides)

@@ -46,7 +46,7 @@ def rolling():
 
 def test_the_map_shows_each_cell_and_the_directions_of_slip(fretting):
     state = fretting[0][8]
-    ax = plotting.stick_slip_map(state.pressure, state.slip, GRID)
+    ax = plotting.stick_slip_map(state.pressure, state.slip, GRID, unit="m")
     assert 0 < state.sticking.sum() < np.count_nonzero(state.pressure)
     (arrows,) = (item for item in ax.collections if isinstance(item, Quiver))
     assert 10 < arrows.N < np.count_nonzero(state.pressure)

@@ -116,5 +116,39 @@ def test_without_pyvista_it_is_told_what_to_install(monkeypatch):
 
 def test_command_refuses(tmp_path):
     file = results.save(dataset(), tmp_path / "results.nc")
-    for options in ([], ["--vtk", "--html"], ["--html", "--all"]):
+    for options in ([], ["--html", "--all"]):
         assert CliRunner().invoke(main, ["export", str(file), *options]).exit_code == 2
+
+
+@needs_pyvista
+def test_a_folder_of_a_run_is_exported_in_both_formats(tmp_path):
+    """Of body 1, since body 2 is rigid and nothing else is asked for."""
+    rigid = make_simulation(4, SWIFT, sc.Material.rigid())
+    grid = rigid.grid = make_grid(nx=9, ny=7, dx=5e-5, dy=5e-5, nz=4, dz=4e-5)
+    rigid.initial_gap = np.zeros((9, 7))
+    file = results.save(
+        results.to_dataset(rigid, [FakeState(grid, 700.0)]), tmp_path / "results.nc"
+    )
+    for run, options in (
+        (tmp_path, ["--vtk", "--html"]),
+        (file, ["--vtk", "--html", "--output", str(tmp_path / "other.html")]),
+        (tmp_path, ["--vtk", "--all", "--html"]),
+    ):
+        outcome = CliRunner().invoke(main, ["export", str(run), *options])
+        assert outcome.exit_code == 0, outcome.output
+    names = {path.name for path in tmp_path.iterdir()}
+    assert {"results.vtr", "results_surface.vtr", "results.html", "results.pvd"} <= names
+    assert {"other.vtr", "other_surface.vtr", "other.html"} <= names
+    outcome = CliRunner().invoke(main, ["export", str(tmp_path), "--html", "--body", "2"])
+    assert "dataset must have volume fields of body 2, got none" in outcome.stderr
+
+
+def test_an_empty_folder_has_nothing_to_export(tmp_path):
+    (tmp_path / "wear.nc").touch()
+    outcome = CliRunner().invoke(main, ["export", str(tmp_path), "--vtk"])
+    assert outcome.exit_code == 2
+    assert "must hold one of results.nc, has wear.nc: name the file" in outcome.stderr
+    file = results.save(dataset()[["load"]], tmp_path / "wear.nc")
+    outcome = CliRunner().invoke(main, ["export", str(file), "--html"])
+    assert outcome.exit_code == 2
+    assert "has no fields of a contact to export" in outcome.stderr

@@ -111,15 +111,24 @@ class Case(CaseFile):
                     f"path[{index}]: {name} goes together with heat.history or heat.partition: "
                     "give both or neither"
                 )
-        selected = self.output.body
-        stored = self.has_volume and self.wear is None
-        if stored and bodies[selected - 1].is_rigid:
-            raise ValueError(
-                f"output.body = {selected} is rigid and has no stresses: set it to {3 - selected}"
-            )
+        if self.has_volume and self.wear is None:
+            self._show_a_body_with_stresses()
         require_all_used(self)
         self.steps()
         return self
+
+    def _show_a_body_with_stresses(self) -> None:
+        selected = self.output.body
+        if not (self.body1, self.body2)[selected - 1].is_rigid:
+            return
+        other = 3 - selected
+        if "body" in self.output.model_fields_set:
+            raise ValueError(
+                f"output.body = {selected} is rigid and has no stresses: set it to {other}, or "
+                "leave it out"
+            )
+        output = self.output.model_copy(update={"body": other})
+        object.__setattr__(self, "output", output)  # the case is frozen
 
     def steps(self) -> paths.Path:
         """The loading path as keyword dictionaries for `Simulation.run`."""

@@ -6,38 +6,32 @@ from __future__ import annotations
 from typing import Any
 
 import click
+import numpy as np
 
 from .. import hertz as _hertz
-from .._checks import poisson_ratio
-from .._doubts import Contact, Doubt, part_of_radius, warn_of
+from .._checks import exactly_one, poisson_ratio, positive
+from .._doubts import LARGEST_PART, Contact, Doubt, part_of_radius, warn_of
 from .._expected import Expected
+from .._tensors import von_mises
 from .._verdict import Verdict
 from .arguments import Bare, Quantity
 from .errors import short_errors
 
 LENGTH, STRESS = Quantity("m"), Quantity("Pa")
+HertzContact = _hertz.PointContact | _hertz.EllipticContact | _hertz.LineContact
+Rows = list[tuple[str, float]]
 _USUAL = {
     "R": (False, 1.0, "m", "7.5 mm"),
     "Ry": (False, 1.0, "m", "7.5 mm"),
-    "E-star": (True, 1e6, "Pa", "115 GPa"),
+    "E_star": (True, 1e6, "Pa", "115 GPa"),
     "load": (False, 1e6, "N", "2 MN"),
+    "length": (False, 10.0, "m", "12 mm"),
+    "load_per_length": (False, 1e9, "N/m", "500 N/mm"),
+    "depth": (False, 1.0, "m", "0.2 mm"),
     "approach": (False, 1e-3, "m", "5 um"),
     "p0": (True, 1e5, "Pa", "1.5 GPa"),
 }
 """Whether a number without a unit has a least or a largest value, which, and an example."""
-
-
-def _warn_of_slips(
-    contact: _hertz.PointContact | _hertz.EllipticContact, given: dict[str, float | None]
-) -> None:
-    """Warn of numbers without a unit that are unusual, and of a contact that cannot be."""
-    for name, value in given.items():
-        at_least, limit, unit, example = _USUAL[name]
-        if isinstance(value, Bare):
-            verdict = Verdict(f"--{name}", value, limit, at_least, unit)
-            remedy = f'A number without a unit is in {unit}: or write --{name} "{example}"'
-            warn_of(Doubt(verdict, lambda remedy=remedy: remedy), stacklevel=2)  # type: ignore[misc]
-    warn_of(part_of_radius(Contact(Expected(contact), (0.0, 0.0))), stacklevel=2)
 
 
 @click.command()
@@ -45,50 +39,122 @@ def _warn_of_slips(
 @click.option("--Ry", "radius_y", type=LENGTH, help="Second equivalent radius [m]: elliptic.")
 @click.option("--E-star", "modulus", type=STRESS, required=True, help="Contact modulus [Pa].")
 @click.option("--load", type=Quantity("N"), help="Normal load [N].")
+@click.option("--length", type=LENGTH, help="Length of a line contact [m].")
+@click.option(
+    "--load-per-length", type=Quantity("N/m"), help="Load of a line contact, per length [N/m]."
+)
 @click.option("--approach", type=LENGTH, help="Rigid-body approach [m].")
 @click.option("--p0", type=STRESS, help="Maximum pressure [Pa].")
 @click.option("--nu", type=float, help="Poisson's ratio: adds the largest von Mises stress.")
+@click.option(
+    "--depth", "depths", type=LENGTH, multiple=True,
+    help="Depth [m] of stresses on the axis, which need --nu; may be repeated.",
+)  # fmt: skip
 def hertz(
     radius: float,
     radius_y: float | None,
     modulus: float,
-    load: float | None,
-    approach: float | None,
-    p0: float | None,
+    length: float | None,
     nu: float | None,
+    depths: tuple[float, ...],
+    **given: float | None,
 ) -> None:
-    """Hertz point or elliptic contact from one of --load, --approach, --p0.
+    """Hertz point, elliptic or line contact from one of --load, --approach, --p0.
+
+    A contact with --length or --load-per-length is a line contact, in plane strain.
 
     Quantities are numbers in SI units, or have a unit: --R "7.5 mm" --E-star "115 GPa".
     """
     with short_errors():
-        given: dict[str, Any] = {"load": load, "approach": approach, "p0": p0}
-        contact: _hertz.PointContact | _hertz.EllipticContact
-        rows: list[tuple[str, float]]
-        if radius_y is None:
+        per_length = given.pop("load_per_length")
+        contact: HertzContact
+        if length is not None or per_length is not None:
+            if radius_y is not None:
+                raise ValueError("Ry is for elliptic contacts: a line contact has no second radius")
+            contact, rows = _line(radius, modulus, length, per_length, **given)
+        elif radius_y is None:
             contact = _hertz.point(radius, modulus, **given)
-            rows = [("contact radius a [m]", contact.a)]
+            rows = [("contact radius a [m]", contact.a), *_loading(contact)]
         else:
             contact = _hertz.elliptic(radius, radius_y, modulus, **given)
             rows = [
                 ("semi-axis a_x [m]", contact.a_x),
                 ("semi-axis a_y [m]", contact.a_y),
                 ("ellipticity a_y/a_x [-]", contact.k),
+                *_loading(contact),
             ]
-        rows += [
-            ("load [N]", contact.load),
-            ("maximum pressure p0 [Pa]", contact.p0),
-            ("approach [m]", contact.approach),
-        ]
         if nu is not None:
-            poisson_ratio("nu", nu)
-            if not isinstance(contact, _hertz.PointContact):
-                raise ValueError("nu is for point contacts: the elliptic axis stress is not built")
-            stress, depth = contact.max_von_mises(nu)
-            rows += [("maximum von Mises stress [Pa]", stress), ("its depth [m]", depth)]
-        _warn_of_slips(
-            contact, {"R": radius, "Ry": radius_y, "E-star": modulus, "load": load,
-                      "approach": approach, "p0": p0},
-        )  # fmt: skip
+            rows += _stresses(contact, poisson_ratio("nu", nu), depths)
+        elif depths:
+            raise ValueError("nu is needed for stresses at a depth: give --nu, e.g. --nu 0.3")
+        _warn_of_slips(contact, {"R": radius, "Ry": radius_y, "E_star": modulus, "length": length,
+                                 "load_per_length": per_length, **given})  # fmt: skip
         for label, value in rows:
             click.echo(f"{label:<32}{value:.9g}")
+
+
+def _warn_of_slips(contact: HertzContact, given: dict[str, float | None]) -> None:
+    """Warn of numbers without a unit that are unusual, and of a contact that cannot be."""
+    for name, value in given.items():
+        at_least, limit, unit, example = _USUAL[name]
+        if isinstance(value, Bare):
+            option = "--" + name.replace("_", "-")
+            verdict = Verdict(option, value, limit, at_least, unit)
+            remedy = f'A number without a unit is in {unit}: or write {option} "{example}"'
+            warn_of(Doubt(verdict, lambda remedy=remedy: remedy), stacklevel=2)  # type: ignore[misc]
+    if isinstance(contact, _hertz.LineContact):
+        verdict = Verdict("half-width over the radius", contact.b / contact.R, LARGEST_PART)
+        doubt = Doubt(verdict, lambda: "The bodies are taken as half-spaces")
+    else:
+        doubt = part_of_radius(Contact(Expected(contact), (0.0, 0.0)))
+    warn_of(doubt, stacklevel=2)
+
+
+def _loading(contact: _hertz.PointContact | _hertz.EllipticContact) -> Rows:
+    return [
+        ("load [N]", contact.load),
+        ("maximum pressure p0 [Pa]", contact.p0),
+        ("approach [m]", contact.approach),
+    ]
+
+
+def _line(
+    radius: float,
+    modulus: float,
+    length: float | None,
+    per_length: float | None,
+    load: float | None,
+    approach: float | None,
+    p0: float | None,
+) -> tuple[_hertz.LineContact, Rows]:
+    """A line contact from one of load, load per length and p0, and its values."""
+    if approach is not None:
+        raise ValueError(
+            "approach is for point and elliptic contacts: that of a line contact depends on the "
+            "shape of the whole bodies; give load, load_per_length or p0"
+        )
+    exactly_one(load=load, load_per_length=per_length, p0=p0)
+    if load is not None:
+        assert length is not None  # else it is no line contact
+        per_length = positive("load", load) / positive("length", length)
+    contact = _hertz.line(radius, modulus, load_per_length=per_length, p0=p0)
+    rows = [("half-width b [m]", contact.b), ("load per length [N/m]", contact.load_per_length)]
+    if length is not None:
+        rows.append(("load [N]", contact.load_per_length * positive("length", length)))
+    return contact, [*rows, ("maximum pressure p0 [Pa]", contact.p0)]
+
+
+def _stresses(contact: HertzContact, nu: float, depths: tuple[float, ...]) -> Rows:
+    """The largest von Mises stress, and stresses on the axis at given depths."""
+    stress, depth = contact.max_von_mises(nu)
+    rows = [("maximum von Mises stress [Pa]", stress), ("its depth [m]", depth)]
+    for z in depths:
+        normal: Any = [float(component) for component in contact.axis_stress(z, nu)]
+        if len(normal) == 2:  # radial and circumferential stress are equal
+            normal.insert(0, normal[0])
+        for name, value in zip(("xx", "yy", "zz"), normal, strict=True):
+            rows.append((f"sigma_{name} at {z:.5g} m [Pa]", value))
+        rows.append(
+            (f"von Mises at {z:.5g} m [Pa]", float(von_mises(np.array([*normal, 0, 0, 0]))))
+        )
+    return rows

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, nullcontext
 from pathlib import Path
 
 import click
@@ -13,60 +13,82 @@ from .._owned import recording
 from .arguments import FilePath
 from .errors import short_errors
 
+_ENDINGS = (".html", ".vtr", ".pvd")
+
 
 @click.command()
-@click.argument("results_file", metavar="RESULTS.nc", type=FilePath())
+@click.argument("run", metavar="RUN", type=FilePath())
 @click.option("--vtk", is_flag=True, help="VTK files for ParaView: volume and surface.")
 @click.option("--html", is_flag=True, help="A page with the body in three dimensions.")
 @click.option(
     "--quantity",
     default="von_mises",
     show_default=True,
-    help="Field of the page, as in RESULTS.nc.",
+    help="Field of the page, as in the results.",
 )
 @click.option(
     "--increment", type=int, default=-1, show_default=True, help="Its number; -1: last stored."
 )
-@click.option("--all", "every", is_flag=True, help="Every increment, and a .pvd of them.")
+@click.option("--all", "every", is_flag=True, help="Every increment as VTK, and a .pvd of them.")
 @click.option(
-    "--body", type=click.Choice(["1", "2"]), default="2", show_default=True, help="Whose fields."
+    "--body",
+    type=click.Choice(["1", "2"]),
+    help="Whose fields; default: that of [output], or the one that has them.",
 )
-@click.option("--output", type=FilePath(), help="File; default: beside RESULTS.nc.")
+@click.option("--output", type=FilePath(), help="File; default: beside the results.")
 def export(
-    results_file: Path,
+    run: Path,
     vtk: bool,
     html: bool,
     quantity: str,
     increment: int,
     every: bool,
-    body: str,
+    body: str | None,
     output: Path | None,
 ) -> None:
-    """Write the fields of one increment, or of all, for another program or for a browser."""
-    if vtk == html:
-        raise click.UsageError("say which format: --vtk or --html")
-    if html and every:
+    """Write the fields of one increment, or of all, for another program or for a browser.
+
+    RUN is the folder of a run, or the results.nc in it.
+    """
+    if not (vtk or html):
+        raise click.UsageError("say which format: --vtk, --html, or both")
+    if every and not vtk:
         raise click.UsageError("--html shows one increment: give --increment instead of --all")
     if every and increment != -1:
         raise click.UsageError("give --increment or --all, not both")
     with short_errors():
         from .. import results
 
-        ending = ".html" if html else ".pvd" if every else ".vtr"
-        default = results_file.with_suffix(ending)
-        target = output or default
-        with results.open_results(results_file) as dataset, _recorded(target, default):
+        source = _results_of(run, ("results.nc",))
+        target = source.with_suffix("") if output is None else output
+        if output is not None and output.suffix.lower() in _ENDINGS and vtk and html:
+            target = output.with_suffix("")  # each format has its own
+        number = None if body is None else int(body)
+        written: list[Path] = []
+        # a file that the user has named is replaced whatever it is
+        listed = recording(source.parent) if output is None else nullcontext()
+        with results.open_results(source) as dataset, listed:
+            if "pressure" not in dataset:
+                raise ValueError(
+                    f"{source} has no fields of a contact to export: samcontact report shows "
+                    "results of tugging and wear"
+                )
+            if vtk and every:
+                written += results.to_pvd(dataset, target, number)
+            elif vtk:
+                written += results.to_vtk(dataset, target, increment, number)
             if html:
                 from ..plotting import save_view, view
 
-                shown = view(dataset, increment=increment, body=int(body), quantity=quantity)
-                written = [save_view(shown, target)]
-            elif every:
-                written = results.to_pvd(dataset, target, int(body))
-            else:
-                written = results.to_vtk(dataset, target, increment, int(body))
+                shown = view(dataset, increment=increment, body=number, quantity=quantity)
+                page = output if output is not None and not vtk else _with(target, ".html")
+                written.append(save_view(shown, page))
         for file in written:
             click.echo(str(file))
+
+
+def _with(target: Path, ending: str) -> Path:
+    return target.with_name(target.name + ending)
 
 
 @click.command()
@@ -77,12 +99,12 @@ def export(
     help="Default: report.html beside the results.",
 )
 def report(run: Path, output: Path | None) -> None:
-    """Write an HTML report of a run: RUN is its directory, or the .nc file in it."""
+    """Write an HTML report of a run: RUN is its folder, or the .nc file in it."""
     with short_errors():
         from .. import report as reports
         from .. import results
 
-        source = _results_of(run) if run.is_dir() else run
+        source = _results_of(run, ("results.nc", "series.nc", "wear.nc"))
         default = source.with_name("report.html")
         target = output or default
         if source.exists():  # else that is what is wrong
@@ -129,13 +151,17 @@ def _require_page(target: Path) -> None:
         )
 
 
-def _results_of(folder: Path) -> Path:
-    """The file that a run of a contact, of tugging or of wear has left."""
-    names = ("results.nc", "series.nc", "wear.nc")
-    found = [folder / name for name in names if (folder / name).exists()]
+def _results_of(run: Path, names: tuple[str, ...]) -> Path:
+    """The file of these names that a run has left in its folder, or the file that is given."""
+    if not run.is_dir():
+        return run
+    found = [run / name for name in names if (run / name).exists()]
     if len(found) != 1:
-        there = ", ".join(file.name for file in found) or "none of them"
+        there = ", ".join(file.name for file in found) or ", ".join(
+            sorted(file.name for file in run.glob("*.nc"))[:5]
+        )
         raise ValueError(
-            f"{folder} must hold one of {', '.join(names)}, has {there}: name the file"
+            f"{run} must hold one of {', '.join(names)}, has {there or 'none of them'}: name the "
+            "file"
         )
     return found[0]

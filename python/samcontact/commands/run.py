@@ -92,15 +92,17 @@ def _solve(
 
 
 @click.command()
-@click.argument("directory", type=FilePath())
+@click.argument("run_", metavar="RUN", type=FilePath())
 @click.option("--no-figures", is_flag=True, help="Write no figures.")
 @click.option("--quiet", is_flag=True, help="Print the paths of the results only.")
 @click.pass_context
-def resume(context: click.Context, directory: Path, no_figures: bool, quiet: bool) -> None:
-    """Go on with a run that was interrupted, from the directory of its results."""
+def resume(context: click.Context, run_: Path, no_figures: bool, quiet: bool) -> None:
+    """Go on with a run that was interrupted: RUN is its folder, or a file in it."""
     with short_errors():
         from .interrupted import interrupted_case
 
+        is_folder = run_.is_dir() or run_.suffix != ".nc"  # which need not be there yet
+        directory = run_ if is_folder and not run_.is_file() else run_.parent
         file = interrupted_case(directory)
     context.invoke(
         run, case_file=file, output=directory, no_figures=no_figures, animate=False, resume=True,

@@ -23,6 +23,12 @@ def _maximum(function: Callable[[float], float], upper: float) -> tuple[float, f
     return float(-found.fun), float(found.x)
 
 
+def _von_mises(sxx: FloatArray, syy: FloatArray, szz: FloatArray) -> float:
+    """Of principal stresses at one depth."""
+    squares = (sxx - syy) ** 2 + (syy - szz) ** 2 + (szz - sxx) ** 2
+    return math.sqrt(0.5 * float(squares))
+
+
 def point_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray]:
     """sigma_rr / p0 and sigma_zz / p0 at depth s = z/a."""
     axial = -1.0 / (1.0 + s**2)
@@ -57,9 +63,26 @@ def line_max_von_mises(nu: float) -> tuple[float, float]:
     """Largest on-axis von Mises stress over p0, and its depth over b [-]."""
     nu = poisson_ratio("nu", nu)
 
-    def von_mises(s: float) -> float:
-        sxx, syy, szz = line_axis(np.float64(s), nu)
-        squares = (sxx - syy) ** 2 + (syy - szz) ** 2 + (szz - sxx) ** 2
-        return math.sqrt(0.5 * float(squares))
+    return _maximum(lambda s: _von_mises(*line_axis(np.float64(s), nu)), 2.0)
 
-    return _maximum(von_mises, 2.0)
+
+def elliptic_axis(s: FloatArray, k: float, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """sigma_xx, sigma_yy, sigma_zz over p0 at depth s = z/a_x under an ellipse a_y = k a_x.
+
+    From the potentials of the pressure (Johnson 1985, sections 3.2 and 3.5), the integrals of
+    Sackfield and Hills (1983) in Carlson's form: nothing cancels near a circle or a line.
+    """
+    s = np.asarray(s, dtype=np.float64)
+    A, B = np.hypot(1.0, s), np.hypot(k, s)
+    across = 2.0 / 3.0 * s * scipy.special.elliprd(B**2, s**2, A**2)
+    along = 2.0 / 3.0 * s * scipy.special.elliprd(A**2, s**2, B**2)
+    even, rest = 2.0 * nu / (A * B), (1.0 - 2.0 * nu) / (A + B)
+    sxx = across + nu * along - even - rest / A
+    syy = along + nu * across - even - rest / B
+    return k * sxx, k * syy, -k / (A * B)
+
+
+def elliptic_max_von_mises(k: float, nu: float) -> tuple[float, float]:
+    """Largest on-axis von Mises stress over p0, and its depth over the shorter semi-axis [-]."""
+    nu, k = poisson_ratio("nu", nu), max(k, 1.0 / k)
+    return _maximum(lambda s: _von_mises(*elliptic_axis(np.float64(s), k, nu)), 2.0)

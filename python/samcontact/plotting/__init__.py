@@ -13,13 +13,13 @@ from .contact import (
     load_approach,
     pressure_profile,
     print_profile,
-    section,
     temperature_profile,
 )
 from .fatigue import fatigue_depth, fatigue_map, fatigue_section
 from .interface import interface_profile
 from .maps import surface_map, track_map
 from .parts import column
+from .section import section
 from .shaking_down import shakedown_map, strain_per_cycle
 from .slip_animation import stick_slip_animation
 from .slipping import (

@@ -86,7 +86,7 @@ def rolling_animation(
         for state, window in zip(states, windows, strict=True)
     ]
     prints = [_print(state, body, row) for state in states]
-    pressures = [state.pressure[:, row] * 1e-9 for state in states]
+    pressures = [state.pressure[:, row] * CONTACT["pressure"].factor for state in states]
 
     shown = CONTACT[quantity]
     across, depth = edges(x, grid.dx) * 1e6, edges(depths, grid.dz) * 1e6
@@ -125,7 +125,7 @@ def rolling_animation(
 def _pressure_panel(ax: Axes, pressures: list[FloatArray]) -> Line2D:
     (line,) = ax.plot([], [], "-", linewidth=1.2, color="C3")
     ax.set_ylim(0.0, 1.08 * max(float(np.max(p)) for p in pressures) or 1.0)
-    ax.set_ylabel("pressure [GPa]")
+    ax.set_ylabel(CONTACT["pressure"].label)
     finish(ax)
     return line
 
@@ -148,7 +148,7 @@ def _section_panel(
     ax.figure.colorbar(image, ax=ax)
     framed = quantity == "von_mises"
     grey = "" if quantity == "equivalent_plastic_strain" else ", grey: not computed"
-    edge = ", dotted: edge of the grid" if framed else ""
+    edge = ", dotted: edge of the grid, residual beyond" if framed else ""
     ax.set_title(f"{shown.label}{grey}{edge}", fontsize="medium")
     ax.set_facecolor("0.85")
     frame = [ax.axvline(color="C3", linestyle=":", linewidth=framed) for _ in range(2)]

@@ -10,23 +10,21 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, finite, finite_array
+from .._checks import FloatArray, choice, finite_array
 from .._quantities import CONTACT
 from .._tensors import von_mises
 from ..hertz import EllipticContact, PointContact
 from ..layered import Layered
-from .fields import Plane, show_section, touching_along
 from .parts import (
     COMPONENTS,
     INTERFACE,
-    SECTIONS,
     axes_or_new,
     depths_of,
-    edges,
     finish,
     nearest,
     surface_line,
 )
+from .shown import require_possible
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -73,8 +71,22 @@ def pressure_profile(
     Raises
     ------
     ValueError
-        Wrong shape of the field or unknown axis.
+        Wrong shape of the field, unknown axis, or pressure below zero.
     """
+    _require_quantity(field, "pressure", grid)
+    return draw_pressure(field, grid, ax, hertz, axis, position, label)
+
+
+def draw_pressure(
+    field: ArrayLike,
+    grid: Grid,
+    ax: Axes | None,
+    hertz: HertzContact | None,
+    axis: str,
+    position: float,
+    label: str = "computed",
+) -> Axes:
+    """`pressure_profile` of given tractions too, which may pull."""
     style: dict[str, Any] = {"marker": "o", "markersize": 3}
     ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
     s = np.asarray(grid.x if axis == "x" else grid.y)
@@ -88,6 +100,12 @@ def pressure_profile(
         ax.plot(fine * 1e6, curve * scale, "k--", linewidth=1.0, label="Hertz")
     ax.legend(frameon=False)
     return ax
+
+
+def _require_quantity(field: ArrayLike, quantity: str, grid: Grid) -> None:
+    shown = CONTACT[quantity]
+    values = finite_array(shown.heading, field, (grid.nx, grid.ny))
+    require_possible(shown.heading, values, shown, grid)
 
 
 def _profile(
@@ -110,78 +128,6 @@ def _profile(
     if label is not None:
         ax.legend(frameon=False)
     return finish(ax)
-
-
-def section(
-    field: ArrayLike,
-    grid: Grid,
-    ax: Axes | None = None,
-    *,
-    quantity: str = "von_mises",
-    plane: str = "y",
-    position: float = 0.0,
-    label: str | None = None,
-    interfaces: ArrayLike = (),
-    contact: ArrayLike | None = None,
-    cells: bool = False,
-) -> Axes:
-    """Cross-section of a volume field with contour lines and a colour bar, depth downward.
-
-    Parameters
-    ----------
-    field : array_like, shape (nx, ny, nz)
-        Values in SI units.
-    grid : Grid
-        Its grid, with a volume.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw.
-    quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", \
-"residual_von_mises", "residual_hydrostatic", "stress", "temperature"}
-        Decides label, unit and colours.
-    plane : {"y", "x"}
-        Coordinate that is constant on the section.
-    position : float
-        Its value [m]; the nearest row of cells is shown.
-    label : str, optional
-        Instead of the name of the quantity.
-    interfaces : array_like, shape (n,), optional
-        Depths between layers [m], as `Layered.interfaces` has them: lines.
-    contact : array_like, shape (nx, ny), optional
-        Above zero where the bodies touch, e.g. the pressure: a bar along the surface.
-    cells : bool, optional
-        Show each cell in its colour, instead of what is smooth through their centres.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-
-    Raises
-    ------
-    ValueError
-        No volume, wrong shape, or an unknown quantity or plane.
-    """
-    choice("plane", plane, ("y", "x"))
-    choice("quantity", quantity, SECTIONS)
-    depths = depths_of(grid, field)
-    values = finite_array("field", field, (grid.nx, grid.ny, len(depths)))
-    assert grid.dz is not None
-    finite("position", position)
-    row: Any
-    if plane == "y":
-        row = np.s_[:, nearest(grid.y, position)]
-        across, name = edges(grid.x, grid.dx), "x"
-    else:
-        row = np.s_[nearest(grid.x, position), :]
-        across, name = edges(grid.y, grid.dy), "y"
-    between = finite_array("interfaces", interfaces, np.shape(interfaces))
-    touching = None if contact is None else finite_array("contact", contact, values.shape[:2])
-    sides = Plane(across, edges(depths, grid.dz))
-    ax = show_section(ax, sides, values[row], quantity, name, label, cells=cells)
-    for depth in between[between < sides.down[-1]]:
-        ax.axhline(depth * 1e6, **INTERFACE)
-    if touching is not None:
-        touching_along(ax, across, touching[row] > 0)
-    return ax
 
 
 def load_approach(
@@ -264,8 +210,9 @@ def print_profile(
     Raises
     ------
     ValueError
-        Wrong shape of the field or unknown axis.
+        Wrong shape of the field, unknown axis, or more than a thousand times the grid.
     """
+    _require_quantity(field, "residual_displacement", grid)
     ax = _profile(field, "residual_displacement", grid, ax, axis, position, label)
     if not ax.yaxis_inverted():
         ax.invert_yaxis()
@@ -305,8 +252,9 @@ def temperature_profile(
     Raises
     ------
     ValueError
-        Wrong shape of the field or unknown axis.
+        Wrong shape of the field, unknown axis, or values below zero or above 1e6 K.
     """
+    _require_quantity(field, "surface_temperature", grid)
     return _profile(field, "surface_temperature", grid, ax, axis, position, label)
 
 

@@ -13,7 +13,7 @@ from matplotlib.ticker import MaxNLocator
 from scipy import ndimage
 
 from .._checks import BoolArray, FloatArray, boolean
-from .._quantities import CONTACT, Quantity
+from .._quantities import Quantity
 from .parts import LYING, axes_or_new, without_seams
 from .ticks import FittedLocator, fit_ticks
 
@@ -51,9 +51,8 @@ def show_section(
     ax: Axes | None,
     plane: Plane,
     values: FloatArray,
-    quantity: str,
+    quantity: Quantity,
     name: str,
-    label: str | None,
     *,
     titled: bool = False,
     equal: bool = True,
@@ -61,16 +60,13 @@ def show_section(
 ) -> Axes:
     """A plane of a volume field with a colour bar, depth downward.
 
-    `values` is the field in SI units, `name` that of the coordinate, and `label`, if any, replaces
-    that of the quantity. `titled`: the label is the title, as it is of sections that are too flat
-    for it beside them. `equal`: as long and deep as it is. `cells`: cell by cell.
+    `values` is the field in SI units, `name` that of the coordinate. `titled`: the label is the
+    title, as it is of sections that are too flat for it beside them. `equal`: as long and deep as
+    it is. `cells`: cell by cell.
     """
     ax = axes_or_new(ax)
-    shown = CONTACT[quantity]
-    if label is not None:
-        shown = shown._replace(heading=label)
     titled = titled or plane.ratio < _FLAT
-    _show(ax, plane, values, shown, titled=titled, equal=equal, cells=cells)
+    _show(ax, plane, values, quantity, titled=titled, equal=equal, cells=cells)
     ax.set_xlabel(f"{name} [µm]")
     ax.set_ylabel("z [µm]" if equal and plane.ratio < _SHORT else "depth z [µm]")
     ax.invert_yaxis()
@@ -182,11 +178,14 @@ def touching_along(
 def scale_of(values: FloatArray, quantity: Quantity) -> tuple[Normalize, FloatArray, FloatArray]:
     """Colours of the values in the units shown, edges of the bands of colour, and contour lines."""
     low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    if quantity.from_zero:
+        low = 0.0
+    elif low == high:
+        low, high = min(low, 0.0), max(high, 0.0)
     if quantity.signed:
         span = max(abs(low), abs(high))
         norm = Normalize(-span, span)  # white is zero
     else:
-        low = 0.0 if quantity.from_zero else low
         norm = Normalize(low, high)
     lines = np.asarray(MaxNLocator(8, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
     band = float(lines[1] - lines[0]) / _BANDS
@@ -217,6 +216,8 @@ def _show(
     """
     boolean("cells", cells)
     shown, label = values * quantity.factor, quantity.label + note
+    if quantity.from_zero:
+        shown = np.maximum(shown, 0.0)  # what is below is rounding
     ax.grid(False)  # settings may ask for one, which would lie over the colours
     drawn: list[Any] = []
     if zero := not np.any(np.nan_to_num(shown)):

@@ -28,9 +28,12 @@ if TYPE_CHECKING:
 
 SECTIONS = (
     "von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises",
-    "residual_hydrostatic", "stress", "temperature",
+    "residual_hydrostatic", "stress", "residual_stress", "plastic_strain", "temperature",
 )  # fmt: skip
-SURFACES = {"pressure": "pressure", "gap": "gap", "print": "residual_displacement"}
+SURFACES = {
+    "pressure": "pressure", "gap": "gap", "print": "residual_displacement", "shear_x": "shear_x",
+    "shear_y": "shear_y", "temperature": "surface_temperature",
+}  # fmt: skip
 """What is shown of the surface, and which quantity it is."""
 INTERFACE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
 LYING = 0.2

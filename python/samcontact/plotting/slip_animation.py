@@ -69,7 +69,7 @@ def stick_slip_animation(states: Sequence[State], *, interval: float = 100.0) ->
     def draw(number: int) -> list[Any]:
         state = states[number]
         left.clear()
-        stick_slip_map(state.pressure, state.slip, grid, left, across=across)
+        stick_slip_map(state.pressure, state.slip, grid, left, unit="m", across=across)
         left.set(xlim=limits[lies], ylim=limits[0][::-1] if lies else limits[1])
         right.set_title(f"load {state.load:.4g} N", fontsize="medium")
         point.set_data([course.across[number]], [course.force[number]])

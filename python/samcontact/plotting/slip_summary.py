@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -36,7 +36,8 @@ def slip_figures(scene: Scene) -> dict[str, Figure]:
     figures = {"stick_slip": new_figure(*size)}
     slip = np.stack([data[f"slip_{axis}"].values[chosen(data)] for axis in "xy"])
     pressure = data["pressure"].values[chosen(data)]
-    stick_slip_map(pressure, slip, scene.grid, figures["stick_slip"].subplots(), across=across)
+    look: Any = {"unit": "m", "across": across}
+    stick_slip_map(pressure, slip, scene.grid, figures["stick_slip"].subplots(), **look)
     along = driven(data)
     if along and "travel_body1" in data:
         if along[0] != "z":

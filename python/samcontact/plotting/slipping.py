@@ -17,6 +17,7 @@ from .._checks import FloatArray, choice, finite_array, non_negative
 from .._quantities import CONTACT
 from .fields import Plane, clip, inside_of_contact, inside_of_slip, name_sides, outline
 from .parts import axes_or_new, edges, finish, prefixed, surface_line
+from .shown import require_possible
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -27,6 +28,7 @@ COLOURS = "#9ecae1", "#fdae6b"
 """Of what sticks and of what slips."""
 _ARROWS = 15  # along the longer side of the contact
 _LONGEST = 0.95  # times their distance
+_OF_SLIP = {"1": "of the way", None: ""}
 DIRECTIONS = {"x": ("tangential_load_x", "shift_x"), "y": ("tangential_load_y", "shift_y"),
                "z": ("torque", "twist")}  # fmt: skip
 
@@ -37,7 +39,7 @@ def stick_slip_map(
     grid: Grid,
     ax: Axes | None = None,
     *,
-    unit: str = "m",
+    unit: str | None = None,
     across: str = "x",
 ) -> Axes:
     """Where the bodies stick and where they slip, from above, with arrows along the slip.
@@ -53,8 +55,9 @@ def stick_slip_map(
         Of both fields.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
-    unit : {"m", "1"}
-        Of the slip; "1" per way rolled, as of a `RollingSolution`.
+    unit : {"m", "1"}, optional
+        Of the slip, for the title: "m" as of a `State`, "1" per way rolled, as of a
+        `RollingSolution`. Without it the title has the number alone.
     across : {"x", "y"}, optional
         Coordinate from left to right. "y" turns the map by a quarter, with x downward: for contacts
         that are long along y.
@@ -68,7 +71,8 @@ def stick_slip_map(
     ValueError
         Wrong shape of a field, or an unknown unit or coordinate.
     """
-    choice("unit", unit, ("m", "1"))
+    if unit is not None:
+        choice("unit", unit, ("m", "1"))
     choice("across", across, ("x", "y"))
     shape = (grid.nx, grid.ny)
     pressed = finite_array("pressure", pressure, shape)
@@ -85,8 +89,8 @@ def stick_slip_map(
     handles = [Patch(color=colour, label=label) for colour, label in zip(
         COLOURS, ("sticks", "slips"), strict=True)]  # fmt: skip
     ax.legend(handles=handles, loc="upper right", fontsize="small", framealpha=0.85, borderpad=0.3)
-    factor, name = prefixed(largest, "m") if unit == "m" else (1.0, "of the way")
-    title = f"slip up to {largest * factor:.3g} {name}" if largest > 0 else "no slip"
+    factor, name = prefixed(largest, "m") if unit == "m" else (1.0, _OF_SLIP[unit])
+    title = f"slip up to {largest * factor:.3g} {name}".rstrip() if largest > 0 else "no slip"
     ax.set_title(title, fontsize="medium")
     ax.set_aspect("equal")
     return name_sides(ax, across)
@@ -172,11 +176,14 @@ def shear_profile(
     Raises
     ------
     ValueError
-        Wrong shape of a field, or an unknown component or axis.
+        Wrong shape of a field, an unknown component or axis, or pressure below zero.
     """
     choice("component", component, ("x", "y"))
-    fields = finite_array("shear", shear, (2, grid.nx, grid.ny))
-    s, p = surface_line(pressure, "pressure", grid, axis, position)
+    shape = (grid.nx, grid.ny)
+    fields = finite_array("shear", shear, (2, *shape))
+    pressed = finite_array("pressure", pressure, shape)
+    require_possible("pressure", pressed, CONTACT["pressure"], grid)
+    s, p = surface_line(pressed, "pressure", grid, axis, position)
     _, values = surface_line(fields["xy".index(component)], "shear", grid, axis, position)
     ax = axes_or_new(ax)
     shown = CONTACT["shear_x"]

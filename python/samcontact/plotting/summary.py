@@ -11,20 +11,20 @@ from matplotlib.figure import Figure
 
 from .._checks import choice
 from .._owned import recording
-from ..results.reading import grid_of
+from ..results.reading import body_shown, grid_of
 from .contact import (
     HertzContact,
     axis_profile,
+    draw_pressure,
     load_approach,
-    pressure_profile,
     print_profile,
-    section,
     temperature_profile,
 )
 from .interface import interface_figure
-from .maps import surface_map, track_map
+from .maps import peak_map, surface_map, track_map
 from .parts import add_to_title, elsewhere, map_height, new_figure, save
 from .scene import Scene
+from .section import section
 from .slip_summary import slip_figures
 from .track import print_along, residual_along, track_summary
 
@@ -39,7 +39,7 @@ def summary_figures(
     dataset: xr.Dataset,
     directory: str | Path,
     *,
-    body: int = 2,
+    body: int | None = None,
     hertz: HertzContact | None = None,
     format: str = "png",
 ) -> list[Path]:
@@ -56,7 +56,8 @@ def summary_figures(
     directory : str or Path
         Created when missing.
     body : {1, 2}
-        Whose stresses and print are shown.
+        Whose stresses and print are shown; default that of [output], or the one that has volume
+        fields.
     hertz : PointContact or EllipticContact, optional
         Hertz contact at the load of the peak.
     format : {"png", "pdf", "svg"}
@@ -81,7 +82,8 @@ def summary_figures(
         package, or has been changed since.
     """
     choice("format", format, ("png", "pdf", "svg"))
-    scene = Scene(dataset, choice("body", body, (1, 2)), hertz)
+    body = body_shown(dataset, body)
+    scene = Scene(dataset, body, hertz)
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
     figures = _of_the_peak(scene)
@@ -125,16 +127,15 @@ def _moment(scene: Scene, position: int) -> str:
 def _of_the_peak(scene: Scene) -> dict[str, Figure]:
     """Pressure and gap, and stresses where there is a volume."""
     grid, number = scene.grid, scene.number(scene.peak)
-    across, size = scene.map_look
+    _, size = scene.map_look
     figures = {"pressure": _panel(), "pressure_map": _panel(*size), "gap_map": _panel(*size)}
     pressure = scene.surface("pressure", scene.peak)
     y = scene.row(pressure)
     ax = figures["pressure"].axes[0]
-    pressure_profile(pressure, grid, ax, hertz=scene.hertz, position=y)
+    draw_pressure(pressure, grid, ax, scene.hertz, "x", y)
     add_to_title(ax, _moment(scene, scene.peak), elsewhere("y", y, grid.dy))
     for name in ("pressure", "gap"):
-        ax, field = figures[f"{name}_map"].axes[0], scene.surface(name, scene.peak)
-        surface_map(field, grid, ax, quantity=name, contact=pressure, across=across)
+        peak_map(scene, name, figures[f"{name}_map"].axes[0])
     if scene.has("stress", number):
         figures["axis_stress"] = _panel(4.6, 4.2)
         ax, stress = figures["axis_stress"].axes[0], scene.field("stress", number)

@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from .._checks import FloatArray, choice, finite
-from .._quantities import CONTACT
+from .._quantities import CONTACT, Quantity
 from ..results.reading import grid_of
 from .fields import Plane, show_section
 from .parts import (
@@ -140,11 +140,11 @@ def track_section(
     require_volume(grid)
     if quantity in COMPONENTS:
         field = track["residual_stress"].sel(component=quantity).values
-        name, label = "stress", rf"residual $\sigma_{{{quantity}}}$"
+        shown = _component(quantity, "residual ")
     else:
-        field, name, label = track[quantity].values, quantity, None
+        field, shown = track[quantity].values, CONTACT[quantity]
     along = f"x on body {track.attrs['body']}"
-    return _section(grid, track["x"].values, field, ax, name, plane, position, label, along, cells)
+    return _section(grid, track["x"].values, field, ax, shown, plane, position, along, cells)
 
 
 def loaded_section(
@@ -186,11 +186,15 @@ def loaded_section(
     require_volume(state.grid)
     if quantity in COMPONENTS:
         field = state.stress(body=body)[COMPONENTS[quantity]]
-        name, label = "stress", rf"$\sigma_{{{quantity}}}$"
+        shown = _component(quantity)
     else:
-        field, name, label = getattr(state, quantity)(body=body), quantity, None
+        field, shown = getattr(state, quantity)(body=body), CONTACT[quantity]
     x, along = positions_on_body(state, body), f"x on body {body}"
-    return _section(state.grid, x, field, ax, name, plane, position, label, along, cells)
+    return _section(state.grid, x, field, ax, shown, plane, position, along, cells)
+
+
+def _component(name: str, before: str = "") -> Quantity:
+    return CONTACT["stress"]._replace(heading=rf"{before}$\sigma_{{{name}}}$")
 
 
 def _section(
@@ -198,10 +202,9 @@ def _section(
     x: FloatArray,
     field: FloatArray,
     ax: Axes | None,
-    quantity: str,
+    quantity: Quantity,
     plane: str,
     position: float,
-    label: str | None,
     along: str,
     cells: bool,
 ) -> Axes:
@@ -215,7 +218,7 @@ def _section(
     else:
         values, across, name = field[nearest(x, position)], edges(grid.y, grid.dy), "y"
     sides = Plane(across, edges(depths, grid.dz))
-    return show_section(ax, sides, values, quantity, name, label, titled=True, cells=cells)
+    return show_section(ax, sides, values, quantity, name, titled=True, cells=cells)
 
 
 def print_along(track: xr.Dataset, ax: Axes) -> Axes:

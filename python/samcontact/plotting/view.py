@@ -14,6 +14,7 @@ import numpy as np
 from .._atomic import replacing
 from .._checks import FloatArray, choice
 from .._quantities import CONTACT
+from ..results.reading import body_shown
 from ..results.vtk import stored_number, volume_names
 from .fields import Plane, inside_of_contact, scale_of
 from .parts import edges
@@ -31,7 +32,11 @@ _ICONS = "https://kitware.github.io/vtk-js/icon/"
 
 
 def view(
-    dataset: xr.Dataset, *, increment: int = -1, body: int = 2, quantity: str = "von_mises"
+    dataset: xr.Dataset,
+    *,
+    increment: int = -1,
+    body: int | None = None,
+    quantity: str = "von_mises",
 ) -> pyvista.Plotter:
     """A volume field of a body in three dimensions, with a quarter cut out below its largest value.
 
@@ -46,7 +51,7 @@ def view(
         Number of the increment, from 1; or -1 for the last one (-2 the one before, ...) of those
         with volume fields.
     body : {1, 2}, optional
-        Whose field.
+        Whose field; default that of [output], or the one that has volume fields.
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises", \
 "temperature"}, optional
         What is shown, where it is stored.
@@ -63,7 +68,7 @@ def view(
     ModuleNotFoundError
         PyVista is not installed.
     """
-    choice("body", body, (1, 2))
+    body = body_shown(dataset, body)
     choice("quantity", quantity, _FIELDS)
     if not volume_names(dataset, body):
         raise ValueError(f"dataset must have volume fields of body {body}, got none")

@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, choice, finite, integer
-from .._quantities import WEAR
+from .._quantities import CONTACT, WEAR
 from ..results.reading import cell_size
 from .fields import Plane, show_section, show_surface
 from .parts import (
@@ -307,7 +307,8 @@ def cycle_panels(
     bottom = grid.dz * min(values.shape[-1] for _, values, _, _ in sections)
     for ax, values, quantity, label in sections:
         plane = Plane(edges(x, grid.dx), edges(depths_of(grid, values), grid.dz))
-        show_section(ax, plane, values, quantity, "x", label, titled=True, equal=False)
+        shown = CONTACT[quantity]._replace(heading=label)
+        show_section(ax, plane, values, shown, "x", titled=True, equal=False)
         ax.set_ylim((bottom if depth is None else depth) * 1e6, 0)
     if width is not None:
         for ax in (first, second, third, fourth):

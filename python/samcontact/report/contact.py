@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from .._peak import peak_of_dataset
 from .._verdict import Verdict
+from ..results.reading import body_shown
 from . import tables
 from .figures import contact_figures
 from .verdicts import verdicts
@@ -29,7 +30,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     peak = peak_of_dataset(dataset)
     load = float(dataset["load"].values[peak])
     hertz = case.hertz(load) if case is not None and load > 0 else None
-    body = _body(dataset)
+    body = body_shown(dataset)
     accurate = "accuracy_reached" in dataset.attrs
     heading = "Increments, as solved on the finest grid" if accurate else "Increments"
     values = [("increments", heading, tables.scalars_table(dataset))]
@@ -57,11 +58,3 @@ def stored_case(dataset: xr.Dataset) -> Case | None:
     except CaseError:
         return None
     return case if isinstance(case, Case) else None
-
-
-def _body(dataset: xr.Dataset) -> int:
-    """The body of interest, or the other one where only that has volume fields."""
-    body = int(dataset.attrs.get("body", 2))
-    other = 3 - body
-    only_other = f"stress_body{body}" not in dataset and f"stress_body{other}" in dataset
-    return other if only_other else body

@@ -16,8 +16,9 @@ from .._checks import FloatArray
 from .._peak import peak_of_dataset
 from .._quantities import CONTACT
 from .._tensors import von_mises
-from ..plotting.contact import HertzContact
+from ..plotting.contact import HertzContact, draw_pressure
 from ..plotting.interface import interface_figure
+from ..plotting.maps import peak_map
 from ..plotting.parts import (
     add_to_title,
     counted,
@@ -81,18 +82,14 @@ def _contact(scene: Scene) -> Iterator[Made]:
     for axis, across in (("x", "y"), ("y", "x")):
         row = scene.row(pressure, across)
         figure, cell = new_figure(), getattr(scene.grid, f"d{across}")
-        ax = plotting.pressure_profile(
-            pressure, scene.grid, figure.subplots(), hertz=scene.hertz, axis=axis, position=row
-        )
+        ax = draw_pressure(pressure, scene.grid, figure.subplots(), scene.hertz, axis, row)
         add_to_title(ax, elsewhere(across, row, cell))
         text = f"Pressure along {axis} at {place(across, row)}{beside}; its maximum in the grid is "
         text += f"{pressure.max() * 1e-9:.4g} GPa."
         yield f"Pressure along {axis}, {_moment(scene, number)}", text, figure
     for name in ("pressure", "gap"):
-        across, size = scene.map_look
-        figure, field = new_figure(*size), scene.surface(name, scene.peak)
-        look: Any = {"quantity": name, "contact": pressure, "across": across}
-        plotting.surface_map(field, scene.grid, figure.subplots(), **look)
+        figure = new_figure(*scene.map_look[1])
+        peak_map(scene, name, figure.subplots())
         text = f"The {name} of the whole grid from above."
         yield f"Map of the {name}, {_moment(scene, number)}", text, figure
     if not np.any(np.isfinite(scene.dataset["approach"])):

@@ -40,7 +40,7 @@ def hertz_rows(
         "contact_area": hertz_area(reference),
     }
     nu = dataset.attrs.get(f"body{body}_nu")
-    if isinstance(reference, PointContact) and nu is not None:
+    if nu is not None:
         exact[f"max_von_mises_body{body}"], _ = reference.max_von_mises(float(nu))
     return [
         (CONTACT[name.removesuffix(f"_body{body}")], value, float(dataset[name].values[peak]))

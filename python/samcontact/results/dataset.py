@@ -81,7 +81,8 @@ def to_dataset(
     case : Case, optional
         Its title, text and [output] settings are used.
     body : {1, 2}, optional
-        Body whose stresses are stored even when it is elastic; from the case, or 2.
+        Body whose stresses are stored even when it is elastic; from the case, or 2, of a rigid
+        body 2 1.
         Inelastic bodies are always stored.
     volume : {"none", "last", "peak_and_last", "all"} or sequence of int, optional
         Increments whose volume fields are stored, by their numbers if not by a word; from the case,
@@ -110,7 +111,7 @@ def to_dataset(
     if len(states) == 0:
         raise ValueError("states must hold at least one state, got none")
     if body is None:
-        body = case.output.body if case is not None else 2
+        body = case.output.body if case is not None else _body_with_stresses(simulation)
     if volume is None:
         volume = case.output.volume if case is not None else "peak_and_last"
     choice("body", body, (1, 2))
@@ -198,6 +199,10 @@ def _add_temperatures(
         add(dataset, "surface_temperature", _SURFACE, rise, body)
         add(dataset, "max_temperature", "increment", rise.max(axis=(1, 2)), body)
     return heated
+
+
+def _body_with_stresses(simulation: Simulation) -> int:
+    return 1 if simulation.body2.law == "rigid" else 2
 
 
 def _material(simulation: Simulation, body: int) -> Body:

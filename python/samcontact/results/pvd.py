@@ -11,15 +11,14 @@ from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
 from .._atomic import replacing
-from .._checks import choice
-from .reading import parts_of_a_run
+from .reading import body_shown, parts_of_a_run
 from .vtk import volume_names, write_surface, write_track, write_volume
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
-def to_pvd(dataset: xr.Dataset, path: str | Path, body: int = 2) -> list[Path]:
+def to_pvd(dataset: xr.Dataset, path: str | Path, body: int | None = None) -> list[Path]:
     """Write every increment as `to_vtk` does, and collections of them.
 
     Parameters
@@ -32,7 +31,8 @@ def to_pvd(dataset: xr.Dataset, path: str | Path, body: int = 2) -> list[Path]:
         number in five digits behind the name, ``*_00001.vtr`` (or .vtu), ``*_00001_surface.vtr``.
         The ending .pvd is added where it is missing. The directory must exist.
     body : {1, 2}, optional
-        Whose volume fields and print are written.
+        Whose volume fields and print are written; default that of [output], or the one that has
+        volume fields.
 
     Returns
     -------
@@ -49,7 +49,7 @@ def to_pvd(dataset: xr.Dataset, path: str | Path, body: int = 2) -> list[Path]:
     OSError
         A file cannot be written.
     """
-    choice("body", body, (1, 2))
+    body = body_shown(dataset, body)
     target = Path(path)
     if target.suffix != ".pvd":
         target = target.with_name(target.name + ".pvd")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._checks import choice
 from .._graded import PARTS
 from .._laws import LAWS
 from ..grid import Grid
@@ -29,6 +30,16 @@ def parts_of_a_run() -> Iterator[None]:
             "dataset must be that of a run, but some part of it is missing or of another kind: "
             f"{type(error).__name__}: {error}"
         ) from error
+
+
+def body_shown(dataset: xr.Dataset, body: int | None = None) -> int:
+    """The given body, or that of [output], or the other one where only that has volume fields."""
+    if body is not None:
+        return int(choice("body", body, (1, 2)))
+    selected = int(dataset.attrs.get("body", 2))
+    other = 3 - selected
+    only_other = f"stress_body{selected}" not in dataset and f"stress_body{other}" in dataset
+    return other if only_other else selected
 
 
 def cell_size(dataset: xr.Dataset, axis: str) -> float:

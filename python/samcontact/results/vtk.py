@@ -14,9 +14,9 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from .._atomic import replacing
-from .._checks import FloatArray, choice, integer
+from .._checks import FloatArray, integer
 from .motion import track_of
-from .reading import cell_size, parts_of_a_run
+from .reading import body_shown, cell_size, parts_of_a_run
 from .zones import cells_of
 
 # The order in which VTK keeps symmetric tensors, which is not that of this package.
@@ -27,7 +27,9 @@ _COMMON = (
 )  # fmt: skip
 
 
-def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int = 2) -> list[Path]:
+def to_vtk(
+    dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int | None = None
+) -> list[Path]:
     """Write the fields of one increment as VTK XML files of rectilinear grids (.vtr).
 
     Volume fields of a body whose plastic strain lies in several zones are those of cells with
@@ -54,6 +56,7 @@ def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int
         with volume fields, where there are any.
     body : {1, 2}, optional
         Whose volume fields and print are written; without "_body1", "_body2" in their names.
+        Default that of [output], or the one that has volume fields.
 
     Returns
     -------
@@ -69,7 +72,7 @@ def to_vtk(dataset: xr.Dataset, path: str | Path, increment: int = -1, body: int
     OSError
         A file cannot be written.
     """
-    choice("body", body, (1, 2))
+    body = body_shown(dataset, body)
     target = Path(path)
     if target.suffix != ".vtr":
         target = target.with_name(target.name + ".vtr")

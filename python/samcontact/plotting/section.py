@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cross-sections of volume fields."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike
+
+from .._checks import choice, finite, finite_array
+from .fields import Plane, show_section, touching_along
+from .parts import INTERFACE, SECTIONS, depths_of, edges, nearest
+from .shown import quantity_of
+
+if TYPE_CHECKING:
+    from ..grid import Grid
+
+
+def section(
+    field: ArrayLike,
+    grid: Grid,
+    ax: Axes | None = None,
+    *,
+    quantity: str | None = None,
+    plane: str = "y",
+    position: float = 0.0,
+    label: str | None = None,
+    interfaces: ArrayLike = (),
+    contact: ArrayLike | None = None,
+    cells: bool = False,
+) -> Axes:
+    """Cross-section of a volume field with contour lines and a colour bar, depth downward.
+
+    Parameters
+    ----------
+    field : array_like, shape (nx, ny, nz)
+        Values in SI units.
+    grid : Grid
+        Its grid, with a volume.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw.
+    quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", \
+"residual_von_mises", "residual_hydrostatic", "stress", "residual_stress", "plastic_strain", \
+"temperature"}, optional
+        What is shown; decides name, unit and colours. Without it values are shown as they are
+        given, in colours of both signs where both occur.
+    plane : {"y", "x"}
+        Coordinate that is constant on the section.
+    position : float
+        Its value [m]; the nearest row of cells is shown.
+    label : str, optional
+        Instead of the name of the quantity, before its unit.
+    interfaces : array_like, shape (n,), optional
+        Depths between layers [m], as `Layered.interfaces` has them: lines.
+    contact : array_like, shape (nx, ny), optional
+        Above zero where the bodies touch, e.g. the pressure: a bar along the surface.
+    cells : bool, optional
+        Show each cell in its colour, instead of what is smooth through their centres.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        No volume, wrong shape, an unknown quantity or plane, or values that the quantity cannot
+        have: below zero, a strain above 100, a rise of temperature above 1e6 K.
+    """
+    choice("plane", plane, ("y", "x"))
+    if quantity is not None:
+        choice("quantity", quantity, SECTIONS)
+    depths = depths_of(grid, field)
+    values = finite_array("field", field, (grid.nx, grid.ny, len(depths)))
+    assert grid.dz is not None
+    shown = quantity_of(quantity, values, grid, label=label)
+    finite("position", position)
+    row: Any
+    if plane == "y":
+        row = np.s_[:, nearest(grid.y, position)]
+        across, name = edges(grid.x, grid.dx), "x"
+    else:
+        row = np.s_[nearest(grid.x, position), :]
+        across, name = edges(grid.y, grid.dy), "y"
+    between = finite_array("interfaces", interfaces, np.shape(interfaces))
+    touching = None if contact is None else finite_array("contact", contact, values.shape[:2])
+    sides = Plane(across, edges(depths, grid.dz))
+    ax = show_section(ax, sides, values[row], shown, name, cells=cells)
+    for depth in between[between < sides.down[-1]]:
+        ax.axhline(depth * 1e6, **INTERFACE)
+    if touching is not None:
+        touching_along(ax, across, touching[row] > 0)
+    return ax

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which quantity a field that is drawn is, and whether it can be that."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._checks import FloatArray
+from .._quantities import CONTACT, Quantity
+
+if TYPE_CHECKING:
+    from ..grid import Grid
+
+_ROUNDING = 1e-6
+"""Of the largest value, or of the size of the grid: what is less below zero is rounding."""
+_ROUNDING_OF_HEAT = 1e-3
+"""What transforms and quadrature leave of the temperature beside a source."""
+_MOST = {"strain": 1e2, "heat": 1e6}
+_MOST_SIZES = 1e3
+"""A length over the size of the grid."""
+_UNNAMED = Quantity("", "", "", "value", kind="any")
+
+
+def quantity_of(
+    name: str | None,
+    values: FloatArray,
+    grid: Grid,
+    *,
+    argument: str = "field",
+    label: str | None = None,
+) -> Quantity:
+    """Return the quantity of this name, with its label; without a name one that claims nothing.
+
+    Values without a name are shown in the unit that they have, in colours of both signs where both
+    occur. Raises ValueError for values that the named quantity cannot have.
+    """
+    if name is None:
+        shown = signed(_UNNAMED) if _is_negative(values, 0.0) else _UNNAMED
+    else:
+        shown = CONTACT[name]
+        require_possible(argument, values, shown, grid)
+    return shown if label is None else shown._replace(heading=label)
+
+
+def of_either_sign(name: str, values: FloatArray, grid: Grid) -> Quantity:
+    """Return the quantity of this name, in colours of both signs where values are below zero.
+
+    Given tractions may pull, and let the bodies overlap.
+    """
+    shown = CONTACT[name]
+    return signed(shown) if _is_negative(values, _rounding(values, shown, grid)) else shown
+
+
+def signed(quantity: Quantity) -> Quantity:
+    """Return the quantity with white for zero."""
+    return quantity._replace(kind="signed")
+
+
+def require_possible(argument: str, values: FloatArray, quantity: Quantity, grid: Grid) -> None:
+    """Raise ValueError for values that a quantity cannot have: another field, or another unit."""
+    least, largest = float(np.nanmin(values)), float(np.nanmax(np.abs(values)))
+    unit = "" if quantity.unit == "1" else f" {quantity.unit}"
+    another = "is it another quantity? `section` and `surface_map` show one without a name as it is"
+    if quantity.from_zero and least < -_rounding(values, quantity, grid):
+        raise ValueError(
+            f"{argument} must be >= 0 to be shown as {quantity.heading}, got values down to "
+            f"{least:.4g}{unit}: {another}"
+        )
+    most = _MOST.get(quantity.kind, np.inf)
+    if quantity.unit == "m":
+        most = _MOST_SIZES * _size(grid)
+    if largest > most:
+        raise ValueError(
+            f"{argument} must be at most {most:.4g}{unit} to be shown as {quantity.heading}, got "
+            f"{largest:.4g}{unit}: {another}"
+        )
+
+
+def _size(grid: Grid) -> float:
+    return max(grid.nx * grid.dx, grid.ny * grid.dy)
+
+
+def _rounding(values: FloatArray, quantity: Quantity, grid: Grid) -> float:
+    size = _size(grid) if quantity.unit == "m" else 0.0
+    share = _ROUNDING_OF_HEAT if quantity.kind == "heat" else _ROUNDING
+    return share * max(size, float(np.nanmax(np.abs(values))))
+
+
+def _is_negative(values: FloatArray, rounding: float) -> bool:
+    return bool(np.nanmin(values) < -max(rounding, _ROUNDING * float(np.nanmax(np.abs(values)))))
