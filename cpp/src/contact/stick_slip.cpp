@@ -48,7 +48,7 @@ class StickSlip : public SlipIteration {
 
  private:
   const Field& direction(int k) const { return problem_.modes[k].direction; }
-  double missing(int k) const { return problem_.modes[k].target - dot(direction(k), r_.shear); }
+  double missing(int k) const { return problem_.modes[k].missing(r_.shear); }
   /// Slipping cells, and forces, of the start.
   void begin() {
     const bool told = !r_.slipping.empty();
