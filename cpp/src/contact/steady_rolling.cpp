@@ -23,8 +23,6 @@ constexpr int most_linear_steps = 60;
 constexpr double rolled_lengths = 1.0;
 constexpr double marching_tol = 1e-4;
 constexpr int marching_steps = 50;
-/// Forces follow from motions where the cells that are free make up this share of them.
-constexpr double decisive = 1e-10;
 
 class SteadyRolling : public SlipIteration {
  public:
@@ -51,7 +49,6 @@ class SteadyRolling : public SlipIteration {
   void choose_sets() override { change_sides(0.5 / self_influence_); }
 
   const ShearProblem::Mode& mode(int k) const { return problem_.modes[k]; }
-  bool forces_follow() const;
   void step(double tol) override;
   Field solved(Field right);
   void meet_forces(Field& change);
@@ -92,21 +89,7 @@ void SteadyRolling::precondition(const Field& r, Field& z) {
   project_free(z);
 }
 
-/// Whether the forces change with the motions while the cells that slip go on to do so.
-bool SteadyRolling::forces_follow() const {
-  for (int k = 0; k < modes_; ++k) {
-    Field free = mode(k).direction;
-    project_free(free);
-    if (!(dot(free, free) > decisive * dot(mode(k).direction, mode(k).direction))) return false;
-  }
-  return true;
-}
-
 void SteadyRolling::step(double) {
-  if (!forces_follow()) {
-    std::fill(r_.slipping.begin(), r_.slipping.end(), 0);
-    std::fill(lambda_.begin(), lambda_.end(), 0.0);
-  }
   Field change = solved(r_.slip);
   if (modes_ > 0) meet_forces(change);
   add_scaled(1.0, change, r_.shear);
@@ -150,7 +133,8 @@ void SteadyRolling::fall_back(double) {
   slip_beyond_bound();
 }
 
-/// Increments of a history: what an increment leaves is carried, and is slip or shear of the next.
+/// Increments of a history, until nothing changes: what an increment leaves is carried, and is slip
+/// or shear of the next.
 void SteadyRolling::roll_by(int cells, int times) {
   ShearProblem increment = problem_, carrying = problem_;
   increment.carried = 0;
@@ -170,10 +154,15 @@ void SteadyRolling::roll_by(int cells, int times) {
     for (std::size_t i = 0; i < 2 * m_; ++i) {
       increment.free_slip[i] = cells * problem_.free_slip[i] + now[i] - moved[i];
     }
+    Field before = r_.shear;
     ShearResult next = solve_stick_slip(increment, own, {std::move(r_.shear), {}, r_.motion},
                                         marching_tol, marching_steps);
+    add_scaled(-1.0, next.shear, before);
+    const bool is_steady =
+        longest(before) <= marching_tol * shear_scale(problem_, next.shear, next.slip);
     r_.shear = std::move(next.shear);
     r_.motion = std::move(next.motion);
+    if (is_steady) break;
   }
   operators_.count(own);
   operators_.count(carrier);
