@@ -9,6 +9,7 @@
 
 #include "samcontact/contact/anderson.hpp"
 #include "samcontact/contact/first_touch.hpp"
+#include "samcontact/contact/held_forces.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -29,8 +30,6 @@ constexpr double on_circle = 1 - 1e-9;
 /// Friction of unlike bodies beyond which an increment may have no solution. A cell whose shear
 /// lifts it is pulled where it sticks, and overlaps where it is free.
 constexpr double always_solved = 2;
-/// A force this close to the largest has no definite motion.
-constexpr double least_margin = 1e-8;
 
 operators::SurfaceInfluence frictionless(const operators::SharedMedium& body1,
                                          const operators::SharedMedium& body2) {
@@ -50,40 +49,6 @@ void require_vectors(const Field& field, const Grid& grid, const std::string& na
   }
   require(std::all_of(field.begin(), field.end(), [](double s) { return std::isfinite(s); }), name,
           "finite everywhere", NAN);
-}
-
-double force_of(const Given& given) { return given.is_force() ? given.value : 0.0; }
-
-constexpr const char* beyond =
-    ", the largest that friction holds; at it everything slides and the motion is not determined "
-    "by "
-    "the force: give the motion (";
-
-/// Names of the motions along the surface, and of the turn.
-struct MotionNames {
-  const char *along, *turn;
-};
-constexpr MotionNames increment_motions{"shift", "twist"}, rolling_motions{"creepage", "spin"};
-
-/// Throws where no shear has the force. most: friction times the load [N].
-void require_held(const TangentialDrive& drive, double most, const MotionNames& motions) {
-  const double force = std::hypot(force_of(drive[0]), force_of(drive[1]));
-  require(force == 0 || force < most * (1 - least_margin), "tangential_load",
-          "shorter than friction times the load, " + to_text(most) + " N" + beyond + motions.along +
-              ") instead",
-          force);
-}
-
-/// The same under a pressure, of the torque too.
-void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
-                  double friction, const MotionNames& motions) {
-  if (std::isinf(friction)) return;
-  const LargestForces most = largest_forces(grid, pressure, friction);
-  require_held(drive, most.along, motions);
-  const double torque = force_of(drive[2]);
-  require(torque == 0 || std::fabs(torque) < most.torque * (1 - least_margin), "torque",
-          "smaller than " + to_text(most.torque) + " N m" + beyond + motions.turn + ") instead",
-          torque);
 }
 
 }  // namespace
