@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "samcontact/base/errors.hpp"
 #include "samcontact/contact/projected_gradient.hpp"
 
 namespace samcontact::contact {
