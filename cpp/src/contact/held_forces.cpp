@@ -62,7 +62,7 @@ void require_held_together(const Grid& grid, const TangentialDrive& drive, const
   throw std::invalid_argument("tangential_load and torque must be held by friction together, got " +
                               to_text(force_of(drive[0])) + " N, " + to_text(force_of(drive[1])) +
                               " N and " + to_text(drive[2].value) + " N m, of which it holds " +
-                              to_text(heat / power) +
+                              to_text(std::floor(1e3 * heat / power) / 10) + " %" +
                               " at most: take smaller ones, or give the motion instead");
 }
 
