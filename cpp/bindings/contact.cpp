@@ -100,17 +100,21 @@ py::dict stick_and_slip(const contact::CoulombContact& contact, const Array& gap
 }
 
 py::dict roll(const contact::CoulombContact& contact, const Array& gap, bool load_driven,
-              double value, const std::array<double, 3>& creepage, const py::object& pressure,
-              const py::object& shear, double tol, int max_iterations, bool error_on_border) {
+              double value, const std::array<bool, 3>& is_force,
+              const std::array<double, 3>& tangential, const py::object& pressure,
+              const py::object& shear, const std::array<double, 3>& creepage, double tol,
+              int max_iterations, bool error_on_border) {
   const Field h = to_field(gap);
-  const contact::ContactHistory start{to_field_or_empty(pressure), to_field_or_empty(shear), {}};
+  const contact::CoulombStart start{
+      to_field_or_empty(pressure), to_field_or_empty(shear), {}, creepage};
   const contact::ContactSettings settings{
       tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
   const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
   contact::CoulombSolution solution;
   {
     const py::gil_scoped_release release;
-    solution = contact.roll(h, normal, creepage, start, settings);
+    solution =
+        contact.roll(h, normal, contact::tangential_drive(is_force, tangential), start, settings);
   }
   return to_python(std::move(solution), contact.grid());
 }
@@ -153,8 +157,9 @@ void bind_contact(py::module_& m) {
            py::arg("has_moved"), py::arg("initial_pressure"), py::arg("tol"),
            py::arg("max_iterations"), py::arg("error_on_border"))
       .def("roll", &roll, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
-           py::arg("creepage"), py::arg("initial_pressure"), py::arg("initial_shear"),
-           py::arg("tol"), py::arg("max_iterations"), py::arg("error_on_border"));
+           py::arg("is_force"), py::arg("tangential"), py::arg("initial_pressure"),
+           py::arg("initial_shear"), py::arg("initial_creepage"), py::arg("tol"),
+           py::arg("max_iterations"), py::arg("error_on_border"));
 }
 
 }  // namespace samcontact::bindings

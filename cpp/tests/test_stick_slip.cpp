@@ -190,6 +190,16 @@ TEST_CASE("forces that bounds do not allow have no projection") {
   std::vector<double> multipliers{0.0};
   CHECK(contact::project(problem, shear, multipliers));
   CHECK(shear[0] + shear[1] + shear[2] == doctest::Approx(5.0));
+  // From where all cells are cut, on either side.
+  for (const double target : {-5.999, -5.0, 1e-3, 5.999}) {
+    for (const double from : {-1e6, -7.0, 7.0, 1e6}) {
+      problem.modes[0].target = target;
+      shear = {from, from, from, 0.0, 0.0, 0.0};
+      multipliers = {0.0};
+      CHECK(contact::project(problem, shear, multipliers));
+      CHECK(shear[0] + shear[1] + shear[2] == doctest::Approx(target));
+    }
+  }
   problem.modes[0].target = 6.1;
   CHECK_FALSE(contact::project(problem, shear, multipliers));
 }

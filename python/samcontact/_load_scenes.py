@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -49,8 +50,21 @@ def of_case(case: Case) -> float:
     return max(given)
 
 
+def require_known(name: object) -> None:
+    """Raise ValueError for what is no quantity of any simulation, with the nearest that is one."""
+    kinds = [*_certified.OF_CONTACT[1:], *_certified.OF_BODY, *SYNONYMS]
+    known = [*kinds, PERMANENT, YIELD]
+    of_body = (*_certified.OF_BODY, *SYNONYMS)
+    if name in known or name in [f"{kind}_body{n}" for kind in of_body for n in (1, 2)]:
+        return
+    near = difflib.get_close_matches(str(name).lower(), known, 1, cutoff=0.5)
+    hint = f": did you mean {near[0]}?" if near else ""
+    raise ValueError(f"quantity must be one of {', '.join(known)}, got {in_short(name)}{hint}")
+
+
 def resolved(name: str, simulation: Simulation) -> str:
     """A name as `value_of` takes it; ValueError for one that the simulation has not."""
+    require_known(name)
     bodies = simulation.body1, simulation.body2
     if name == YIELD:
         if not any(body.is_plastic for body in bodies):
@@ -72,14 +86,15 @@ def resolved(name: str, simulation: Simulation) -> str:
         if not simulation.grid.has_volume:
             raise ValueError(f'quantity = "{name}" needs a grid with dz')
         return name
-    name = SYNONYMS.get(name, name)
+    kind, of_body, number = name.partition("_body")
+    name = SYNONYMS.get(kind, kind) + of_body + number
     known = _certified.names(bodies, volume=simulation.grid.has_volume)
     found = [one for one in known if one in (name, f"{name}_body1", f"{name}_body2")]
-    if not found or name == "load":
+    if not found:
         allowed = [one for one in known if one != "load"]
         raise ValueError(
-            f"quantity must be one of {', '.join(allowed)}, {PERMANENT}, yield, "
-            f"got {in_short(name)}"
+            "quantity must be one that the bodies and the grid have, "
+            f"{', '.join(allowed)}, got {in_short(name)}"
         )
     return name if name in found else ",".join(found)
 

@@ -6,15 +6,17 @@ from __future__ import annotations
 import math
 import os
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy
 
 from . import _certified, half_resolution
+from ._attainable import require_attainable
 from ._checks import FloatArray, boolean, number, positive
 from ._core import ConvergenceError
 from ._load_scenes import (
@@ -26,6 +28,7 @@ from ._load_scenes import (
     is_graded,
     label_and_unit,
     of_case,
+    require_known,
     resolved,
     used_strength,
 )
@@ -102,6 +105,7 @@ class Search:
         self.tolerance, self.progress = tolerance, progress
         self.bodies = simulation.body1, simulation.body2
         self.solves = Solves(describe(simulation, path=list(path), quantity=self.name))
+        require_attainable(self.name, target, simulation, most)
         self.largest = (0.0, 0.0)
         """Value and load."""
         self._last: tuple[str, Built, list[State]] | None = None
@@ -118,11 +122,11 @@ class Search:
             path, _ = half_resolution.coarser_path(path, simulation.grid)
             return half_resolution.coarser(simulation, simulation.heat), path
 
-        return self._missing(f"coarse_{load!r}", "cells twice as large", load, made)
+        return self._missing(f"coarse_{load!r}", "on cells twice as large", load, made)
 
     def on_grid(self, load: float) -> float:
         """The same on the grid itself."""
-        return self._missing(_name(load), "the grid itself", load, lambda: self._built(load))
+        return self._missing(_name(load), "on the grid itself", load, lambda: self._built(load))
 
     def run(self, load: float) -> tuple[Built, list[State]]:
         """What `on_grid` has solved last, or what is kept of it."""
@@ -151,12 +155,20 @@ class Search:
             self.solves.add(name, {"reached": reached})
             self.solves.forget_increments([name])
         reached = self.solves.given[name]["reached"]
-        told = (
-            f"{where}, {quantity(load, 'N', 6)}: {reached / self.target:.6g} of what is asked for"
-        )
-        tell(told, shown=self.progress)
+        self._tell(name, f"{quantity(load, 'N', 6)} {where}", self._shown(reached))
         self.largest = max(self.largest, (reached, load))
         return float(reached / self.target - 1.0)
+
+    def _shown(self, reached: float) -> str:
+        label, unit = label_and_unit(self.name)
+        wanted = quantity(self.target, unit)
+        return f"{label} {quantity(reached, unit)}, of {wanted} that are asked for"
+
+    def _tell(self, name: str, tried: str, outcome: str) -> None:
+        """What a solve has given, once."""
+        if name not in self._told:
+            self._told.add(name)
+            tell(f"tried {tried}: {outcome}", shown=self.progress)
 
     def _reached(self, state: State) -> float:
         if self.name == YIELD:
@@ -195,7 +207,7 @@ class Search:
 
 
 def find_load(
-    case: Case | Callable[[float], Built],
+    case: Case | str | Path | Mapping[str, Any] | Callable[[float], Built],
     quantity: str,
     value: float = 1.0,
     *,
@@ -211,9 +223,10 @@ def find_load(
 
     Parameters
     ----------
-    case : Case or callable
-        A case, all of whose forces are multiplied by the same factor; or a function that makes the
-        simulation and the path (for `Simulation.run`) of a largest load [N].
+    case : Case, path, dict or callable
+        A case, its file or a dictionary of the same layout, all of whose forces are multiplied by
+        the same factor; or a function that makes the simulation and the path (for
+        `Simulation.run`) of a largest load [N].
     quantity : str
         Of those with errors in results files, e.g. "max_pressure", "print_depth_body2"; without a
         body the larger of both. It is taken under the largest load and at the end of the path, the
@@ -240,7 +253,8 @@ def find_load(
     Raises
     ------
     ValueError
-        The value is not reached; the text has the largest one. An argument out of range, a case
+        The value is not reached; the text has the largest one, or, before anything is solved, why
+        no load reaches it. An argument out of range, an unknown quantity (with the nearest), a case
         without loads, wear; with "yield", bodies that cannot, that
         have layers, that soften, or that yield in the last layer of the grid; a `checkpoint` of
         another call.
@@ -255,7 +269,7 @@ def find_load(
 
 
 def searched(
-    case: Case | Callable[[float], Built],
+    case: Case | str | Path | Mapping[str, Any] | Callable[[float], Built],
     quantity: str,
     value: float,
     *,
@@ -265,8 +279,7 @@ def searched(
 ) -> Search:
     """What `find_load` does, before anything is solved."""
     boolean("progress", progress)
-    if not isinstance(quantity, str):
-        raise TypeError(f"quantity must be the name of one, got {in_short(quantity)}")
+    require_known(quantity)
     target, relative = positive("value", value), number("tolerance", tolerance)
     if not 1e-8 <= relative <= 0.1:
         raise ValueError(f"tolerance must be in [1e-8, 0.1], got {tolerance!r}")
@@ -275,13 +288,12 @@ def searched(
         if largest_load is None:
             raise ValueError("largest_load must be given with a function, got None")
         build, start = case, positive("largest_load", largest_load)
-    elif not hasattr(case, "path"):
-        raise TypeError(
-            f"case must be a Case of one contact, or a function of the load, got {in_short(case)}"
-        )
     else:
-        start = of_case(case)
-        build = Scaled(case, start)
+        from .cases.given import case_of_contact
+
+        known = case_of_contact("case", case)
+        start = of_case(known)
+        build = Scaled(known, start)
     most = _MOST * start if largest_load is None else positive("largest_load", largest_load)
     return Search(quantity, target, build, min(start, most), most, relative, progress)
 

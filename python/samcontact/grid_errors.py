@@ -19,12 +19,13 @@ from ._repr import Rows, Shown, quantity
 from ._short import in_short
 from ._steps import STEP
 from .friction import Coulomb
-from .resolution import ROUND_SPOT, area_uncertainty
+from .resolution import ROUND_SPOT, ResolutionWarning, area_uncertainty
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from .cases import Case
+    from .grid import Grid
     from .simulation import Simulation
     from .state import State
 
@@ -103,8 +104,9 @@ def estimate_errors(
     """Estimate how far a run depends on the cells of its grid.
 
     The run is repeated from its start with half as many cells along x, y and z and the same
-    increments: about 1/8 of its time. Where all surfaces are functions of a grid, so are those of
-    the coarser one; heights that are known on one grid only are averaged.
+    increments: about 1/8 of its time. Where layers yield, the coarser cells are two to three times
+    as deep, so that the layers have a whole number of them. Where all surfaces are functions of a
+    grid, so are those of the coarser one; heights that are known on one grid only are averaged.
 
     Parameters
     ----------
@@ -128,6 +130,11 @@ def estimate_errors(
         A grid that cannot be halved; a simulation without path and states.
     ConvergenceError, MemoryError, GridTooSmallError
         Of either solve.
+
+    Warns
+    -----
+    ResolutionWarning
+        Layers that yield have no whole number of deeper cells: the errors tell nothing of depth.
     """
     from .cases import Case
     from .simulation import Simulation
@@ -157,6 +164,7 @@ def estimated(
 ) -> GridErrors:
     """The same by a solve of the coarser simulation and its path that the caller keeps."""
     coarse = half_resolution.coarser(run, states[0]._heat)
+    _warn_of_depth(run.grid, coarse.grid)
     steps, which = half_resolution.coarser_path(path, run.grid)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of a grid that is not the user's
@@ -179,6 +187,17 @@ def estimated(
     if not callable(run._surfaces.gap) and np.isfinite(run.initial_gap).all():
         beyond = half_resolution.slope_beyond(run.initial_gap, run.grid.dx, run.grid.dy)
     return GridErrors(values, errors, list(states), beyond)
+
+
+def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
+    """Warn of errors that tell nothing of the depth of the cells."""
+    if grid.dz is not None and coarse.dz == grid.dz:
+        warnings.warn(
+            f"the errors hold nothing of the depth of the cells, dz = {quantity(grid.dz, 'm')}: "
+            "the layers that yield have no whole number of deeper ones; with half of dz they would",
+            ResolutionWarning,
+            stacklevel=3,
+        )
 
 
 def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:

@@ -13,11 +13,13 @@ import scipy
 from numpy.typing import ArrayLike
 
 from ._checks import FloatArray, finite_array
+from .layered import Layered
 from .relief import Relief
 
 if TYPE_CHECKING:
     from .grid import Grid
     from .heat import Heat
+    from .layered import Body
     from .simulation import Simulation
 
 __all__ = ["coarser", "coarser_grid", "coarser_path", "slope_beyond"]
@@ -28,6 +30,7 @@ Path = Sequence[Mapping[str, Any]]
 def coarser(simulation: Simulation, heat: Heat) -> Simulation:
     """The same simulation, at its start with this heat, over cells twice as long, wide and deep.
 
+    Where layers yield, cells are as deep as fits them: two to three times as deep, or as before.
     Surfaces that are functions of a grid are those of the coarser one; heights that are known on
     one grid only are averaged over its cells (of a smooth paraboloid, interpolated).
 
@@ -38,7 +41,8 @@ def coarser(simulation: Simulation, heat: Heat) -> Simulation:
         odd number of rows.
     """
     window = simulation._window
-    grid, surfaces = coarser_grid(window.grid), simulation._surfaces
+    bodies = simulation.body1, simulation.body2
+    grid, surfaces = coarser_grid(window.grid, bodies), simulation._surfaces
     gap: Any = surfaces.gap
     if not callable(gap):
         gap = _gap(simulation, grid)
@@ -59,9 +63,12 @@ def remade(simulation: Simulation, **changes: Any) -> Simulation:
     return Simulation(**given | simulation._settings.arguments() | changes)
 
 
-def coarser_grid(grid: Grid) -> Grid:
-    """Cells twice as large, over no less; an odd number where there was one, so that what lay in
-    the middle of a cell does so again, or between two."""
+def coarser_grid(grid: Grid, bodies: Sequence[Body] = ()) -> Grid:
+    """Cells twice as large, over no less, between whose layers those of bodies end that yield.
+
+    An odd number where there was one, so that what lay in the middle of a cell does so again, or
+    between two.
+    """
     given: dict[str, Any] = {}
     for axis, n, d in zip("xy", (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True):
         if n == 1:  # a line contact
@@ -76,8 +83,21 @@ def coarser_grid(grid: Grid) -> Grid:
         elif half % 2 != n % 2:
             half += 1
         given |= {f"n{axis}": half, f"d{axis}": 2 * d}
-    dz = None if grid.dz is None else 2 * grid.dz
-    return replace(grid, **given, nz=math.ceil(grid.nz / 2), dz=dz)
+    if grid.dz is not None:
+        deeper = times_as_deep(grid.dz, bodies)
+        given |= {"nz": math.ceil(grid.nz / deeper), "dz": grid.dz * deeper}
+    return replace(grid, **given)
+
+
+def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
+    """How many times as deep coarser cells are: 2 or the least above it, of which all layers of
+    bodies that yield have a whole number; 1 where there is none."""
+    ends = [
+        round(float(depth) / dz) for body in bodies if isinstance(body, Layered) and body.is_plastic
+        for depth in body.interfaces
+    ]  # fmt: skip
+    part = math.gcd(*ends)
+    return part / (part // 2) if part > 1 else 1.0 if ends else 2.0
 
 
 def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int]]:

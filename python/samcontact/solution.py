@@ -200,11 +200,12 @@ def fits(solution: ContactSolution, grid: Grid) -> bool:
     return same and all(n >= 0 and n % 2 == 0 for n in more)
 
 
-def before_on(solution: ShearedSolution, grid: Grid) -> Before:
-    """Pressure, shear, gap and approach on a grid that fits; ValueError for others."""
+def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> Before:
+    """Pressure, shear, gap and approach on a grid that fits; ValueError, with the name of the
+    argument, for others."""
     if not fits(solution, grid):
         raise ValueError(
-            f"previous must be a solution on the same cells, got one on {solution.grid!r} for "
+            f"{name} must be a solution on the same cells, got one on {solution.grid!r} for "
             f"{grid!r}"
         )
     margins = [

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Loads that are found are those of closed forms, and a run with them gives what was asked for."""
 
+import re
+import sys
+
 import pytest
 
 import samcontact as sc
@@ -8,6 +11,11 @@ from case_texts import MINIMAL
 from command import check_failure, invoke
 from samcontact import _certified
 from samcontact.cases import parse_case
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 STEEL = sc.Material.elastic(210e9, 0.3)
 SOFT = sc.Material.perfect_plastic(210e9, 0.3, 1.5e9)
@@ -79,7 +87,7 @@ def test_permanent_deformation_needs_a_body_that_yields():
 def test_what_is_not_reached_is_refused_with_the_largest_value():
     hertz = sc.hertz.point(R, E_STAR, load=300.0)
     with pytest.raises(ValueError, match=r"is not reached: the largest is (\S+) at 300 N") as error:
-        sc.find_load(ball, "max_pressure", 1e10, largest_load=300.0)
+        sc.find_load(ball, "max_pressure", 1.5 * hertz.p0, largest_load=300.0)
     assert float(str(error.value).split("largest is ")[1].split()[0]) == pytest.approx(
         hertz.p0, rel=0.02
     )
@@ -100,7 +108,9 @@ def test_loads_without_a_solution_end_the_search_at_what_has_one():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"quantity": "max_presure", "value": 1e9}, "quantity must be one of approach"),
+        ({"quantity": "max_presure", "value": 1e9}, r"got 'max_presure': did you mean max_press"),
+        ({"quantity": "x" * 1000, "value": 1e9}, r"one of approach.{9,300}got '.{9,90}$"),
+        ({"quantity": "print_depth_body1", "value": 1e9}, "that the bodies and the grid have"),
         ({"quantity": "max_pressure", "value": -1.0}, "value must be"),
         ({"quantity": "approach", "value": 1e-6, "tolerance": 0.5}, "tolerance must be in"),
         ({"quantity": "approach", "value": 1e-6, "largest_load": None}, "largest_load must be"),
@@ -109,6 +119,52 @@ def test_loads_without_a_solution_end_the_search_at_what_has_one():
 def test_bad_targets_are_refused(arguments, message):
     with pytest.raises(ValueError, match=message):
         sc.find_load(ball, **{"largest_load": 300.0} | arguments)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "value", "message"),
+    [
+        ("permanent_deformation", 1.2, "1.2 µm is 1.2e-06 m"),
+        ("approach", 5.0, "5 µm is 5e-06 m"),
+        ("max_pressure", 2.0, "less than a cell; values are in SI units: 2 GPa is 2e.09 Pa"),
+        ("max_pressure", 2e12, "is not reached: at 1000 N it is less than"),
+        ("contact_area", 0.1, "0.1 mm² is 1e-07 m²"),
+        ("contact_area", 1e-12, "one cell has 400 µm²"),
+        ("max_von_mises", 1e12, "is not reached"),
+        ("max_plastic_strain", 2.0, "2 % is 0.02"),
+        ("yield", 1e3, "is not reached"),
+    ],
+)
+def test_what_no_load_reaches_is_refused_before_a_solve(quantity, value, message, monkeypatch):
+    monkeypatch.setattr(sc.Simulation, "run", None)
+    with pytest.raises(ValueError, match=message):
+        sc.find_load(ball, quantity, value, largest_load=1000.0)
+
+
+def test_the_yield_stress_bounds_the_stress_of_a_body_that_flows():
+    assert sc.find_load(ball, "max_von_mises", 1.4e9, largest_load=1000.0).load > 100
+    with pytest.raises(ValueError, match="yield stress at a plastic strain of 1"):
+        sc.find_load(ball, "max_von_mises", 1.6e9, largest_load=1000.0)
+
+
+def test_a_case_is_given_in_any_form(tmp_path):
+    """And each load is told once."""
+    file = tmp_path / "case.toml"
+    file.write_text(MINIMAL, encoding="utf-8")
+    given = (parse_case(MINIMAL), file, str(file), tomllib.loads(MINIMAL))
+    loads = {sc.find_load(g, "max_pressure", 2e9, progress=False).load for g in given}
+    assert len(loads) == 1
+    with pytest.raises(ValueError, match=r"case must be a case of one contact.*got a float"):
+        sc.find_load(1.0, "max_pressure", 2e9)
+
+
+def test_each_load_is_told_once_in_a_sentence(capsys):
+    sc.find_load(ball, "yield", 1.0, largest_load=1000.0)
+    lines = [line for line in capsys.readouterr().err.splitlines() if line.startswith("tried")]
+    assert len(lines) == len(set(lines)) > 2
+    assert all(
+        re.fullmatch(r"tried \S+ k?N on .*: .* \S+, of 1 that are asked for", o) for o in lines
+    )
 
 
 def test_the_command_finds_and_refuses(tmp_path):
@@ -121,5 +177,8 @@ def test_the_command_finds_and_refuses(tmp_path):
     assert outcome.exit_code == 0
     assert "permanent deformation" in outcome.stdout
     check_failure(invoke("find", file, "max_pressure"), 2, "must have a value")
-    refused = invoke("find", file, "max_pressure=9e10", "--largest-load", "700", "--quiet")
+    check_failure(invoke("find", file, "max_presure=abc"), 2, "did you mean max_pressure")
+    check_failure(invoke("find", file, "=4 GPa"), 2, "must name a quantity")
+    check_failure(invoke("find", file, "yield=abc"), 2, "value of yield", "a number without a unit")
+    refused = invoke("find", file, "max_pressure=5e9", "--largest-load", "700", "--quiet")
     check_failure(refused, 2, "the largest is")

@@ -131,6 +131,13 @@ def test_going_on_from_a_checkpoint_gives_the_same(worn, tmp_path):
         frets(**(more | {"repeats": 5}), cycles=4)
 
 
+def test_a_gap_may_be_a_function_of_the_grid(worn):
+    made = frets(
+        lambda grid: sc.surfaces.paraboloid(grid, RADIUS), energy=(1e-14, 3e-14), repeats=10000
+    )
+    np.testing.assert_array_equal(made.profile(), worn.profile())
+
+
 def test_dataset_and_report(worn, tmp_path):
     data = worn.to_dataset()
     assert {v.attrs["units"] for v in data.data_vars.values()} == {"m3", "m", "m2", "J", "Pa", "1"}

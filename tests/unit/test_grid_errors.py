@@ -2,6 +2,7 @@
 """Errors by the cells of a grid, from cells twice as large, are those against the truth."""
 
 import math
+import warnings
 
 import numpy as np
 import pytest
@@ -126,6 +127,23 @@ def test_errors_that_nobody_wants_or_that_cannot_be_estimated(tmp_path):
     assert "not estimated" not in told
     told, _ = run(tmp_path, elastic.replace("ny = 13", 'ny = 14\nperiodic = "y"'))
     assert "errors of the grid are not estimated: ny must be a multiple of 4" in told
+
+
+@pytest.mark.parametrize(("ends", "deeper"), [((2,), 2), ((3,), 3), ((5, 15), 2.5), ((3, 4), 1)])
+def test_layers_that_yield_end_between_the_coarser_cells_too(ends, deeper):
+    """Where they have a whole number of deeper ones; else the errors tell nothing of depth."""
+    soft, dz = sc.Material.perfect_plastic(210e9, 0.3, 1.5e9), 10e-6
+    thicknesses = np.diff([0, *ends]) * dz
+    body = sc.Layered([(soft, thickness) for thickness in thicknesses], soft)
+    grid = sc.Grid(28, 28, 25e-6, 25e-6, dz=dz)
+    run = sc.Simulation(grid, STEEL, body, sc.surfaces.paraboloid(grid, R))
+    assert half_resolution.coarser(run, run.heat).grid.dz == pytest.approx(deeper * dz)
+    path = [{"load": 250.0}]
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        found = sc.estimate_errors(run, path, run.run(path, progress=False))
+    assert np.isfinite(found.errors["print_depth_body2"]).all()
+    assert any("nothing of the depth" in str(w.message) for w in told) == (deeper == 1)
 
 
 def test_what_a_rough_surface_has_beyond_its_grid_is_told(tmp_path):

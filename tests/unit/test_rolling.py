@@ -135,6 +135,8 @@ def test_steady_rolling_is_what_steps_end_in(bodies):
         {"tangential_load": (0.95 * MU * LOAD, 0.0)},
         {"tangential_load": (None, 0.0), "spin": 2e-3},
         {"tangential_load": (0.05, -0.05), "torque": 0.05},
+        {"tangential_load": (None, 0.01), "torque": -0.02},
+        {"tangential_load": (0.999 * MU * LOAD, None)},
     ],
 )
 def test_creepages_follow_from_forces(forces):
@@ -150,12 +152,122 @@ def test_creepages_follow_from_forces(forces):
     assert warm.creepage == pytest.approx(found.creepage, rel=1e-6, abs=1e-10)
 
 
+def rollers(mu, pair, n=64, **options):
+    """In plane strain, of a radius of 25 mm together, under 16 kN/m."""
+    grid = sc.Grid(n, 1, 240e-6 / n, 1.0, periodic="y")
+    return {
+        "grid": grid, "body1": pair[0], "body2": pair[1], "friction": sc.Coulomb(mu),
+        "gap": sc.surfaces.paraboloid(grid, 25e-3, math.inf), "load": 16e3, **options,
+    }  # fmt: skip
+
+
+def of_shear_modulus(G, nu):
+    return sc.Material.elastic(2 * G * (1 + nu), nu)
+
+
+STEEL = of_shear_modulus(82e9, 0.28)
+UNLIKE = (of_shear_modulus(23e9, 0.31), STEEL)
+RIGID = (sc.Material.rigid(), of_shear_modulus(23e9, 0.31))
+
+
+@pytest.mark.parametrize("part", [0.1, 0.5, -0.9, 0.999])
+def test_rollers_in_plane_strain_are_those_of_carter(part):
+    """Carter (1926): xi = mu a/R (1 - sqrt(1 - F/(mu P))); Johnson (1985), equation 8.50."""
+    mu = 0.3
+    E_star = STEEL.E / (2 * (1 - STEEL.nu**2))
+    a = math.sqrt(4 * 16e3 * 25e-3 / (math.pi * E_star))
+    carter = math.copysign(mu * a / 25e-3 * (1 - math.sqrt(1 - abs(part))), part)
+    drive = {"tangential_load": (part * mu * 16e3, None)}
+    found = sc.rolling.steady(**rollers(mu, (STEEL, STEEL), 2048), **drive)
+    assert found.creepage[0] == pytest.approx(carter, rel=1e-3)
+
+
+def test_plane_strain_is_the_same_for_any_number_of_rows():
+    one = rollers(0.3, UNLIKE)
+    grid = sc.Grid(64, 4, one["grid"].dx, 0.25, periodic="y")
+    four = one | {"grid": grid, "gap": sc.surfaces.paraboloid(grid, 25e-3, math.inf)}
+    drive = {"tangential_load": (1e3, 2e3), "tol": 1e-10}
+    single, several = (sc.rolling.steady(**scene, **drive) for scene in (one, four))
+    assert several.creepage == pytest.approx(single.creepage, rel=1e-7)
+    assert np.abs(several.shear - single.shear).max() < 1e-7 * np.abs(single.shear).max()
+
+
+@pytest.mark.parametrize("across", [None, 0.0])
+def test_rollers_of_unlike_bodies_as_another_program_prints_them(across):
+    """CONTACT's example of Bentall & Johnson's rollers, its cases 2, 4, 5 and 6; x is reversed."""
+    grid = sc.Grid(216, 1, 1e-6, 1.0)
+    gap, load = sc.surfaces.paraboloid(grid, 25e-3, math.inf), 16201.9
+    for mu, part, printed in (
+        (1e-4, 0.0, 5.260e-4), (0.05, 0.0, 4.294e-4), (0.05, 0.75, 2.108e-4),
+        (0.05, -0.75, 5.392e-4),
+    ):  # fmt: skip
+        with pytest.warns(sc.GridTooSmallWarning):
+            found = sc.rolling.steady(
+                grid, *UNLIKE, gap, load=load, friction=sc.Coulomb(mu),
+                tangential_load=(part * mu * load, across), on_border="warn",
+            )  # fmt: skip
+        assert -found.creepage[0] == pytest.approx(printed, abs=1.5e-7)
+        assert found.tangential_applications < 1000
+
+
+@pytest.mark.parametrize("pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "unlike", "rigid"])
+@pytest.mark.parametrize("mu", [1e-4, 0.05, 0.6])
+def test_forces_are_found_wherever_the_search_begins(pair, mu):
+    """From nothing, and from where everything slides, up to the largest force and down to none."""
+    scene, most = rollers(mu, pair), mu * 16e3
+    sliding = sc.rolling.steady(**scene, creepage=(0.01, 0.0))
+    assert not sliding.sticking.any()
+    for part in (0.0, 1e-6, -0.5, 0.9999):
+        drive = {"tangential_load": (part * most, None)}
+        found = sc.rolling.steady(**scene, **drive)
+        assert found.tangential_load[0] == pytest.approx(part * most, abs=1e-7 * most)
+        require_law(found, mu)
+        again = sc.rolling.steady(**scene, creepage=found.creepage)
+        assert again.tangential_load[0] == pytest.approx(part * most, abs=1e-5 * most)
+        warm = sc.rolling.steady(**scene, **drive, start=sliding)
+        assert warm.creepage[0] == pytest.approx(found.creepage[0], rel=1e-5, abs=1e-9)
+
+
+@pytest.mark.parametrize("pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "unlike", "rigid"])
+@pytest.mark.parametrize("mu", [1e-4, 0.05])
+def test_increments_find_forces_from_where_everything_slides(pair, mu):
+    scene, most = rollers(mu, pair), mu * 16e3
+    grid = scene.pop("grid")
+    solver = sc.ContactSolver(grid, scene["body1"], scene["body2"], scene["friction"])
+    sliding = solver.solve(scene["gap"], load=16e3, shift=(1e-4, 0.0))
+    assert not sliding.sticking.any()
+    for part in (0.0, 0.5, 0.99, -0.9):
+        found = sliding
+        for _ in range(2):
+            found = solver.solve(
+                scene["gap"], load=16e3, tangential_load=(part * most, None), previous=found,
+                advance=(-grid.dx, -grid.dx),
+            )  # fmt: skip
+            assert found.tangential_load[0] == pytest.approx(part * most, abs=1e-6 * most)
+            assert (np.hypot(*found.shear) <= mu * found.pressure * (1 + 1e-9)).all()
+
+
 def test_what_no_contact_can_do_is_told():
     grid, gap = wheel(24)
-    with pytest.raises(ValueError, match="tangential_load must be less than"):
+    with pytest.raises(
+        ValueError, match=r"tangential_load must be shorter .*give the motion .creepage"
+    ):
         roll(grid, gap, tangential_load=(1.1 * MU * LOAD, 0.0))
+    with pytest.raises(ValueError, match=r"torque must be smaller than .*give the motion .spin"):
+        roll(grid, gap, torque=1.0)
+    with pytest.raises(ValueError, match="must be held by friction together"):
+        roll(grid, gap, tangential_load=(0.9 * MU * LOAD, 0.0), torque=0.3)
+    with pytest.raises(ValueError, match="start must be a solution on the same cells"):
+        roll(grid, gap, creepage=(0.0, 0.0), start=roll(*wheel(20), creepage=(0.0, 0.0)))
     with pytest.raises(ValueError, match="creepage and tangential_load along x"):
         roll(grid, gap, creepage=(1e-3, 0.0), tangential_load=(0.1, None))
+    for periodic, drive, message in (
+        ("x", {"creepage": (0.0, 0.0)}, "must be '' or 'y'"),
+        ("y", {"creepage": (0.0, 0.0), "spin": 1.0}, "spin must be left out"),
+        ("y", {"torque": 0.0}, "torque must be left out"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            roll(sc.Grid(24, 24, grid.dx, grid.dy, periodic=periodic), gap, **drive)
     with pytest.raises(TypeError, match="friction"):
         sc.rolling.steady(grid, BODY, BODY, gap, load=LOAD, friction=0.3)
     solver = sc.ContactSolver(grid, BODY, BODY, sc.Coulomb(MU))

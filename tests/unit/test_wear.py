@@ -19,7 +19,8 @@ PATH = [{"load": 5.0}, {"load": 0.0}]
 def wearing(grid=GRID, **changes):
     """A ball of 0.4 mm under a load at which the surface wears."""
     given = {"cycle": PATH, "threshold": 2e-3, "cycles": 3, "window": 7, "friction": 0.4}
-    return wear.run(grid, ELASTIC, STEEL, GAP, progress=False, **(given | changes))
+    gap = changes.pop("gap", GAP)
+    return wear.run(grid, ELASTIC, STEEL, gap, progress=False, **(given | changes))
 
 
 @pytest.fixture(scope="module")
@@ -39,6 +40,19 @@ def test_plastic_flow_below_the_threshold_wears_nothing():
     result = wearing(threshold=0.04, cycle=[{"load": 6.0}, {"load": 0.0}])
     assert result.stopped
     assert 1e-3 < result.cycles[0].surface_strain[0] <= 0.04
+
+
+def test_surfaces_may_be_functions_of_the_grid():
+    """As in a simulation; not of another grid than the one that is given."""
+    relief = sc.relief.Relief(1e-8 * np.cos(np.arange(29.0 * 27)).reshape(29, 27))
+    fixed = wearing(cycles=1, relief1=relief)
+    made = wearing(
+        cycles=1, gap=lambda grid: sc.surfaces.paraboloid(grid, 4e-4), relief1=lambda _: relief
+    )
+    assert made.cycles == fixed.cycles
+    np.testing.assert_array_equal(made.relief2.heights, fixed.relief2.heights)
+    with pytest.raises(ValueError, match="gap must have shape"):
+        wearing(gap=lambda grid: np.zeros((3, 3)))
 
 
 def test_volume_lost_is_volume_removed(worn):

@@ -9,6 +9,7 @@
 
 #include "samcontact/contact/anderson.hpp"
 #include "samcontact/contact/first_touch.hpp"
+#include "samcontact/contact/held_forces.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -29,8 +30,6 @@ constexpr double on_circle = 1 - 1e-9;
 /// Friction of unlike bodies beyond which an increment may have no solution. A cell whose shear
 /// lifts it is pulled where it sticks, and overlaps where it is free.
 constexpr double always_solved = 2;
-/// A force this close to the largest has no definite motion.
-constexpr double least_margin = 1e-8;
 
 operators::SurfaceInfluence frictionless(const operators::SharedMedium& body1,
                                          const operators::SharedMedium& body2) {
@@ -50,33 +49,6 @@ void require_vectors(const Field& field, const Grid& grid, const std::string& na
   }
   require(std::all_of(field.begin(), field.end(), [](double s) { return std::isfinite(s); }), name,
           "finite everywhere", NAN);
-}
-
-double force_of(const Given& given) { return given.is_force() ? given.value : 0.0; }
-
-constexpr const char* beyond =
-    ", the largest that friction holds; at it everything slides and the motion is not determined "
-    "by "
-    "the force: give the motion (";
-
-/// Throws where no shear has the force. most: friction times the load [N].
-void require_held(const TangentialDrive& drive, double most) {
-  const double force = std::hypot(force_of(drive[0]), force_of(drive[1]));
-  require(
-      force == 0 || force < most * (1 - least_margin), "tangential_load",
-      "shorter than friction times the load, " + to_text(most) + " N" + beyond + "shift) instead",
-      force);
-}
-
-/// The same under a pressure, of the torque too.
-void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
-                  double friction) {
-  if (std::isinf(friction)) return;
-  const LargestForces most = largest_forces(grid, pressure, friction);
-  require_held(drive, most.along);
-  const double torque = force_of(drive[2]);
-  require(torque == 0 || std::fabs(torque) < most.torque * (1 - least_margin), "torque",
-          "smaller than " + to_text(most.torque) + " N m" + beyond + "twist) instead", torque);
 }
 
 }  // namespace
@@ -152,7 +124,8 @@ class CoulombContact::Sweeps {
     s_.normal.iterations += before.iterations;
     s_.normal.operator_applications += before.operator_applications;
     s_.normal.work += before.work;
-    require_held(contact_.grid_, tangential_, s_.normal.tractions.pressure, contact_.friction_);
+    require_held(contact_.grid_, tangential_, s_.normal.tractions.pressure, contact_.friction_,
+                 rolls_ ? rolling_motions : increment_motions);
   }
 
   /// What a displacement loses from the cell ahead, per way.
@@ -359,7 +332,7 @@ CoulombSolution CoulombContact::solve(const Field& gap, Given normal,
   require_contact(gap, normal, before);
   if (!start.pressure.empty()) require_surface(start.pressure, grid_, "initial_pressure");
   if (normal.is_force() && !std::isinf(friction_)) {
-    require_held(tangential, friction_ * normal.value);
+    require_held(tangential, friction_ * normal.value, increment_motions);
   }
   Field pressure = start.pressure.empty() ? before.pressure : start.pressure;
   pressure.resize(gap.size(), 0.0);
@@ -369,18 +342,18 @@ CoulombSolution CoulombContact::solve(const Field& gap, Given normal,
 }
 
 CoulombSolution CoulombContact::roll(const Field& gap, Given normal,
-                                     const std::array<double, 3>& creepage,
-                                     const ContactHistory& start,
+                                     const TangentialDrive& creepage, const CoulombStart& start,
                                      const ContactSettings& settings) const {
-  require_contact(gap, normal, start);
-  const TangentialDrive drive{Given::motion(creepage[0]), Given::motion(creepage[1]),
-                              Given::motion(creepage[2])};
+  require_contact(gap, normal, {start.pressure, start.shear, {}});
+  if (normal.is_force() && !std::isinf(friction_)) {
+    require_held(creepage, friction_ * normal.value, rolling_motions);
+  }
   const ContactHistory none;
-  CoulombStart begin{.pressure = start.pressure};
+  CoulombStart begin = start;
   begin.pressure.resize(gap.size(), 0.0);
   // No shear to start from: coarser boxes first.
-  if (!start.shear.empty() && longest(start.shear) > 0) begin.shear = start.shear;
-  Sweeps sweeps(*this, gap, normal, drive, none, settings, true);
+  if (!begin.shear.empty() && !(longest(begin.shear) > 0)) begin.shear.clear();
+  Sweeps sweeps(*this, gap, normal, creepage, none, settings, true);
   return finished(sweeps.run(begin.pressure, begin), normal, settings);
 }
 

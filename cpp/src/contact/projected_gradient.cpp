@@ -14,13 +14,20 @@ namespace {
 constexpr int power_steps = 8;
 /// Power iteration ends below the largest eigenvalue.
 constexpr double safety = 1.2;
-constexpr int most_projection_steps = 60;
+constexpr int most_projection_steps = 60, most_lengths = 60;
+/// A length is taken where this share of the forces' power is left, on either side.
+constexpr double too_short = 0.5, too_long = 0.1;
 constexpr double projection_tol = 1e-14;
 /// Of all force that the bounds allow: as far as the present multipliers may be wrong where all
 /// cells are at their bound.
 constexpr double regularisation = 1e-12;
 
 using Vector = Eigen::VectorXd;
+
+Field moved_by(const ShearProblem& problem, const Vector& c, Field v) {
+  for (int k = 0; k < c.size(); ++k) add_motion(problem, k, c[k], v);
+  return v;
+}
 
 /// v + sum of c_k direction_k, cut at the bounds, and the forces that it misses.
 struct Trial {
@@ -29,11 +36,10 @@ struct Trial {
 };
 
 Trial trial_of(const ShearProblem& problem, const Field& v, const Vector& c) {
-  Trial trial{v, Vector(c.size())};
-  for (int k = 0; k < c.size(); ++k) add_motion(problem, k, c[k], trial.shear);
+  Trial trial{moved_by(problem, c, v), Vector(c.size())};
   cut_to_bound(problem.bound, trial.shear);
   for (int k = 0; k < c.size(); ++k) {
-    trial.missing[k] = problem.modes[k].target - dot(problem.modes[k].direction, trial.shear);
+    trial.missing[k] = problem.modes[k].missing(trial.shear);
   }
   return trial;
 }
@@ -42,8 +48,7 @@ Trial trial_of(const ShearProblem& problem, const Field& v, const Vector& c) {
 Eigen::MatrixXd stiffness_of(const ShearProblem& problem, const Field& v, const Vector& c) {
   const int count = static_cast<int>(c.size());
   const std::size_t m = problem.size();
-  Field raw = v;
-  for (int k = 0; k < count; ++k) add_motion(problem, k, c[k], raw);
+  const Field raw = moved_by(problem, c, v);
   std::vector<Field> moved(count, Field(2 * m, 0.0));
   for (int k = 0; k < count; ++k) add_motion(problem, k, 1.0, moved[k]);
   Eigen::MatrixXd matrix(count, count);
@@ -81,6 +86,37 @@ double largest_eigenvalue(const ShearProblem& problem, ShearApplier& operators) 
   return safety * value;
 }
 
+double longest_motion(const ShearProblem& problem, const Vector& c) {
+  return std::max(longest(moved_by(problem, c, Field(2 * problem.size(), 0.0))), 1e-300);
+}
+
+/// As far as takes every cell across its bound: where all are cut there is no other measure.
+double across(const ShearProblem& problem, const Field& v, const Vector& c) {
+  return 2 * (longest(moved_by(problem, c, v)) +
+              *std::max_element(problem.bound.begin(), problem.bound.end()));
+}
+
+/// Goes along a step to where what is missing has hardly a part along it: of a convex function the
+/// slope only grows. False where that is nowhere.
+bool advance(const ShearProblem& problem, const Field& v, const Vector& step, Vector& c,
+             Trial& trial) {
+  const double first = trial.missing.dot(step);
+  if (!(first > 0)) return false;
+  double shortest = 0.0, furthest = INFINITY, length = 1.0;
+  for (int n = 0; n < most_lengths; ++n) {
+    Trial next = trial_of(problem, v, c + length * step);
+    const double left = next.missing.dot(step);
+    if (left <= too_short * first && left >= -too_long * first) {
+      c += length * step;
+      trial = std::move(next);
+      return true;
+    }
+    (left > 0 ? shortest : furthest) = length;
+    length = std::isinf(furthest) ? 4 * length : 0.5 * (shortest + furthest);
+  }
+  return false;
+}
+
 }  // namespace
 
 bool project(const ShearProblem& problem, Field& v, std::vector<double>& multipliers) {
@@ -101,16 +137,9 @@ bool project(const ShearProblem& problem, Field& v, std::vector<double>& multipl
     return sum;
   };
   for (int n = 0; n < most_projection_steps && scaled(trial.missing) > projection_tol; ++n) {
-    const Vector step = stiffness_of(problem, v, c).fullPivLu().solve(trial.missing);
-    double length = 1.0;
-    Trial next = trial_of(problem, v, c + step);
-    while (scaled(next.missing) > (1 - 0.1 * length) * scaled(trial.missing) && length > 1e-3) {
-      length *= 0.5;
-      next = trial_of(problem, v, c + length * step);
-    }
-    if (scaled(next.missing) >= scaled(trial.missing)) break;  // rounding, or impossible forces
-    c += length * step;
-    trial = std::move(next);
+    Vector step = stiffness_of(problem, v, c).fullPivLu().solve(trial.missing);
+    step *= std::min(1.0, across(problem, v, c) / longest_motion(problem, step));
+    if (!advance(problem, v, step, c, trial)) break;  // rounding, or impossible forces
   }
   for (int k = 0; k < count; ++k) multipliers[k] = c[k];
   v = std::move(trial.shear);

@@ -69,6 +69,8 @@ bool gives_way_to_uniform_shear(const Grid& box,
   return longest(shear) < rounding * displacement.self_influence();
 }
 
+double ShearProblem::Mode::missing(const Field& shear) const { return target - dot(arms(), shear); }
+
 double dot(const Field& a, const Field& b) { return ordered_dot(a.data(), b.data(), a.size()); }
 
 double longest(const Field& v) {
@@ -126,11 +128,11 @@ double natural_residual(const ShearProblem& problem, const Field& shear, const F
   const double scale = shear_scale(problem, shear, slip);
   double error = std::sqrt(furthest) / scale;
   for (const ShearProblem::Mode& mode : problem.modes) {
-    const Field& direction = mode.direction;
+    const Field& arms = mode.arms();
     const double possible = ordered_sum(2 * m, [&](std::size_t i) {
-      return std::fabs(direction[i]) * std::min(problem.bound[i < m ? i : i - m], scale);
+      return std::fabs(arms[i]) * std::min(problem.bound[i < m ? i : i - m], scale);
     });
-    error = std::max(error, std::fabs(mode.target - dot(direction, shear)) / possible);
+    error = std::max(error, std::fabs(mode.missing(shear)) / possible);
   }
   return error;
 }

@@ -158,6 +158,17 @@ void ShearSolver::Level::let_roll(ShearProblem& problem) const {
   // What a whole contact slips while it goes through one, it slips by cells.
   const auto rows = problem.cells.back() / box_.ny - problem.cells.front() / box_.ny + 1;
   problem.stiffness *= 0.5 * static_cast<double>(rows);
+  // A unit motion slips by a cell while the contact rolls by one; moments are about the origin.
+  const std::size_t m = problem.size();
+  for (ShearProblem::Mode& mode : problem.modes) {
+    mode.own_arms = mode.direction;
+    for (std::size_t c = m; c < 2 * m && mode.axis == 2; ++c) {
+      mode.own_arms[c] -= spin_lead * box_.dx;
+    }
+    for (double& slip : mode.direction) slip *= box_.dx;
+    for (double& arm : mode.own_arms) arm *= box_.dx;
+    mode.target *= box_.dx;
+  }
 }
 
 BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, double friction,

@@ -65,10 +65,26 @@ ShearResult SlipIteration::run(double tol, int most_steps) {
     // The first leaves a start whose sets are wrong. Later ones that gain little are not the last.
     gains_little_ = gains_little_ || (in_vain > 0 && r_.steps > 1);
     choose_sets();
+    // Else no step brings the forces nearer.
+    if (!forces_follow()) stick_everywhere();
     step(tol);
   }
   finish();
   return std::move(r_);
+}
+
+bool SlipIteration::forces_follow() const {
+  for (const ShearProblem::Mode& mode : problem_.modes) {
+    Field free = mode.direction;
+    project_free(free);
+    if (!(dot(free, free) > decisive * dot(mode.direction, mode.direction))) return false;
+  }
+  return true;
+}
+
+void SlipIteration::stick_everywhere() {
+  std::fill(r_.slipping.begin(), r_.slipping.end(), 0);
+  std::fill(lambda_.begin(), lambda_.end(), 0.0);
 }
 
 void SlipIteration::take_slipping() {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/contact/steady_rolling.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/contact/gmres.hpp"
@@ -28,7 +30,8 @@ class SteadyRolling : public SlipIteration {
       : SlipIteration(problem, operators, std::move(start),
                       problem.operators->displacement.self_influence() -
                           problem.operators->displacement.neighbour_influence()),
-        ahead_(2 * problem.carried) {
+        ahead_(2 * problem.carried),
+        modes_(static_cast<int>(problem.modes.size())) {
     if (r_.slipping.empty()) take_slipping();
     slip_beyond_bound();
   }
@@ -37,6 +40,7 @@ class SteadyRolling : public SlipIteration {
   void evaluate() override {
     operators_.displacement(r_.shear, r_.slip);
     for (std::size_t i = 0; i < 2 * m_; ++i) r_.slip[i] = problem_.free_slip[i] - r_.slip[i];
+    for (int k = 0; k < modes_; ++k) add_scaled(r_.motion[k], mode(k).direction, r_.slip);
     take_normals();
     r_.error = natural_residual(problem_, r_.shear, r_.slip);
   }
@@ -44,13 +48,17 @@ class SteadyRolling : public SlipIteration {
   /// By half of the stiffness of a cell: sets that change less settle.
   void choose_sets() override { change_sides(0.5 / self_influence_); }
 
+  const ShearProblem::Mode& mode(int k) const { return problem_.modes[k]; }
   void step(double tol) override;
+  Field solved(Field right);
+  void meet_forces(Field& change);
   void precondition(const Field& r, Field& z);
   void sum_from_ahead(Field& v);
   void fall_back(double tol) override;
   void roll_by(int cells, int times);
 
   Field ahead_;
+  const int modes_;
 };
 
 /// (1 - T)^-1, nothing being displaced ahead of the contact.
@@ -82,13 +90,37 @@ void SteadyRolling::precondition(const Field& r, Field& z) {
 }
 
 void SteadyRolling::step(double) {
-  Field residual = r_.slip, change;
-  project_free(residual);
-  r_.iterations += gmres([&](const Field& v, Field& out) { apply(v, out); },
-                         [&](const Field& v, Field& out) { precondition(v, out); }, residual,
-                         linear_gain, most_linear_steps, change);
+  Field change = solved(r_.slip);
+  if (modes_ > 0) meet_forces(change);
   add_scaled(1.0, change, r_.shear);
   slip_beyond_bound();
+}
+
+/// The shear of the cells that are free whose slip is this.
+Field SteadyRolling::solved(Field right) {
+  Field change;
+  project_free(right);
+  r_.iterations += gmres([&](const Field& v, Field& out) { apply(v, out); },
+                         [&](const Field& v, Field& out) { precondition(v, out); }, right,
+                         linear_gain, most_linear_steps, change);
+  return change;
+}
+
+/// Adds to a change of the shear what goes with the motions that bring the forces to their values.
+void SteadyRolling::meet_forces(Field& change) {
+  std::vector<Field> shears;
+  Eigen::MatrixXd slopes(modes_, modes_);
+  Eigen::VectorXd missing(modes_);
+  for (int k = 0; k < modes_; ++k) shears.push_back(solved(mode(k).direction));
+  for (int k = 0; k < modes_; ++k) {
+    missing[k] = mode(k).missing(r_.shear) - dot(mode(k).arms(), change);
+    for (int l = 0; l < modes_; ++l) slopes(k, l) = dot(mode(k).arms(), shears[l]);
+  }
+  const Eigen::VectorXd motion = slopes.colPivHouseholderQr().solve(missing);
+  for (int k = 0; k < modes_; ++k) {
+    r_.motion[k] += motion[k];
+    add_scaled(motion[k], shears[k], change);
+  }
 }
 
 void SteadyRolling::fall_back(double) {
@@ -101,11 +133,17 @@ void SteadyRolling::fall_back(double) {
   slip_beyond_bound();
 }
 
-/// Increments of a history: what an increment leaves is carried, and is slip or shear of the next.
+/// Increments of a history, until nothing changes: what an increment leaves is carried, and is slip
+/// or shear of the next.
 void SteadyRolling::roll_by(int cells, int times) {
   ShearProblem increment = problem_, carrying = problem_;
   increment.carried = 0;
   increment.stiffness = problem_.stiffness / cells;
+  for (ShearProblem::Mode& mode : increment.modes) {
+    mode.direction = std::exchange(mode.own_arms, {});
+    for (double& slip : mode.direction) slip *= cells;
+    mode.target *= cells;
+  }
   carrying.carried = cells * problem_.carried;
   ShearApplier own(increment), carrier(carrying);
   Field now(2 * m_), moved(2 * m_);
@@ -116,8 +154,15 @@ void SteadyRolling::roll_by(int cells, int times) {
     for (std::size_t i = 0; i < 2 * m_; ++i) {
       increment.free_slip[i] = cells * problem_.free_slip[i] + now[i] - moved[i];
     }
-    r_.shear =
-        solve_stick_slip(increment, own, {r_.shear, {}, {}}, marching_tol, marching_steps).shear;
+    Field before = r_.shear;
+    ShearResult next = solve_stick_slip(increment, own, {std::move(r_.shear), {}, r_.motion},
+                                        marching_tol, marching_steps);
+    add_scaled(-1.0, next.shear, before);
+    const bool is_steady =
+        longest(before) <= marching_tol * shear_scale(problem_, next.shear, next.slip);
+    r_.shear = std::move(next.shear);
+    r_.motion = std::move(next.motion);
+    if (is_steady) break;
   }
   operators_.count(own);
   operators_.count(carrier);

@@ -29,8 +29,6 @@ constexpr double patience = 3.0;
 constexpr int fallback_steps = 60, most_doublings = 5;
 /// Forces missed by more than this share of the bound are left to the linear solve.
 constexpr double largest_correction = 0.2;
-/// Directions in which the cells that are free make up this share of a motion decide it.
-constexpr double decisive = 1e-10;
 /// Slipping cells resist what is not so nearly across their shear.
 constexpr double across = 1e-8;
 
@@ -48,7 +46,7 @@ class StickSlip : public SlipIteration {
 
  private:
   const Field& direction(int k) const { return problem_.modes[k].direction; }
-  double missing(int k) const { return problem_.modes[k].target - dot(direction(k), r_.shear); }
+  double missing(int k) const { return problem_.modes[k].missing(r_.shear); }
   /// Slipping cells, and forces, of the start.
   void begin() {
     const bool told = !r_.slipping.empty();
@@ -149,11 +147,7 @@ class StickSlip : public SlipIteration {
     r_.error = natural_residual(problem_, r_.shear, r_.slip);
   }
 
-  void choose_sets() override {
-    change_sides(1 / self_influence_);
-    for_each_cell(
-        m_, [&](std::size_t i) { share_[i] = 1 / std::sqrt(1 + lambda_[i] / self_influence_); });
-  }
+  void choose_sets() override { change_sides(1 / self_influence_); }
 
   void precondition(const Field& r, Field& z) {
     z = r;
@@ -218,6 +212,8 @@ bool StickSlip::slide_as_a_whole(double tol) {
 
 void StickSlip::step(double tol) {
   if (slide_as_a_whole(tol)) return;
+  for_each_cell(
+      m_, [&](std::size_t i) { share_[i] = 1 / std::sqrt(1 + lambda_[i] / self_influence_); });
   const Projected set = projected([&](Field& v) { project_free(v); });
   Eigen::MatrixXd products = set.products;
   for (int k = 0; k < modes_; ++k) {

@@ -94,8 +94,11 @@ def searched(
     progress: bool = False,
 ) -> Search:
     """What `to_accuracy` does, before anything is solved."""
+    from ..cases.given import case_of_contact
+
     boolean("progress", progress)
-    known = _case(case, accuracy)
+    own = isinstance(case, Mapping) and "grid" not in case and accuracy is not None
+    known = case_of_contact("case", case, **({"accuracy": accuracy} if own else {}))
     scene = Refinable(known)
     asked = _asked(scene, known, accuracy, quantities)
     scene.accept(min(asked.values()))
@@ -105,25 +108,6 @@ def searched(
     if memory is None:
         memory = _memory.available() or math.inf
     return Search(scene, asked, memory, HOUR if limit is None else limit, progress)
-
-
-def _case(case: Case | str | Path | Mapping[str, Any], accuracy: Any) -> Case:
-    from ..cases import Case, load_case
-    from ..cases.case import validated
-
-    made: object = case
-    if isinstance(case, (str, Path)):
-        made = load_case(Path(case))
-    elif isinstance(case, Mapping):
-        given = accuracy is None or "grid" in case
-        asked = {} if given else {"accuracy": accuracy}
-        made = validated({"title": "to an accuracy", **case, **asked}, Path("case"))
-    if not isinstance(made, Case):
-        raise ValueError(
-            "case must be a case of one contact, a path of its file, or a dict, got "
-            f"{type(made).__name__}"
-        )
-    return made
 
 
 def _asked(

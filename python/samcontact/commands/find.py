@@ -34,20 +34,14 @@ def find(
     of the results of the case, and the same command goes on.
     """
     with short_errors():
-        from ..cases import load_case
-        from ..cases.tugging import TuggingCase
+        from ..cases.given import case_of_contact
         from ..find import searched
         from .tables import Sheet, new_console
 
-        case = load_case(case_file)
-        if isinstance(case, TuggingCase):
-            raise ValueError("a load is found of a contact, not of a case with [tugging]")
-        name, given, text = target.partition("=")
-        value = _value(name.strip(), text.strip()) if given else 1.0
-        if not given and name != "yield":
-            raise ValueError(f"QUANTITY=VALUE must have a value, got {in_short(target)}")
+        case = case_of_contact("CASE.toml", case_file)
+        name, value = _wanted(target)
         search = searched(
-            case, name.strip(), value, tolerance=tolerance, largest_load=largest_load,
+            case, name, value, tolerance=tolerance, largest_load=largest_load,
             progress=not quiet,
         )  # fmt: skip
         found = _found(case, search)
@@ -84,6 +78,24 @@ def _found(case: Case, search: Search) -> FoundLoad:
     return found
 
 
+def _wanted(target: str) -> tuple[str, float]:
+    """Name of a quantity, and its value in SI units."""
+    from .._load_scenes import YIELD, require_known
+
+    name, given, text = (part.strip() for part in target.partition("="))
+    if not name:
+        raise ValueError(
+            'QUANTITY=VALUE must name a quantity, e.g. "max_pressure=4 GPa", '
+            f"got {in_short(target)}"
+        )
+    require_known(name)
+    if not text and (given or name != YIELD):
+        raise ValueError(
+            f'QUANTITY=VALUE must have a value, e.g. "max_pressure=4 GPa", got {in_short(target)}'
+        )
+    return name, _value(name, text) if text else 1.0
+
+
 def _value(name: str, text: str) -> float:
     """In SI units, of a number or a text with a unit."""
     from .._load_scenes import PERMANENT, SYNONYMS
@@ -93,9 +105,11 @@ def _value(name: str, text: str) -> float:
     try:
         return float(text)
     except ValueError:
-        kind = SYNONYMS.get(name, name).partition("_body")[0]
+        kind = name.partition("_body")[0]
+        kind = SYNONYMS.get(kind, kind)
         unit = CONTACT[kind].unit if kind in CONTACT else "m" if kind == PERMANENT else "1"
         try:
             return from_text(text, {"m2": "m**2", "1": ""}.get(unit, unit))
         except ValueError as error:
-            raise ValueError(f"the value of {in_short(name)} {error}") from None
+            what = " (a number without a unit)" if unit == "1" else ""
+            raise ValueError(f"QUANTITY=VALUE: value of {name} {error}{what}") from None

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from .. import hertz, resolution
 from .._checks import FloatArray, boolean, integer
+from .._window import Surfaces
 from ..friction import Coulomb
 from ..grid import Grid
 from ..material import Material
@@ -44,7 +45,7 @@ def fretting(
     grid: Grid,
     body1: Material,
     body2: Material,
-    gap: ArrayLike,
+    gap: ArrayLike | Callable[[Grid], ArrayLike],
     *,
     cycle: Iterable[Mapping[str, Any]],
     friction: Coulomb,
@@ -52,8 +53,8 @@ def fretting(
     archard: float | Sequence[float] | None = None,
     cycles: int = 20,
     repeats: int = 1,
-    relief1: Relief | None = None,
-    relief2: Relief | None = None,
+    relief1: Relief | Callable[[Grid], Relief] | None = None,
+    relief2: Relief | Callable[[Grid], Relief] | None = None,
     checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = True,
     **settings: Any,
@@ -64,6 +65,8 @@ def fretting(
     ----------
     grid, body1, body2, gap, relief1, relief2
         As for `Simulation`; bodies that do not yield, and that stay where they are but for slip.
+        Surfaces that are functions are those on this grid, which does
+        not grow.
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``: load or
         approach, shift or tangential_load, twist or torque. It ends where it has been: steps up to
@@ -105,13 +108,12 @@ def fretting(
     scene = make_scene(
         grid,
         (body1, body2),
-        gap,
+        Surfaces(gap, relief1, relief2),
         cycle,
         friction,
         energy,
         archard,
         integer("repeats", repeats, 1),
-        (relief1, relief2),
         settings,
     )
     return repeat(FrettingResult, scene, _advance, count, checkpoint, progress)

@@ -8,12 +8,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from numpy.typing import ArrayLike
-
 from .._checks import (
     FloatArray,
     exactly_one,
-    finite_array,
     number,
     of_bodies,
     require_type,
@@ -21,11 +18,12 @@ from .._checks import (
 )
 from .._doubts import warn_of, wear_coefficient
 from .._short import in_short
+from .._window import Surfaces
 from ..friction import Coulomb, GivenAlong
 from ..grid import Grid
 from ..layered import require_homogeneous
 from ..material import Material
-from ..relief import Relief, relief_rows
+from ..relief import Relief
 from .checks import NO_WORN_LAYERS
 from .results import FrettingCycle
 
@@ -65,13 +63,12 @@ class FrettingScene:
 def make_scene(
     grid: Grid,
     bodies: tuple[Material, Material],
-    gap: ArrayLike,
+    given: Surfaces,
     cycle: Iterable[Mapping[str, Any]],
     friction: Coulomb,
     energy: float | Sequence[float] | None,
     archard: float | Sequence[float] | None,
     repeats: int,
-    reliefs: tuple[Relief | None, Relief | None],
     settings: dict[str, Any],
 ) -> FrettingScene:
     """Check everything but what `Simulation` checks itself."""
@@ -93,20 +90,19 @@ def make_scene(
     if not any(coefficients):
         raise ValueError(f"{law} must be above 0 for a body at least, got {coefficients!r}")
     warn_of(wear_coefficient(law, max(coefficients)), stacklevel=4)
-    for n, relief in enumerate(reliefs, 1):
-        relief_rows(f"relief{n}", relief, grid)
+    surfaces = given.over(grid)
     path = step_list("cycle", cycle, _TAKEN)
     closing(path)
     return FrettingScene(
         grid,
         bodies,
-        finite_array("gap", gap, grid.surface_shape),
+        surfaces.initial_gap,
         path,
         friction,
         law,
         coefficients,
         repeats,
-        reliefs,
+        surfaces.reliefs,
         settings,
     )
 

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .._checks import (
     FloatArray,
@@ -23,11 +22,12 @@ from .._checks import (
 from .._short import in_short
 from .._steps import STEP
 from .._told import SMALL_STRAIN
+from .._window import Surfaces
 from ..contact import ContactSolver
 from ..grid import Grid
 from ..layered import require_homogeneous
 from ..material import Material
-from ..relief import Relief, heights_over, relief_rows
+from ..relief import Relief, heights_over
 from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, window_and_order
 
@@ -76,14 +76,13 @@ class Scene:
 def make_scene(
     grid: Grid,
     bodies: tuple[Material, Material],
-    gap: ArrayLike,
+    given: Surfaces,
     cycle: Iterable[Mapping[str, Any]],
     threshold: float,
     worn: Sequence[int],
     smoothing: Gaussian | Polynomials,
     strain_depth: str,
     friction: float,
-    reliefs: tuple[Relief | None, Relief | None],
     settings: dict[str, Any],
 ) -> Scene:
     """Check everything; the contact is solved once, elastically, for its size."""
@@ -91,7 +90,7 @@ def make_scene(
     if not grid.has_volume:
         raise ValueError("grid must have layers (dz) for the plastic strain, got dz = None")
     require_homogeneous(NO_WORN_LAYERS, *bodies)
-    given = finite_array("gap", gap, grid.surface_shape)
+    surfaces = given.over(grid)
     limit = number("threshold", threshold)
     if not YIELD_STRAIN < limit < SMALL_STRAIN:
         raise ValueError(
@@ -105,21 +104,19 @@ def make_scene(
         material = bodies[choice("worn", index, (1, 2)) - 1]
         if not material.is_plastic:
             raise ValueError(f"worn must name inelastic bodies; body {index} is {material.law}")
-    for n, relief in enumerate(reliefs, 1):
-        relief_rows(f"relief{n}", relief, grid)
     path = step_list("cycle", cycle, STEP)
     _check_cycle(path, grid)
     scene = Scene(
         grid,
         bodies,
-        given,
+        surfaces.initial_gap,
         path,
         limit,
         tuple(sorted(numbers)),
         smoothing,
         choice("strain_depth", strain_depth, ("exact", "smoothed")),
         number("friction", friction),
-        reliefs,
+        surfaces.reliefs,
         settings,
     )
     _check_filter(scene)

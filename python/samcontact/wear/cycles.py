@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from .. import resolution
 from .._checks import FloatArray, boolean, integer
+from .._window import Surfaces
 from ..grid import Grid
 from ..material import Material
 from ..relief import Relief
@@ -32,7 +33,7 @@ def run(
     grid: Grid,
     body1: Material,
     body2: Material,
-    gap: ArrayLike,
+    gap: ArrayLike | Callable[[Grid], ArrayLike],
     *,
     cycle: Iterable[Mapping[str, Any]],
     threshold: float,
@@ -43,8 +44,8 @@ def run(
     order: int | None = None,
     strain_depth: str = "exact",
     friction: float = 0.0,
-    relief1: Relief | None = None,
-    relief2: Relief | None = None,
+    relief1: Relief | Callable[[Grid], Relief] | None = None,
+    relief2: Relief | Callable[[Grid], Relief] | None = None,
     checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = True,
     **settings: Any,
@@ -54,7 +55,8 @@ def run(
     Parameters
     ----------
     grid, body1, body2, gap, friction, relief1, relief2
-        As for `Simulation`; the grid needs dz.
+        As for `Simulation`; the grid needs dz. Surfaces that are functions are those on this grid,
+        which does not grow.
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``[{"load": 2000.0}, {"load": 0.0}]``. The last is unloaded
         (load 0), and the advances of each body add up to 0.
@@ -106,14 +108,13 @@ def run(
     scene = make_scene(
         grid,
         (body1, body2),
-        gap,
+        Surfaces(gap, relief1, relief2),
         cycle,
         threshold,
         worn,
         make_filter(grid, smoothing_length, window, order),
         strain_depth,
         friction,
-        (relief1, relief2),
         settings,
     )
     return repeat(WearResult, scene, _advance, count, checkpoint, progress)

@@ -62,11 +62,11 @@ class CoulombContact {
                         const ContactHistory& before, const CoulombStart& start,
                         const ContactSettings& settings) const;
 
-  /// Steady rolling towards +x with creepages along x and y and a spin, per way rolled [-, -, 1/m];
-  /// so are slip [-] and friction work [N] of the solution. start: its tractions may be near; empty
-  /// ones are none. Throws as solve does.
-  CoulombSolution roll(const Field& gap, Given normal, const std::array<double, 3>& creepage,
-                       const ContactHistory& start, const ContactSettings& settings) const;
+  /// Steady rolling towards +x with creepages along x and y and a spin, per way rolled [-, -, 1/m],
+  /// or with the forces that they make; so are slip [-] and friction work [N] of the solution.
+  /// Throws as solve does.
+  CoulombSolution roll(const Field& gap, Given normal, const TangentialDrive& creepage,
+                       const CoulombStart& start, const ContactSettings& settings) const;
 
   const Grid& grid() const { return grid_; }
   double friction() const { return friction_; }

@@ -24,9 +24,13 @@ constexpr double smallest_share = 1e-12;
 struct ShearProblem {
   /// A rigid motion whose force is given.
   struct Mode {
-    Field direction;  // slip of a unit motion
-    double target;    // sum of direction . shear over the cells: force over the area of a cell [Pa]
-    int axis = 2;     // 0, 1: along x, y; 2: the turn
+    Field direction;      // slip of a unit motion
+    double target;        // sum of arms . shear over the cells: force over the area of a cell [Pa]
+    int axis = 2;         // 0, 1: along x, y; 2: the turn
+    Field own_arms = {};  // empty: the direction, as virtual work has it
+
+    const Field& arms() const { return own_arms.empty() ? direction : own_arms; }
+    double missing(const Field& shear) const;
   };
 
   const ShearOperators* operators = nullptr;

@@ -45,7 +45,7 @@ struct ShearTask {
   /// Cells [i][j] of the start; without, those below their bound.
   const std::vector<unsigned char>* sticking = nullptr;
   /// The contact rolls steadily towards +x. Motions, free_slip, slip and friction_work are per way
-  /// that it rolls [-, -, 1/m, N]: motions are creepages and spin, and all are given.
+  /// that it rolls [-, -, 1/m, N]: motions are creepages and spin.
   bool rolls = false;
 };
 

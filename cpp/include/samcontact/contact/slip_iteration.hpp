@@ -12,6 +12,8 @@ namespace samcontact::contact {
 
 /// A shear of this share of its bound is on it.
 constexpr double on_circle = 1 - 1e-9;
+/// Directions in which the cells that are free make up this share of a motion decide it.
+constexpr double decisive = 1e-10;
 
 class SlipIteration {
  public:
@@ -65,6 +67,9 @@ class SlipIteration {
   Field normal_, lambda_;  // directions of the shear, and what its turn costs
 
  private:
+  /// Whether forces change with their motions while the cells that slip go on to do so.
+  bool forces_follow() const;
+  void stick_everywhere();
   /// Motions, slip, normals and error of the present shear.
   virtual void evaluate() = 0;
   /// Which cells slip, from what they slip.

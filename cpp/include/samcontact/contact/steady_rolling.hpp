@@ -9,10 +9,10 @@ namespace samcontact::contact {
 
 /// The slip while the contact rolls by one cell is w = b - (1 - T) C s, T u the displacement of the
 /// next cell ahead: not the gradient of anything, but stick and slip are the same. A problem with
-/// `carried` one row of cells, without modes; rows run along +x. Semismooth Newton; where the error
-/// does not fall, the contact is rolled by 4, 2, 1 cells at once until it is steady, for which the
-/// box of the operators has `rolling_margin` rows of cells ahead. Returns converged = false after
-/// most_steps.
+/// `carried` one row of cells; rows run along +x. Semismooth Newton, in the motions of given forces
+/// too; where the error does not fall, the contact is rolled by 4, 2, 1 cells at once until it is
+/// steady, for which the box of the operators has `rolling_margin` rows of cells ahead. Returns
+/// converged = false after most_steps.
 ShearResult solve_steady_rolling(const ShearProblem& problem, ShearApplier& operators,
                                  ShearStart start, double tol, int most_steps);
 

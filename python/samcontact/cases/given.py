@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The case of one contact that a function is given, in whatever form."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from .case import Case, load_case, validated
+
+
+def case_of_contact(name: str, given: object, **defaults: Any) -> Case:
+    """Return a case of one contact, from itself, its file or a dictionary of the same layout.
+
+    name: of the argument, for errors; defaults: fields that a dictionary may leave out.
+    """
+    made = given
+    if isinstance(given, (str, Path)):
+        made = load_case(Path(given))
+    elif isinstance(given, Mapping):
+        made = validated({"title": "case", **defaults, **given}, Path(name))
+    if not isinstance(made, Case):
+        kind = type(made).__name__
+        tugging = ", which is not solved as one contact" if kind == "TuggingCase" else ""
+        raise ValueError(
+            f"{name} must be a case of one contact, the path of its file, or a dict of the same "
+            f"layout, got a {kind}{tugging}"
+        )
+    return made
