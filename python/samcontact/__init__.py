@@ -36,6 +36,7 @@ from ._doubts import UnitWarning
 from ._told import PlasticStrainWarning
 from .accuracy import AccuracyWarning, Accurate, to_accuracy
 from .contact import ContactSolver, GridTooSmallWarning
+from .edges import SingularPressureWarning
 from .find import FoundLoad, find_load
 from .friction import Coulomb
 from .grid import Grid
@@ -75,6 +76,7 @@ __all__ = [
     "ResolutionWarning",
     "RollingSolution",
     "Simulation",
+    "SingularPressureWarning",
     "State",
     "StickSlipSolution",
     "SweepInterrupted",

@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ._area import contact_area
 from ._checks import FloatArray
 from ._repr import Rows, quantity
 from .checkpoint import Standing
+from .edges import rises_outwards
 from .friction import Coulomb
 from .grid import Grid
 from .solution import both
@@ -127,8 +129,14 @@ class SurfaceState:
 
     @property
     def contact_area(self) -> float:
-        """Area of the cells under pressure [m^2]."""
-        return int(np.count_nonzero(self.pressure > 0)) * self.grid.cell_area
+        """Contact area [m^2], with its edge between the cells; see the theory page.
+
+        Under prescribed tractions that of their pressure.
+        """
+        pressure, grid = self.pressure, self.grid
+        stepped = np.isfinite(self.approach) and rises_outwards(pressure, grid.periodic)
+        gap = self.gap if stepped else None
+        return contact_area(pressure, grid.cell_area, grid.periodic, gap)
 
     @property
     def mean_pressure(self) -> float:

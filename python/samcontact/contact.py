@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core, _expected, _memory, resolution
+from . import _core, _expected, _memory, edges, resolution
 from ._checks import FloatArray, choice, exactly_one, finite_array, number, require_type
 from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
@@ -174,6 +174,8 @@ class ContactSolver(Configured):
             than 10 %.
         ElasticStrainWarning
             The largest pressure is more than half the contact modulus.
+        SingularPressureWarning
+            The pressure rises to a sharp edge, where that of elastic bodies has no limit.
         UnitWarning
             Before the solve: what Hertz expects is far off the grid, or the
             material cannot be; with the quantity that is likely in another unit.
@@ -230,6 +232,7 @@ class ContactSolver(Configured):
         if doubted is None or not doubted.of_contact:
             resolution.warn_of_contact(solution, scene, stacklevel=3)
         resolution.warn_of_strain(solution.pressure, scene, stacklevel=3)
+        edges.warn_of_edge(solution, scene, stacklevel=3)
         return solution
 
     def _over(self, counts: Sequence[int]) -> ContactSolver:
