@@ -45,11 +45,25 @@ def contact_area(
     gap : array_like, shape (nx, ny), optional
         Separation of the undeformed bodies [m], in which steps are looked for.
     """
+    return _located(pressure, periodic, gap)[0] * cell_area
+
+
+def area_doubt(pressure: ArrayLike, periodic: str = "", gap: ArrayLike | None = None) -> float:
+    """Perimeter correction over the contact area, as far as it had to serve [-].
+
+    0 where the edge is located from the pressure; the arguments as for `contact_area`.
+    """
+    area, doubt = _located(pressure, periodic, gap)
+    return doubt / area if area > 0 else 0.0
+
+
+def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple[float, float]:
+    """Contact area, and the part of the perimeter correction that it rests on [cells]."""
     field = np.asarray(pressure, dtype=np.float64)
     inside = field > 0
     count = int(np.count_nonzero(inside))
     if count == 0:
-        return 0.0
+        return 0.0, 0.0
     window = around(inside, periodic)
     field, inside = field[window], inside[window]
     if gap is not None:
@@ -59,23 +73,22 @@ def contact_area(
     smooth = [int(np.count_nonzero(~fixed)) for fixed in on_cells]
     taken_off = AREA_OF_A_SIDE * sum(smooth)
     if taken_off == 0:
-        return count * cell_area
+        return float(count), 0.0
     by_perimeter = max(count - taken_off, 0.5 * count)
     trust = (UNRESOLVED - taken_off / count) / (UNRESOLVED - RESOLVED)
     if trust <= 0:
-        return by_perimeter * cell_area
-    steps = [
-        (sides, fixed) for sides, fixed in zip(outline, on_cells, strict=True) if fixed.any()
-    ]
+        return by_perimeter, taken_off
+    steps = [(sides, fixed) for sides, fixed in zip(outline, on_cells, strict=True) if fixed.any()]
     by_pressure = _inside_of_zero_line(field, periodic, steps)
     # edges along one direction of the grid all lie alike in their cells: by up to half a cell off
     straight = smooth[0] + smooth[1] == 0 or smooth[2] + smooth[3] == 0
     slack = 0.25 * sum(smooth) if straight else 0.0
-    excess = (by_pressure - count - slack) / (slack or taken_off)
-    if excess > 0:
-        top = count + slack - by_perimeter
-        by_pressure = by_perimeter + max(0.0, 1.0 - excess) * top
-    return (by_perimeter + min(trust, 1.0) * (by_pressure - by_perimeter)) * cell_area
+    beyond = (by_pressure - count - slack) / (slack or taken_off)
+    if beyond > 0:  # of a contact that is nearly closed: the less, the further beyond the count
+        trust = min(trust, 1.0) * max(0.0, 1.0 - beyond)
+        by_pressure = count + slack
+    trust = min(trust, 1.0)
+    return by_perimeter + trust * (by_pressure - by_perimeter), (1.0 - trust) * taken_off
 
 
 def _on_cells(sides: Sides, gap: ArrayLike | None, periodic: str) -> NDArray[np.bool_]:

@@ -78,7 +78,8 @@ class Told:
             pressure = state.pressure
             self.of_pressure = resolution.warn_of_strain(pressure, scene, stacklevel=stacklevel + 1)
         if not self.of_edge:
-            self.of_edge = edges.warn_of_edge(state, scene, stacklevel=stacklevel + 1)
+            edge = edges.edge_of_state(state)
+            self.of_edge = edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
         if not self.of_strain:
             strain, body = max((state.max_plastic_strain(b), b) for b in (1, 2))
             if strain > SMALL_STRAIN:

@@ -14,14 +14,13 @@ from . import hertz
 from ._checks import FloatArray
 from ._outline import Sides, around, sides_between, sides_of, steps_beside
 from ._repr import quantity
-from .layered import softest
+from .layered import Body, softest
 
 if TYPE_CHECKING:
-    from ._expected import Scene
     from .solution import ContactSolution
     from .state import State
 
-__all__ = ["SingularPressureWarning", "SharpEdge", "sharp_edge"]
+__all__ = ["SharpEdge", "SingularPressureWarning", "sharp_edge"]
 
 RISE = 1.05
 """Pressure of a cell at a sharp edge over that of its neighbour further inside, at least."""
@@ -30,8 +29,13 @@ DEFLECTION = 0.25
 less at once."""
 TOGETHER = 3
 """Cells of an edge, at least: single cells of a rough surface are none."""
-EQUAL_ROUNDING = 4
+ROUNDING = 4
 """Cells in the radius of a rounded edge from which its pressure can be resolved."""
+SINGULAR = (
+    "max_pressure", "max_von_mises", "max_equivalent_plastic_strain", "max_residual_von_mises",
+)  # fmt: skip
+"""Quantities without a limit at a sharp edge, by their names in files without the body: the cells
+do not bring them to an end (stresses of perfect plasticity have one)."""
 
 
 class SingularPressureWarning(UserWarning):
@@ -103,11 +107,13 @@ def sharp_edge(
         return None
     sizes = np.bincount(labels.ravel())
     sizes[0] = 0
-    found &= (sizes >= min(TOGETHER, *whole.shape))[labels]
+    found &= (sizes >= min(TOGETHER, *inside.shape))[labels]
     if not found.any():
         return None
     i, j = np.unravel_index(int(np.where(found, p, -1.0).argmax()), p.shape)
-    first = [slice_.indices(n)[0] for slice_, n in zip(window, whole.shape, strict=True)]
+    first = [
+        slice_.indices(n)[0] for slice_, n in zip(window, (len(whole), len(whole[0])), strict=True)
+    ]
     return SharpEdge(whole, (int(i) + first[0], int(j) + first[1]))
 
 
@@ -125,33 +131,47 @@ def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:
     return found
 
 
-def edge_of(solution: ContactSolution | State, scene: Scene) -> SharpEdge | None:
+def edge_of(
+    solution: ContactSolution | State, bodies: tuple[Body, Body], initial_gap: FloatArray | None
+) -> SharpEdge | None:
     """The sharp edges of a solution; None without any, and of given tractions."""
-    pressure, grid = solution.pressure, scene.grid
+    pressure, grid = solution.pressure, solution.grid
     if not np.isfinite(solution.approach):
         return None
-    initial = None if scene.relieved else scene.gap
-    if initial is None and not rises_outwards(pressure, grid.periodic):
+    if initial_gap is None and not rises_outwards(pressure, grid.periodic):
         return None
-    E_star = hertz.effective_modulus(*map(softest, scene.bodies))
+    E_star = hertz.effective_modulus(*map(softest, bodies))
     sizes = grid.dx, grid.dy
-    return sharp_edge(pressure, solution.gap, sizes, E_star, grid.periodic, initial)
+    return sharp_edge(pressure, solution.gap, sizes, E_star, grid.periodic, initial_gap)
 
 
-def warn_of_edge(solution: ContactSolution | State, scene: Scene, *, stacklevel: int) -> bool:
-    """Warn of pressures that are singular at a sharp edge; whether it did."""
-    edge = edge_of(solution, scene)
+def edge_of_state(state: State) -> SharpEdge | None:
+    """The same of a state; steps of reliefs that the load has closed are not looked for."""
+    run, window = state._simulation, state._window
+    known = all(relief is None for relief in window.reliefs)
+    return edge_of(state, (run.body1, run.body2), window.initial_gap if known else None)
+
+
+def is_singular(name: str) -> bool:
+    """Whether a quantity, by its name in files, has no limit at a sharp edge."""
+    return name.partition("_body")[0] in SINGULAR
+
+
+def warn_of_edge(
+    solution: ContactSolution | State, edge: SharpEdge | None, *, stacklevel: int
+) -> bool:
+    """Warn of pressures that are singular at a sharp edge; whether there is one."""
     if edge is None:
         return False
     i, j = edge.peak
-    at = f"x = {quantity(scene.grid.x[i], 'm')}, y = {quantity(scene.grid.y[j], 'm')}"
+    x, y = (quantity(float(s), "m") for s in (solution.grid.x[i], solution.grid.y[j]))
     text = (
         f"the pressure rises to {quantity(float(solution.pressure[i, j]), 'Pa')} at a sharp edge, "
-        f"beside a step of the gap or the end of a body ({at}): in elastic contact it is singular "
-        "there, so that the largest pressure and the stresses near the edge grow without limit as "
-        "the cells become smaller. The load, the approach, the pressure a few cells away from the "
-        "edge and forces over a fixed length remain meaningful. Round the edge, with a radius of "
-        f"{EQUAL_ROUNDING} cells or more, or give a roller a crowned or logarithmic profile"
+        f"beside a step of the gap or the end of a body (x = {x}, y = {y}). In elastic contact it "
+        "is singular there: the largest pressure and the stresses near the edge grow without limit "
+        "as the cells become smaller. The load, the approach, the pressure a few cells away from "
+        "the edge and forces over a fixed length remain meaningful. Round the edge, with a radius "
+        f"of {ROUNDING} cells or more, or give a roller a crowned or logarithmic profile"
     )
     warnings.warn(text, SingularPressureWarning, stacklevel=stacklevel + 1)
     return True
