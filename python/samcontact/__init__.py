@@ -33,10 +33,10 @@ from . import (
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
 from ._doubts import UnitWarning
+from ._edges import SingularPressureWarning
 from ._told import PlasticStrainWarning
 from .accuracy import AccuracyWarning, Accurate, to_accuracy
 from .contact import ContactSolver, GridTooSmallWarning
-from .edges import SingularPressureWarning
 from .find import FoundLoad, find_load
 from .friction import Coulomb
 from .grid import Grid

@@ -14,7 +14,8 @@ from ._outline import Sides, around, sides_of, steps_beside
 AREA_OF_A_SIDE = (math.pi - 1 + math.log(2)) / 24
 """Of a cell: mean excess of the counted area for each side of the outline of a smooth spot."""
 RESOLVED, UNRESOLVED = 0.08, 0.14
-"""Perimeter correction over the counted area up to which the edge is located from the pressure,
+"""Perimeter correction over the counted area (of a periodic grid, that of what is open where this
+is less) up to which the edge is located from the pressure,
 and from which it is not: round spots of 7.5 and 4.3 cells across."""
 _CELLS = range(1, 5)  # from the edge, by which a pressure is continued
 _RIM = 4  # cells around a field, as many
@@ -75,7 +76,9 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
     if taken_off == 0:
         return float(count), 0.0
     by_perimeter = max(count - taken_off, 0.5 * count)
-    trust = (UNRESOLVED - taken_off / count) / (UNRESOLVED - RESOLVED)
+    # where contact is nearly everywhere, the spots to resolve are those without
+    least = min(count, inside.size - count) if set(periodic) == {"x", "y"} else count
+    trust = (UNRESOLVED - taken_off / least) / (UNRESOLVED - RESOLVED)
     if trust <= 0:
         return by_perimeter, taken_off
     steps = [(sides, fixed) for sides, fixed in zip(outline, on_cells, strict=True) if fixed.any()]

@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._area import contact_area
 from ._checks import FloatArray, choice
+from ._edges import rises_outwards
 from ._points import require_closed_forms, stress_at_points
 from ._repr import Rows, quantity
 from .checkpoint import Standing
-from .edges import rises_outwards
 from .friction import Coulomb
 from .grid import Grid
 from .solution import both

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from . import edges, resolution
+from . import _edges, resolution
 from ._expected import Scene
 from ._repr import quantity
 from .contact import GridTooSmallWarning
@@ -78,8 +78,8 @@ class Told:
             pressure = state.pressure
             self.of_pressure = resolution.warn_of_strain(pressure, scene, stacklevel=stacklevel + 1)
         if not self.of_edge:
-            edge = edges.edge_of_state(state)
-            self.of_edge = edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
+            edge = _edges.edge_of_state(state)
+            self.of_edge = _edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
         if not self.of_strain:
             strain, body = max((state.max_plastic_strain(b), b) for b in (1, 2))
             if strain > SMALL_STRAIN:

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core, _expected, _memory, _yielding, edges, resolution
+from . import _core, _edges, _expected, _memory, _yielding, resolution
 from ._checks import FloatArray, exactly_one, finite_array, number, require_type
 from ._contact_fields import ContactFields
 from ._heating import COLD, heating, require_reference
@@ -234,8 +234,8 @@ class ContactSolver(ContactFields):
             resolution.warn_of_contact(solution, scene, stacklevel=3)
         resolution.warn_of_strain(solution.pressure, scene, stacklevel=3)
         _yielding.warn_of_yield(solution, bodies, self.friction, stacklevel=3)
-        edge = edges.edge_of(solution, bodies, window.initial_gap)
-        edges.warn_of_edge(solution, edge, stacklevel=3)
+        edge = _edges.edge_of(solution, bodies, window.initial_gap)
+        _edges.warn_of_edge(solution, edge, stacklevel=3)
         return solution
 
     def _over(self, counts: Sequence[int]) -> ContactSolver:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from . import _certified, edges, half_resolution
+from . import _certified, _edges, half_resolution
 from ._along import ROUNDING, along_surface, not_rounding
 from ._area import area_doubt
 from ._checks import FloatArray
@@ -160,7 +160,7 @@ def estimated(
     for at, state in enumerate(states):
         known = [n for n in names if at in marks or n in _certified.OF_CONTACT]
         fine = _certified.values(state, known)
-        sharp = edges.edge_of_state(state) is not None
+        sharp = _edges.edge_of_state(state) is not None
         coarse_values = _certified.values(found[which[at]], known)
         difference = _differences(fine, coarse_values, state, sharp=sharp)
         for name in known:
@@ -193,7 +193,7 @@ def _differences(
     Infinite for what is singular at a sharp edge.
     """
     found = {name: abs(value - coarse[name]) for name, value in fine.items()}
-    endless = {name for name in fine if sharp and edges.is_singular(name)}
+    endless = {name for name in fine if sharp and _edges.is_singular(name)}
     for kind in _KINDS:
         relative = {
             name: found[name] / abs(value)
@@ -207,6 +207,9 @@ def _differences(
         share = area_uncertainty(state.pressure, state.grid.periodic)
         of_area = _OF_AREA * (2 * share / ROUND_SPOT) ** 1.5
         of_area += area_doubt(state.pressure, state.grid.periodic)
+        cells = np.count_nonzero(state.pressure)
+        if 0 < (open_ := state.pressure.size - cells) < cells and state.grid.periodic == "xy":
+            of_area *= (cells / open_) ** 0.5  # the spots that are not resolved are the open ones
         found["contact_area"] = max(found["contact_area"], of_area * fine["contact_area"])
     return found | dict.fromkeys(endless, np.inf)
 

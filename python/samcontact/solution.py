@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from ._area import contact_area
 from ._checks import FloatArray
+from ._edges import rises_outwards
 from ._repr import Brief, Rows, Shown, quantity
-from .edges import rises_outwards
 from .grid import Grid
 
 Before = tuple[FloatArray, FloatArray, FloatArray | None, float]

@@ -90,7 +90,8 @@ def test_rough_surfaces_of_few_cells_a_wave_come_close_to_fine_ones():
         fine, 1e-6, 0.8, wavelength_min=16 * size, roll_off=cells * size / 4, seed=1
     )
     gap = heights - heights.min()
-    load = 0.05 * FULL / PERIOD * (cells * size) ** 2
+    slope = np.hypot(*np.gradient(gap, size)).std()
+    load = 0.05 * sc.hertz.effective_modulus(STEEL, RIGID) * slope * (cells * size) ** 2
     areas = {}
     for step in (1, 4, 8):
         grid = sc.Grid(cells // step, cells // step, step * size, step * size, periodic="xy")

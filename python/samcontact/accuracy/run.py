@@ -10,9 +10,9 @@ import warnings
 import numpy as np
 
 from .._checks import FloatArray
+from .._edges import SingularPressureWarning, is_singular
 from .._progress import tell
 from .._repr import counts
-from ..edges import SingularPressureWarning, is_singular
 from ..runs.solves import Solves
 from .estimate import MIXED_AREA, RATIO, Estimate, joined, of_grids
 from .increments import COARSEST, Correction, correction, tried

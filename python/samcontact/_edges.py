@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from .solution import ContactSolution
     from .state import State
 
-__all__ = ["SharpEdge", "SingularPressureWarning", "sharp_edge"]
-
 RISE = 1.05
 """Pressure of a cell at a sharp edge over that of its neighbour further inside, at least."""
 DEFLECTION = 0.25
