@@ -92,7 +92,9 @@ it, always towards too large an area. A round spot d cells across has {round:.2f
 {eight:.0f} % with 8 cells, {four:.0f} % with 4. "Cells across a spot" is the d of round spots
 with the same S/N.
 
-The mean pressure in contact is too low by as much as the area is too large. Plastic strain and the
+The contact area of states and results has this taken off where spots are small, and locates the
+edge within the cells where they are not: docs/theory.md, "Contact area". The tables are of counted
+cells, and the mean pressure of these is too low by as much as the area is too large. Plastic strain and the
 residual stress below the surface are largest in spots that are wider than the mean, and are better
 by far.
 

@@ -14,9 +14,9 @@ from ._outline import Sides, around, sides_of, steps_beside
 AREA_OF_A_SIDE = (math.pi - 1 + math.log(2)) / 24
 """Of a cell: mean excess of the counted area for each side of the outline of a smooth spot."""
 RESOLVED, UNRESOLVED = 0.08, 0.14
-"""Perimeter correction over the counted area (of a periodic grid, that of what is open where this
-is less) up to which the edge is located from the pressure,
-and from which it is not: round spots of 7.5 and 4.3 cells across."""
+"""Perimeter correction over the counted area (of a periodic grid that is nearly closed, over the
+open area) up to which the edge is located from the pressure, and from which it is not: round spots
+of 7.5 and 4.3 cells across."""
 _CELLS = range(1, 5)  # from the edge, by which a pressure is continued
 _RIM = 4  # cells around a field, as many
 
