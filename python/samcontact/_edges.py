@@ -100,9 +100,9 @@ def sharp_edge(
         deflection = p[sides.i, sides.j] * grid_sizes[sides.axis] / E_star
         high = steps & (height > DEFLECTION * deflection)
         found[sides.i[high], sides.j[high]] = True
-    labels, count = scipy.ndimage.label(found, structure=np.ones((3, 3)))
-    if count == 0:
+    if not found.any():
         return None
+    labels, _ = scipy.ndimage.label(found, structure=np.ones((3, 3)))
     sizes = np.bincount(labels.ravel())
     sizes[0] = 0
     found &= (sizes >= min(TOGETHER, *inside.shape))[labels]
