@@ -14,7 +14,9 @@ from ..profiles import largest, von_mises
 
 RADIUS = 7.5e-3
 LOAD = 1500.0
-STEEL = STEEL_52100.with_thermal(conductivity=50.2, expansion=11.7e-6, diffusivity=1.367e-5)
+THERMAL = {"conductivity": 50.2, "expansion": 11.7e-6, "diffusivity": 1.367e-5}
+STEEL = STEEL_52100.with_thermal(**THERMAL)
+UNYIELDING = ELASTIC.with_thermal(**THERMAL)
 YIELD = float(STEEL.yield_stress(MICRO_STRAIN))
 E_STAR = sc.hertz.effective_modulus(ELASTIC, STEEL)
 HERTZ = sc.hertz.point(R=RADIUS, E_star=E_STAR, load=LOAD)
@@ -106,7 +108,7 @@ def hertz(load: float) -> sc.hertz.PointContact:
 def elastic_case(load: float, factor: float, cells: int, depths: np.ndarray) -> Elastic:
     contact = hertz(load)
     grid = square(contact.a, cells, 1.6)
-    solver = sc.ContactSolver(grid, ELASTIC, STEEL, heat=sc.Heat(factor))
+    solver = sc.ContactSolver(grid, ELASTIC, UNYIELDING, heat=sc.Heat(factor))
     pressure = solver.solve(sc.surfaces.paraboloid(grid, RADIUS), load=load).pressure
     m = grid.nx // 2
     plane = von_mises(solver.stress(pressure, depths)[:, :, m])
@@ -164,7 +166,7 @@ def onset(cells: int, factors: np.ndarray) -> Onset:
     stress, place = [], []
     pressure = None
     for factor in factors:
-        solver = sc.ContactSolver(grid, ELASTIC, STEEL, heat=sc.Heat(float(factor)))
+        solver = sc.ContactSolver(grid, ELASTIC, UNYIELDING, heat=sc.Heat(float(factor)))
         pressure = solver.solve(gap, load=LOAD, initial_pressure=pressure).pressure
         found = von_mises(solver.stress(pressure, z))
         i, j, k = np.unravel_index(int(found.argmax()), found.shape)

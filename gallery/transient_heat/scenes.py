@@ -10,7 +10,7 @@ import numpy as np
 import samcontact as sc
 
 from ..bodies import ELASTIC, square
-from ..heat.scenes import E_STAR, STEEL, at_surface
+from ..heat.scenes import E_STAR, STEEL, UNYIELDING, at_surface
 from ..profiles import largest, von_mises
 
 RADIUS, LOAD, FACTOR = 3.75e-3, 1500.0, 0.12
@@ -81,7 +81,7 @@ class Results:
 def solver(cells: int, heat: sc.Heat) -> tuple[sc.ContactSolver, np.ndarray]:
     """Of an elastic flat, and its pressure."""
     grid = square(HERTZ.a, cells, 1.8)
-    found = sc.ContactSolver(grid, ELASTIC, STEEL, heat=heat)
+    found = sc.ContactSolver(grid, ELASTIC, UNYIELDING, heat=heat)
     return found, found.solve(sc.surfaces.paraboloid(grid, RADIUS), load=LOAD).pressure
 
 

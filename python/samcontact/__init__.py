@@ -36,6 +36,7 @@ from . import (
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
 from ._doubts import UnitWarning
+from ._edges import SingularPressureWarning
 from ._told import PlasticStrainWarning
 from .accuracy import AccuracyWarning, Accurate, to_accuracy
 from .contact import ContactSolver, GridTooSmallWarning
@@ -78,6 +79,7 @@ __all__ = [
     "ResolutionWarning",
     "RollingSolution",
     "Simulation",
+    "SingularPressureWarning",
     "State",
     "StickSlipSolution",
     "SweepInterrupted",

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Quantities of a state whose error is told: between the cells, so that they converge cleanly.
 
-A largest value is that of parabolas through its cell and the neighbours, and an area has its edge
-where the squared pressure vanishes: along grids that become finer, both jump far less than the
-largest cell and the number of cells do.
+A largest value is that of parabolas through its cell and the neighbours: along grids that become
+finer it jumps far less than the largest cell does, as does `contact_area` than the number of cells.
 """
 
 from __future__ import annotations
@@ -31,8 +30,6 @@ OF_BODY = (
     "print_depth",
 )
 """Of bodies, all but the first of those that yield only; followed by `_body1` or `_body2`."""
-_CELLS = range(1, 5)  # from the edge, by which a pressure is continued
-_RIM = 4  # cells around a field, as many
 _FIELDS = {
     "max_von_mises": "stress",
     "max_equivalent_plastic_strain": "equivalent_plastic_strain",
@@ -67,7 +64,7 @@ def parts(state: State, name: str) -> tuple[float, ...]:
     if name == "max_pressure":
         return (peak_value(state.pressure),)
     if name == "contact_area":
-        return (area_under(state.pressure, state.grid.cell_area, state.grid.periodic),)
+        return (state.contact_area,)
     kind, body = name[: -len("_body1")], int(name[-1])
     if kind == "print_depth":
         own = state._in_own_box("residual_displacement", body)
@@ -203,67 +200,3 @@ def below_and_at_surface(field: FloatArray) -> tuple[float, float]:
     surface = 1.875 * first - 1.25 * second + 0.375 * third
     surface = np.where(third > 0, surface, 1.5 * first - 0.5 * second)
     return below, peak_value(np.where(first >= second, surface, 0.0))
-
-
-def area_under(pressure: ArrayLike, cell_area: float, periodic: str = "") -> float:
-    """Area of a contact whose edge lies between the cells [m^2].
-
-    Near the edge of a smooth contact the squared pressure falls linearly to zero. A parabola
-    through the second to fourth cell from the edge (the first depends on where in it the edge lies)
-    continues it over the first cells without pressure, at most to zero in their centres. The area
-    inside of its zero line is that of the triangles between the centres of cells.
-
-    Parameters
-    ----------
-    pressure : array_like, shape (nx, ny)
-        [Pa], >= 0.
-    cell_area : float
-        [m^2].
-    periodic : {"", "x", "y", "xy"}, optional
-        As of a Grid.
-    """
-    field = np.asarray(pressure, dtype=np.float64)
-    largest = float(field.max())
-    if not largest > 0:
-        return 0.0
-    for axis, name in enumerate("xy"):
-        width = [(_RIM, _RIM) if n == axis else (0, 0) for n in (0, 1)]
-        field = np.pad(field, width, mode="wrap" if name in periodic else "constant")
-    level = _continued((field / largest) ** 2)
-    rows, columns = (slice(_RIM if name in periodic else _RIM - 1, 1 - _RIM) for name in "xy")
-    return float(_area_above_zero(level[rows, columns]) * cell_area)
-
-
-def _continued(squared: FloatArray) -> FloatArray:
-    """Squared pressures, with those below zero that continue them over the cells beside."""
-    inside = squared > 0
-    level = np.where(inside, squared, np.nan)
-    total, weights = np.zeros_like(level), np.zeros_like(level)
-    for i, j in ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)):
-        first, second, third, fourth = (np.roll(level, (n * i, n * j), (0, 1)) for n in _CELLS)
-        continued = 6.0 * second - 8.0 * third + 3.0 * fourth
-        # a narrow spot: by a line; one of a single cell ends half-way to its neighbours
-        line = 2.0 * first - np.where(np.isnan(second), 3.0 * first, second)
-        continued = np.where(np.isnan(continued), line, continued)
-        known = np.isfinite(continued)
-        weight = 0.5 if i and j else 1.0
-        total[known] += weight * continued[known]
-        weights[known] += weight
-    rim = ~inside & (weights > 0)
-    level[rim] = np.minimum(total[rim] / weights[rim], 0.0)
-    return np.nan_to_num(level, nan=-1.0)
-
-
-def _area_above_zero(level: FloatArray) -> float:
-    """In squares between the points of a lattice, each cut into four triangles at its middle."""
-    corners = (level[:-1, :-1], level[1:, :-1], level[1:, 1:], level[:-1, 1:])
-    middle = 0.25 * sum(corners)
-    area = 0.0
-    for first, second in zip(corners, (*corners[1:], corners[0]), strict=True):
-        low, mid, high = np.sort(np.stack([first, second, middle]), axis=0)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            tip = high**2 / ((high - low) * (high - mid))
-            blunt = 1.0 - low**2 / ((mid - low) * (high - low))
-        share = np.select([low >= 0, mid >= 0, high > 0], [np.ones_like(low), blunt, tip], 0.0)
-        area += 0.25 * float(np.sum(share))
-    return area

@@ -154,7 +154,7 @@ CONTACT = {
         "share of the contact that sticks", "sticks", 4,
     ),
     "max_pressure": Q("Pa", "maximum pressure", "MPa", "maximum pressure", "p_max"),
-    "contact_area": Q("m2", "area under pressure", "mm²", "contact area", "contact area"),
+    "contact_area": Q("m2", "contact area", "mm²", "contact area", "contact area"),
     "max_von_mises": Q(
         "Pa", "maximum von Mises stress", "MPa", "maximum von Mises stress", "von Mises"
     ),
@@ -189,6 +189,9 @@ CONTACT = {
     ),
     "contact_cells": Q(
         "1", "cells across the spot under the largest pressure", "cells", "across the contact"
+    ),
+    "sharp_cells": Q(
+        "1", "cells in contact at sharp edges, where the pressure is singular", "", "at sharp edges"
     ),
     "area_uncertainty": Q("1", "contact area, relative uncertainty", "%", "area uncertain"),
     "plastic_residual": Q(

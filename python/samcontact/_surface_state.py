@@ -7,9 +7,12 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from ._checks import FloatArray
+from ._area import contact_area
+from ._checks import FloatArray, choice
+from ._edges import rises_outwards
+from ._points import require_closed_forms, stress_at_points
 from ._repr import Rows, quantity
 from .checkpoint import Standing
 from .friction import Coulomb
@@ -127,8 +130,27 @@ class SurfaceState:
 
     @property
     def contact_area(self) -> float:
-        """Area of the cells under pressure [m^2]."""
-        return int(np.count_nonzero(self.pressure > 0)) * self.grid.cell_area
+        """Contact area [m^2], with its edge between the cells; see the theory page.
+
+        Under prescribed tractions that of their pressure.
+        """
+        pressure, grid = self.pressure, self.grid
+        stepped = np.isfinite(self.approach) and rises_outwards(pressure, grid.periodic)
+        gap = self.gap if stepped else None
+        return contact_area(pressure, grid.cell_area, grid.periodic, gap)
+
+    def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: int = 2) -> FloatArray:
+        """Stress of pressure and shear at any points [Pa], shape (6, ...): the elastic part.
+
+        That of plastic strain, and what was there before the contact, is in `residual_stress`.
+        Arguments, errors and method are those of `ContactSolver.stress_at`.
+        """
+        number, run = choice("body", body, (1, 2)), self._simulation
+        heated = (self._core.heat_factor1, self._core.heat_factor2)[number - 1] > 0
+        given = run.body1 if number == 1 else run.body2
+        nu = require_closed_forms(self.grid, given, number, heated=heated).nu
+        s_x, s_y = self.shear if number == 2 else -self.shear
+        return stress_at_points(self.grid, (self.pressure, s_x, s_y), nu, (x, y, z))
 
     @property
     def mean_pressure(self) -> float:

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from . import resolution
+from . import _edges, resolution
 from ._expected import Scene
 from ._repr import quantity
 from .contact import GridTooSmallWarning
@@ -35,6 +35,7 @@ class Told:
     of_cut: bool = False
     of_scene: bool = False
     of_contact: bool = False
+    of_edge: bool = False
     largest_load: float = 0.0
 
     @contextmanager
@@ -76,6 +77,9 @@ class Told:
         if not self.of_pressure:
             pressure = state.pressure
             self.of_pressure = resolution.warn_of_strain(pressure, scene, stacklevel=stacklevel + 1)
+        if not self.of_edge:
+            edge = _edges.edge_of_state(state)
+            self.of_edge = _edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
         if not self.of_strain:
             strain, body = max((state.max_plastic_strain(b), b) for b in (1, 2))
             if strain > SMALL_STRAIN:

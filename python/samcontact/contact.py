@@ -10,18 +10,18 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core, _expected, _memory, resolution
+from . import _core, _edges, _expected, _memory, _yielding, resolution
 from ._border import told_of_fixed
-from ._checks import FloatArray, choice, exactly_one, finite_array, number, real_array, require_type
+from ._checks import FloatArray, exactly_one, finite_array, number, require_type
+from ._contact_fields import ContactFields
 from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
-from ._settings import Configured, ContactSettings
+from ._settings import ContactSettings
 from ._window import Surfaces, Window, counts_for, require_continued, told_in
 from .friction import Coulomb, Drive, Pressing, require_heat_of, tangential_drive
 from .grid import Grid
 from .heat import Heat
 from .layered import Body, require_bodies
-from .operators import depths_of, shear_components
 from .solution import ContactSolution, ShearedSolution, fits
 
 
@@ -29,7 +29,7 @@ class GridTooSmallWarning(UserWarning):
     """The contact reaches the border of the grid, or fields do not show all plastic strain."""
 
 
-class ContactSolver(Configured):
+class ContactSolver(ContactFields):
     """Contact of two elastic half-spaces with friction.
 
     Exact Love and Cerruti coefficients, discrete convolution by FFT, active sets with a spectral
@@ -175,7 +175,10 @@ class ContactSolver(Configured):
             The contact is fewer than 8 cells across, or the area of several spots uncertain by more
             than 10 %.
         ElasticStrainWarning
-            The largest pressure is more than half the contact modulus.
+            The largest pressure is more than half the contact modulus, or a body that yields would
+            do so under it: it acts elastically here.
+        SingularPressureWarning
+            The pressure rises to a sharp edge, where that of elastic bodies has no limit.
         UnitWarning
             Before the solve: what Hertz expects is far off the grid, or the
             material cannot be; with the quantity that is likely in another unit.
@@ -232,6 +235,9 @@ class ContactSolver(Configured):
         if doubted is None or not doubted.of_contact:
             resolution.warn_of_contact(solution, scene, stacklevel=3)
         resolution.warn_of_strain(solution.pressure, scene, stacklevel=3)
+        _yielding.warn_of_yield(solution, bodies, self.friction, stacklevel=3)
+        edge = _edges.edge_of(solution, bodies, window.initial_gap)
+        _edges.warn_of_edge(solution, edge, stacklevel=3)
         return solution
 
     def _over(self, counts: Sequence[int]) -> ContactSolver:
@@ -268,128 +274,3 @@ class ContactSolver(Configured):
         solution = ContactSolution(grid=self.grid, **found)
         require_apart(solution, self.grid.cell_area, bodies, self.friction, self.tol)
         return solution, complaint
-
-    def stress(
-        self,
-        pressure: ArrayLike,
-        z: ArrayLike,
-        body: int = 2,
-        *,
-        shear: ArrayLike | None = None,
-    ) -> FloatArray:
-        """Elastic and thermal stress in a body at any depths, without that of the start.
-
-        Parameters
-        ----------
-        pressure : array_like, shape (nx, ny)
-            [Pa].
-        z : array_like, shape (m,)
-            Depths [m], >= 0.
-        body : {1, 2}, optional
-        shear : array_like, shape (nx, ny) or (2, nx, ny), optional
-            Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction times
-            pressure. With `Coulomb` there is no default.
-
-        Returns
-        -------
-        ndarray, shape (6, nx, ny, m)
-            xx, yy, zz, yz, xz, xy [Pa], tension positive, in the body's own frame.
-        """
-        material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
-        if material.is_rigid:
-            raise ValueError(f"body {body} is rigid: it has no stress")
-        layers = real_array("z", z).size
-        needed = _memory.volume(self.grid, _memory.STRESS_OF_TRACTIONS, layers)
-        _memory.require_for_grid(f"the stress at {layers} depths", self.grid, needed)
-        stress: FloatArray = _core.operators.surface_stress(
-            self.grid._core,
-            material._core.stack,
-            self._heating[body - 1],
-            depths_of(z).tolist(),
-            *self._tractions_on(body, pressure, shear),
-        )
-        return stress
-
-    def displacement(
-        self, pressure: ArrayLike, shear: ArrayLike | None = None, body: int = 2
-    ) -> FloatArray:
-        """Elastic displacement of a body's surface under tractions, along x, y and z.
-
-        Parameters
-        ----------
-        pressure : array_like, shape (nx, ny)
-            [Pa], positive in compression.
-        shear : array_like, shape (nx, ny) or (2, nx, ny), optional
-            Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction times
-            pressure. With `Coulomb` there is no default.
-        body : {1, 2}, optional
-
-        Returns
-        -------
-        ndarray, shape (3, nx, ny)
-            u_x, u_y, u_z [m] at the cell centres, zero far away (see Grid for periodic ones): u_x
-            and u_y along the x and y that both bodies share, u_z positive into the body. Shear
-            s_x > 0 on body 2 moves its surface to +x; pressure draws the surface around it towards
-            itself. Without thermal expansion; zero for a rigid body.
-
-        Raises
-        ------
-        ValueError, TypeError
-            An argument out of range or of the wrong kind.
-
-        Notes
-        -----
-        Boussinesq's and Cerruti's point forces (Johnson 1985, sections 3.2 and 3.6), integrated
-        over each cell in closed form. The relative displacement along the surface is that of body 2
-        less that of body 1; the approach of the surfaces is the sum of u_z.
-        """
-        material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
-        needed = 3 * _memory.surface(self.grid, _memory.DISPLACEMENT)
-        _memory.require_for_grid("a displacement", self.grid, needed)
-        loads = self._tractions_on(body, pressure, shear)
-        along = _core.operators.surface_displacement
-        return np.stack(
-            [along(self.grid._core, material._core.stack, *loads, axis) for axis in range(3)]
-        )
-
-    def _tractions_on(
-        self, body: int, pressure: ArrayLike, shear: ArrayLike | None
-    ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-        """Pressure, s_x and s_y on a body, of those on body 2; without shear that of friction."""
-        p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
-        if shear is None and not isinstance(self._core, _core.CoulombContact):
-            shear = self._core.shear(p)
-        elif shear is None:
-            raise ValueError(
-                f"shear must be given where friction is {self.friction!r}, got None: it does not "
-                "follow from the pressure; a solution has it"
-            )
-        parts = shear_components(self.grid, shear)
-        s_x, s_y = parts if body == 2 else (None if s is None else -s for s in parts)
-        return p, s_x, s_y
-
-    def temperature(self, pressure: ArrayLike, z: ArrayLike = 0.0, body: int = 2) -> FloatArray:
-        """Rise of temperature in a body at any depths.
-
-        Parameters
-        ----------
-        pressure : array_like, shape (nx, ny)
-            [Pa].
-        z : array_like, shape (m,), optional
-            Depths [m], >= 0; default the surface (flash temperature).
-        body : {1, 2}, optional
-
-        Returns
-        -------
-        ndarray, shape (nx, ny, m)
-            [K]; zero in a body that is not heated.
-        """
-        index = choice("body", body, (1, 2)) - 1
-        p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
-        layers = real_array("z", z).size
-        needed = _memory.volume(self.grid, _memory.TEMPERATURE, layers)
-        _memory.require_for_grid(f"the temperature at {layers} depths", self.grid, needed)
-        rise: FloatArray = _core.operators.temperature(
-            self.grid._core, self._heating[index], depths_of(z).tolist(), p
-        )
-        return rise

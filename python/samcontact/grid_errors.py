@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from . import _certified, half_resolution
+from . import _certified, _edges, half_resolution
 from ._along import ROUNDING, along_surface, not_rounding
+from ._area import area_doubt
 from ._checks import FloatArray, require_list, step_list
 from ._peak import peak
 from ._quantities import described
@@ -42,8 +43,9 @@ _KINDS = (
 _LEAST = 0.2
 """Of the largest relative difference of a kind, which each of that kind has at least: where grids
 differ in sign, two may agree by chance."""
-_OF_AREA = 0.35
-"""Relative error of an area of round spots over (cells in their radius)^-1.5, measured."""
+_OF_AREA = 0.7
+"""Bound of the relative error of an area of round spots over (cells in their radius)^-1.5: of wavy
+surfaces; balls have half of it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +57,8 @@ class GridErrors(Shown):
     values, errors : dict of ndarray, shape (increments,)
         By their names in results files, in SI units; the values between the cells, see
         docs/theory.md. NaN where not estimated: quantities of the volume are at the increment of
-        largest stress and at the last.
+        largest stress and at the last. Errors are infinite where a quantity does not converge: the
+        largest pressure, stresses and strains at a sharp edge, see `SingularPressureWarning`.
     states : list of State
         Of the run itself.
     slope_beyond : float
@@ -70,7 +73,7 @@ class GridErrors(Shown):
 
     def _rows(self) -> Rows:
         found = _largest_of(self.values, self.errors, {})
-        return [(row.label, f"{row.shown} ± {100 * row.relative:.2g} %") for row in found]
+        return [(row.label, row.with_error) for row in found]
 
     def __repr__(self) -> str:
         return f"GridErrors({len(self.errors)} quantities of {len(self.states)} increments)"
@@ -177,7 +180,9 @@ def estimated(
     for at, state in enumerate(states):
         known = [n for n in names if at in marks or n in _certified.OF_CONTACT]
         fine = _certified.values(state, known)
-        difference = _differences(fine, _certified.values(found[which[at]], known), state)
+        sharp = _edges.edge_of_state(state) is not None
+        coarse_values = _certified.values(found[which[at]], known)
+        difference = _differences(fine, coarse_values, state, sharp=sharp)
         for name in known:
             values[name][at], errors[name][at] = fine[name], difference[name]
     if isinstance(run.friction, Coulomb):
@@ -212,15 +217,19 @@ def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
 
 
 def _differences(
-    fine: Mapping[str, float], coarse: Mapping[str, float], state: State
+    fine: Mapping[str, float], coarse: Mapping[str, float], state: State, *, sharp: bool
 ) -> dict[str, float]:
-    """Of two solves, and no less than chance may have left of them."""
+    """Of two solves, and no less than chance may have left of them.
+
+    Infinite for what is singular at a sharp edge.
+    """
     found = {name: abs(value - coarse[name]) for name, value in fine.items()}
+    endless = {name for name in fine if sharp and _edges.is_singular(name)}
     for kind in _KINDS:
         relative = {
             name: found[name] / abs(value)
             for name, value in fine.items()
-            if value != 0 and name.partition("_body")[0] in kind
+            if value != 0 and name not in endless and name.partition("_body")[0] in kind
         }
         least = _LEAST * max(relative.values(), default=0.0)
         for name in relative:
@@ -228,8 +237,12 @@ def _differences(
     if fine["contact_area"] > 0:
         share = area_uncertainty(state.pressure, state.grid.periodic)
         of_area = _OF_AREA * (2 * share / ROUND_SPOT) ** 1.5
+        of_area += area_doubt(state.pressure, state.grid.periodic)
+        cells = np.count_nonzero(state.pressure)
+        if 0 < (open_ := state.pressure.size - cells) < cells and state.grid.periodic == "xy":
+            of_area *= (cells / open_) ** 0.5  # the spots that are not resolved are the open ones
         found["contact_area"] = max(found["contact_area"], of_area * fine["contact_area"])
-    return found
+    return found | dict.fromkeys(endless, np.inf)
 
 
 def _of_slip(
@@ -267,6 +280,10 @@ def said_of_slope(share: float) -> str:
     )
 
 
+ENDLESS = "does not converge"
+"""Of an error without a bound, at a sharp edge."""
+
+
 class ErrorRow(NamedTuple):
     """A quantity where it is largest: the number of the increment, its value; its error over that
     (the largest of the run where an accuracy was asked for)."""
@@ -276,6 +293,18 @@ class ErrorRow(NamedTuple):
     shown: str
     relative: float
     asked: float | None = None
+
+    @property
+    def percent(self) -> str:
+        """The error over the value [%], in words where it does not converge."""
+        return f"{100 * self.relative:.2g}" if np.isfinite(self.relative) else ENDLESS
+
+    @property
+    def with_error(self) -> str:
+        """The value with its error."""
+        if np.isfinite(self.relative):
+            return f"{self.shown} ± {self.percent} %"
+        return f"{self.shown}, {ENDLESS}"
 
 
 def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:

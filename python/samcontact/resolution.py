@@ -13,7 +13,9 @@ import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from . import hertz
+from ._area import AREA_OF_A_SIDE
 from ._checks import FloatArray
+from ._outline import sides_of
 from ._repr import lengths, quantity
 from .layered import materials_of, softest
 from .zone import strained_extent
@@ -29,8 +31,6 @@ FEW = 8
 """Cells across a contact, and layers of a plastic zone, below which there is a warning."""
 TOO_FEW = 4
 """Below this results are numbers of the grid: the check of a report fails."""
-AREA_OF_A_SIDE = (math.pi - 1 + math.log(2)) / 24
-"""Of a cell: by how much each side of the outline of a spot makes its area uncertain."""
 ROUND_SPOT = 16 / math.pi * AREA_OF_A_SIDE
 """That of a round spot, times its diameter in cells."""
 UNCERTAIN, TOO_UNCERTAIN = 0.1, 0.2
@@ -151,11 +151,7 @@ def area_uncertainty(pressure: ArrayLike, periodic: str = "") -> float:
     inside = np.asarray(pressure) > 0
     if not inside.any():
         return math.nan
-    sides = 0
-    for axis, name in enumerate("xy"):
-        sides += np.count_nonzero(np.diff(inside, axis=axis))
-        if name in periodic:
-            sides += np.count_nonzero(inside.take(0, axis) ^ inside.take(-1, axis))
+    sides = sum(len(found.i) for found in sides_of(inside, periodic))
     return float(AREA_OF_A_SIDE * sides / np.count_nonzero(inside))
 
 

@@ -249,6 +249,8 @@ class Simulation(Running, Windowed, Shown):
         -----
         ElasticStrainWarning
             Once in a simulation, when the largest pressure passes half the contact modulus.
+        SingularPressureWarning
+            The same, when the pressure rises to a sharp edge, where elastic bodies have no limit.
         UnitWarning
             The same, before the increment: a quantity is likely in another unit.
         PlasticStrainWarning

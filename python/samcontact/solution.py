@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ._area import contact_area
 from ._checks import FloatArray
+from ._edges import rises_outwards
 from ._repr import Brief, Rows, Shown, quantity
 from .grid import Grid
 
@@ -57,11 +59,19 @@ class ContactSolution(Brief, Shown):
     error: float
     converged: bool
 
+    @property
+    def contact_area(self) -> float:
+        """Contact area [m^2], with its edge between the cells; see the theory page."""
+        grid = self.grid
+        gap = self.gap if rises_outwards(self.pressure, grid.periodic) else None
+        return contact_area(self.pressure, grid.cell_area, grid.periodic, gap)
+
     def _rows(self) -> Rows:
         return [
             ("load", quantity(self.load, "N")),
             ("approach", quantity(self.approach, "m")),
             ("maximum pressure", quantity(float(self.pressure.max()), "Pa")),
+            ("contact area", quantity(self.contact_area, "m²")),
             ("cells in contact", f"{np.count_nonzero(self.pressure)} of {self.pressure.size}"),
             ("iterations", str(self.iterations)),
             ("work", quantity(self.work)),

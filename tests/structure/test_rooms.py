@@ -61,6 +61,7 @@ FOLDERS = {
 # Modules that talk to the core; all others go through them.
 CORE_USERS = {
     "__init__",
+    "_contact_fields",
     "_expected",
     "_heating",
     "_interfaces",

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from samcontact import Grid, Material, hertz
+from samcontact._area import contact_area
 
 ELASTIC = Material.elastic(210e9, 0.3)
 RIGID = Material.rigid()
@@ -26,7 +27,7 @@ class FakeState:
         self.travel, self.heat_factor = (0.0, 0.0), (0.0, 0.0)
         shape = (grid.nx, grid.ny)
         self.shear, self.gap = np.zeros((2, *shape)), np.zeros(shape)
-        self._window = SimpleNamespace(grid=grid, initial_gap=self.gap)
+        self._window = SimpleNamespace(grid=grid, initial_gap=self.gap, reliefs=(None, None))
         self._simulation = SimpleNamespace(body1=ELASTIC, body2=ELASTIC)
         self.converged, self.iterations, self.contact_iterations, self.substeps = True, 3, 20, 1
         self.plastic_residual, self.yield_excess = 1e-8, 2e-9
@@ -36,6 +37,7 @@ class FakeState:
             self.approach = contact.approach
         else:
             self.pressure, self.approach = np.zeros(shape), 0.0
+        self.contact_area = contact_area(self.pressure, grid.cell_area)
 
     @property
     def depths(self):

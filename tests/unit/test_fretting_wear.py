@@ -90,7 +90,9 @@ def test_the_scar_ends_where_all_is_carried_by_what_sticks():
     areas = [one.sticking_area for one in result.cycles]
     assert areas == pytest.approx([np.count_nonzero(stuck) * LINE.cell_area] * len(areas))
     assert np.count_nonzero(stuck) < 0.62 * result.cycles[0].contact_area / LINE.cell_area
-    only = sc.ContactSolver(LINE, STEEL, STEEL).solve(np.where(stuck, CYLINDER, 1e-3), load=LOAD)
+    solver = sc.ContactSolver(LINE, STEEL, STEEL)
+    with pytest.warns(sc.SingularPressureWarning):  # at the border of stick
+        only = solver.solve(np.where(stuck, CYLINDER, 1e-3), load=LOAD)
     np.testing.assert_allclose(pressure, only.pressure, atol=1e-6 * pressure.max())
 
 

@@ -104,7 +104,8 @@ class Accurate(Shown):
             known, body = described(name)
             unit = "m²" if known.unit == "m2" else "" if known.unit == "1" else known.unit
             label = known.heading if body is None else f"{known.heading}, body {body}"
-            rows.append((label, f"{quantity(self.values[name], unit)} ± {100 * relative:.2g} %"))
+            error = f"± {100 * relative:.2g} %" if np.isfinite(relative) else "(does not converge)"
+            rows.append((label, f"{quantity(self.values[name], unit)} {error}"))
         rows.append(("finest grid", f"{counts(self.grid.nx, self.grid.ny)} cells"))
         rows.append(("accuracy reached", "yes" if self.reached else f"no: {self.needs}"))
         return rows

@@ -10,6 +10,7 @@ import warnings
 import numpy as np
 
 from .._checks import FloatArray
+from .._edges import SingularPressureWarning, is_singular
 from .._progress import tell
 from .._repr import counts
 from ..runs.solves import Solves
@@ -85,11 +86,15 @@ class Search:
         return sum(run.seconds for run in self.runs.values())
 
     def search(self) -> Accurate:
-        self.scene.settle(self.run(0, self.used))
+        first = self.run(0, self.used)
+        self.scene.settle(first)
+        self._leave_out_singular(first)
         if self.scene.has_history:
             self._judge_increments()
         grids = self.grids = [self.run(0, self.used)]
         while True:
+            if not np.isfinite(self.wanted).any():  # nothing that a finer grid could tell
+                break
             enough = len(grids) >= FEWEST_GRIDS
             found = self._estimate(grids)
             worst = float(np.max(self._relative(found) / self.wanted))
@@ -101,9 +106,20 @@ class Search:
             if not self._affordable(grids, worst):
                 break
             grids.append(self.run(len(grids), self.used))
+            self._leave_out_singular(grids[-1])
         outcome = self._outcome(grids)
         self._warn(outcome)
         return outcome
+
+    def _leave_out_singular(self, run: Run) -> None:
+        """Ask nothing of quantities that have no limit along grids that become finer."""
+        told = () if run.solved is None else run.solved.told
+        if any(issubclass(warning.category, SingularPressureWarning) for warning in told):
+            endless = [is_singular(name) for name in self.asked]
+            self.wanted = np.where(endless, np.inf, self.wanted)
+            if any(endless):
+                names = ", ".join(name for name in self.asked if is_singular(name))
+                self.needs = f"{names}: no grid will do, they do not converge at a sharp edge"
 
     def best(self) -> Accurate | None:
         """Of the grids so far; None of fewer than tell an error."""
@@ -251,13 +267,15 @@ class Search:
 
     def _outcome(self, grids: list[Run]) -> Accurate:
         found, names, last = self._estimate(grids), self.scene.names, self._finest(grids[-1])
-        values, errors = largest(found.values, found.errors)
         kept = [names.index(name) for name in self.asked]
+        endless = [i for i, most in zip(kept, self.wanted, strict=True) if np.isinf(most)]
+        found.errors[:, endless] = np.inf
+        values, errors = largest(found.values, found.errors)
         return Accurate(
             values={names[i]: float(values[i]) for i in kept},
             errors={names[i]: float(errors[i]) for i in kept},
             accuracy=self.asked,
-            reached=bool(np.all(self._relative(found) <= self.wanted)),
+            reached=not endless and bool(np.all(self._relative(found) <= self.wanted)),
             series={names[i]: found.values[:, i] for i in kept},
             series_errors={names[i]: found.errors[:, i] for i in kept},
             increments=tuple(marks_of(last.case)),

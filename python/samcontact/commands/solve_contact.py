@@ -249,7 +249,7 @@ def _errors_sheet(dataset: xr.Dataset) -> Sheet | None:
     sheet.add("", [row.label for row in rows])
     sheet.add("increment", [str(row.increment) for row in rows])
     sheet.add("value", [row.shown for row in rows])
-    sheet.add("error\n[%]", [f"{100 * row.relative:.2g}" for row in rows])
+    sheet.add("error\n[%]", [row.percent for row in rows])
     if asked:
         sheet.add("asked\nfor [%]", [f"{100 * accuracy:.3g}" for accuracy in asked])
     return sheet

@@ -149,7 +149,8 @@ _SCALARS = (
 )  # fmt: skip
 _CONVERGENCE = (
     "iterations", "plastic_residual", "yield_excess", "contact_iterations", "substeps",
-    "contact_margin", "contact_cells", "area_uncertainty", "plastic_layers", "plastic_margin",
+    "contact_margin", "contact_cells", "sharp_cells", "area_uncertainty", "plastic_layers",
+    "plastic_margin",
 )  # fmt: skip
 
 
@@ -194,7 +195,11 @@ def errors_table(dataset: xr.Dataset) -> Table:
     found = error_rows(dataset)
     rows = []
     for row in found:
-        cells = [cell(row.increment, 1.0), Cell(row.shown, ""), _percent(row.relative)]
+        cells = [
+            cell(row.increment, 1.0),
+            Cell(row.shown, ""),
+            Cell(row.percent, repr(row.relative)),
+        ]
         rows.append((row.label, cells if row.asked is None else [*cells, _percent(row.asked)]))
     asked = ["asked for [%]"] * any(row.asked is not None for row in found)
     note = (

@@ -118,6 +118,9 @@ def _resolution(dataset: xr.Dataset, case: Case | None) -> Iterator[Verdict]:
             beside = "" if hertz is None else f" ({Expected(hertz)})"
             yield contact_cells(float(cells[peak]), beside, FEW)
         uncertain = dataset.get("area_uncertainty")
+        if "sharp_cells" in dataset:
+            name = "cells at sharp edges, where the pressure does not converge"
+            yield Verdict(name, float(dataset["sharp_cells"].max()), 0.0)
         if uncertain is not None and np.isfinite(uncertain[peak]):
             name = "relative uncertainty of the contact area under the largest load"
             yield Verdict(name, float(uncertain[peak]), TOO_UNCERTAIN)
@@ -166,8 +169,9 @@ def _errors(dataset: xr.Dataset) -> Iterator[Verdict]:
     """The largest of all, or each that an accuracy was asked for; what a surface has beyond its
     grid."""
     rows = error_rows(dataset)
-    if any(row.asked is None for row in rows):
-        worst = max(rows, key=lambda row: row.relative)
+    estimated = [row for row in rows if row.asked is None and np.isfinite(row.relative)]
+    if estimated:
+        worst = max(estimated, key=lambda row: row.relative)
         name = f"largest estimated error by the cells, relative: {worst.label}"
         yield Verdict(name, worst.relative, LARGEST_ERROR)
     for row in rows:

@@ -37,15 +37,11 @@ _VOLUME = ("volume_increment", "x", "y", "z")
 _TENSOR = ("volume_increment", "component", "x", "y", "z")
 
 
-def _contact_area(state: State) -> float:
-    return float(state.grid.dx * state.grid.dy * np.count_nonzero(state.pressure))
-
-
 _SCALARS: dict[str, Callable[[State], float]] = {
     "load": lambda state: float(state.load),
     "approach": lambda state: float(state.approach),
     "max_pressure": lambda state: float(np.max(state.pressure)),
-    "contact_area": _contact_area,
+    "contact_area": lambda state: state.contact_area,
     "iterations": lambda state: int(state.iterations),
     "contact_iterations": lambda state: int(state.contact_iterations),
     "substeps": lambda state: int(state.substeps),

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sharp edges are told wherever the pressure rises to them, and nowhere else."""
+
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from samcontact import _edges, report, results
+from samcontact.accuracy import run as accuracy_run
+
+STEEL, RIGID = sc.Material.elastic(210e9, 0.3), sc.Material.rigid()
+E_STAR = sc.hertz.effective_modulus(STEEL, STEEL)
+RADIUS, LENGTH, LINE_LOAD = 4e-3, 10e-3, 1.5e6
+HERTZ = sc.hertz.line(RADIUS, E_STAR, LINE_LOAD)
+
+
+def roller(cells, end=1e-3):
+    """A roller with straight ends on a flat: grid, and gap as a function of a grid."""
+
+    def gap(grid):
+        profile = grid.x[:, None] ** 2 / (2 * RADIUS)
+        beside = np.abs(grid.y) > LENGTH / 2
+        return profile + np.where(beside, end, 0.0)
+
+    return sc.Grid(25, cells, HERTZ.b / 8, 1.04 * LENGTH / cells), gap
+
+
+def crowned(grid):
+    """The same roller with a logarithmic profile, ends of the body included."""
+    profile = sc.surfaces.paraboloid(grid, RADIUS, math.inf)
+    s = np.clip(np.abs(grid.y) / (LENGTH / 2), 0.0, 0.999)
+    drop = -2 * LINE_LOAD / (math.pi * E_STAR) * np.log1p(-(s**2))
+    return profile + drop + np.where(np.abs(grid.y) > LENGTH / 2, 1e-3, 0.0)
+
+
+def kinds(solve):
+    """Warnings of singular pressure."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        solve()
+    return [str(w.message) for w in caught if w.category is sc.SingularPressureWarning]
+
+
+def test_the_end_of_a_roller_is_told_by_solver_and_simulation_and_once():
+    load, largest = LINE_LOAD * LENGTH, []
+    for cells in (64, 128):
+        grid, gap = roller(cells)
+        solver = sc.ContactSolver(grid, STEEL, STEEL)
+        with pytest.warns(sc.SingularPressureWarning, match=r"sharp edge.*crowned or logarithmic"):
+            largest.append(solver.solve(gap(grid), load=load).pressure.max())
+    assert largest[1] > 1.25 * largest[0]  # which is why
+    grid, gap = roller(64)
+    run = sc.Simulation(grid, STEEL, STEEL, gap(grid))
+    assert len(kinds(lambda: [run.step(load=load), run.step(load=1.1 * load)])) == 1
+    run = sc.Simulation(grid, STEEL, STEEL, gap(grid))
+    assert len(kinds(lambda: run.run([{"load": load}, {"load": 1.1 * load}], progress=False))) == 1
+    assert not kinds(lambda: sc.ContactSolver(grid, STEEL, STEEL).solve(crowned(grid), load=load))
+
+
+def test_punches_and_steps_are_told():
+    grid = sc.Grid(64, 64, 2e-5, 2e-5)
+    x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
+    ball = (x**2 + y**2) / (2 * 10e-3)
+    for gap in (
+        np.where(np.hypot(x, y) < 3e-4, 0.0, 1e-6),  # a low step too
+        np.where(np.maximum(abs(x), abs(y)) < 3e-4, 0.0, 1e-4),
+        np.where(np.maximum(abs(x), abs(y)) < 3e-4, 1e-6 * x / 3e-4, 1e-4),  # tilted
+        ball + np.where(x > 5e-5, 3e-6, 0.0),
+    ):
+        solver = sc.ContactSolver(grid, RIGID, STEEL)
+        assert len(kinds(lambda s=solver, g=gap: s.solve(g - g.min(), load=100.0))) == 1
+    # a step that the load has closed
+    fine = sc.Grid(128, 128, 1e-3 / 128, 1e-3 / 128)
+    gap = (fine.x[:, None] ** 2 + fine.y**2) / (2 * 10e-3)
+    gap = gap + np.where(fine.x[:, None] > 5e-5, 1e-7, 0.0)
+    assert len(kinds(lambda: sc.ContactSolver(fine, RIGID, STEEL).solve(gap, load=50.0))) == 1
+
+
+def smooth_scenes():
+    grid = sc.Grid(64, 64, 2e-5, 2e-5)
+    x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
+    r = np.hypot(x, y)
+    radius = 1e-4  # 5 cells
+    rounded = np.where(r < 3e-4, 0.0, (np.maximum(r - 3e-4, 0.0)) ** 2 / (2 * radius))
+    dent = 2e-6 * np.exp(-((r / 8e-5) ** 2))
+    joined = sc.Grid(128, 128, 1e-6, 1e-6, periodic="xy")
+    noise = 1e-7 * np.random.default_rng(0).standard_normal(joined.surface_shape)
+    waves = 1e-7 * np.outer(*(np.cos(2 * np.pi * np.arange(128) / 64) for _ in "xy"))
+    rough = sc.surfaces.rough_self_affine(joined, 1e-7, 0.4, seed=3)
+    side = 128e-6
+    yield "rounded punch", grid, rounded, 100.0
+    yield "ball with a dent", grid, r**2 / 20e-3 + dent, 50.0
+    yield "ball", grid, r**2 / 20e-3, 50.0
+    yield "wedge", grid, 0.02 * np.abs(x) + y**2 / 20e-3, 50.0
+    yield "noise of single cells", joined, noise, 0.02 * E_STAR * side**2
+    yield "closed waves", joined, waves, 0.02 * E_STAR * side**2
+    yield "open waves", joined, waves, 0.001 * E_STAR * side**2
+    yield "rough", joined, rough, 0.002 * E_STAR * side**2
+    steps = np.round(rough / 2e-8) * 2e-8  # as an instrument with few bits gives it
+    yield "rough, in steps", joined, steps, 0.002 * E_STAR * side**2
+
+
+def test_smooth_and_rough_contacts_are_not():
+    for name, grid, gap, load in smooth_scenes():
+        solver = sc.ContactSolver(grid, RIGID, STEEL)
+        assert not kinds(lambda s=solver, g=gap, n=load: s.solve(g - g.min(), load=n)), name
+
+
+def test_no_body_beyond_an_edge_is_an_edge():
+    pressure, gap = np.zeros((9, 9)), np.full((9, 9), np.nan)
+    pressure[2:7, 2:7], gap[2:7, 2:7] = 1e9, 0.0
+    pressure[2] = np.where(pressure[2] > 0, 2e9, 0.0)
+    for outside in (np.nan, np.inf):
+        gap[~(pressure > 0)] = outside
+        found = _edges.sharp_edge(pressure, gap, (1e-5, 1e-5), 1e11)
+        assert found is not None
+        assert found.peak[0] == 2
+        assert np.array_equal(np.nonzero(found.cells.any(axis=1))[0], [2])
+    assert _edges.sharp_edge(pressure, np.zeros((9, 9)), (1e-5, 1e-5), 1e11) is None
+
+
+def test_errors_say_that_the_largest_pressure_does_not_converge():
+    grid, gap = roller(64)
+    run, path = sc.Simulation(grid, STEEL, STEEL, gap), [{"load": LINE_LOAD * LENGTH}]
+    with pytest.warns(sc.SingularPressureWarning):
+        states = run.run(path, progress=False)
+    found = sc.estimate_errors(run, path, states)
+    assert math.isinf(found.errors["max_pressure"][0])
+    assert 0 < found.errors["approach"][0] < 0.1 * found.values["approach"][0]
+    assert "does not converge" in dict(found._rows())["maximum pressure"]
+    dataset = results.to_dataset(run, states)
+    found.add_to(dataset)
+    checks = {check.name: check for check in report.checks(dataset)}
+    assert dataset["sharp_cells"].values.max() >= 20
+    sharp = "cells at sharp edges, where the pressure does not converge"
+    assert not checks[sharp].passed
+    assert any("largest estimated error" in name for name in checks)  # of what converges
+
+
+def test_a_search_for_an_accuracy_ends_where_nothing_converges():
+    class Told:
+        solved = type(
+            "Solved", (), {"told": [type("W", (), {"category": sc.SingularPressureWarning})]}
+        )
+
+    search = object.__new__(accuracy_run.Search)
+    search.asked, search.needs = {"max_pressure": 0.01, "approach": 0.01}, ""
+    search.wanted = np.array([0.01, 0.01])
+    search._leave_out_singular(Told)
+    assert search.wanted.tolist() == [math.inf, 0.01]
+    assert "do not converge" in search.needs
