@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
 YIELD = "yield"
 PERMANENT = "permanent_deformation"
-SYNONYMS = {"max_plastic_strain": "max_equivalent_plastic_strain"}
 
 Built = tuple["Simulation", Sequence[Mapping[str, Any]]]
 
@@ -60,7 +59,7 @@ def resolved(name: str, simulation: Simulation) -> str:
             if isinstance(body, Layered) and body.is_plastic:
                 raise ValueError(
                     f'quantity = "yield" is not for layers, which body{n} has: find '
-                    "max_plastic_strain of a small value, e.g. 1e-6"
+                    "max_equivalent_plastic_strain of a small value, e.g. 1e-6"
                 )
         if not simulation.grid.has_volume:
             raise ValueError('quantity = "yield" needs a grid with dz')
@@ -71,7 +70,6 @@ def resolved(name: str, simulation: Simulation) -> str:
         if not simulation.grid.has_volume:
             raise ValueError(f'quantity = "{name}" needs a grid with dz')
         return name
-    name = SYNONYMS.get(name, name)
     known = _certified.names(bodies, volume=simulation.grid.has_volume)
     found = [one for one in known if one in (name, f"{name}_body1", f"{name}_body2")]
     if not found or name == "load":

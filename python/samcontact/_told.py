@@ -17,11 +17,15 @@ from .heat import Heat
 from .state import State
 
 SMALL_STRAIN = 0.05
-"""Equivalent plastic strain sqrt(2/3 e:e) up to which small-strain theory is trusted [-]."""
+"""Plastic strain up to which small-strain theory is trusted [-]."""
 
 
 class PlasticStrainWarning(UserWarning):
-    """The plastic strain is beyond the small-strain theory."""
+    """The plastic strain is beyond the small-strain theory.
+
+    It is given when the accumulated equivalent plastic strain, or the magnitude sqrt(2/3 e:e) of a
+    plastic strain that was set, first passes 5 %.
+    """
 
 
 @dataclass
@@ -77,16 +81,30 @@ class Told:
             pressure = state.pressure
             self.of_pressure = resolution.warn_of_strain(pressure, scene, stacklevel=stacklevel + 1)
         if not self.of_strain:
-            strain, body = max((state.max_plastic_strain(b), b) for b in (1, 2))
-            if strain > SMALL_STRAIN:
+            if text := _strain_text(state):
                 self.of_strain = True
-                warnings.warn(
-                    f"the equivalent plastic strain of body {body} reaches {strain:.3g}, more than "
-                    f"{SMALL_STRAIN}: strains are taken as small, and results lose their meaning "
-                    "beyond",
-                    PlasticStrainWarning,
-                    stacklevel=stacklevel + 1,
-                )
+                warnings.warn(text, PlasticStrainWarning, stacklevel=stacklevel + 1)
+
+
+def _strain_text(state: State) -> str:
+    """The warning of plastic strain above the small-strain limit; empty below."""
+    strains = {
+        body: (state.max_equivalent_plastic_strain(body), state.max_plastic_strain_magnitude(body))
+        for body in (1, 2)
+    }
+    body, (accumulated, magnitude) = max(strains.items(), key=lambda item: max(item[1]))
+    if max(accumulated, magnitude) <= SMALL_STRAIN:
+        return ""
+    limit = f"above the small-strain limit of {SMALL_STRAIN}: results are unreliable"
+    if accumulated < magnitude:  # a strain that was set
+        return f"the plastic strain magnitude sqrt(2/3 e:e) of body {body} is {magnitude:.3g}, {limit}"
+    text = f"the accumulated equivalent plastic strain of body {body} is {accumulated:.3g}, {limit}"
+    if magnitude <= SMALL_STRAIN:
+        text += (
+            f", unless most of it is reversed flow (the plastic strain magnitude sqrt(2/3 e:e) is "
+            f"at most {magnitude:.3g})"
+        )
+    return text
 
 
 def _cut_text(state: State) -> str:

@@ -154,9 +154,9 @@ def plastic_layers(layers: ArrayLike, body: int) -> Iterator[Verdict]:
 
 def _strains(dataset: xr.Dataset) -> Iterator[Verdict]:
     for body in (1, 2):
-        variable = f"max_plastic_strain_body{body}"
+        variable = f"max_plastic_strain_magnitude_body{body}"
         if variable in dataset:
-            name = f"largest plastic strain, body {body}"
+            name = f"largest plastic strain magnitude, body {body}"
             yield Verdict(name, float(dataset[variable].max()), SMALL_STRAIN)
 
 
