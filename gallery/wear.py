@@ -122,7 +122,8 @@ def stated_first_cycle(results: Results) -> list[Statement]:
         Statement(
             "plastic zone of the first cycle",
             "found at the surface, as for friction above 0.3",
-            f"largest plastic strain {100 * first.max_equivalent_plastic_strain[0]:.2f} %, in the first layer",
+            f"largest plastic strain {100 * first.max_equivalent_plastic_strain[0]:.2f} %, in the "
+            "first layer",
             first.max_equivalent_plastic_strain == first.surface_strain,
             results.mesh,
         ),

@@ -197,7 +197,9 @@ CONTACT = {
         "1", "(von Mises stress - yield stress)/yield stress when accepted, largest", "",
         "yield excess",
     ),
-    "max_plastic_strain_magnitude": Q("1", "maximum plastic strain magnitude sqrt(2/3 e:e), non-cumulative"),
+    "max_plastic_strain_magnitude": Q(
+        "1", "maximum plastic strain magnitude sqrt(2/3 e:e), non-cumulative"
+    ),
     "plastic_margin": Q(
         "1", "cells between plastic strain and border of the volume, least", "cells",
         "plastic zone to border",

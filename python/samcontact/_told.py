@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from . import resolution
+from . import _plastic_patterns, resolution
 from ._expected import Scene
 from ._repr import quantity
 from .contact import GridTooSmallWarning
@@ -34,6 +34,10 @@ class Told:
 
     of_strain: bool = False
     of_pressure: bool = False
+    of_limit: bool = False
+    of_alternation: bool = False
+    looks_at_increments: bool = True
+    """Whether it is still estimated what more increments would change."""
     looks_at_steps: bool = True
     """Whether steps are warned of by themselves; a run looks at its grid as a whole."""
     of_cut: bool = False
@@ -44,11 +48,12 @@ class Told:
     @contextmanager
     def as_a_whole(self) -> Iterator[None]:
         """Of several steps, whose grid is looked at afterwards."""
-        looks, self.looks_at_steps = self.looks_at_steps, False
+        looks = self.looks_at_steps, self.looks_at_increments
+        self.looks_at_steps = self.looks_at_increments = False
         try:
             yield
         finally:
-            self.looks_at_steps = looks
+            self.looks_at_steps, self.looks_at_increments = looks
 
     def doubt(
         self, scene: Scene, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
@@ -80,10 +85,15 @@ class Told:
         if not self.of_pressure:
             pressure = state.pressure
             self.of_pressure = resolution.warn_of_strain(pressure, scene, stacklevel=stacklevel + 1)
-        if not self.of_strain:
-            if text := _strain_text(state):
-                self.of_strain = True
-                warnings.warn(text, PlasticStrainWarning, stacklevel=stacklevel + 1)
+        if not self.of_limit:
+            self.of_limit = _plastic_patterns.warn_of_limit(state, scene, stacklevel=stacklevel + 1)
+        if not self.of_alternation:
+            self.of_alternation = _plastic_patterns.warn_of_alternation(
+                state, stacklevel=stacklevel + 1
+            )
+        if not self.of_strain and (text := _strain_text(state)):
+            self.of_strain = True
+            warnings.warn(text, PlasticStrainWarning, stacklevel=stacklevel + 1)
 
 
 def _strain_text(state: State) -> str:
@@ -97,7 +107,9 @@ def _strain_text(state: State) -> str:
         return ""
     limit = f"above the small-strain limit of {SMALL_STRAIN}: results are unreliable"
     if accumulated < magnitude:  # a strain that was set
-        return f"the plastic strain magnitude sqrt(2/3 e:e) of body {body} is {magnitude:.3g}, {limit}"
+        return (
+            f"the plastic strain magnitude sqrt(2/3 e:e) of body {body} is {magnitude:.3g}, {limit}"
+        )
     text = f"the accumulated equivalent plastic strain of body {body} is {accumulated:.3g}, {limit}"
     if magnitude <= SMALL_STRAIN:
         text += (

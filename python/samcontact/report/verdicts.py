@@ -168,6 +168,10 @@ def _errors(dataset: xr.Dataset) -> Iterator[Verdict]:
         worst = max(rows, key=lambda row: row.relative)
         name = f"largest estimated error by the cells, relative: {worst.label}"
         yield Verdict(name, worst.relative, LARGEST_ERROR)
+    start = "increment_error_"
+    if shares := [share for name, share in dataset.attrs.items() if str(name).startswith(start)]:
+        name = "largest estimated error by the increments, relative"
+        yield Verdict(name, float(max(shares)), LARGEST_ERROR)
     for row in rows:
         if row.asked is not None:
             yield Verdict(f"estimated relative error, {row.label}", row.relative, row.asked)

@@ -139,6 +139,7 @@ def _solve(scene: Scene, standing: Standing) -> Moments:
         **scene.settings,
     )
     simulation._told.looks_at_steps = False
+    simulation._told.looks_at_increments = False  # of the many that follow
     for body, kept in standing.strains.items():
         simulation.set_plastic_strain(
             body, kept.strain, kept.equivalent, kept.backstress, first=kept.first

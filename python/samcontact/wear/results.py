@@ -52,7 +52,8 @@ class Cycle:
     """From top to bottom of the plastic zone, before anything is removed; 0 without one."""
 
     PER_BODY: ClassVar = (
-        "volume", "lost", "depth", "surface_strain", "max_equivalent_plastic_strain", "plastic_layers"
+        "volume", "lost", "depth", "surface_strain", "max_equivalent_plastic_strain",
+        "plastic_layers",
     )  # fmt: skip
 
 
