@@ -15,6 +15,9 @@ Ends = list[tuple[int, int]]
 """Numbers of increments of the one path and the other that end at the same target."""
 _TARGETS = ("load", "approach", "torque")
 _MOTIONS = ("twist", "duration")
+_ALIKE = 3.0
+_FEW = 0.65
+"""Of the increments, that may be left of them."""
 
 
 def cleaned(step: Step) -> dict[str, Any]:
@@ -44,21 +47,42 @@ def doubled(
 
 def halved(
     path: Sequence[Step], states: Sequence[State], start: float
-) -> tuple[list[dict[str, Any]], Ends]:
-    """Neighbouring increments that go on in the same direction as one; others stay."""
+) -> tuple[list[dict[str, Any]], Ends] | None:
+    """Neighbouring increments that go on in the same direction as one; others stay.
+
+    None where that tells too little: few can be joined, or one that stays is larger than those.
+    """
     steps: list[dict[str, Any]] = []
     ends: Ends = []
+    sizes: dict[bool, dict[str, float]] = {True: {}, False: {}}
     number = 0
     while number < len(path):
         step = path[number]
         before = _before(number, path, states, start)
-        if number + 1 < len(path) and _goes_on(before, step, path[number + 1]):
+        joins = number + 1 < len(path) and _goes_on(before, step, path[number + 1])
+        if joins:
             step = _joined(step, path[number + 1])
             number += 1
+        for name, size in _sizes(before, step).items():
+            sizes[joins][name] = max(size, sizes[joins].get(name, 0.0))
         steps.append(dict(step))
         ends.append((number, len(steps) - 1))
         number += 1
-    return steps, ends
+    larger = any(size > sizes[True].get(name, 0.0) for name, size in sizes[False].items())
+    return None if larger or len(steps) > _FEW * len(path) else (steps, ends)
+
+
+def _sizes(before: Step, step: Step) -> dict[str, float]:
+    """How far an increment goes in each of its targets and motions."""
+    found = {name: abs(step[name] - before[name]) for name in _TARGETS if name in step}
+    if "twist" in step:
+        found["twist"] = abs(step["twist"])
+    for name in ("tangential_load", "shift", "advance"):
+        if name in step:
+            starts = before[name] if name == "tangential_load" else (0.0, 0.0)
+            ways = [0.0 if q is None else q - p for p, q in zip(starts, step[name], strict=True)]
+            found[name] = max(map(abs, ways))
+    return found
 
 
 def _before(
@@ -71,7 +95,9 @@ def _before(
     approach = state.approach if state.load > 0 else start
     found: dict[str, Any] = {"load": state.load, "approach": approach, "torque": state.torque}
     forces = zip(step.get("tangential_load", (None, None)), state.tangential_load, strict=True)
-    found["tangential_load"] = tuple(q if given is None else given for given, q in forces)
+    rounding = 1e-9 * state.load
+    held = ((given, q if abs(q) > rounding else 0.0) for given, q in forces)
+    found["tangential_load"] = tuple(q if given is None else given for given, q in held)
     return found | {name: step[name] for name in _TARGETS if name in step}
 
 
@@ -122,9 +148,10 @@ def _goes_on(before: Step, step: Step, after: Step) -> bool:
 
 
 def _is_one_way(a: float, b: float | None, c: float | None) -> bool:
+    """Whether two ways in the same direction are of about the same length."""
     if b is None or c is None:
         return b is None and c is None
-    return (b - a) * (c - b) > 0 or a == b == c
+    return a == b == c or (b != a and 1 / _ALIKE <= (c - b) / (b - a) <= _ALIKE)
 
 
 def _joined(step: Step, after: Step) -> dict[str, Any]:

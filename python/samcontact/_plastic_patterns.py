@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic solutions that are patterns of the cells: above the limit load, or alternating in depth."""
+"""Plastic solutions that the cells spoil: above the limit load, or alternating in depth."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ LIMIT_PRESSURE = 3.0
 """Mean pressure of a fully plastic contact over the yield stress."""
 _MOST_OVER = 1.05
 _ALTERNATES = 0.15
-"""Of the largest strain: zones of three layers stay below, patterns grow to 0.2 and more."""
+"""Of the largest strain: zones of four layers stay below, patterns grow to 0.2 and more."""
 
 
 def warn_of_limit(state: State, scene: Scene, *, stacklevel: int) -> bool:
@@ -45,11 +45,12 @@ def warn_of_limit(state: State, scene: Scene, *, stacklevel: int) -> bool:
     if mean <= _MOST_OVER * LIMIT_PRESSURE or spots(state.pressure) > 1:
         return False
     across = cells_across(state.pressure)
+    over = 100 * (mean / LIMIT_PRESSURE - 1)
     text = (
         f"the mean pressure is {mean:.3g} times the yield stress of body {number} at its largest "
-        f"plastic strain, and a fully plastic contact bears about {LIMIT_PRESSURE:g}: pressure and "
-        f"load are about {100 * (mean / LIMIT_PRESSURE - 1):.0f} % too high, since only "
-        f"{across:.0f} cells lie across the contact. Take smaller cells, or thinner layers (dz)"
+        f"plastic strain, and a fully plastic contact bears about {LIMIT_PRESSURE:g}: with "
+        f"{across:.0f} cells across the contact the pressure is about {over:.0f} % too high, and "
+        "the contact area as much too small. Take smaller cells, or thinner layers (dz)"
     )
     warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
@@ -81,11 +82,11 @@ def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
 def alternation(strain: FloatArray) -> float:
     """Amplitude of a strain that alternates from layer to layer over the largest strain.
 
-    strain: shape (6, nx, ny, nz). It is that of fourth differences, which smooth fields over three
-    or more layers hardly have; 0 of fewer than 5 layers.
+    strain: shape (6, nx, ny, nz). It is that of fourth differences, which smooth fields over four
+    or more layers hardly have; 0 of fewer.
     """
     largest = float(np.sqrt((strain**2).sum(0)).max())
-    if strain.shape[-1] < 5 or largest == 0:
+    if strain.shape[-1] < 5 or np.count_nonzero(strain.any(axis=(0, 1, 2))) < 4:
         return 0.0
     fourth = np.diff(strain, 4, axis=-1) / 16
     return float(np.sqrt((fourth**2).sum(0)).max()) / largest

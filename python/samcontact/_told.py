@@ -9,8 +9,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from . import _plastic_patterns, resolution
+from . import resolution
 from ._expected import Scene
+from ._plastic_patterns import warn_of_alternation, warn_of_limit
 from ._repr import quantity
 from .contact import GridTooSmallWarning
 from .heat import Heat
@@ -86,11 +87,9 @@ class Told:
             pressure = state.pressure
             self.of_pressure = resolution.warn_of_strain(pressure, scene, stacklevel=stacklevel + 1)
         if not self.of_limit:
-            self.of_limit = _plastic_patterns.warn_of_limit(state, scene, stacklevel=stacklevel + 1)
+            self.of_limit = warn_of_limit(state, scene, stacklevel=stacklevel + 1)
         if not self.of_alternation:
-            self.of_alternation = _plastic_patterns.warn_of_alternation(
-                state, stacklevel=stacklevel + 1
-            )
+            self.of_alternation = warn_of_alternation(state, stacklevel=stacklevel + 1)
         if not self.of_strain and (text := _strain_text(state)):
             self.of_strain = True
             warnings.warn(text, PlasticStrainWarning, stacklevel=stacklevel + 1)
