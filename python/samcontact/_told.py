@@ -24,8 +24,9 @@ SMALL_STRAIN = 0.05
 class PlasticStrainWarning(UserWarning):
     """The plastic strain is beyond the small-strain theory.
 
-    It is given when the accumulated equivalent plastic strain, or the magnitude sqrt(2/3 e:e) of a
-    plastic strain that was set, first passes 5 %.
+    It is given when the accumulated equivalent plastic strain first passes 5 %, unless most of it is
+    reversed flow (the magnitude sqrt(2/3 e:e) of the plastic strain is below half of it), or when
+    that magnitude does.
     """
 
 
@@ -97,25 +98,21 @@ class Told:
 
 def _strain_text(state: State) -> str:
     """The warning of plastic strain above the small-strain limit; empty below."""
-    strains = {
-        body: (state.max_equivalent_plastic_strain(body), state.max_plastic_strain_magnitude(body))
-        for body in (1, 2)
-    }
-    body, (accumulated, magnitude) = max(strains.items(), key=lambda item: max(item[1]))
-    if max(accumulated, magnitude) <= SMALL_STRAIN:
-        return ""
-    limit = f"above the small-strain limit of {SMALL_STRAIN}: results are unreliable"
-    if accumulated < magnitude:  # a strain that was set
-        return (
-            f"the plastic strain magnitude sqrt(2/3 e:e) of body {body} is {magnitude:.3g}, {limit}"
-        )
-    text = f"the accumulated equivalent plastic strain of body {body} is {accumulated:.3g}, {limit}"
-    if magnitude <= SMALL_STRAIN:
-        text += (
-            f", unless most of it is reversed flow (the plastic strain magnitude sqrt(2/3 e:e) is "
-            f"at most {magnitude:.3g})"
-        )
-    return text
+    for body in (1, 2):
+        accumulated = state.max_equivalent_plastic_strain(body)
+        magnitude = state.max_plastic_strain_magnitude(body)
+        # Reversed flow adds up without end, and leaves the strain small.
+        mostly_reversed = magnitude < 0.5 * accumulated
+        limit = f"above the small-strain limit of {SMALL_STRAIN}: results are unreliable"
+        if accumulated > SMALL_STRAIN and not mostly_reversed:
+            return (
+                f"the accumulated equivalent plastic strain of body {body} is {accumulated:.3g}, "
+                f"{limit} (plastic strain magnitude sqrt(2/3 e:e) at most {magnitude:.3g})"
+            )
+        if magnitude > SMALL_STRAIN:  # after more reversed flow, or as it was set
+            name = "plastic strain magnitude sqrt(2/3 e:e)"
+            return f"the {name} of body {body} is {magnitude:.3g}, {limit}"
+    return ""
 
 
 def _cut_text(state: State) -> str:

@@ -255,7 +255,8 @@ class Simulation(Running, Windowed, Shown):
         UnitWarning
             The same, before the increment: a quantity is likely in another unit.
         PlasticStrainWarning
-            The same, when the largest accumulated equivalent plastic strain passes 5 %.
+            The same, when the largest accumulated equivalent plastic strain passes 5 %, unless
+            most of it is reversed flow.
         GridTooSmallWarning
             With on_border="warn", where there would be a GridTooSmallError. Once in a simulation,
             where plastic strain lies below nz dz or beside the grid, where fields do not show it.

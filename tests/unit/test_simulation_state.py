@@ -173,9 +173,9 @@ class TestSmallStrain:
         self.strained(sim, body, 0.06)
         assert self.warnings_of(sim, LOAD) == []
 
-    @pytest.mark.parametrize(("accumulated", "count"), [(0.0499, 0), (0.0536, 1)])
+    @pytest.mark.parametrize(("accumulated", "count"), [(0.0499, 0), (0.0536, 1), (0.07, 0)])
     def test_is_of_the_accumulated_strain(self, accumulated, count):
-        """Which is the one that tables show; what is left of it by reversed flow is told beside."""
+        """The one that tables show, unless most of it is reversed flow."""
         sim = simulation(STEEL, self.STRONG)
         strain, equivalent = np.zeros((6, *GRID.volume_shape)), np.zeros(GRID.volume_shape)
         strain[5, 9, 9, 4], equivalent[9, 9, 4] = 0.03 * math.sqrt(3) / 2, accumulated
@@ -185,7 +185,6 @@ class TestSmallStrain:
         assert len(messages) == count
         for message in messages:
             assert "accumulated equivalent plastic strain of body 2 is 0.0536" in message
-            assert "reversed flow" in message
             assert message.endswith("at most 0.03)")
 
     def test_may_be_an_error(self):
