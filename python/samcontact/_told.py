@@ -24,9 +24,9 @@ SMALL_STRAIN = 0.05
 class PlasticStrainWarning(UserWarning):
     """The plastic strain is beyond the small-strain theory.
 
-    It is given when the accumulated equivalent plastic strain first passes 5 %, unless most of it is
-    reversed flow (the magnitude sqrt(2/3 e:e) of the plastic strain is below half of it), or when
-    that magnitude does.
+    It is given when the accumulated equivalent plastic strain first passes 5 %, unless most of it
+    is reversed flow (the magnitude sqrt(2/3 e:e) of the plastic strain is below half of it), or
+    when that magnitude does.
     """
 
 
