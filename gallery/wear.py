@@ -122,8 +122,9 @@ def stated_first_cycle(results: Results) -> list[Statement]:
         Statement(
             "plastic zone of the first cycle",
             "found at the surface, as for friction above 0.3",
-            f"largest plastic strain {100 * first.max_plastic_strain[0]:.2f} %, in the first layer",
-            first.max_plastic_strain == first.surface_strain,
+            f"largest plastic strain {100 * first.max_equivalent_plastic_strain[0]:.2f} %, in the "
+            "first layer",
+            first.max_equivalent_plastic_strain == first.surface_strain,
             results.mesh,
         ),
     ]
@@ -176,7 +177,7 @@ def stated_largest(results: Results) -> list[Statement]:
     found, mesh = results.exact, results.mesh
     first = found.cycles[0]
     pressure = max(cycle.max_pressure for cycle in found.cycles)
-    strain = max(cycle.max_plastic_strain[0] for cycle in found.cycles)
+    strain = max(cycle.max_equivalent_plastic_strain[0] for cycle in found.cycles)
     conserved = max(abs(c.lost[0] / c.volume[0] - 1) for c in found.cycles)
     return [
         Statement(

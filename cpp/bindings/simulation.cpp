@@ -226,7 +226,7 @@ void bind_state(py::module_& m) {
              return surface_array(std::move(gap), state.scene().grid);
            })
       .def("max_equivalent_plastic_strain", &State::max_equivalent_plastic_strain, py::arg("body"))
-      .def("max_plastic_strain", &State::max_plastic_strain, py::arg("body"))
+      .def("max_plastic_strain_magnitude", &State::max_plastic_strain_magnitude, py::arg("body"))
       .def("plastic_cells", &State::plastic_cells, py::arg("body"))
       .def_readonly("converged", &State::converged)
       .def_readonly("warnings", &State::warnings)

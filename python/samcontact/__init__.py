@@ -45,6 +45,7 @@ from .friction import Coulomb
 from .grid import Grid
 from .grid_errors import GridErrors, estimate_errors
 from .heat import Heat
+from .increment_errors import IncrementErrors, IncrementWarning
 from .layered import Layered
 from .material import Material
 from .relief import Relief
@@ -72,6 +73,8 @@ __all__ = [
     "GridTooSmallError",
     "GridTooSmallWarning",
     "Heat",
+    "IncrementErrors",
+    "IncrementWarning",
     "Layered",
     "Material",
     "PlasticStrainWarning",

@@ -124,7 +124,7 @@ def _bounds(state: State, body: int, ranges: Sequence[slice]) -> FloatArray:
     Infinite where it is not known.
     """
     bounds = np.full(_count(len(ranges)), np.inf)
-    if state.max_plastic_strain(body) == 0:
+    if state.max_plastic_strain_magnitude(body) == 0:
         return bounds
     fields = _fields(state, "max_equivalent_plastic_strain", body)
     materials = materials_of(_bodies(state)[body - 1])

@@ -34,7 +34,7 @@ def stress_at_interfaces(state: State, body: int) -> FloatArray:
     found = np.stack(np.split(stress, len(SIDES), axis=-1))
     for component, initial in zip((0, 1, 5), layered.residual_stress_at(sides), strict=True):
         found[:, component] += initial[:, None, None, :]
-    if state.max_plastic_strain(body) > 0:
+    if state.max_plastic_strain_magnitude(body) > 0:
         found += _of_strain(state, body, depths)
     return found
 

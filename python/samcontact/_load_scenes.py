@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
 YIELD = "yield"
 PERMANENT = "permanent_deformation"
-SYNONYMS = {"max_plastic_strain": "max_equivalent_plastic_strain"}
 
 Built = tuple["Simulation", Sequence[Mapping[str, Any]]]
 
@@ -52,9 +51,9 @@ def of_case(case: Case) -> float:
 
 def require_known(name: object) -> None:
     """Raise ValueError for what is no quantity of any simulation, with the nearest that is one."""
-    kinds = [*_certified.OF_CONTACT[1:], *_certified.OF_BODY, *SYNONYMS]
+    kinds = [*_certified.OF_CONTACT[1:], *_certified.OF_BODY]
     known = [*kinds, PERMANENT, YIELD]
-    of_body = (*_certified.OF_BODY, *SYNONYMS)
+    of_body = _certified.OF_BODY
     if name in known or name in [f"{kind}_body{n}" for kind in of_body for n in (1, 2)]:
         return
     near = difflib.get_close_matches(str(name).lower(), known, 1, cutoff=0.5)
@@ -75,7 +74,7 @@ def resolved(name: str, simulation: Simulation) -> str:
             if isinstance(body, Layered) and body.is_plastic:
                 raise ValueError(
                     f'quantity = "yield" is not for layers, which body{n} has: find '
-                    "max_plastic_strain of a small value, e.g. 1e-6"
+                    "max_equivalent_plastic_strain of a small value, e.g. 1e-6"
                 )
         if not simulation.grid.has_volume:
             raise ValueError('quantity = "yield" needs a grid with dz')
@@ -86,8 +85,6 @@ def resolved(name: str, simulation: Simulation) -> str:
         if not simulation.grid.has_volume:
             raise ValueError(f'quantity = "{name}" needs a grid with dz')
         return name
-    kind, of_body, number = name.partition("_body")
-    name = SYNONYMS.get(kind, kind) + of_body + number
     known = _certified.names(bodies, volume=simulation.grid.has_volume)
     found = [one for one in known if one in (name, f"{name}_body1", f"{name}_body2")]
     if not found:

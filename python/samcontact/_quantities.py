@@ -201,7 +201,9 @@ CONTACT = {
         "1", "(von Mises stress - yield stress)/yield stress when accepted, largest", "",
         "yield excess",
     ),
-    "max_plastic_strain": Q("1", "maximum of sqrt(2/3 e:e) of the plastic strain e"),
+    "max_plastic_strain_magnitude": Q(
+        "1", "maximum plastic strain magnitude sqrt(2/3 e:e), non-cumulative"
+    ),
     "plastic_margin": Q(
         "1", "cells between plastic strain and border of the volume, least", "cells",
         "plastic zone to border",
@@ -323,7 +325,7 @@ WEAR = {
         "1", "largest plastic strain of the first layer before removal", "%",
         "plastic strain of the first layer",
     ),
-    "max_plastic_strain": Q(
+    "max_equivalent_plastic_strain": Q(
         "1", "largest equivalent plastic strain before removal", "%", "largest plastic strain",
         "plastic\nstrain",
     ),

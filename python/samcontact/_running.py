@@ -6,14 +6,18 @@ from __future__ import annotations
 import logging
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from ._checks import boolean, step_list
 from ._progress import progress_bar
 from ._steps import STEP, largest_cold_load, largest_target
 from ._window import Windowed
+from .increment_errors import History, warn_of
 from .runs.journal import Resumed, journal_of
 from .state import State, in_one_window
+
+if TYPE_CHECKING:
+    from .simulation import Simulation
 
 _logger = logging.getLogger("samcontact")
 
@@ -77,6 +81,7 @@ class Running(Windowed):
     step: Any
     counters: Any
     residual_stress: str
+    _history: History
 
     def run(
         self,
@@ -117,11 +122,20 @@ class Running(Windowed):
             Before the first increment; at the end, of the largest load: a contact fewer than 8
             cells across, an area of spots uncertain by 10 %, a plastic zone fewer than 8 layers
             high or layers too thick to see.
+        IncrementWarning
+            At the end, once in a simulation: more increments would change pressure, shear or
+            equivalent plastic strain by more than 5 % of the largest. The path since the start is
+            solved again with half as many increments, or twice as many where neighbours do not go
+            on in the same direction, on cells twice, four or eight times as large where 6 (without
+            flow 16) stay across the contact. Skipped where increments have no part: of bodies that
+            do not yield, or under control of `increment_tol`, unless they stick and slip; and where
+            the past is not known (prescribed tractions, `set_plastic_strain`, checkpoints).
         """
         boolean("progress", progress)
         states: list[State] = []
         try:
             self._run_into(states, step_list("path", path, STEP), progress, checkpoint)
+            warn_of(cast("Simulation", self), in_one_window(states), 2, stacklevel=2)
         except BaseException as error:  # Ctrl-C too
             error.states = states  # type: ignore[attr-defined]
             raise

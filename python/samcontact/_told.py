@@ -11,17 +11,23 @@ from typing import Any
 
 from . import _edges, resolution
 from ._expected import Scene
+from ._plastic_patterns import warn_of_alternation, warn_of_limit
 from ._repr import quantity
 from .contact import GridTooSmallWarning
 from .heat import Heat
 from .state import State
 
 SMALL_STRAIN = 0.05
-"""Equivalent plastic strain sqrt(2/3 e:e) up to which small-strain theory is trusted [-]."""
+"""Plastic strain up to which small-strain theory is trusted [-]."""
 
 
 class PlasticStrainWarning(UserWarning):
-    """The plastic strain is beyond the small-strain theory."""
+    """The plastic strain is beyond the small-strain theory.
+
+    It is given when the accumulated equivalent plastic strain first passes 5 %, unless most of it
+    is reversed flow (the magnitude sqrt(2/3 e:e) of the plastic strain is below half of it), or
+    when that magnitude does.
+    """
 
 
 @dataclass
@@ -30,6 +36,10 @@ class Told:
 
     of_strain: bool = False
     of_pressure: bool = False
+    of_limit: bool = False
+    of_alternation: bool = False
+    looks_at_increments: bool = True
+    """Whether it is still estimated what more increments would change."""
     looks_at_steps: bool = True
     """Whether steps are warned of by themselves; a run looks at its grid as a whole."""
     of_cut: bool = False
@@ -41,11 +51,12 @@ class Told:
     @contextmanager
     def as_a_whole(self) -> Iterator[None]:
         """Of several steps, whose grid is looked at afterwards."""
-        looks, self.looks_at_steps = self.looks_at_steps, False
+        looks = self.looks_at_steps, self.looks_at_increments
+        self.looks_at_steps = self.looks_at_increments = False
         try:
             yield
         finally:
-            self.looks_at_steps = looks
+            self.looks_at_steps, self.looks_at_increments = looks
 
     def doubt(
         self, scene: Scene, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
@@ -80,17 +91,32 @@ class Told:
         if not self.of_edge:
             edge = _edges.edge_of_state(state)
             self.of_edge = _edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
-        if not self.of_strain:
-            strain, body = max((state.max_plastic_strain(b), b) for b in (1, 2))
-            if strain > SMALL_STRAIN:
-                self.of_strain = True
-                warnings.warn(
-                    f"the equivalent plastic strain of body {body} reaches {strain:.3g}, more than "
-                    f"{SMALL_STRAIN}: strains are taken as small, and results lose their meaning "
-                    "beyond",
-                    PlasticStrainWarning,
-                    stacklevel=stacklevel + 1,
-                )
+        if not self.of_limit:
+            self.of_limit = warn_of_limit(state, scene, stacklevel=stacklevel + 1)
+        if not self.of_alternation:
+            self.of_alternation = warn_of_alternation(state, stacklevel=stacklevel + 1)
+        if not self.of_strain and (text := _strain_text(state)):
+            self.of_strain = True
+            warnings.warn(text, PlasticStrainWarning, stacklevel=stacklevel + 1)
+
+
+def _strain_text(state: State) -> str:
+    """The warning of plastic strain above the small-strain limit; empty below."""
+    for body in (1, 2):
+        accumulated = state.max_equivalent_plastic_strain(body)
+        magnitude = state.max_plastic_strain_magnitude(body)
+        # Reversed flow adds up without end, and leaves the strain small.
+        mostly_reversed = magnitude < 0.5 * accumulated
+        limit = f"above the small-strain limit of {SMALL_STRAIN}: results are unreliable"
+        if accumulated > SMALL_STRAIN and not mostly_reversed:
+            return (
+                f"the accumulated equivalent plastic strain of body {body} is {accumulated:.3g}, "
+                f"{limit} (plastic strain magnitude sqrt(2/3 e:e) at most {magnitude:.3g})"
+            )
+        if magnitude > SMALL_STRAIN:  # after more reversed flow, or as it was set
+            name = "plastic strain magnitude sqrt(2/3 e:e)"
+            return f"the {name} of body {body} is {magnitude:.3g}, {limit}"
+    return ""
 
 
 def _cut_text(state: State) -> str:

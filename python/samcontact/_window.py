@@ -225,7 +225,7 @@ class Windowed(Configured):
     def _make_room(self, load: float | None = None, approach: float | None = None) -> None:
         """For what Hertz says will come, where nothing else shapes the gap; refuse what does not
         fit into a window that stays."""
-        strained = any(self._core.state.max_plastic_strain(body) for body in (0, 1))
+        strained = any(self._core.state.max_plastic_strain_magnitude(body) for body in (0, 1))
         if self.on_border != "error" or strained:
             return
         try:

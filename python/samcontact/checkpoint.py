@@ -53,6 +53,7 @@ class Standing(Protocol):
     _window: Window
     _surfaces: Surfaces
     _told: Any
+    _history: Any
 
     @property
     def state(self) -> State: ...
@@ -104,6 +105,7 @@ def snapshot(simulation: Standing, state: Moment | None = None) -> Snapshot:
 
 def resume(simulation: Standing, kept: Snapshot) -> None:
     """Make a simulation of the same scene stand as a snapshot tells, in its window."""
+    simulation._history.forget()
     heat, state = kept.arguments["heat"], kept.state
     given, grid = kept.arguments, kept.arguments["grid"]
     window = simulation._window if simulation.grid == grid else simulation._over(grid)
@@ -126,6 +128,7 @@ def resume(simulation: Standing, kept: Snapshot) -> None:
 
 def stand_at(simulation: Standing, state: Moment) -> None:
     """Take a simulation back to an earlier state of it."""
+    simulation._history.forget()
     simulation._core.stand_at(state._core)
     simulation._heat = state._heat
 

@@ -196,7 +196,7 @@ def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if not body.is_plastic:
             continue
-        if states[-1].max_plastic_strain(number) > 0:
+        if states[-1].max_plastic_strain_magnitude(number) > 0:
             residual += residual_energy(states[-1].track(number, margin=0))
             plastic += _plastic_work_of(body, number, states)
     elastic, friction = _elastic_energy(simulation, states[-1]), states[-1].friction_work

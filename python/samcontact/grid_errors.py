@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from . import _certified, _edges, half_resolution
+from . import _certified, _edges, half_resolution, increment_errors
 from ._along import ROUNDING, along_surface, not_rounding
 from ._area import area_doubt
 from ._checks import FloatArray, require_list, step_list
@@ -20,7 +20,9 @@ from ._repr import Rows, Shown, quantity
 from ._short import in_short
 from ._steps import STEP
 from .friction import Coulomb
+from .increment_errors import IncrementErrors
 from .resolution import ROUND_SPOT, ResolutionWarning, area_uncertainty
+from .state import in_one_window
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -64,16 +66,23 @@ class GridErrors(Shown):
     slope_beyond : float
         Of heights that are known on the grid only: share of the mean square slope of their
         roughness in waves shorter than four cells; NaN of other surfaces.
+    increments : IncrementErrors or None
+        What more increments would change, which is no part of `errors`; None where they have no
+        part in the result, or where it is not known.
     """
 
     values: dict[str, FloatArray]
     errors: dict[str, FloatArray]
     states: list[State]
     slope_beyond: float
+    increments: IncrementErrors | None = None
 
     def _rows(self) -> Rows:
-        found = _largest_of(self.values, self.errors, {})
-        return [(row.label, row.with_error) for row in found]
+        found = _largest_of(self.values, self.errors, {}, {})
+        rows = [(row.label, row.with_error) for row in found]
+        if self.increments is not None:
+            rows += [(f"{name}, by increments", share) for name, share in self.increments._rows()]
+        return rows
 
     def __repr__(self) -> str:
         return f"GridErrors({len(self.errors)} quantities of {len(self.states)} increments)"
@@ -82,7 +91,8 @@ class GridErrors(Shown):
         """Add ``X_error`` of each X, and X itself where the dataset has none.
 
         The error is that of the dataset's own X: what it differs by from the value between the
-        cells is added.
+        cells is added. The error by increments, relative, is the attribute ``by_increments`` of
+        ``X_error``; those of whole fields are attributes ``increment_error_FIELD`` of the dataset.
         """
         if not hasattr(dataset, "attrs"):
             raise TypeError(f"dataset must be an xarray.Dataset, got {in_short(dataset)}")
@@ -94,7 +104,12 @@ class GridErrors(Shown):
             variable = known.variable("increment", total, body)
             text = dataset[name].attrs["long_name"]
             variable.attrs["long_name"] = f"estimated error by the cells of the grid, {text}"
+            if self.increments is not None and name in self.increments.values:
+                variable.attrs["by_increments"] = self.increments.values[name]
             dataset[f"{name}_error"] = variable
+        if self.increments is not None:
+            fields = self.increments.fields.items()
+            dataset.attrs |= {f"increment_error_{name}": share for name, share in fields}
         if np.isfinite(self.slope_beyond):
             dataset.attrs["slope_beyond"] = self.slope_beyond
 
@@ -124,8 +139,8 @@ def estimate_errors(
     -------
     GridErrors
         An error is the difference of the two solves: three times the true error of what converges
-        with the second order, once that of the first. Increments are the same in both, so that
-        what their number does is no part of it.
+        with the second order, once that of the first. Increments are the same in both; what their
+        number does is estimated by itself (`increments`).
 
     Raises
     ------
@@ -138,6 +153,8 @@ def estimate_errors(
     -----
     ResolutionWarning
         Layers that yield have no whole number of deeper cells: the errors tell nothing of depth.
+    IncrementWarning
+        Unless the simulation gave it before: more increments would change fields by more than 5 %.
     """
     from .cases import Case
     from .simulation import Simulation
@@ -145,7 +162,9 @@ def estimate_errors(
 
     if isinstance(run, Case):
         run, path = run.build()
-        states = run.run(path, progress=False)
+        states = []
+        run._run_into(states, list(path), False, None)
+        states = in_one_window(states)
     if not isinstance(run, Simulation):
         raise TypeError(
             f"run must be a samcontact.Simulation, or a Case of one contact, got {in_short(run)}"
@@ -156,7 +175,11 @@ def estimate_errors(
     require_list("states", states, State)
     if len(path) != len(states):
         raise ValueError(f"path and states must be as many, got {len(path)} and {len(states)}")
-    return estimated(run, path, states, lambda coarse, steps: coarse.run(steps, progress=False))
+    found = estimated(run, path, states, lambda coarse, steps: coarse.run(steps, progress=False))
+    by_increments = increment_errors.estimated(run, path, states, states[0]._heat, certified=True)
+    if by_increments is not None and run._told.looks_at_increments:
+        run._told.looks_at_increments = not by_increments.warn(stacklevel=2)
+    return replace(found, increments=by_increments)
 
 
 def estimated(
@@ -264,6 +287,14 @@ def _of_slip(
     return found
 
 
+def said_of_increments(attributes: Mapping[Any, Any]) -> str:
+    """What more increments would change in whole fields, from the attributes of results; nothing
+    where that is not known."""
+    start = "increment_error_"
+    shares = {str(n).removeprefix(start): s for n, s in attributes.items() if start in str(n)}
+    return f"{increment_errors.said(shares)} of its largest value" if shares else ""
+
+
 def said_of_slope(share: float) -> str:
     """What a surface has beyond its grid, in words; nothing of one that is known everywhere."""
     if not np.isfinite(share):
@@ -293,6 +324,8 @@ class ErrorRow(NamedTuple):
     shown: str
     relative: float
     asked: float | None = None
+    by_increments: float | None = None
+    """What more increments would change, relative; None where it is not known or in `relative`."""
 
     @property
     def percent(self) -> str:
@@ -314,13 +347,15 @@ def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:
               for name in names}  # fmt: skip
     errors = {name: dataset[f"{name}_error"].values for name in names}
     asked = {name: dataset[f"{name}_error"].attrs.get("accuracy") for name in names}
-    return _largest_of(values, errors, asked)
+    by_increments = {name: dataset[f"{name}_error"].attrs.get("by_increments") for name in names}
+    return _largest_of(values, errors, asked, by_increments)
 
 
 def _largest_of(
     values: Mapping[str, FloatArray],
     errors: Mapping[str, FloatArray],
     asked: Mapping[str, float | None],
+    by_increments: Mapping[str, float | None],
 ) -> list[ErrorRow]:
     """Without what is zero throughout, or given."""
     rows = []
@@ -335,5 +370,6 @@ def _largest_of(
             shown = quantity(float(values[name][at]), unit, 5)
             wanted = asked.get(name)  # of all increments, relative to the largest value
             relative = float((error[at] if wanted is None else np.nanmax(error)) / known[at])
-            rows.append(ErrorRow(label, at + 1, shown, relative, wanted))
+            row = ErrorRow(label, at + 1, shown, relative, wanted, by_increments.get(name))
+            rows.append(row)
     return rows

@@ -25,6 +25,7 @@ from .checkpoint import loaded, reduced, snapshot, stand_at, write_checkpoint
 from .friction import Coulomb, require_heat_of
 from .grid import Grid
 from .heat import Heat
+from .increment_errors import History, warn_of
 from .layered import Body, backstresses_of, require_bodies, require_servable_flow
 from .relief import Relief, relief_rows
 from .state import State
@@ -66,9 +67,10 @@ class Simulation(Running, Windowed, Shown):
         Of the plastic fixed point, before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
         "fast": sweeps over the layers; time and memory grow with the cells. "exact": influence
-        coefficients of cuboids, a reference, right for strain that varies from cell to cell; time
-        grows with the square of the layers, memory is 1 kB a cell, and with little hardening
-        plastic flow need not converge. See docs/theory.md for their errors.
+        coefficients of cuboids at their centres, a reference, right for strain that varies from
+        cell to cell; time grows with the square of the layers, memory is 1 kB a cell. With little
+        hardening and cells as deep as wide, plastic strain may alternate from layer to layer (a
+        ResolutionWarning) or not converge. See docs/theory.md for their errors.
     image_tol : float, optional
         With "fast": error due to the periodicity of the transforms, relative to the largest
         residual stress; in [1e-6, 0.1].
@@ -153,6 +155,7 @@ class Simulation(Running, Windowed, Shown):
         heating(self._heat, (body1, body2), grid)  # checks it against the bodies
         require_heat_of(self.friction, self._heat)
         self._told, self._turn = Told(), Turn()
+        self._history = History(self._heat)
         self._surfaces = Surfaces(gap, relief1, relief2)
         self._open(self._over(grid))
         self._first = self._window
@@ -254,20 +257,27 @@ class Simulation(Running, Windowed, Shown):
         UnitWarning
             The same, before the increment: a quantity is likely in another unit.
         PlasticStrainWarning
-            The same, when the largest equivalent plastic strain passes 5 %.
+            The same, when the largest accumulated equivalent plastic strain passes 5 %, unless
+            most of it is reversed flow.
         GridTooSmallWarning
             With on_border="warn", where there would be a GridTooSmallError. Once in a simulation,
             where plastic strain lies below nz dz or beside the grid, where fields do not show it.
         ResolutionWarning
             Once in a simulation, when the contact is fewer than 4 cells across, the area of spots
             uncertain by 20 %, or a plastic zone fewer than 4 layers high; `run`: 8 and 10 %.
+        IncrementWarning
+            Once in a simulation, when more increments would change pressure, shear or equivalent
+            plastic strain by more than 5 % of the largest. Estimated as in `run`, after the first
+            increment in which a body yields or shear acts, and whenever there are four times as
+            many.
         """
         given: dict[str, Any] = {"load": load, "approach": approach, "pressure": pressure}
         given |= {"shear": shear, "advance": advance, "heat_factor": heat_factor}
         given |= {"shift": shift, "tangential_load": tangential_load}
         given |= {"twist": twist, "torque": torque}
+        given |= {"duration": duration}
         with self._turn:
-            step, before, core = self._solved(given | {"duration": duration})
+            step, before, core = self._solved(given)
         state = State(core, self, step.heat)
         if step.target:
             bodies = (self.body1, self.body2)
@@ -275,12 +285,16 @@ class Simulation(Running, Windowed, Shown):
                 if not isinstance(self.friction, Coulomb):
                     require_apart(state, self.grid.cell_area, bodies, self.friction, self.tol)
             except ConvergenceError:
+                steps = self._history.steps
                 stand_at(self, before)
+                self._history.steps = steps
                 raise
         self._heat = step.heat
         if step.target and self._hold_strain():
             state = self.state
+        self._history.add(given)
         self._told.warn(state, self._scene, core.warnings, stacklevel=2)
+        warn_of(self, [state], 4, stacklevel=2)
         return state
 
     @property
@@ -330,6 +344,7 @@ class Simulation(Running, Windowed, Shown):
         fields = plastic_fields(self.grid, strain, equivalent, backstress, terms, first)
         with self._turn:
             self._core.set_plastic_state(index, first or 0, *fields)
+        self._history.forget()
 
     _rows = simulation_rows
 

@@ -270,12 +270,13 @@ class State(SurfaceState, Fixed, Shown):
         """Largest accumulated equivalent plastic strain [-]; 0 for a body that cannot yield."""
         return float(self._core.max_equivalent_plastic_strain(choice("body", body, (1, 2)) - 1))
 
-    def max_plastic_strain(self, body: int = 2) -> float:
-        """Largest sqrt(2/3 e:e) of the plastic strain e [-], which flow to and fro does not raise.
+    def max_plastic_strain_magnitude(self, body: int = 2) -> float:
+        """Largest magnitude sqrt(2/3 e:e) of the plastic strain e [-]; not cumulative.
 
-        It is what has to be small; 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
+        Reversed flow lowers it, whereas it raises the equivalent plastic strain. It is what the
+        theory of small strains limits; 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
         """
-        return float(self._core.max_plastic_strain(choice("body", body, (1, 2)) - 1))
+        return float(self._core.max_plastic_strain_magnitude(choice("body", body, (1, 2)) - 1))
 
     def relief(self, body: int = 2) -> FloatArray:
         """Heights of the body's `Relief` where it stands now [m], shape (nx, ny); 0 without."""
@@ -346,7 +347,7 @@ class State(SurfaceState, Fixed, Shown):
 
     def _of_core(self, name: str, index: int) -> FloatArray:
         if name in _VOLUME:
-            strained = self._core.max_plastic_strain(index) > 0
+            strained = self._core.max_plastic_strain_magnitude(index) > 0
             exact = strained and self._simulation.residual_stress == "exact"
             cell = _memory.EXACT_RESIDUAL if exact else _memory.VOLUME_FIELD
             what = f"the field {name}"

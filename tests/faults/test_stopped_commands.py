@@ -109,7 +109,13 @@ class Stopped:
     def run(self, place="", number=0):
         """Exit code, standard output and error; calls of step, and of what comes after the last."""
         if self.searches:
-            words = ["find", self.case, "max_plastic_strain=0.0005", "--tolerance", "0.1"]
+            words = [
+                "find",
+                self.case,
+                "max_equivalent_plastic_strain=0.0005",
+                "--tolerance",
+                "0.1",
+            ]
         elif (self.out / "checkpoints" / "case.txt").exists():
             words = ["resume", self.out, "--no-figures"]
         else:

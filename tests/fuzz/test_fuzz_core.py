@@ -207,6 +207,7 @@ def test_steps(count):
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore", (sc.GridTooSmallWarning))
             warnings.simplefilter("ignore", sc.PlasticStrainWarning)
+            warnings.simplefilter("ignore", sc.IncrementWarning)
             if strain is not None:
                 given = (2, strain) if isinstance(strain, np.ndarray) else strain
                 unless_refused(lambda: simulation.set_plastic_strain(*given), REFUSED)

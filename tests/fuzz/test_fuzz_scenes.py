@@ -25,7 +25,7 @@ PART = 250
 """Scenes of a slow test."""
 EXPECTED = (
     sc.ResolutionWarning, sc.ElasticStrainWarning, sc.PlasticStrainWarning,
-    sc.GridTooSmallWarning, sc.UnitWarning, sc.shakedown.NotSteadyWarning,
+    sc.GridTooSmallWarning, sc.UnitWarning, sc.IncrementWarning, sc.shakedown.NotSteadyWarning,
 )  # fmt: skip
 REFUSALS = {
     "border": (sc.GridTooSmallError, "enlarge"),

@@ -98,7 +98,7 @@ PARTS = {"advance": (1e-5, 2e-5), "duration": 0.1, "heat_factor": 0.01}
 BODY_FIELDS = (
     "offset", "stress", "residual_stress", "initial_stress", "von_mises", "hydrostatic",
     "plastic_strain", "equivalent_plastic_strain", "backstress", "max_equivalent_plastic_strain",
-    "max_plastic_strain", "relief", "surface_displacement", "temperature",
+    "max_plastic_strain_magnitude", "relief", "surface_displacement", "temperature",
     "surface_temperature", "softening", "zones",
 )  # fmt: skip
 TRACK_FIELDS = (

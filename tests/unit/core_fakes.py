@@ -77,7 +77,7 @@ class FakeState:
         whole = {"first": (0, 0), "shape": strain.shape}
         return (SimpleNamespace(**whole, equivalent_plastic_strain=lambda: strain),)
 
-    def max_plastic_strain(self, body=2):
+    def max_plastic_strain_magnitude(self, body=2):
         return self.max_equivalent_plastic_strain(body)
 
     def max_equivalent_plastic_strain(self, body=2):

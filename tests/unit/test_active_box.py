@@ -183,7 +183,7 @@ class TestMirrors:
         shear[1, 16, 16] += 1e-8 * pressure.max()
         whole = crooked.step(pressure=pressure, shear=shear)
         assert (mirrors(state), mirrors(whole)) == (1 if sliding else 2, 0)
-        assert state.max_plastic_strain() > 1e-3
+        assert state.max_plastic_strain_magnitude() > 1e-3
         for name in ("plastic_strain", "stress", "residual_displacement"):
             assert close(getattr(state, name)(), getattr(whole, name)(), 1e-4)
         for axis in "xy":
@@ -229,3 +229,42 @@ def test_tolerances_of_the_fast_operator_reach_the_result():
 def test_bad_arguments(argument, text):
     with pytest.raises(ValueError, match=text):
         simulation(**argument)
+
+
+class TestFewLongCells:
+    """A box needs a few cells beyond the grid, however long these are."""
+
+    MATERIAL = sc.Material.linear_hardening(E, NU, 1e9, 10e9)
+    HALF = 2.5e-4
+    """Half the width of the grid across the line."""
+
+    def largest(self, rows, length, periodic="", across="y"):
+        cells = {"nx": 41, "ny": rows, "dx": 2 * self.HALF / 41, "dy": length * self.HALF}
+        radii = (5e-3, np.inf)
+        if across == "x":
+            cells = {"nx": rows, "ny": 41, "dx": cells["dy"], "dy": cells["dx"]}
+            radii = radii[::-1]
+        grid = sc.Grid(**cells, nz=18, dz=2 * self.HALF / 41, periodic=periodic)
+        gap = sc.surfaces.paraboloid(grid, *radii)
+        sim = sc.Simulation(grid, ELASTIC, self.MATERIAL, gap, on_border="warn")
+        return sim.step(load=5.3e5 * rows * length * self.HALF).max_equivalent_plastic_strain()
+
+    def test_one_row_is_two_rows_of_half_the_length(self):
+        """Within what the ends of a row of ever longer cells leave: towards plane strain."""
+        plane = self.largest(1, 10, periodic="y")
+        assert plane > 5e-4
+        ends = [self.largest(1, length) / plane - 1 for length in (10, 100, 1000)]
+        assert ends[0] > 6 * ends[1] > 36 * ends[2] > 0, ends
+        assert ends[2] < 0.01
+        assert self.largest(2, 500) == pytest.approx(plane, rel=0.01)
+
+    def test_a_column_is_a_row(self):
+        row = self.largest(1, 10)
+        assert self.largest(1, 10, across="x") == pytest.approx(row, rel=1e-6)
+
+    def test_one_cell_yields(self):
+        sim = sc.Simulation(sc.Grid(1, 1, 1e-4, 1e-4, 10, 2e-5), ELASTIC, self.MATERIAL, [[0.0]])
+        strain = [
+            sim.step(pressure=[[p]]).max_equivalent_plastic_strain() for p in (1.5e9, 2e9, 2.5e9)
+        ]
+        assert strain[0] == 0 < strain[1] < strain[2] < 0.01

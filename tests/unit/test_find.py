@@ -48,7 +48,7 @@ def test_a_load_is_that_of_its_closed_form(quantity, value, load):
 
 def test_a_run_with_the_load_reaches_the_strain():
     case = parse_case(MINIMAL)
-    found = sc.find_load(case, "max_plastic_strain", 1e-3, tolerance=1e-4)
+    found = sc.find_load(case, "max_equivalent_plastic_strain", 1e-3, tolerance=1e-4)
     text = MINIMAL.replace("load = 600.0", f"load = {found.load!r}")
     simulation, path = parse_case(text).build()
     *_, peak, _ = simulation.run(path, progress=False)

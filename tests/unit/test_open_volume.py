@@ -108,7 +108,7 @@ class TestNothingIsCutOff:
         sim = simulation(3)
         sim.set_plastic_strain(2, deep.plastic_strain(), deep.equivalent_plastic_strain())
         assert close(sim.state.residual_displacement(), deep.residual_displacement(), 1e-9)
-        assert sim.state.max_plastic_strain() == deep.max_plastic_strain()
+        assert sim.state.max_plastic_strain_magnitude() == deep.max_plastic_strain_magnitude()
 
 
 def test_fully_plastic_and_unloaded_without_a_message():

@@ -237,7 +237,12 @@ SPOILERS = [
     ("cells between plastic", "plastic_margin_body2", lambda x: x * 0, 0.0),
     ("cells across", "contact_cells", lambda x: x * 0 + 3, 3.0),
     ("layers of the plastic zone", "plastic_layers_body2", lambda x: x * 0 + 3, 3.0),
-    ("largest plastic strain", "max_plastic_strain_body2", lambda x: x * 0 + 0.06, 0.06),
+    (
+        "largest plastic strain magnitude",
+        "max_plastic_strain_magnitude_body2",
+        lambda x: x * 0 + 0.06,
+        0.06,
+    ),
 ]
 
 

@@ -165,14 +165,27 @@ class TestSmallStrain:
         sim = simulation(*((self.STRONG, STEEL) if body == 1 else (STEEL, self.STRONG)))
         self.strained(sim, body, 0.0499 * math.sqrt(3) / 2)
         assert self.warnings_of(sim, LOAD) == []
-        assert sim.state.max_plastic_strain(body) == pytest.approx(0.0499, rel=1e-14)
+        assert sim.state.max_plastic_strain_magnitude(body) == pytest.approx(0.0499, rel=1e-14)
         self.strained(sim, body, -0.0501 * math.sqrt(3) / 2)
         (message,) = self.warnings_of(sim, LOAD)
-        start = f"the equivalent plastic strain of body {body} reaches 0.0501, more than 0.05"
-        assert message.startswith(start)
-        assert "small" in message
+        magnitude = f"the plastic strain magnitude sqrt(2/3 e:e) of body {body} is 0.0501"
+        assert message.startswith(f"{magnitude}, above the small-strain limit of 0.05")
         self.strained(sim, body, 0.06)
         assert self.warnings_of(sim, LOAD) == []
+
+    @pytest.mark.parametrize(("accumulated", "count"), [(0.0499, 0), (0.0536, 1), (0.07, 0)])
+    def test_is_of_the_accumulated_strain(self, accumulated, count):
+        """The one that tables show, unless most of it is reversed flow."""
+        sim = simulation(STEEL, self.STRONG)
+        strain, equivalent = np.zeros((6, *GRID.volume_shape)), np.zeros(GRID.volume_shape)
+        strain[5, 9, 9, 4], equivalent[9, 9, 4] = 0.03 * math.sqrt(3) / 2, accumulated
+        sim.set_plastic_strain(2, strain, equivalent)
+        messages = self.warnings_of(sim, LOAD)
+        assert sim.state.max_equivalent_plastic_strain() == accumulated
+        assert len(messages) == count
+        for message in messages:
+            assert "accumulated equivalent plastic strain of body 2 is 0.0536" in message
+            assert message.endswith("at most 0.03)")
 
     def test_may_be_an_error(self):
         """The step is done all the same, as with a grid that is too small."""
@@ -188,9 +201,9 @@ class TestSmallStrain:
         state = simulation(gap=gap).step(load=LOAD)
         e = state.plastic_strain()
         expected = np.sqrt(2 / 3 * ((e[:3] ** 2).sum(0) + 2 * (e[3:] ** 2).sum(0)).max())
-        assert state.max_plastic_strain() == pytest.approx(expected, rel=1e-12)
+        assert state.max_plastic_strain_magnitude() == pytest.approx(expected, rel=1e-12)
         assert 0 < expected <= state.max_equivalent_plastic_strain() * (1 + 1e-12)
-        assert state.max_plastic_strain(1) == 0.0
+        assert state.max_plastic_strain_magnitude(1) == 0.0
 
 
 class TestNumbersOfAState:

@@ -145,8 +145,9 @@ def test_cycles(wear):
     assert outcome.stderr == ""
     text = page(folder)
     with results.open_results(folder / "wear.nc") as data:
-        names = ("volume", "depth", "surface_strain", "max_plastic_strain", "max_pressure",
-                 "max_von_mises", "contact_area", "contact_cells", "plastic_layers")  # fmt: skip
+        names = ("volume", "depth", "surface_strain", "max_equivalent_plastic_strain",
+                 "max_pressure", "max_von_mises", "contact_area", "contact_cells",
+                 "plastic_layers")  # fmt: skip
         expected = [[float(data[name].values.flat[0]) for name in names]]
         np.testing.assert_array_equal(rows(text, "cycles-table"), expected)
         volume, *_ = report.checks(data)

@@ -10,8 +10,10 @@ namespace {
 
 /// Cells around what must be in a box.
 constexpr int margin = 2;
-/// The largest box, in widths of the grid.
+/// The largest box, in widths of the grid,
 constexpr int most_widths = 3;
+/// or in cells where those are long: a single row with its margins is five rows wide.
+constexpr int always_allowed = 16;
 
 /// [begin, end) with a margin, within [0, n) unless it reaches the end of that.
 void widen(int n, int& begin, int& end) {
@@ -106,7 +108,11 @@ bool has_no_end(const Box& box, const Grid& grid) {
   const double width = most_widths * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
   const double depth = std::max(width, 2 * grid.nz * grid.dz);
   const Box all = box.united(Box::surface(grid));
-  return all.nx * grid.dx > width || all.ny * grid.dy > width || all.nz * grid.dz > depth;
+  const auto too_far = [](int cells, double length, double most) {
+    return cells > always_allowed && cells * length > most;
+  };
+  return too_far(all.nx, grid.dx, width) || too_far(all.ny, grid.dy, width) ||
+         too_far(all.nz, grid.dz, depth);
 }
 
 Box window_of(const operators::Tractions& tractions, const Grid& grid) {

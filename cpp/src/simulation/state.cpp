@@ -294,7 +294,7 @@ double State::max_equivalent_plastic_strain(int body) const {
   return plastic[body] ? plastic[body]->max_equivalent() : 0.0;
 }
 
-double State::max_plastic_strain(int body) const {
+double State::max_plastic_strain_magnitude(int body) const {
   return plastic[body] ? plastic[body]->max_strain() : 0.0;
 }
 

@@ -123,6 +123,7 @@ def tug(
         settings = {"tol": 1e-8, **settings}  # a net energy of nothing, at a fifth more work
     simulation = Simulation(grid, body1, body2, gap, relief1=relief1, relief2=relief2, **settings)
     simulation._told.looks_at_steps = False  # the first ones only touch
+    simulation._told.looks_at_increments = False
     way = {"passes": count, "step": step, "back_and_forth": back_and_forth}
     rows: list[list[Row]] = []
     unloaded: list[State] = []

@@ -28,7 +28,7 @@ def find(
 ) -> None:
     """Find the load at which a quantity reaches a value, or a body first yields ("yield").
 
-    All loads of the case are multiplied by the same factor. max_plastic_strain=0.001,
+    All loads of the case are multiplied by the same factor. max_equivalent_plastic_strain=0.001,
     "max_pressure=4 GPa", "print_depth_body2=0.1 um", "permanent_deformation=1 um" (both prints
     together, at the end). What is interrupted is kept in the directory
     of the results of the case, and the same command goes on.
@@ -98,7 +98,7 @@ def _wanted(target: str) -> tuple[str, float]:
 
 def _value(name: str, text: str) -> float:
     """In SI units, of a number or a text with a unit."""
-    from .._load_scenes import PERMANENT, SYNONYMS
+    from .._load_scenes import PERMANENT
     from .._quantities import CONTACT
     from ..units import from_text
 
@@ -106,7 +106,6 @@ def _value(name: str, text: str) -> float:
         return float(text)
     except ValueError:
         kind = name.partition("_body")[0]
-        kind = SYNONYMS.get(kind, kind)
         unit = CONTACT[kind].unit if kind in CONTACT else "m" if kind == PERMANENT else "1"
         try:
             return from_text(text, {"m2": "m**2", "1": ""}.get(unit, unit))

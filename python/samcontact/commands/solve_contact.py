@@ -17,7 +17,14 @@ from .. import hertz, results
 from .._peak import peak_of_dataset
 from ..accuracy import Accurate
 from ..accuracy.asked import searched
-from ..grid_errors import GridErrors, error_rows, estimate_errors, said_of_slope
+from ..grid_errors import (
+    GridErrors,
+    error_rows,
+    estimate_errors,
+    said_of_increments,
+    said_of_slope,
+)
+from ..increment_errors import warn_of
 from ..results.against_hertz import hertz_rows
 from ..results.dataset import completeness
 from ..results.slipping import moved_along, without_rounding
@@ -154,6 +161,8 @@ class _Run:
         console.print(_summary(dataset, body))
         if (sheet := _errors_sheet(dataset)) is not None:
             console.print(sheet)
+        if told := said_of_increments(dataset.attrs):
+            console.print(told, markup=False, highlight=False)
         if errors is not None and (told := said_of_slope(errors.slope_beyond)):
             console.print(told, markup=False, highlight=False)
         if self.accurate is None and (told := self.simulation._growth()):
@@ -196,6 +205,7 @@ class _Run:
     def _errors(self) -> GridErrors | None:
         """Estimated on half the cells; None where it cannot be, which is told."""
         if not self.case.estimate_error:
+            warn_of(self.simulation, self.states, 1, stacklevel=3)
             return None
         try:
             with self.console.status("the same on cells twice as large"):
@@ -250,6 +260,9 @@ def _errors_sheet(dataset: xr.Dataset) -> Sheet | None:
     sheet.add("increment", [str(row.increment) for row in rows])
     sheet.add("value", [row.shown for row in rows])
     sheet.add("error\n[%]", [row.percent for row in rows])
+    if any(row.by_increments is not None for row in rows):
+        shares = ["" if r.by_increments is None else f"{100 * r.by_increments:.2g}" for r in rows]
+        sheet.add("by increments\n[%]", shares)
     if asked:
         sheet.add("asked\nfor [%]", [f"{100 * accuracy:.3g}" for accuracy in asked])
     return sheet

@@ -39,8 +39,8 @@ _OF_PASSES = (
     "max_force_x", "min_force_x", "max_force_z", "net_energy", "dissipation", "residual_energy",
 )  # fmt: skip
 _OF_CYCLES = (
-    "volume", "depth", "max_pressure", "max_von_mises", "max_plastic_strain", "slip_path",
-    "sticking_area",
+    "volume", "depth", "max_pressure", "max_von_mises", "max_equivalent_plastic_strain",
+    "slip_path", "sticking_area",
 )  # fmt: skip
 
 

@@ -90,7 +90,7 @@ class StatePaths:
 
     @property
     def has_plastic_strain(self) -> bool:
-        return any(state.max_plastic_strain(self.body) > 0 for state in self.states)
+        return any(state.max_plastic_strain_magnitude(self.body) > 0 for state in self.states)
 
     def stress(self, block: slice) -> FloatArray:
         return self._gathered(block, lambda state: state.stress(self.body))
@@ -129,7 +129,7 @@ class Passing:
 
     @property
     def has_plastic_strain(self) -> bool:
-        return self.state.max_plastic_strain(self.body) > 0
+        return self.state.max_plastic_strain_magnitude(self.body) > 0
 
     def stress(self, block: slice) -> FloatArray:
         rest = self.state.initial_stress(self.body) if self.at_rest else None

@@ -15,7 +15,7 @@ from .._graded import PARTS
 from .._quantities import CONTACT, Quantity
 from .._repr import counts, lengths, quantity
 from ..cases.field_units import field_unit
-from ..grid_errors import error_rows
+from ..grid_errors import error_rows, said_of_increments
 from ..results.against_hertz import hertz_rows
 from ..results.slipping import balance_of, moved_along
 
@@ -193,15 +193,21 @@ def _energy_table(balance: EnergyBalance) -> Table:
 def errors_table(dataset: xr.Dataset) -> Table:
     """Certified quantities where they are largest, with their errors; no rows without any."""
     found = error_rows(dataset)
+    more = {
+        heading: [getattr(row, name) for row in found]
+        for heading, name in (("asked for [%]", "asked"), ("by increments [%]", "by_increments"))
+        if any(getattr(row, name) is not None for row in found)
+    }
     rows = []
-    for row in found:
+    for n, row in enumerate(found):
         cells = [
             cell(row.increment, 1.0),
             Cell(row.shown, ""),
             Cell(row.percent, repr(row.relative)),
         ]
-        rows.append((row.label, cells if row.asked is None else [*cells, _percent(row.asked)]))
-    asked = ["asked for [%]"] * any(row.asked is not None for row in found)
+        cells += [_percent(shares[n]) for shares in more.values()]
+        rows.append((row.label, cells))
+    asked = any(row.asked is not None for row in found)
     note = (
         "Best values at the ends of the segments of the path, from all grids and numbers of "
         "increments; figures and increments are those of the finest grid."
@@ -209,10 +215,14 @@ def errors_table(dataset: xr.Dataset) -> Table:
         else "From a solve over cells twice as large. Quantities of the volume are compared at the "
         "increment of largest stress and at the last only."
     )
-    return Table(["increment", "value", "error [%]", *asked], rows, "quantity", note)
+    if by_increments := said_of_increments(dataset.attrs):
+        note += f" {by_increments[0].upper()}{by_increments[1:]}."
+    return Table(["increment", "value", "error [%]", *more], rows, "quantity", note)
 
 
-def _percent(share: float) -> Cell:
+def _percent(share: float | None) -> Cell:
+    if share is None:
+        return Cell("", "")
     return Cell(f"{100 * share:.2g}", repr(share))
 
 

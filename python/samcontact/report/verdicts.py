@@ -159,9 +159,9 @@ def plastic_layers(layers: ArrayLike, body: int) -> Iterator[Verdict]:
 
 def _strains(dataset: xr.Dataset) -> Iterator[Verdict]:
     for body in (1, 2):
-        variable = f"max_plastic_strain_body{body}"
+        variable = f"max_plastic_strain_magnitude_body{body}"
         if variable in dataset:
-            name = f"largest plastic strain, body {body}"
+            name = f"largest plastic strain magnitude, body {body}"
             yield Verdict(name, float(dataset[variable].max()), SMALL_STRAIN)
 
 
@@ -174,6 +174,10 @@ def _errors(dataset: xr.Dataset) -> Iterator[Verdict]:
         worst = max(estimated, key=lambda row: row.relative)
         name = f"largest estimated error by the cells, relative: {worst.label}"
         yield Verdict(name, worst.relative, LARGEST_ERROR)
+    start = "increment_error_"
+    if shares := [share for name, share in dataset.attrs.items() if str(name).startswith(start)]:
+        name = "largest estimated error by the increments, relative"
+        yield Verdict(name, float(max(shares)), LARGEST_ERROR)
     for row in rows:
         if row.asked is not None:
             yield Verdict(f"estimated relative error, {row.label}", row.relative, row.asked)

@@ -24,9 +24,9 @@ VOLUME = 1e-9
 """Part of the removed volume by which that lost by the surface may differ."""
 MOST_PROFILES = 10  # in a figure
 _CYCLES = (
-    "volume", "depth", "surface_strain", "max_plastic_strain", "max_pressure", "max_von_mises",
-    "contact_area", "contact_cells", "plastic_layers", "friction_work", "slip_path",
-    "sticking_area",
+    "volume", "depth", "surface_strain", "max_equivalent_plastic_strain", "max_pressure",
+    "max_von_mises", "contact_area", "contact_cells", "plastic_layers", "friction_work",
+    "slip_path", "sticking_area",
 )  # fmt: skip
 
 

@@ -57,8 +57,8 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
     for name in ("plastic_residual", "yield_excess"):
         add(dataset, name, "increment", [float(getattr(state, name)) for state in states])
     for body in inelastic:
-        strains = [float(state.max_plastic_strain(body=body)) for state in states]
-        add(dataset, "max_plastic_strain", "increment", strains, body)
+        strains = [float(state.max_plastic_strain_magnitude(body=body)) for state in states]
+        add(dataset, "max_plastic_strain_magnitude", "increment", strains, body)
         margins, layers = _plastic_zones(states, body)
         add(dataset, "plastic_margin", "increment", margins, body)
         add(dataset, "plastic_layers", "increment", layers, body)

@@ -209,6 +209,7 @@ class _Repeated:
             return kept
         if not self.cycles:
             self.simulation.run(self.steps, progress=False)
+            self.simulation._told.looks_at_increments = False  # what follows is many cycles
         else:
             with self.simulation._told.as_a_whole():
                 for step in self.steps:

@@ -147,6 +147,7 @@ def _gone_through(scene: FrettingScene, heights: Mapping[int, list[FloatArray]])
         **scene.settings,
     )
     simulation._told.looks_at_steps = False
+    simulation._told.looks_at_increments = False  # of the many that follow
     states = _closed(simulation, scene)
     ways = np.array([np.hypot(*state.slip) for state in states])
     work = np.sum([(state.shear * state.slip).sum(axis=0) for state in states], axis=0)

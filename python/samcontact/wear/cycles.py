@@ -142,6 +142,7 @@ def _solve(scene: Scene, standing: Standing) -> Moments:
         **scene.settings,
     )
     simulation._told.looks_at_steps = False
+    simulation._told.looks_at_increments = False  # of the many that follow
     for body, kept in standing.strains.items():
         simulation.set_plastic_strain(
             body, kept.strain, kept.equivalent, kept.backstress, first=kept.first
@@ -204,7 +205,7 @@ def _wear(scene: Scene, standing: Standing, moments: Moments) -> Standing:
         lost=losts,
         depth=depths,
         surface_strain=tuple(_largest(b, slice(0, 1)) for b in bodies),
-        max_plastic_strain=tuple(_largest(b, slice(None)) for b in bodies),
+        max_equivalent_plastic_strain=tuple(_largest(b, slice(None)) for b in bodies),
         max_pressure=float(peak.pressure.max()),
         max_von_mises=max(float(peak.von_mises(body=body).max()) for body in scene.worn),
         contact_area=peak.contact_area,

@@ -38,7 +38,7 @@ class Cycle:
     """Largest wear depth, after smoothing [m]."""
     surface_strain: tuple[float, ...]
     """Largest equivalent plastic strain of the first layer, before anything is removed [-]."""
-    max_plastic_strain: tuple[float, ...]
+    max_equivalent_plastic_strain: tuple[float, ...]
     """Largest equivalent plastic strain, before anything is removed [-]."""
     max_pressure: float
     """Largest pressure of the cycle [Pa]."""
@@ -52,7 +52,8 @@ class Cycle:
     """From top to bottom of the plastic zone, before anything is removed; 0 without one."""
 
     PER_BODY: ClassVar = (
-        "volume", "lost", "depth", "surface_strain", "max_plastic_strain", "plastic_layers"
+        "volume", "lost", "depth", "surface_strain", "max_equivalent_plastic_strain",
+        "plastic_layers",
     )  # fmt: skip
 
 

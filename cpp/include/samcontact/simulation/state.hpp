@@ -136,7 +136,7 @@ class State {
   double max_equivalent_plastic_strain(int body) const;
   /// Cells that have yielded, wherever they lie.
   std::size_t plastic_cells(int body) const;
-  double max_plastic_strain(int body) const;
+  double max_plastic_strain_magnitude(int body) const;
   /// [term][component][k][i][j], as many terms as the material has backstresses.
   Field backstress(int body, Layers layers = {}) const;
   Field backstress(int body, const Box& region) const;

@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What more increments would change is estimated, stated in tables and warned of."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from command import fields, invoke
+from samcontact import increment_errors, report
+from samcontact._increments import doubled, halved
+from samcontact.report.tables import errors_table
+
+STEEL = sc.Material.elastic(210e9, 0.3)
+ALUMINIUM = sc.Material.elastic(70e9, 0.2)
+RIGID = sc.Material.rigid()
+SWIFT = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+HARDENING = sc.Material.linear_hardening(210e9, 0.3, 1e9, 10e9)
+PERFECT = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
+R = 7.5e-3
+
+
+def ball(body1, body2, load, friction=0.0, cells=12, **options):
+    moduli = [(1 - body.nu**2) / body.E for body in (body1, body2) if body is not RIGID]
+    half_width = (0.75 * load * R * sum(moduli)) ** (1 / 3)
+    size, n = 2 * half_width / cells, int(1.5 * cells) | 1
+    volume = {"dz": size} if body2.is_plastic else {}
+    grid = sc.Grid(n, n, size, size, **volume)
+    return sc.Simulation(
+        grid, body1, body2, lambda g: sc.surfaces.paraboloid(g, R), friction, **options
+    )
+
+
+def pressed(load, count):
+    return [{"load": load * n / count} for n in range(1, count + 1)]
+
+
+def shaken(load, force, count):
+    shares = np.arange(1, count + 1) / count
+    forces = np.concatenate([shares, 1 - 2 * shares, -1 + 2 * shares]) * force
+    return pressed(load, count) + [
+        {"load": load, "tangential_load": (float(q), 0.0)} for q in forces
+    ]
+
+
+def rolled(load, size, count):
+    """Over 12 cells; the load comes in as many increments."""
+    way = 12 / count * size
+    return pressed(load, count) + [{"load": load, "advance": (way, way)}] * count
+
+
+SCENES = {
+    "unlike bodies that stick and slip": (
+        lambda: ball(RIGID, ALUMINIUM, 50.0, sc.Coulomb(0.3), 16),
+        lambda sim, n: pressed(50.0, n), 4, 32, ("pressure", "shear"),
+    ),
+    "fretting loop": (
+        lambda: ball(STEEL, ALUMINIUM, 50.0, sc.Coulomb(0.5)),
+        lambda sim, n: shaken(50.0, 15.0, n), 2, 16, ("pressure", "shear"),
+    ),
+    "flow and slip": (
+        lambda: ball(RIGID, SWIFT, 1000.0, sc.Coulomb(0.3)),
+        lambda sim, n: pressed(1000.0, n), 4, 32, ("shear", "equivalent_plastic_strain_body2"),
+    ),
+    "perfectly plastic": (
+        lambda: ball(RIGID, PERFECT, 2000.0),
+        lambda sim, n: pressed(2000.0, n), 4, 32, ("pressure", "equivalent_plastic_strain_body2"),
+    ),
+    "rolling pass": (
+        lambda: ball(STEEL, HARDENING, 600.0, 0.1),
+        lambda sim, n: rolled(600.0, sim.grid.dx, n), 6, 24,
+        ("pressure", "equivalent_plastic_strain_body2"),
+    ),
+}  # fmt: skip
+
+
+def silent(sim):
+    """Without estimates of its own."""
+    sim._told.looks_at_increments = False
+    return sim
+
+
+def truth(field, states, finer, every):
+    """Largest difference of a field at any cell from a run in more increments."""
+
+    def of(state):
+        name, _, body = field.partition("_body")
+        return getattr(state, name)(int(body)) if body else getattr(state, name)
+
+    last = field not in ("pressure", "shear")
+    pairs = [(states[-1], finer[-1])] if last else list(
+        zip(states, finer[every - 1 :: every], strict=True)
+    )  # fmt: skip
+    both = [increment_errors._common(of(one), of(two)) for one, two in pairs]
+    return max(np.abs(a - b).max() for a, b in both) / max(np.abs(a).max() for a, _ in both)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_stated_errors_are_the_true_ones(name):
+    """Within a factor of about two; rather too large."""
+    make, path_of, count, many, shown = SCENES[name]
+    sim, fine = silent(make()), silent(make())
+    path = path_of(sim, count)
+    states = sim.run(path, progress=False)
+    finer = fine.run(path_of(fine, many), progress=False)
+    found = increment_errors.estimated(sim, path, states, sim.heat)
+    for field in shown:
+        true = truth(field, states, finer, many // count)
+        assert 0.3 < true / found.fields[field] < 1.5, (field, true, found)
+
+
+def warned(call):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        call()
+    return [str(w.message) for w in caught if w.category is sc.IncrementWarning]
+
+
+class TestWarning:
+    def unlike(self):
+        return ball(RIGID, ALUMINIUM, 50.0, sc.Coulomb(0.3))
+
+    @pytest.mark.parametrize("by_hand", [True, False])
+    def test_of_one_large_increment_once(self, by_hand):
+        sim = self.unlike()
+        calls = [
+            lambda: sim.step(load=50.0) if by_hand else sim.run([{"load": 50.0}], progress=False),
+            lambda: sim.run(pressed(50.0, 4), progress=False),
+        ]
+        (text,) = warned(calls[0])
+        assert text.startswith("more increments would change the shear by about ")
+        assert "twice as many increments" in text
+        assert "times as many for 5 %" in text
+        assert warned(calls[1]) == []
+
+    def test_of_steps_by_hand_that_add_up(self):
+        """At the first, fourth, sixteenth."""
+        sim = ball(RIGID, PERFECT, 2000.0)
+        texts = [warned(lambda s=s: sim.step(**s)) for s in pressed(2000.0, 4)]
+        assert sum(map(len, texts)) == 1
+
+    def test_not_of_small_ones(self):
+        sim = ball(STEEL, SWIFT, 1000.0, 0.1)
+        assert warned(lambda: sim.run(pressed(1000.0, 4), progress=False)) == []
+        assert sim._history.checked == 4  # it was looked at
+
+    def test_of_a_run_that_goes_on(self):
+        """The path since the start is judged, whose first part was not path-dependent."""
+        sim = ball(RIGID, PERFECT, 2000.0)
+        assert warned(lambda: sim.run([{"load": 10.0}], progress=False)) == []
+        assert len(warned(lambda: sim.run([{"load": 2000.0}], progress=False))) == 1
+
+    def test_leaves_the_simulation_as_it_was(self):
+        loud, quiet = self.unlike(), silent(self.unlike())
+        for sim in (loud, quiet):
+            warned(lambda sim=sim: sim.run(pressed(50.0, 2), progress=False))
+        np.testing.assert_array_equal(loud.state.shear, quiet.state.shear)
+        assert loud.counters == quiet.counters
+
+
+@pytest.mark.parametrize(
+    ("sim", "path"),
+    [
+        (lambda: ball(STEEL, ALUMINIUM, 50.0), pressed(50.0, 1)),
+        (lambda: ball(STEEL, STEEL, 50.0, sc.Coulomb(0.3)), pressed(50.0, 1)),
+        (lambda: ball(RIGID, PERFECT, 2000.0, increment_tol=0.1), pressed(400.0, 1)),
+        (lambda: ball(STEEL, SWIFT, 1000.0), pressed(10.0, 1)),
+    ],
+    ids=["elastic", "like bodies", "controlled", "no flow"],
+)
+def test_what_does_not_depend_on_increments_is_not_solved_again(sim, path, monkeypatch):
+    monkeypatch.setattr(increment_errors, "_compared", None)  # would be called
+    made = sim()
+    states = made.run(path, progress=False)
+    assert not increment_errors.is_path_dependent(made, states)
+
+
+def test_unknown_past_is_not_estimated():
+    sim = ball(RIGID, PERFECT, 2000.0)
+    sim.set_plastic_strain(2, np.zeros((6, *sim.grid.surface_shape, 2)))
+    assert warned(lambda: sim.step(load=2000.0)) == []
+    assert sim._history.steps is None
+
+
+class State:
+    """What a path has reached."""
+
+    def __init__(self, load, force=0.0):
+        self.load, self.approach, self.torque = load, 1e-9 * load, 0.0
+        self.tangential_load = (force, 1e-17)
+
+
+class TestPaths:
+    HEAT = sc.Heat(0.0)
+
+    def test_twice_as_many(self):
+        path = [{"load": 2.0}, {"load": 2.0, "shift": (4e-6, None)}, {"approach": 3e-9},
+                {"load": 0.0, "advance": (2.0, 2.0)},
+                {"load": 1.0, "advance": (1.0, 1.0)}]  # fmt: skip
+        states = [State(2.0), State(2.0), State(4.0), State(0.0), State(1.0)]
+        found, ends = doubled(path, states, 0.0, 1.0, self.HEAT)
+        assert found == [
+            {"load": 1.0}, {"load": 2.0},
+            {"load": 2.0, "shift": (2e-6, None)}, {"load": 2.0, "shift": (2e-6, None)},
+            {"approach": 2.5e-9}, {"approach": 3e-9},
+            {"load": 2.0, "advance": (1.0, 1.0)}, {"load": 0.0, "advance": (1.0, 1.0)},
+            {"load": 1.0, "advance": (1.0, 1.0)},  # half a cell is not exact
+        ]  # fmt: skip
+        assert ends == [(0, 1), (1, 3), (2, 5), (3, 7), (4, 8)]
+
+    def test_half_as_many_without_reversals(self):
+        loads = [1.0, 2.0, 3.0, 4.0, 3.5, 3.0, 3.0]
+        path = [{"load": load} for load in loads]
+        found, ends = halved(path, [State(load) for load in loads], 0.0) or ([], [])
+        assert found == [{"load": 2.0}, {"load": 4.0}, {"load": 3.0}, {"load": 3.0}]
+        assert ends == [(1, 0), (3, 1), (5, 2), (6, 3)]
+
+    @pytest.mark.parametrize("loads", [[0.1, 2.0], [0.1, 0.2, 0.3, 0.4, 5.0], [1.0, 2.0, 0.0]])
+    def test_not_half_as_many_where_one_is_by_far_the_largest(self, loads):
+        """Joined with a small one, or not at all, it would tell nothing."""
+        path = [{"load": load} for load in loads]
+        assert halved(path, [State(load) for load in loads], 0.0) is None
+
+    def test_half_as_many_of_motions_and_forces(self):
+        path = [{"load": 1.0, "tangential_load": (q, 0.0)} for q in (1.0, 2.0, 1.0, 0.0)]
+        path += [{"load": 1.0, "shift": (s, None)} for s in (1e-6, 2e-6, -1e-6)]
+        path = [{"load": 0.5}, {"load": 1.0}, *path]
+        found, _ = halved(path, [State(0.5), *[State(1.0)] * 8], 0.0)
+        assert [tuple(step.values()) for step in found] == [
+            (1.0,), (1.0, (2.0, 0.0)), (1.0, (0.0, 0.0)), (1.0, (3e-6, None)), (1.0, (-1e-6, None)),
+        ]  # fmt: skip
+
+
+CASE = """
+title = "unlike bodies"
+grid = {nx = 25, ny = 25, dx = 15e-6, dy = 15e-6}
+body1 = {law = "elastic", E = 210e9, nu = 0.3}
+body2 = {law = "elastic", E = 70e9, nu = 0.2}
+surface = {shape = "paraboloid", Rx = 7.5e-3}
+contact = {friction = {coulomb = 0.3}}
+path = [{load = 20.0, increments = 1}]
+output = {figures = false}
+"""
+
+
+def test_table_results_and_report_state_them(tmp_path):
+    (tmp_path / "case.toml").write_text(CASE)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        outcome = invoke("run", tmp_path / "case.toml", "--output", tmp_path / "out")
+    assert outcome.exit_code == 0
+    assert [w.category for w in caught].count(sc.IncrementWarning) <= 1
+    assert "by increments" in outcome.stdout
+    data = fields(tmp_path / "out")
+    shear = data.attrs["increment_error_shear"]
+    assert shear > 0.3
+    assert f"the shear by about {100 * shear:.2g} %" in " ".join(outcome.stdout.split())
+    assert 0 < data["max_pressure_error"].attrs["by_increments"] < 0.05
+    found = {v.name: v for v in report.checks(data)}
+    (name,) = (n for n in found if n.startswith("largest estimated error by the increments"))
+    assert not found[name].passed
+    assert found[name].value == pytest.approx(shear)
+    table = errors_table(data)
+    assert "by increments [%]" in table.headings
+    assert "More increments would change the shear" in table.note
