@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _expected, _memory, resolution
-from ._border import told_of_fixed
+from ._border import advised, told_of_fixed
 from ._checks import FloatArray, choice, exactly_one, finite_array, number, require_type
 from ._heating import COLD, heating, require_reference
 from ._overlap import require_apart
@@ -228,7 +228,8 @@ class ContactSolver(Configured):
                 scene = _expected.Scene(window.grid, window.initial_gap, bodies)
                 start = None
         if complaint:
-            warnings.warn(complaint, GridTooSmallWarning, stacklevel=3)
+            text = complaint if callable(gap) else advised(complaint, scene)
+            warnings.warn(text, GridTooSmallWarning, stacklevel=3)
         if doubted is None or not doubted.of_contact:
             resolution.warn_of_contact(solution, scene, stacklevel=3)
         resolution.warn_of_strain(solution.pressure, scene, stacklevel=3)
