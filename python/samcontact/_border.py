@@ -18,29 +18,35 @@ GROWS = "the grid grows by itself where the gap is a function of it"
 _TILTED = 0.5  # of the other heights, from which on a plane is the reason
 _REPEAT = 'let it repeat itself with Grid(..., periodic="xy")'
 _REMEDY = ": enlarge "
+_ASK = ', or ask for a warning with on_border="warn"'
 
 
 def told_of_fixed(error: ValueError, scene: Scene) -> None:
     """Add to a GridTooSmallError what helps an array as gap: a measured one cannot be enlarged."""
-    text = str(error)
-    if scene.radii is None:
-        before, _, remedy = text.partition(_REMEDY)
-        if tilt := _tilt(scene.gap):
-            text = (
-                f"{before}. The gap is tilted, {tilt}: level a measured surface with "
-                f'detrend="height", or ask for a warning with on_border="warn"'
-            )
-        elif "covers" in before:
-            text = (
-                f"{before}: a surface that touches everywhere does so on a larger grid too; "
-                f'{_REPEAT}, or ask for a warning with on_border="warn"'
-            )
-        else:
-            text = (
-                f"{before}{_REMEDY}{remedy}; of a measured surface take the shape off with "
-                f'detrend="curvature", or {_REPEAT}'
-            )
-    error.args = (f"{text}; {GROWS}",)
+    error.args = (f"{advised(str(error), scene, _ASK)}; {GROWS}",)
+
+
+def advised(text: str, scene: Scene, ask: str = "") -> str:
+    """A complaint of the border with what helps an array as gap.
+
+    ask: what helps any, which stands in the complaint already.
+    """
+    before, _, remedy = text.partition(_REMEDY)
+    if scene.radii is not None or not remedy:
+        return text
+    if tilt := _tilt(scene.gap):
+        return (
+            f'{before}. The gap is tilted, {tilt}: level a measured surface with detrend="height"'
+            f"{ask}"
+        )
+    if "covers" in before:
+        return (
+            f"{before}: a surface that touches everywhere does so on a larger grid too; "
+            f"{_REPEAT}{ask}"
+        )
+    return (
+        f'{text}; of a measured surface take the shape off with detrend="curvature", or {_REPEAT}'
+    )
 
 
 def _tilt(gap: FloatArray) -> str:

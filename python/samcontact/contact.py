@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _edges, _expected, _memory, _yielding, resolution
-from ._border import told_of_fixed
+from ._border import advised, told_of_fixed
 from ._checks import FloatArray, exactly_one, finite_array, number, require_type
 from ._contact_fields import ContactFields
 from ._heating import COLD, heating, require_reference
@@ -231,7 +231,8 @@ class ContactSolver(ContactFields):
                 scene = _expected.Scene(window.grid, window.initial_gap, bodies)
                 start = None
         if complaint:
-            warnings.warn(complaint, GridTooSmallWarning, stacklevel=3)
+            text = complaint if callable(gap) else advised(complaint, scene)
+            warnings.warn(text, GridTooSmallWarning, stacklevel=3)
         if doubted is None or not doubted.of_contact:
             resolution.warn_of_contact(solution, scene, stacklevel=3)
         resolution.warn_of_strain(solution.pressure, scene, stacklevel=3)

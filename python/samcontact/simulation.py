@@ -10,6 +10,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._border import advised
 from ._checks import FloatArray, choice, require_fast, require_type
 from ._core import ConvergenceError
 from ._heating import COLD, core_law, heating
@@ -293,7 +294,10 @@ class Simulation(Running, Windowed, Shown):
         if step.target and self._hold_strain():
             state = self.state
         self._history.add(given)
-        self._told.warn(state, self._scene, core.warnings, stacklevel=2)
+        complaints = core.warnings
+        if not callable(self._surfaces.gap):
+            complaints = [advised(text, self._scene) for text in complaints]
+        self._told.warn(state, self._scene, complaints, stacklevel=2)
         warn_of(self, [state], 4, stacklevel=2)
         return state
 

@@ -281,8 +281,8 @@ CALLS = [
         "measured.read",
         sc.measured.read,
         {
-            "path": HEIGHTS, "channel": None, "detrend": None, "undefined": "fill", "dx": 1e-5,
-            "dy": 1e-5, "unit": None,
+            "path": HEIGHTS, "format": None, "channel": None, "detrend": None, "undefined": "fill",
+            "dx": 1e-5, "dy": 1e-5, "unit": None,
         },
     ),
     ("operators.shear_components", sc.operators.shear_components, {"grid": GRID, "shear": PATCH}),

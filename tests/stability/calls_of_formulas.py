@@ -354,7 +354,7 @@ CALLS = [
         MEASURED.on,
         {
             "grid": SURFACE_GRID, "x": 1e-6, "y": 1e-6, "method": "linear", "average": False,
-            "fill": 0.0,
+            "fill": 0.0, "periodic": "",
         },
     ),
     (

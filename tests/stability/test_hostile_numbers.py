@@ -44,6 +44,13 @@ MEANT = {
     *(("units.si", "value", bad) for bad in HOSTILE),
     # points that an instrument did not see
     ("measured.MeasuredSurface", "heights", math.nan),
+    # no body there
+    ("ContactSolver.solve", "gap", math.inf),
+    ("Simulation", "gap", math.inf),
+    ("rolling.steady", "gap", math.inf),
+    ("surfaces.from_heights", "heights_lower", -math.inf),
+    ("surfaces.from_heights", "heights_upper", math.inf),
+    ("measured.MeasuredSurface.on", "fill", -math.inf),
 }
 """Documented meanings of what is an error elsewhere."""
 
@@ -79,9 +86,11 @@ def hostile_calls(meant):
     for number, (name, function, arguments) in enumerate(CALLS):
         for argument, value in arguments.items():
             for bad in HOSTILE:
-                if ((name, argument, bad) in MEANT) != meant:
-                    continue
                 for n, other in enumerate(spoiled(value, bad)):
+                    # never one number in place of an array
+                    replaced = isinstance(value, np.ndarray) and is_number(other)
+                    if ((name, argument, bad) in MEANT and not replaced) != meant:
+                        continue
                     call = (function, {**arguments, argument: other}, names_in(argument, value))
                     found.append(pytest.param(*call, id=f"{name}-{argument}-{bad}-{number}-{n}"))
     return found

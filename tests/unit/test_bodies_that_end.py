@@ -95,8 +95,8 @@ class TestSimulation:
         for state, whole in zip(states, expected, strict=True):
             top = max(1.0, whole.pressure.max())
             np.testing.assert_allclose(state.pressure, whole.pressure, rtol=0, atol=1e-6 * top)
-            assert state.max_plastic_strain(2) == pytest.approx(
-                whole.max_plastic_strain(2), rel=1e-6
+            assert state.max_plastic_strain_magnitude(2) == pytest.approx(
+                whole.max_plastic_strain_magnitude(2), rel=1e-6
             )
             # the grid goes with the ball, to the nearest cell
             np.testing.assert_array_equal(np.isinf(state.gap), np.isinf(end))
@@ -203,6 +203,18 @@ class TestFixedGapAtTheBorder:
         text = self.message(self.rough, 1e-2, False)
         assert "enlarge n" in text
         assert 'detrend="curvature", or let it repeat itself' in text
+
+    @pytest.mark.parametrize(
+        ("slope", "load", "text"), [(4e-3, 1e-3, "is tilted, by 18"), (0.0, 100.0, "everywhere")]
+    )
+    def test_warnings_say_the_same(self, slope, load, text):
+        gap = self.rough + slope * self.grid.x[:, None]
+        solver = sc.ContactSolver(self.grid, RIGID, STEEL, on_border="warn")
+        simulation = sc.Simulation(self.grid, RIGID, STEEL, gap, on_border="warn")
+        for call in (lambda: solver.solve(gap, load=load), lambda: simulation.step(load=load)):
+            with pytest.warns(sc.GridTooSmallWarning, match=text) as caught:
+                call()
+            assert not any("enlarge" in str(w.message) for w in caught)
 
     def test_numbers_are_rounded(self):
         grid = sc.Grid(30, 30, 1e-5 / 3, 1e-5 / 3)

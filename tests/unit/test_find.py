@@ -131,7 +131,7 @@ def test_bad_targets_are_refused(arguments, message):
         ("contact_area", 0.1, "0.1 mm² is 1e-07 m²"),
         ("contact_area", 1e-12, "one cell has 400 µm²"),
         ("max_von_mises", 1e12, "is not reached"),
-        ("max_plastic_strain", 2.0, "2 % is 0.02"),
+        ("max_equivalent_plastic_strain", 2.0, "2 % is 0.02"),
         ("yield", 1e3, "is not reached"),
     ],
 )

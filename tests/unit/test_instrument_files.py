@@ -233,6 +233,10 @@ class TestColumns:
             np.savetxt(tmp_path / "c.txt", wrong)
             with pytest.raises(ValueError, match=text):
                 measured.read(tmp_path / "c.txt", unit="um")
+        line = np.column_stack([self.x, np.full(200, 0.3), self.z])
+        np.savetxt(tmp_path / "c.txt", line)
+        found = measured.read(tmp_path / "c.txt", unit="m", detrend=None)
+        np.testing.assert_allclose(found.heights[:, 0], self.z, atol=1e-18)
         np.savetxt(tmp_path / "c.txt", np.random.default_rng(0).permutation(points))
         found = measured.read(tmp_path / "c.txt", unit="um", detrend=None)
         np.testing.assert_allclose(found.heights, x * UM)

@@ -141,7 +141,12 @@ def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
     if len(values) < _FEWEST or not np.isfinite(values[:, :-1]).all():
         return None
     if values.shape[1] == 3 and not (_counts(values[:, 0]) and _rises(values[:, 1]) == 1.0):
-        return 0, 1, 2  # points that fill a grid, or an error
+        varies = [axis for axis in (0, 1) if np.ptp(values[:, axis]) > 0]
+        if len(varies) == 2:
+            return 0, 1, 2  # points that fill a grid, or an error
+        # a line of points along one of the axes
+        along = [axis for axis in varies if _rises(values[:, axis]) == 1.0]
+        return (along[0], 2) if along else None
     first = values.shape[1] - 2
     share = _rises(values[:, first])
     if share == 1.0:
