@@ -22,7 +22,7 @@ from pathlib import Path
 
 from ._seal import SEALED
 
-RECORD = ".samcontact.files"
+RECORD = ".samcontact-files"
 _HEAD = "files that samcontact has written here, with their SHA-256\n"
 _MARK = b"samcontact"
 HDF5 = (".h5", ".nc", ".before")

@@ -47,7 +47,7 @@ def folder(tmp_path_factory):
     for name in ("ball", "own"):
         outcome = command(folder, "run", f"{name}.toml")
         assert outcome.returncode == 0, outcome.stderr
-        files = {path.name for path in (folder / "results" / name).iterdir()}
+        files = {path.name for path in (folder / "results" / name).glob("[!.]*")}
         assert files == FIGURES | {"results.nc"}
         assert all(f"results/{name}/{file}" in outcome.stdout for file in files)
     return folder
