@@ -243,7 +243,7 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
             f"{name} must have its axes in the order x, y, z, got {value.dims}: "  # type: ignore[union-attr]
             f"use .transpose({', '.join(map(repr, sorted(axes)))})"
         )
-    wrong = in_short(value)
+    wrong = ""
     try:
         given = np.asarray(value)
         wrong = " and ".join(sorted(_not_numbers(value, given)))
@@ -253,8 +253,8 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
     except Exception:  # rows of different lengths, and whatever the conversion of an object raises
         array = None
     if array is None:
-        what = "an array of numbers, whose rows are equally long"
-        raise TypeError(f"{name} must be {what}, got {wrong or in_short(value)}")
+        rows = "" if wrong else ", whose rows are equally long"
+        raise TypeError(f"{name} must be an array of numbers{rows}, got {wrong or in_short(value)}")
     if array.size and max(-_finite_end(np.fmin, array), _finite_end(np.fmax, array)) > MOST_NUMBER:
         raise ValueError(
             f"{name} must be finite everywhere and of a size up to {MOST_NUMBER:g}, "
@@ -287,7 +287,7 @@ def _not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:
     # of a list with truth values among numbers, NumPy makes an array of numbers
     kinds = _kinds(given.flat if given.dtype.kind == "O" else value)
     wrong = {k for k in kinds if not issubclass(k, (Real, Decimal)) or issubclass(k, _NOT_REAL)}
-    return {names.get(np.dtype(kind).kind, kind.__name__) for kind in wrong}
+    return {names.get(np.dtype(k).kind, k.__name__.removesuffix("Type")) for k in wrong}
 
 
 def _kinds(value: Any) -> set[type]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -91,9 +91,13 @@ def doubts_of(
     contact: Contact | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> Iterator[Doubt]:
     """All that a scene is looked at for, before it is solved; grid: the one that was given."""
-    for number, whole in enumerate(bodies, 1):
-        yield from _of_body(f"body {number}", whole)
     solids = softest(bodies[0]), softest(bodies[1])
+    for number, (whole, body) in enumerate(zip(bodies, solids, strict=True), 1):
+        if body.is_plastic:
+            name, ratio = f"yield stress over E of body {number}", body.least_yield_stress / body.E
+            verdict = Verdict(name, ratio, SOFTEST_YIELD, at_least=True)
+            yield Doubt(verdict, lambda: "Both are in pascals")
+        yield from _failed(_of_body(f"body {number}", whole))
     heated = [
         (number, heat.factor[number - 1], body)
         for number, body in enumerate(solids, 1)
@@ -103,15 +107,19 @@ def doubts_of(
         yield from _of_constants(number, body)
         speed = math.hypot(*heat.velocity[number - 1])
         verdict = Verdict(f"heat.velocity of body {number}", speed, FASTEST, unit="m/s")
-        yield Doubt(verdict, lambda: "Speeds are in m/s")
+        yield from _failed([Doubt(verdict, lambda: "Speeds are in m/s")])
     if contact is not None:
         yield from _of_contact(contact, grid, solids)
         for number, factor, body in heated:
             yield _of_rise(contact, number, factor, body, heat)
     for number, whole in enumerate(bodies, 1):  # of what a contact may have told better
-        for material in materials_of(whole):
-            if material.is_plastic:
-                yield _of_strength(number, material)
+        plastic = [material for material in materials_of(whole) if material.is_plastic]
+        yield from _failed(_of_strength(number, material) for material in plastic)
+
+
+def _failed(doubts: Iterable[Doubt]) -> Iterator[Doubt]:
+    """Those that a report need not list where they pass: most materials have none of them."""
+    return (doubt for doubt in doubts if not doubt.verdict.passed)
 
 
 def warn_of_doubts(
@@ -163,10 +171,6 @@ def _of_body(name: str, body: Body) -> Iterator[Doubt]:
 
 
 def _of_material(name: str, body: Material) -> Iterator[Doubt]:
-    if body.is_plastic:
-        told, limit = f"yield stress over E of {name}", SOFTEST_YIELD
-        verdict = Verdict(told, body.least_yield_stress / body.E, limit, at_least=True)
-        yield Doubt(verdict, lambda: "Both are in pascals")
     for modulus, _ in body.kinematic:
         told = f"modulus of kinematic hardening over E of {name}"
         for limit, least in ((LEAST_STRESS, True), (LARGEST_MODULUS, False)):

@@ -199,7 +199,7 @@ class Material(Graded, Shown):
             One is not a number.
         """
         moduli, recoveries = _many(modulus), _many(recovery)
-        if real_array("recovery", recovery).ndim == 0:  # one number for all
+        if not isinstance(recovery, (list, tuple)) and len(recoveries) == 1:  # one for all
             recoveries *= len(moduli)
         if len(moduli) != len(recoveries) or not moduli:
             raise ValueError(

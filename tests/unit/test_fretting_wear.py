@@ -159,7 +159,7 @@ def test_dataset_and_report(worn, tmp_path):
         ({"archard": 1e-14}, "exactly one of energy, archard"),
         ({"energy": -1.0}, "energy must be"),
         ({"energy": (0.0, 0.0)}, "energy must be above 0"),
-        ({"energy": (1.0, 1.0, 1.0)}, "a pair, got 3"),
+        ({"energy": (1.0, 1.0, 1.0)}, r"a pair, got \(1.0, 1.0, 1.0\)"),
         ({"friction": sc.Coulomb(np.inf)}, "friction must be above 0 and finite"),
         ({"repeats": 0}, "repeats must be"),
         ({"cycle": to_and_fro(8.0, 2.0)[:2]}, "must end where it has been"),

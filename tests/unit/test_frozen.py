@@ -148,5 +148,5 @@ def test_frozen_dictionaries_are_values():
 
 def test_relief_is_periodic_or_not():
     for wrong in ("no", 2, np.ones(2)):
-        with pytest.raises(ValueError, match="periodic must be one of True, False"):
+        with pytest.raises(TypeError, match="periodic must be True or False"):
             sc.Relief(HEIGHTS, periodic=wrong)

@@ -48,7 +48,7 @@ def test_short_values_are_shown_as_they_are():
     [
         ([True, 2.5], "truth values"),
         ([[1.0, 2.0], [3.0, np.True_]], "truth values"),
-        ([1.0, None], "NoneType"),
+        ([1.0, None], "None"),
         ([datetime.date(1979, 5, 27)], "date"),
         ([[1.0], [1.0, 2.0]], r"\[\[1.0\], \[1.0, 2.0\]\]"),
         ([np.array([True]), np.array([1.0])], "truth values"),
