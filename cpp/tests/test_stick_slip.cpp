@@ -191,8 +191,8 @@ TEST_CASE("forces that bounds do not allow have no projection") {
   CHECK(contact::project(problem, shear, multipliers));
   CHECK(shear[0] + shear[1] + shear[2] == doctest::Approx(5.0));
   // From where all cells are cut, on either side.
-  for (const double target : {-5.999, -5.0, 1e-3, 5.999}) {
-    for (const double from : {-1e6, -7.0, 7.0, 1e6}) {
+  for (const double target : {-5.999, -5.0, 1e-2, 5.999}) {
+    for (const double from : {-1e3, -7.0, 7.0, 1e3}) {
       problem.modes[0].target = target;
       shear = {from, from, from, 0.0, 0.0, 0.0};
       multipliers = {0.0};
