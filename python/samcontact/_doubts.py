@@ -37,8 +37,8 @@ DEEPEST = 0.1
 """Of a case, residual stress or layer [m]: rolls of mills are hard to 0.1 m."""
 LEAST_STRESS = 1e-7
 """Residual stress, or modulus of a backstress, over E: in steel 0.02 MPa."""
-LARGEST_MODULUS = 10.0
-"""Of a backstress, over E."""
+LARGEST_MODULUS = 1e4
+"""Of a backstress, over E: E Et/(E - Et) of nearly elastic hardening is large as well."""
 FASTEST = 1e3
 """Speed of a surface through a contact [m/s]: no bearing reaches 300."""
 MOST_WEAR = 1e-9
