@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import hertz
 from ._checks import FloatArray
-from ._outline import Sides, around, sides_between, sides_of, steps_beside
+from ._outline import Sides, around, away_from_border, sides_between, sides_of, steps_beside
 from ._repr import quantity
 from .layered import Body, softest
 
@@ -90,7 +90,8 @@ def sharp_edge(
     looked_at = [(sides, heights) for sides in sides_of(inside, periodic)]
     if initial_gap is not None:
         before = np.asarray(initial_gap, dtype=np.float64)[window]
-        looked_at += [(sides, before) for sides in sides_between(inside, inside, periodic)]
+        for sides in sides_between(inside, inside, periodic):
+            looked_at.append((away_from_border(sides, p.shape, periodic), before))
     for sides, surface in looked_at:
         rising = _rising(sides, p)
         if not rising.any():

@@ -48,6 +48,16 @@ class Sides(NamedTuple):
         return moved[0], moved[1]
 
 
+def away_from_border(sides: Sides, shape: tuple[int, ...], periodic: str) -> Sides:
+    """The sides on whose both sides all cells that `steps_beside` looks at are in the grid."""
+    if "xy"[sides.axis] in periodic:
+        return sides
+    at, n = (sides.i if sides.axis == 0 else sides.j), shape[sides.axis]
+    ends = at - 2 * sides.step, at + 3 * sides.step
+    whole = (np.minimum(*ends) >= 0) & (np.maximum(*ends) < n)
+    return sides._replace(i=sides.i[whole], j=sides.j[whole])
+
+
 def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
     """Sides that cells in contact share with those that are not, of four directions.
 
