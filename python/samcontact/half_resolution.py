@@ -55,12 +55,10 @@ def coarser(simulation: Simulation, heat: Heat) -> Simulation:
 
 def remade(simulation: Simulation, **changes: Any) -> Simulation:
     """The same simulation at its start, but for some arguments."""
-    from .simulation import Simulation
-
     surfaces = simulation._surfaces
     given = {name: getattr(simulation, name) for name in ("grid", "body1", "body2", "heat")}
     given |= {name: getattr(surfaces, name) for name in ("gap", "relief1", "relief2")}
-    made = Simulation(**given | simulation._settings.arguments() | changes)
+    made = type(simulation)(**given | simulation._settings.arguments() | changes)
     made._told.looks_at_increments = False  # it is for those who judge a simulation
     return made
 
