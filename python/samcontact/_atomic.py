@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
 
+from ._memory import HDF5_FILE, require_address_space
 from ._seal import seal
 
 ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -52,8 +53,10 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
 def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     """The same for HDF5: a file object to write, which gets the digest of `_seal` in the end.
 
-    Ctrl-C waits until the file is complete. Errors of the disk are OSErrors that name `path`.
+    Ctrl-C waits until the file is complete. Errors of the disk are OSErrors that name `path`; where
+    HDF5 would have too little memory, a MemoryError comes before.
     """
+    require_address_space(f"writing {os.fspath(path)!r}", HDF5_FILE)
     with undisturbed(), replacing(path) as part:
         with open(part, "w+b", buffering=0) as opened:
             file = _Patient(opened)

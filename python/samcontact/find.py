@@ -12,7 +12,6 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
-import scipy
 
 from . import _certified, half_resolution
 from ._checks import FloatArray, number, positive
@@ -31,6 +30,7 @@ from ._load_scenes import (
 )
 from ._progress import tell
 from ._repr import Rows, Shown, quantity
+from ._scipy import scipy
 from .grid_errors import estimated
 from .material import Material
 from .runs.journal import describe

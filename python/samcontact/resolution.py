@@ -9,12 +9,12 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from . import hertz
 from ._checks import FloatArray
 from ._repr import lengths, quantity
+from ._scipy import scipy
 from .layered import materials_of, softest
 from .zone import strained_extent
 

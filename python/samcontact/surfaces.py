@@ -10,11 +10,11 @@ from __future__ import annotations
 from typing import Protocol
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike
 
 from . import _memory
 from ._checks import FloatArray, choice, finite_array, integer, non_negative, number, positive
+from ._scipy import scipy
 
 __all__ = [
     "cylinder",

@@ -33,7 +33,7 @@ def find(
     together, at the end). What is interrupted is kept in the directory
     of the results of the case, and the same command goes on.
     """
-    with short_errors():
+    with short_errors(files=True):
         from ..cases import load_case
         from ..cases.tugging import TuggingCase
         from ..find import searched

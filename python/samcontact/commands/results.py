@@ -47,7 +47,7 @@ def export(
         raise click.UsageError("--html shows one increment: give --increment instead of --all")
     if every and increment != -1:
         raise click.UsageError("give --increment or --all, not both")
-    with short_errors():
+    with short_errors(files=True):
         from .. import results
 
         ending = ".html" if html else ".pvd" if every else ".vtr"
@@ -75,7 +75,7 @@ def export(
 )
 def report(run: Path, output: Path | None) -> None:
     """Write an HTML report of a run: RUN is its directory, or the .nc file in it."""
-    with short_errors():
+    with short_errors(files=True):
         from .. import report as reports
         from .. import results
 

@@ -6,11 +6,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import scipy
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, exactly_one, positive
 from .._repr import Shown
+from .._scipy import scipy
 from .points import coordinates, require_range, semi_ellipsoid
 
 

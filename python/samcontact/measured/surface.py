@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 from .._checks import FloatArray, choice, finite, positive, real_array
 from .._frozen import FrozenDict, read_only
 from .._repr import Brief
+from .._scipy import scipy
 from ..grid import Grid
 from ..relief import Relief, rows_within
 from ..surfaces import SurfaceGrid
@@ -281,8 +282,6 @@ class MeasuredSurface(Brief):
         fill: float | None,
     ) -> FloatArray:
         """Heights at all pairs of x and y, counted from the middle of the measured area."""
-        from scipy.interpolate import RectBivariateSpline
-
         order = {"cubic": 3, "linear": 1}[choice("method", method, ("cubic", "linear"))]
         if self.undefined:
             first = tuple(int(i) for i in np.argwhere(np.isnan(self.heights))[0])
@@ -295,7 +294,7 @@ class MeasuredSurface(Brief):
         shape = self.heights.shape
         at = [(np.arange(n) - 0.5 * (n - 1)) * d for n, d in zip(shape, self.steps, strict=True)]
         kx, ky = (min(order, n - 1) for n in shape)
-        spline = RectBivariateSpline(*at, self.heights, kx=kx, ky=ky, s=0)
+        spline = scipy.interpolate.RectBivariateSpline(*at, self.heights, kx=kx, ky=ky, s=0)
         # beyond the outermost samples, by half a step at most, their height is taken
         parts = [
             np.clip(_parts(p, size, step) if average else p[:, None], s[0], s[-1])

@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, finite_array, integer, positive
+from .._scipy import scipy
 
 Window = int | Sequence[int] | None
 
