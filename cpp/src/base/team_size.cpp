@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-
 #include "samcontact/base/team.hpp"
+
+#include <algorithm>
 
 namespace samcontact {
 namespace {
