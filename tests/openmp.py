@@ -7,14 +7,19 @@ import sys
 from pathlib import Path
 
 
+def own(count):
+    """Settings of exactly so many threads."""
+    return {"OMP_NUM_THREADS": str(count), "OMP_DYNAMIC": "false"}
+
+
 def told_with(script, *threads):
-    """What it prints with each of them; it may import what tests share."""
+    """What it prints with each of them, also on a busy machine; it may import what tests share."""
     paths = [str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")]
     shared = {"PYTHONPATH": os.pathsep.join(filter(None, paths))}
     return [
         subprocess.run(
             [sys.executable, "-c", script],
-            env=os.environ | shared | {"OMP_NUM_THREADS": str(count)},
+            env=os.environ | shared | own(count),
             capture_output=True,
             text=True,
             check=True,

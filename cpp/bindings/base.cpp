@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <pthread.h>
 #include <pybind11/gil_safe_call_once.h>
 #include <pybind11/stl.h>
 
 #include <new>
 
 #include "rooms.hpp"
+#include "samcontact/base/aligned.hpp"
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/grid.hpp"
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/memory.hpp"
+#include "samcontact/base/team.hpp"
+#include "samcontact/fft/plan.hpp"
 
 namespace samcontact::bindings {
 
@@ -26,6 +30,24 @@ void check_signals() {
 void check_memory(double bytes, const std::string& what) {
   const py::gil_scoped_acquire gil;
   py::module_::import("samcontact._memory").attr("require")(what, bytes);
+}
+
+/// The core works on in a child that was forked between, or during, calls of it.
+void prepare_for_forks() {
+  const auto lock = [] {
+    fft::lock_plans();
+    lock_memory();
+  };
+  const auto unlock = [] {
+    unlock_memory();
+    fft::unlock_plans();
+  };
+  const auto unlock_in_child = [] {
+    unlock_memory();
+    fft::unlock_plans();
+    lose_team();
+  };
+  if (pthread_atfork(lock, unlock, unlock_in_child) != 0) throw std::bad_alloc();
 }
 
 void bind_errors(py::module_& m) {
@@ -70,6 +92,7 @@ void bind_errors(py::module_& m) {
 void bind_base(py::module_& m) {
   set_interrupt_check(check_signals);
   set_memory_check(check_memory);
+  prepare_for_forks();
   bind_errors(m);
   py::class_<Grid>(m, "Grid")
       .def(py::init(

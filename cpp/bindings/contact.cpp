@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "long_work.hpp"
 #include "rooms.hpp"
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/contact/coulomb_contact.hpp"
@@ -44,7 +45,7 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
       tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
   contact::Solution solution;
   {
-    const py::gil_scoped_release release;
+    const LongWork work;
     solution =
         solver.solve(h, load_driven ? Drive::load(value) : Drive::approach(value), start, settings);
   }
@@ -92,7 +93,7 @@ py::dict stick_and_slip(const contact::CoulombContact& contact, const Array& gap
   const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
   contact::CoulombSolution solution;
   {
-    const py::gil_scoped_release release;
+    const LongWork work;
     solution = contact.solve(h, normal, contact::tangential_drive(is_force, tangential), before,
                              start, settings);
   }
@@ -112,7 +113,7 @@ py::dict roll(const contact::CoulombContact& contact, const Array& gap, bool loa
   const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
   contact::CoulombSolution solution;
   {
-    const py::gil_scoped_release release;
+    const LongWork work;
     solution =
         contact.roll(h, normal, contact::tangential_drive(is_force, tangential), start, settings);
   }

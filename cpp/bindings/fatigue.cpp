@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "arrays.hpp"
+#include "long_work.hpp"
 #include "rooms.hpp"
 #include "samcontact/fatigue/critical_plane.hpp"
 #include "samcontact/fatigue/deviators.hpp"
@@ -28,7 +29,7 @@ auto field_of(const Criterion& criterion) {
     const f::Paths paths = to_paths(stress);
     Field field;
     {
-      const py::gil_scoped_release release;
+      const LongWork work;
       field = criterion(paths, slope);
     }
     return flat(std::move(field));
@@ -39,7 +40,7 @@ template <class Criterion>
 py::tuple plane_of(const Criterion& criterion) {
   f::CriticalPlane found;
   {
-    const py::gil_scoped_release release;
+    const LongWork work;
     found = criterion();
   }
   const auto cells = static_cast<py::ssize_t>(found.value.size());

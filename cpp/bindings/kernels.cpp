@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "long_work.hpp"
 #include "rooms.hpp"
 #include "samcontact/kernels/corners.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
@@ -51,7 +52,7 @@ py::array heat_table(const Array& x, const Array& y, double a, double b, double 
   const k::HeatPoints points{scaled(x), scaled(y)};
   Field values;
   {
-    const py::gil_scoped_release release;
+    const LongWork work;
     values = table(source, points, unit);
     for (double& v : values) v *= scale;
   }

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "arrays.hpp"
+#include "long_work.hpp"
 #include "rooms.hpp"
 #include "samcontact/operators/half_space.hpp"
 #include "samcontact/operators/layered_half_space.hpp"
@@ -21,7 +22,7 @@ py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& 
   const Field field = to_field(strain);
   Field stress;
   {
-    const py::gil_scoped_release release;
+    const LongWork work;
     using operators::ResidualMethod;
     const operators::VolumeOperators volume(
         grid, operators::half_space(elastic),
@@ -37,7 +38,7 @@ py::array residual_displacement(const Grid& grid, const Array& strain, double nu
   const Field field = to_field(strain);
   Field out(grid.surface_size());
   {
-    const py::gil_scoped_release release;
+    const LongWork work;
     const operators::VolumeOperators volume(grid, operators::half_space({1.0, nu}), {});
     operators::VolumeSpectrum spectrum = volume.make_spectrum();
     operators::forward(volume.transform(), field.data(), spectrum);
@@ -53,7 +54,7 @@ py::array surface_displacement(const Grid& grid, const Stack& body, const Array&
                                        to_field_or_empty(shear_y)};
   Field out;
   {
-    const py::gil_scoped_release release;
+    const LongWork work;
     out = operators::surface_displacement(grid, *operators::medium_of(body), {}, tractions, 1.0,
                                           static_cast<operators::Axis>(axis));
   }
@@ -67,7 +68,7 @@ py::array surface_stress(const Grid& grid, const Stack& body, const operators::H
                                        to_field_or_empty(shear_y)};
   Field out;
   {
-    const py::gil_scoped_release release;
+    const LongWork work;
     out = operators::traction_stress(grid, operators::medium_of(body), heating, z, tractions);
   }
   return tensor_array(std::move(out), grid, static_cast<py::ssize_t>(z.size()));
@@ -85,7 +86,7 @@ std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& ela
                                        to_field_or_empty(shear_y)};
   Field stress(6 * grid.volume_size(), 0.0), displacement(3 * grid.surface_size(), 0.0);
   {
-    const py::gil_scoped_release release;
+    const LongWork work;
     const Box whole = Box::whole(grid);
     std::vector<Box> zones;
     zones.reserve(boxes.size());
@@ -134,7 +135,7 @@ py::array temperature(const Grid& grid, const operators::Heating& heating,
   const Field p = to_field(pressure);
   Field rise;
   {
-    const py::gil_scoped_release release;
+    const LongWork work;
     rise = operators::Temperature(grid, heating).rise(p.data(), z);
   }
   return volume_array(std::move(rise), grid, static_cast<py::ssize_t>(z.size()));
@@ -154,7 +155,7 @@ struct BoundHistory {
   py::array temperature(double ahead, const std::vector<double>& z) const {
     Field rise;
     {
-      const py::gil_scoped_release release;
+      const LongWork work;
       rise = history.temperature(ahead, z);
     }
     return volume_array(std::move(rise), grid, static_cast<py::ssize_t>(z.size()));
@@ -162,7 +163,7 @@ struct BoundHistory {
   py::array displacement(double ahead) const {
     Field u;
     {
-      const py::gil_scoped_release release;
+      const LongWork work;
       u = history.displacement(ahead);
     }
     return surface_array(std::move(u), grid);
@@ -170,7 +171,7 @@ struct BoundHistory {
   py::array stress(double ahead, const std::vector<double>& z) const {
     Field stress;
     {
-      const py::gil_scoped_release release;
+      const LongWork work;
       stress = history.stress(ahead, z);
     }
     return tensor_array(std::move(stress), grid, static_cast<py::ssize_t>(z.size()));
@@ -181,7 +182,7 @@ void bind_heat_history(py::module_& m) {
   py::class_<BoundHistory>(m, "HeatHistory")
       .def(py::init([](const Grid& grid, const operators::Heating& heating, const Elastic& elastic,
                        double shortest, double longest, double tolerance, bool in_depth) {
-             const py::gil_scoped_release release;
+             const LongWork work;
              return BoundHistory{grid,
                                  operators::half_space(elastic)->heat_history(
                                      grid, heating, {shortest, longest, tolerance, in_depth})};
@@ -192,7 +193,7 @@ void bind_heat_history(py::module_& m) {
           "add",
           [](BoundHistory& self, const Array& flux, double dt) {
             const Field q = to_field(flux);
-            const py::gil_scoped_release release;
+            const LongWork work;
             self.history.add(q.data(), dt);
           },
           py::arg("flux"), py::arg("dt"))

@@ -2,10 +2,12 @@
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
+#include "long_work.hpp"
 #include "parts.hpp"
 #include "rooms.hpp"
 #include "samcontact/simulation/description.hpp"
 #include "samcontact/simulation/simulation.hpp"
+#include "softening.hpp"
 
 namespace samcontact::bindings {
 
@@ -31,7 +33,7 @@ auto surface_method(Field (State::*method)(int) const) {
   return [method](const State& state, int body) {
     Field field;
     {
-      const py::gil_scoped_release release;
+      const LongWork work;
       field = (state.*method)(body);
     }
     return surface_array(std::move(field), state.scene().grid);
@@ -44,7 +46,7 @@ auto volume_method(Field (State::*method)(int, simulation::Layers) const) {
   return [method](const State& state, int body, int layers) {
     Field field;
     {
-      const py::gil_scoped_release release;
+      const LongWork work;
       field = (state.*method)(body, layers);
     }
     return to_array<rank>(std::move(field), state.scene().grid, layers);
@@ -66,7 +68,7 @@ auto box_method(Field (State::*method)(int, const Box&) const) {
     const Box box = to_box(cells);
     Field field;
     {
-      const py::gil_scoped_release release;
+      const LongWork work;
       field = (state.*method)(body, box);
     }
     return to_array<rank>(std::move(field), box.grid(state.scene().grid), box.nz);
@@ -96,7 +98,7 @@ void bind_zones(py::class_<State>& state) {
           [](const State& s, int body, bool loaded) {
             Field field;
             {
-              const py::gil_scoped_release release;
+              const LongWork work;
               field = s.deviator_in_own_box(body, loaded);
             }
             const Box box = s.own_box(body);
@@ -108,7 +110,7 @@ void bind_zones(py::class_<State>& state) {
           [](const State& s, int body, bool loaded) {
             Field field;
             {
-              const py::gil_scoped_release release;
+              const LongWork work;
               field = s.stress_in_zones(body, loaded);
             }
             const auto size = static_cast<py::ssize_t>(field.size());
@@ -133,7 +135,7 @@ void bind_boxes(py::class_<State>& state) {
         const Box box = to_box(cells);
         Field field;
         {
-          const py::gil_scoped_release release;
+          const LongWork work;
           field = s.residual_displacement(body, static_cast<operators::Axis>(axis), box);
         }
         return surface_array(std::move(field), box.grid(s.scene().grid));
@@ -189,7 +191,7 @@ void bind_fields(py::class_<State>& bound) {
       [](const State& s, int body, int axis) {
         Field field;
         {
-          const py::gil_scoped_release release;
+          const LongWork work;
           field = s.residual_displacement(body, static_cast<operators::Axis>(axis));
         }
         return surface_array(std::move(field), s.scene().grid);
@@ -220,7 +222,7 @@ void bind_state(py::module_& m) {
            [](const State& state) {
              Field gap;
              {
-               const py::gil_scoped_release release;
+               const LongWork work;
                gap = state.gap();
              }
              return surface_array(std::move(gap), state.scene().grid);
@@ -255,20 +257,6 @@ void bind_state(py::module_& m) {
   bind_fields(bound);
 }
 
-/// A Python function of the rise of temperature (nx, ny, nz), called with the GIL.
-simulation::Softening softening_law(const py::object& law, const Grid& grid) {
-  // The last owner may let go of it on any thread.
-  const std::shared_ptr<py::object> kept(new py::object(law), [](py::object* p) {
-    const py::gil_scoped_acquire gil;
-    std::default_delete<py::object>()(p);
-  });
-  return [kept, grid](const Field& rise, const Box& box) {
-    const py::gil_scoped_acquire gil;
-    const py::array factor = (*kept)(volume_array(rise, box.grid(grid), box.nz));
-    return to_field(factor.cast<Array>());
-  };
-}
-
 /// Each None or (heights (rows, ny), first row, whether periodic, what is worn off or None).
 simulation::Reliefs to_reliefs(const std::array<py::object, 2>& given) {
   simulation::Reliefs reliefs;
@@ -295,7 +283,7 @@ State step(Simulation& simulation, const std::string& kind, double value,
                       .advance = advance,
                       .heating = heating,
                       .duration = duration};
-  const py::gil_scoped_release release;
+  const LongWork work;
   return simulation.step(target);
 }
 
@@ -361,6 +349,7 @@ void bind_simulation(py::module_& m) {
                if (!softening[b].is_none())
                  settings.softening[b] = softening_law(softening[b], grid);
              }
+             const Team team;
              return std::make_unique<Simulation>(
                  grid, body1, body2, to_field(gap), contact::Friction{friction, sticks}, settings,
                  simulation::HeatMarch{march[0], march[1]}, to_reliefs(reliefs));

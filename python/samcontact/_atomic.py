@@ -14,6 +14,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO
 
+from ._memory import HDF5_FILE, require_address_space
 from ._owned import is_regular, record_of, remove_leftovers, require_marked
 from ._seal import seal
 
@@ -98,10 +99,12 @@ def _part(target: Path, ending: str) -> tuple[int, Path]:
 def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     """The same for HDF5: a file object to write, which gets the digest of `_seal` in the end.
 
-    Ctrl-C waits until the file is complete. Errors of the disk are OSErrors that name `path`. An
-    existing file that is none of this package is refused with a ValueError.
+    Ctrl-C waits until the file is complete. Errors of the disk are OSErrors that name `path`; where
+    HDF5 would have too little memory, a MemoryError comes before. An existing file that is none of
+    this package is refused with a ValueError.
     """
     require_marked(_checked(Path(path)))
+    require_address_space(f"writing {os.fspath(path)!r}", HDF5_FILE)
     with undisturbed(), replacing(path) as part:
         with open(part, "w+b", buffering=0) as opened:
             file = _Patient(opened)

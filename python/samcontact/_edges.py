@@ -7,13 +7,13 @@ import warnings
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from . import hertz
 from ._checks import FloatArray
 from ._outline import Sides, around, away_from_border, sides_between, sides_of, steps_beside
 from ._repr import quantity
+from ._scipy import scipy
 from .layered import Body, softest
 
 if TYPE_CHECKING:

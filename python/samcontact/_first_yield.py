@@ -8,9 +8,9 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-import scipy
 
 from ._checks import FloatArray
+from ._scipy import scipy
 from ._tensors import von_mises
 from .hertz.field import field
 from .hertz.line_field import line_field

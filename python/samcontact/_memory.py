@@ -34,6 +34,9 @@ FAST_RESIDUAL, EXACT_RESIDUAL = 350.0, 1200.0
 """Of a cell of the volume: stress of a strain of six components, its print."""
 ZONE_FIELD = 200.0
 """Of a cell of a zone: stress."""
+LIBRARIES, BLAS_BUFFER, HDF5_FILE = 400e6, 45e6, 64e6
+"""Address space [bytes]: of all libraries of a run, the core's first block (128 MB) included, with
+one thread of linear algebra; of each more of them, in a library; of a file while it is written."""
 VOLUME_FIELD = 300.0
 """Of a cell of the volume: a field of a state; where the residual stress is exact, as that."""
 
@@ -49,6 +52,30 @@ def require(what: str, needed: float, remedy: str = "take fewer cells") -> None:
         raise MemoryError(
             f"{what} needs about {needed / 1e9:.3g} GB of memory, and {there / 1e9:.3g} GB are "
             f"available: {remedy}"
+        )
+
+
+def blas_threads() -> int:
+    """How many threads the linear algebra (OpenBLAS) of NumPy and SciPy has, a buffer for each."""
+    processors = os.cpu_count() or 1
+    for name in ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS"):
+        given = os.environ.get(name, "")
+        if given.isdecimal() and int(given) > 0:
+            return min(int(given), processors)
+    return processors
+
+
+def require_address_space(what: str, needed: float) -> None:
+    """Raise MemoryError unless the process may have so many bytes more (``ulimit -v``).
+
+    For libraries that do not survive a failed allocation: OpenBLAS, as it is loaded, asks again
+    for ever in some versions, which only SIGKILL ends, and HDF5 crashes.
+    """
+    there = _of_process()
+    if there is not None and needed > there:
+        raise MemoryError(
+            f"not enough memory: {what} needs about {needed / 1e6:.0f} MB more address space, and "
+            f"the limit of the process (ulimit -v) leaves {there / 1e6:.0f} MB: raise the limit"
         )
 
 

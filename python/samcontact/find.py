@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import scipy
 
 from . import _certified, half_resolution
 from ._attainable import require_attainable
@@ -34,6 +33,7 @@ from ._load_scenes import (
 )
 from ._progress import tell
 from ._repr import Rows, Shown, quantity
+from ._scipy import scipy
 from ._short import in_short
 from .grid_errors import estimated
 from .material import Material

@@ -9,10 +9,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike
 
 from ._checks import FloatArray, finite_array
+from ._scipy import scipy
 from .layered import Layered
 from .relief import Relief
 

@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from . import hertz
@@ -17,6 +16,7 @@ from ._area import AREA_OF_A_SIDE
 from ._checks import FloatArray
 from ._outline import sides_of
 from ._repr import lengths, quantity
+from ._scipy import scipy
 from .layered import materials_of, softest
 from .zone import strained_extent
 

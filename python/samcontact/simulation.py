@@ -158,11 +158,12 @@ class Simulation(Running, Windowed, Shown):
         self._told, self._turn = Told(), Turn()
         self._history = History(self._heat)
         self._surfaces = Surfaces(gap, relief1, relief2)
+        self._laws = [core_law(body) for body in (body1, body2)]  # the core does not own them
         self._open(self._over(grid))
         self._first = self._window
 
     def _made(self, window: Window) -> Any:
-        grid, bodies = window.grid, (self.body1, self.body2)
+        grid = window.grid
         reliefs = [relief_rows(f"relief{n}", r, grid) for n, r in enumerate(window.reliefs, 1)]
         sticks = isinstance(self.friction, Coulomb)
         return _core.Simulation(
@@ -174,7 +175,7 @@ class Simulation(Running, Windowed, Shown):
             sticks=sticks,
             settings=self._settings.to_core(grid.dx),
             march=self._heat.history or (0.0, 0.0),
-            softening=[core_law(body) for body in bodies],
+            softening=self._laws,
             reliefs=reliefs,
         )
 

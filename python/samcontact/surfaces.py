@@ -11,11 +11,11 @@ import math
 from typing import Protocol
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike
 
 from . import _memory
 from ._checks import FloatArray, choice, gap_array, integer, non_negative, number, positive
+from ._scipy import scipy
 from ._short import in_short
 
 __all__ = [

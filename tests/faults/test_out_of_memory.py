@@ -2,7 +2,9 @@
 """What does not fit into memory is refused before it is tried, and the estimates are right."""
 
 import contextlib
+import os
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -254,3 +256,62 @@ def test_the_command_tells_it(tmp_path, monkeypatch):
     outcome = CliRunner().invoke(main, arguments)
     assert outcome.exit_code == 1
     assert re.search(r"error: .*nx = 60000, ny = 60000 needs about \d+ GB", outcome.output)
+
+
+SMALL_CASE = """
+title = "small plastic"
+estimate_error = false
+grid = {nx = 13, ny = 13, dx = 70e-6, dy = 70e-6, nz = 8, dz = 60e-6}
+body1 = {law = "elastic", E = 210e9, nu = 0.3}
+body2 = {law = "swift", E = 210e9, nu = 0.3, B = 945e6, C = 20, n = 0.121}
+surface = {shape = "paraboloid", Rx = 7.5e-3}
+path = [{load = 600.0, increments = 3}, {load = 0.0, increments = 1}]
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="limits the address space")
+@pytest.mark.parametrize("megabytes", [300, 480])
+def test_a_run_in_little_address_space_is_refused_at_once(megabytes, tmp_path):
+    """OpenBLAS, when it was loaded after the solve, asked for memory for ever; HDF5 crashed."""
+    (tmp_path / "case.toml").write_text(SMALL_CASE)
+    limited = (
+        f"import resource; resource.setrlimit(resource.RLIMIT_AS, ({megabytes} << 20,) * 2)\n"
+        "from samcontact.commands.main import main\n"
+        "main(['run', 'case.toml', '--output', 'out', '--quiet', '--no-figures'])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", limited],
+        env=os.environ | {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"},
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 1
+    assert done.stderr.startswith("error: not enough memory: the command needs about")
+    assert "ulimit -v" in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="limits the address space")
+@pytest.mark.parametrize("use", ["scipy.special.erf(0.0)", "simulation.save('there.h5')"])
+def test_libraries_that_do_not_survive_little_memory_are_not_asked(use, tmp_path):
+    script = f"""
+import resource
+import samcontact as sc
+from samcontact._scipy import scipy
+grid = sc.Grid(8, 8, 1e-4, 1e-4)
+elastic = sc.Material.elastic(210e9, 0.3)
+simulation = sc.Simulation(grid, elastic, elastic, sc.surfaces.paraboloid(grid, 7.5e-3))
+with open("/proc/self/statm") as sizes:
+    used = int(sizes.read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + (40 << 20),) * 2)
+try:
+    {use}
+except MemoryError as error:
+    print(error)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert done.stdout.startswith("not enough memory: "), done.stderr
+    assert list(tmp_path.iterdir()) == []

@@ -89,6 +89,9 @@ class Regions {
     return true;
   }
 
+  void lock() { mutex_.lock(); }
+  void unlock() { mutex_.unlock(); }
+
  private:
   using Holes = std::map<std::size_t, std::size_t>;  // offset and length, ascending, none touching
 
@@ -139,6 +142,9 @@ constexpr bool with_regions = true;
 #endif
 
 }  // namespace
+
+void lock_memory() { regions().lock(); }
+void unlock_memory() { regions().unlock(); }
 
 void* allocate_bytes(std::size_t bytes) {
   void* p = with_regions && Regions::suits(bytes) ? regions().take(bytes) : nullptr;

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <chrono>
 
+#include "samcontact/base/team.hpp"
+
 namespace samcontact {
 namespace {
 
@@ -23,6 +25,7 @@ Uninterrupted::~Uninterrupted() { --uninterrupted; }
 void set_interrupt_check(InterruptCheck check) { installed_check.store(check); }
 
 void check_interrupt() {
+  adjust_team();
   using Clock = std::chrono::steady_clock;
   // The host's check takes its global lock: asking it in every iteration of a small scene costs
   // more than the iteration.

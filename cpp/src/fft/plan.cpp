@@ -39,6 +39,15 @@ class Plans {
     return made;
   }
 
+  void lock() {
+    mutex_.lock();
+    planner_mutex().lock();
+  }
+  void unlock() {
+    planner_mutex().unlock();
+    mutex_.unlock();
+  }
+
  private:
   static constexpr std::size_t most = 200;
   std::mutex mutex_;
@@ -52,6 +61,9 @@ Plans& plans() {
 }
 
 }  // namespace
+
+void lock_plans() { plans().lock(); }
+void unlock_plans() { plans().unlock(); }
 
 Plan plan_real_lines(int m, int count) {
   return plans().get(Kind::real_lines, m, count, 0, [&] {

@@ -6,9 +6,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import scipy
-
 from .._checks import finite, integer, non_negative, positive
+from .._scipy import scipy
 from .races import angle_of
 
 POINT = 1.5  # load ~ approach^n of point contacts

@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 import click
 
+from .._memory import BLAS_BUFFER, LIBRARIES, blas_threads, require_address_space
 from .._short import escaped
 from .signals import exit_code
 
@@ -21,9 +23,16 @@ class StoppedEarlyError(Exception):
 
 
 @contextmanager
-def short_errors() -> Iterator[None]:
-    """Turn the errors a user can cause into one message on stderr, without a traceback."""
+def short_errors(*, files: bool = False) -> Iterator[None]:
+    """Turn the errors a user can cause into one message on stderr, without a traceback.
+
+    files: whether the command loads all libraries and reads or writes results, for which a limited
+    address space must have room.
+    """
     try:
+        if files:
+            buffers = BLAS_BUFFER * 2 * (blas_threads() - 1)  # of NumPy's and of SciPy's
+            require_address_space("the command", LIBRARIES + buffers)
         yield
     except KeyboardInterrupt as stop:
         click.echo("interrupted", err=True)
@@ -85,6 +94,25 @@ def _told(error: Exception) -> tuple[str, int]:
         return str(error), BAD_INPUT
     if isinstance(error, Warning):  # PYTHONWARNINGS=error
         return f"a warning, which the environment makes an error: {error}", FAILED
-    if isinstance(error, (OSError, ModuleNotFoundError, MemoryError)):
-        return str(error) or "not enough memory", FAILED
+    if _is_short_of_memory(error):
+        return _no_memory(error), FAILED
+    if isinstance(error, (OSError, ModuleNotFoundError)):
+        return str(error), FAILED
     return "", FAILED
+
+
+def _is_short_of_memory(error: Exception) -> bool:
+    """Also where a library has its own words for it: the loader, HDF5."""
+    if isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM:
+        return True
+    words = ("failed to map segment", "cannot allocate memory", "memory allocation failed")
+    return isinstance(error, (ImportError, OSError, RuntimeError)) and any(
+        text in str(error).lower() for text in words
+    )
+
+
+def _no_memory(error: Exception) -> str:
+    told = str(error) if isinstance(error, MemoryError) else ""
+    if "memory" in told:
+        return told
+    return "not enough memory: take fewer cells, end other programs or raise the limit (ulimit -v)"

@@ -33,7 +33,7 @@ def find(
     together, at the end). What is interrupted is kept in the directory
     of the results of the case, and the same command goes on.
     """
-    with short_errors():
+    with short_errors(files=True):
         from ..cases.given import case_of_contact
         from ..find import searched
         from .tables import Sheet, new_console

@@ -56,7 +56,7 @@ def export(
         raise click.UsageError("--html shows one increment: give --increment instead of --all")
     if every and increment != -1:
         raise click.UsageError("give --increment or --all, not both")
-    with short_errors():
+    with short_errors(files=True):
         from .. import results
 
         source = _results_of(run, ("results.nc",))
@@ -100,7 +100,7 @@ def _with(target: Path, ending: str) -> Path:
 )
 def report(run: Path, output: Path | None) -> None:
     """Write an HTML report of a run: RUN is its folder, or the .nc file in it."""
-    with short_errors():
+    with short_errors(files=True):
         from .. import report as reports
         from .. import results
 

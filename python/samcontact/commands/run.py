@@ -38,7 +38,7 @@ def run(
     case_file: Path, output: Path | None, no_figures: bool, animate: bool, resume: bool, quiet: bool
 ) -> None:
     """Solve a case file; write results.nc and figures."""
-    with short_errors():
+    with short_errors(files=True):
         from ..cases import load_case
         from .interrupted import is_interrupted
         from .tables import new_console
@@ -98,7 +98,7 @@ def _solve(
 @click.pass_context
 def resume(context: click.Context, run_: Path, no_figures: bool, quiet: bool) -> None:
     """Go on with a run that was interrupted: RUN is its folder, or a file in it."""
-    with short_errors():
+    with short_errors(files=True):
         from .interrupted import interrupted_case
 
         is_folder = run_.is_dir() or run_.suffix != ".nc"  # which need not be there yet

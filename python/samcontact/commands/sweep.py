@@ -32,7 +32,7 @@ def sweep(case_file: Path, **options: Any) -> None:
 
     The same command goes on with a sweep that was interrupted, and tries failed cases again.
     """
-    with short_errors():
+    with short_errors(files=True):
         from .solve_sweep import run_sweep
 
         code = run_sweep(case_file, **options)

@@ -7,9 +7,9 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-import scipy
 
 from .._checks import FloatArray, poisson_ratio
+from .._scipy import scipy
 
 
 def _maximum(function: Callable[[float], float], upper: float) -> tuple[float, float]:

@@ -6,11 +6,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import scipy
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, exactly_one, poisson_ratio, positive, together
 from .._repr import Shown
+from .._scipy import scipy
 from .axis import elliptic_axis, elliptic_max_von_mises
 from .points import depth_ratio, require_range, semi_ellipsoid
 

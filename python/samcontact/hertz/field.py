@@ -15,10 +15,10 @@ with h_0 = 1/R and T = R + zeta.
 from __future__ import annotations
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
 from .._checks import FloatArray
+from .._scipy import scipy
 
 
 def _disc(second: NDArray[np.complex128], third: NDArray[np.complex128]) -> FloatArray:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from .._checks import FloatArray, boolean, choice, number
+from .._scipy import scipy
 
 _REACH = 24  # samples over which a cubic spline forgets its ends, to rounding
 
@@ -51,8 +52,6 @@ def resampled(
     heights: shape (nx, ny), all defined; one row (ny = 1) is the same at every y. cell: its lengths
     along x and y [m]. A ValueError where points lie beyond the measured area and there is no fill.
     """
-    from scipy.interpolate import RectBivariateSpline
-
     is_profile = heights.shape[1] == 1
     axes, orders, parts, inside = [], [], [], []
     for axis, (p, length, step) in enumerate(zip(points, cell, steps, strict=True)):
@@ -72,7 +71,7 @@ def resampled(
         orders.append(min({"cubic": 3, "linear": 1}[sampling.method], len(at) - 1))
         # beyond the outermost samples, by half a step at most, their height is taken
         parts.append(np.clip(within, at[0], at[-1]))
-    spline = RectBivariateSpline(*axes, heights, kx=orders[0], ky=orders[1], s=0)
+    spline = scipy.interpolate.RectBivariateSpline(*axes, heights, kx=orders[0], ky=orders[1], s=0)
     found = np.zeros((points[0].size, points[1].size))
     for part_x in parts[0].T:
         rows, back_x = np.unique(part_x, return_inverse=True)

@@ -10,10 +10,10 @@ from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
-from scipy import ndimage
 
 from .._checks import BoolArray, FloatArray, boolean
 from .._quantities import Quantity
+from .._scipy import scipy
 from .parts import LYING, axes_or_new, without_seams
 from .ticks import FittedLocator, fit_ticks
 
@@ -145,8 +145,8 @@ def _crossing(values: FloatArray) -> FloatArray:
     mean slope of all edges where they do not fall.
     """
     there = values > 0
-    cross = ndimage.generate_binary_structure(2, 1)
-    border = there & ~ndimage.binary_erosion(there, cross, border_value=1)
+    cross = scipy.ndimage.generate_binary_structure(2, 1)
+    border = there & ~scipy.ndimage.binary_erosion(there, cross, border_value=1)
     slope = 2.0 * float(values[border].mean()) if border.any() else 1.0
     (nx, ny), padded = values.shape, np.pad(values, 2, mode="edge")
     total, count = np.zeros_like(values), np.zeros_like(values)
@@ -162,7 +162,9 @@ def _crossing(values: FloatArray) -> FloatArray:
 
 def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
     """Values of the contact, and beside it those of the nearest cell of it."""
-    nearest = ndimage.distance_transform_edt(~touching, return_distances=False, return_indices=True)
+    nearest = scipy.ndimage.distance_transform_edt(
+        ~touching, return_distances=False, return_indices=True
+    )
     return np.asarray(kinds[tuple(nearest)], dtype=np.float64)
 
 
@@ -170,7 +172,7 @@ def touching_along(
     ax: Axes, across: FloatArray, touching: BoolArray, height: float = 0.0, **options: Any
 ) -> None:
     """A bar along the surface of a section, or at a height, over the cells that touch."""
-    for run in ndimage.find_objects(ndimage.label(touching)[0]):
+    for run in scipy.ndimage.find_objects(scipy.ndimage.label(touching)[0]):
         ends = across[[run[0].start, run[0].stop]] * 1e6
         ax.plot(ends, [height, height], "k-", **_BAR, **options)
 

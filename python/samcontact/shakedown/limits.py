@@ -8,10 +8,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-import scipy
 
 from .._checks import FloatArray, choice, non_negative, poisson_ratio, positive
 from .._repr import Rows, Shown
+from .._scipy import scipy
 from ..fatigue import crossland
 from ..hertz.field import field
 from ..hertz.plane_field import plane_field

@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike
 
 from .._checks import FloatArray, finite_array, integer, positive, real_array
+from .._scipy import scipy
 from .._short import in_short
 
 Window = int | Sequence[int] | None

@@ -14,6 +14,10 @@ namespace samcontact {
 void* allocate_bytes(std::size_t bytes);
 void deallocate_bytes(void* p, std::size_t bytes);
 
+/// Around a fork: a lock that another thread holds would stay locked in the child.
+void lock_memory();
+void unlock_memory();
+
 template <class T>
 struct AlignedAllocator {
   using value_type = T;

@@ -10,7 +10,7 @@ using InterruptCheck = void (*)();
 /// Installs the check; nullptr removes it.
 void set_interrupt_check(InterruptCheck check);
 
-/// Calls the installed check, at most about 20 times a second.
+/// Calls the installed check, at most about 20 times a second. Adjusts the team of threads.
 void check_interrupt();
 
 /// While it lives, this thread does not look: in a parallel loop, which must not throw.

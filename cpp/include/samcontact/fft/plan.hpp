@@ -25,6 +25,10 @@ Plan plan_half_spectra(int m, int count);
 Plan plan_line(int m, int sign);
 Plan plan_lines_side_by_side(int m, int count, int sign);
 
+/// Around a fork, and before lock_memory(): plans own memory.
+void lock_plans();
+void unlock_plans();
+
 /// Smallest even length >= n with prime factors 2, 3, 5 and 7 only: lengths FFTW does fast, and
 /// even so that a symmetric sequence has a self-mirrored middle.
 int good_even_size(int n);

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/base/team.hpp"
+
+#ifdef _OPENMP
+
+#include <omp.h>
+
+#ifdef __linux__
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace samcontact {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Span = TeamSize::Span;
+
+constexpr std::chrono::milliseconds window{10};
+
+bool keeps_number() {
+  static const bool keeps = [] {
+    const char* given = std::getenv("OMP_DYNAMIC");  // NOLINT(concurrency-mt-unsafe)
+    const std::string_view text = given == nullptr ? "" : given;
+    return text == "false" || text == "FALSE";
+  }();
+  return keeps;
+}
+
+/// More, as by a slip in OMP_NUM_THREADS, would only wait for each other.
+int most_threads() { return std::min(8 * omp_get_num_procs(), omp_get_thread_limit()); }
+
+#ifdef __linux__
+
+int own_id() { return gettid(); }
+
+/// How long a thread of this process was ready to run while others had the processors, since it
+/// began; none where the system does not tell.
+std::optional<Span> waited(int thread) {
+  const std::string path = "/proc/self/task/" + std::to_string(thread) + "/schedstat";
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return std::nullopt;
+  char text[96];  // nanoseconds that it ran, nanoseconds that it waited, turns
+  const ssize_t length = read(file, text, sizeof text);
+  close(file);
+  const char* const end = text + std::max<ssize_t>(length, 0);
+  std::int64_t ran = 0, delay = 0;
+  const auto first = std::from_chars(text, end, ran);
+  if (first.ec != std::errc{} || first.ptr == end) return std::nullopt;
+  if (std::from_chars(first.ptr + 1, end, delay).ec != std::errc{}) return std::nullopt;
+  return Span(delay);
+}
+
+#else
+
+int own_id() { return 0; }
+std::optional<Span> waited(int) { return std::nullopt; }
+
+#endif
+
+/// What a thread that has teams knows of them.
+class Watch {
+ public:
+  void enter() {
+    if (depth_++ > 0) return;
+    given_ = omp_get_max_threads();
+    const int most = lost_ ? 1 : std::clamp(given_, 1, most_threads());
+    if (most != size_.most()) size_ = TeamSize(most);
+    omp_set_num_threads(size_.size());
+    began_ += Clock::now() - left_;  // a window has the time inside only
+  }
+
+  void leave() {
+    if (depth_ == 1) {
+      adjust();
+      omp_set_num_threads(lost_ ? 1 : given_);
+      left_ = Clock::now();
+    }
+    --depth_;
+  }
+
+  void adjust() {
+    if (depth_ == 0 || size_.most() == 1 || keeps_number() || omp_in_parallel()) return;
+    const auto now = Clock::now();
+    if (size_.size() == 1) {
+      members_.clear();
+      size_.try_more(now);
+    } else if (std::ssize(members_) != size_.size()) {
+      meet();
+    } else if (now - began_ >= window) {
+      judge(now);
+    }
+    omp_set_num_threads(size_.size());
+  }
+
+  void lose() {
+    lost_ = true;
+    size_ = TeamSize(1);
+    omp_set_num_threads(1);
+  }
+
+ private:
+  struct Member {
+    int id;
+    Span waited;
+  };
+
+  /// At the end of a window.
+  void judge(Clock::time_point now) {
+    std::vector<Span> spans;
+    for (Member& member : members_) {
+      const Span since = waited(member.id).value_or(member.waited);
+      spans.push_back(since - member.waited);
+      member.waited = since;
+    }
+    size_.judge(now, now - began_, spans);
+    began_ = now;
+  }
+
+  /// Begins the first window of a team of another size, which may have other threads.
+  void meet() {
+    members_.assign(size_.size(), {});
+#pragma omp parallel
+    members_[omp_get_thread_num()].id = own_id();
+    for (Member& member : members_) member.waited = waited(member.id).value_or(Span{});
+    began_ = Clock::now();
+  }
+
+  int depth_ = 0;  // of teams inside each other: a law that Python calls may have its own
+  int given_ = 1;
+  TeamSize size_;
+  bool lost_ = false;
+  Clock::time_point began_, left_ = Clock::now();
+  std::vector<Member> members_;
+};
+
+Watch& watch() {
+  static thread_local Watch one;
+  return one;
+}
+
+}  // namespace
+
+Team::Team() { watch().enter(); }
+Team::~Team() { watch().leave(); }
+void adjust_team() { watch().adjust(); }
+void lose_team() { watch().lose(); }
+
+}  // namespace samcontact
+
+#else
+
+namespace samcontact {
+
+Team::Team() = default;
+Team::~Team() = default;
+void adjust_team() {}
+void lose_team() {}
+
+}  // namespace samcontact
+
+#endif

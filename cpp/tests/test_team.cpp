@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <doctest/doctest.h>
+
+#include <array>
+#include <chrono>
+
+#include "samcontact/base/team.hpp"
+
+using samcontact::TeamSize;
+using namespace std::chrono_literals;
+
+TEST_CASE("a team sends away the threads that wait for a processor") {
+  TeamSize team(8);
+  const TeamSize::Time now{};
+  std::array<TeamSize::Span, 8> waited{};
+  team.judge(now, 10ms, waited);
+  CHECK(team.size() == 8);
+  waited[2] = waited[5] = waited[6] = 3ms;
+  waited[7] = 1ms;  // not worth a thread
+  team.judge(now, 10ms, waited);
+  CHECK(team.size() == 5);
+  waited.fill(9ms);
+  team.judge(now, 10ms, waited);
+  CHECK(team.size() == 1);
+}
+
+TEST_CASE("a team tries more threads after a pause in proportion to what the last try cost") {
+  TeamSize team(8);
+  TeamSize::Time now{};
+  std::array<TeamSize::Span, 8> waited{};
+  waited.fill(40ms);
+  team.judge(now, 50ms, waited);
+  REQUIRE(team.size() == 1);
+  team.try_more(now + 999ms);
+  CHECK(team.size() == 1);
+  now += 1s;
+  team.try_more(now);
+  CHECK(team.size() == 2);
+  waited.fill(0ms);
+  for (const int more : {4, 8, 8}) {  // the machine is idle again
+    team.judge(now += 10ms, 10ms, waited);
+    CHECK(team.size() == more);
+  }
+}

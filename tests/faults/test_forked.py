@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A child that was forked after the core was used: OpenMP's threads do not survive a fork."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+SCENE = """
+import hashlib, multiprocessing, os, sys, threading
+import samcontact as sc
+grid = sc.Grid(64, 64, 15e-6, 15e-6, 12, 15e-6)
+steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
+gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+
+def made():
+    elastic = sc.Material.elastic(210e9, 0.3)
+    simulation = sc.Simulation(grid, elastic, steel, gap, on_border="warn")
+    simulation.step(load=300.0)
+    return simulation
+
+def told(simulation):
+    state = simulation.step(load=500.0)
+    return hashlib.sha256(state.pressure.tobytes() + state.stress().tobytes()).hexdigest()
+
+simulation = made()
+"""
+FORK = """
+pid = os.fork()
+if pid == 0:
+    print(told(simulation), flush=True)
+    os._exit(0)
+assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 0
+print(told(simulation))
+"""
+POOL = """
+with multiprocessing.get_context("fork").Pool(2) as pool:
+    print(*pool.map(told, [simulation, made()]), sep="\\n")
+print(told(simulation))
+"""
+WHILE_OTHERS_WORK = """
+# Another thread makes plans and allocates at any moment of the forks.
+going = True
+def solve():
+    n = 20
+    while going:
+        n = 20 + (n + 7) % 90
+        own = sc.Grid(n, n, 1e-5, 1e-5)
+        elastic = sc.Material.elastic(210e9, 0.3)
+        sc.ContactSolver(own, elastic, elastic, on_border="warn").solve(
+            sc.surfaces.paraboloid(own, 7.5e-3), load=1.0)
+thread = threading.Thread(target=solve)
+thread.start()
+for _ in range(10):
+    pid = os.fork()
+    if pid == 0:
+        told(made())
+        os._exit(0)
+    assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 0
+going = False
+thread.join()
+print("done")
+"""
+
+
+def printed(script, threads):
+    own = {"OMP_NUM_THREADS": str(threads)}
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", SCENE + script],
+        env=os.environ | own,
+        capture_output=True,
+        text=True,
+        timeout=600,  # a child that hangs, not one that is slow
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.split()
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="forks")
+@pytest.mark.parametrize("script", [FORK, POOL], ids=["os.fork", "multiprocessing"])
+@pytest.mark.parametrize("threads", [1, 2])
+def test_a_forked_child_computes_the_same_digits(script, threads):
+    digests = printed(script, threads)
+    assert len(digests) >= 2
+    assert len(set(digests)) == 1
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="forks")
+def test_a_fork_in_the_middle_of_another_thread_leaves_no_lock():
+    assert printed(WHILE_OTHERS_WORK, 1) == ["done"]

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The environment of OpenMP: what it cannot use neither crashes nor changes a digit."""
+
+import os
+import subprocess
+import sys
+import warnings
+
+import pytest
+
+import samcontact as sc
+from samcontact import _load_core
+
+SOLVE = """
+import hashlib, os
+import samcontact as sc
+grid = sc.Grid(200, 200, 1e-5, 1e-5)
+steel = sc.Material.elastic(210e9, 0.3)
+gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+solution = sc.ContactSolver(grid, steel, steel).solve(gap, load=300.0)
+threads = len(os.listdir("/proc/self/task"))
+print(hashlib.sha256(solution.pressure.tobytes()).hexdigest(), threads)
+"""
+
+
+def solved(**environment):
+    clean = {k: v for k, v in os.environ.items() if not k.startswith(("OMP_", "GOMP_"))}
+    own = {"OMP_DYNAMIC": "false", "OPENBLAS_NUM_THREADS": "1"}
+    done = subprocess.run(
+        [sys.executable, "-c", SOLVE],
+        env=clean | own | environment,
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    digits, threads = done.stdout.split()
+    return digits, int(threads), done.stderr
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+def test_what_openmp_cannot_use_does_no_harm():
+    digits, threads, told = solved(OMP_NUM_THREADS="1")
+    assert (threads, told) == (1, "")
+    most = 8 * os.cpu_count()
+    for environment, expected in (
+        ({"OMP_NUM_THREADS": "2147483648"}, most),  # 2^31 and 2^32 + 1 do not fit an int
+        ({"OMP_NUM_THREADS": "4294967297"}, most),
+        ({"OMP_NUM_THREADS": "3", "OMP_STACKSIZE": "16k"}, 3),
+        ({"OMP_NUM_THREADS": "3", "OMP_THREAD_LIMIT": "1"}, 1),
+        ({"OMP_NUM_THREADS": "3", "OMP_THREAD_LIMIT": "2147483648"}, 3),
+    ):
+        assert solved(**environment) == (digits, expected, ""), environment
+    other, threads, told = solved(OMP_NUM_THREADS="-1")
+    assert (other, threads) == (digits, os.cpu_count())
+    assert "OMP_NUM_THREADS is '-1' and must be a whole number >= 1" in told
+    assert "libgomp" not in told
+
+
+@pytest.mark.parametrize("given", ["0", "abc", "2,x", "1" * 400 + "x", "1.5"])
+def test_a_wrong_number_of_threads_is_named(given):
+    with pytest.warns(RuntimeWarning, match="OMP_NUM_THREADS") as told:
+        assert _load_core._number_of_threads(given) is None
+    assert len(str(told[0].message)) < 200
+
+
+def test_settings_that_are_right_stay():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert _load_core._number_of_threads("2,1") == "2,1"
+        assert _load_core._number_of_threads(" ") is None
+    assert [_load_core._stack(given) for given in ("2m", "4096", "1G")] == ["2m", "4096", "1G"]
+    assert [_load_core._stack(given) for given in ("16k", "1b", "1023")] == ["1M", "1M", "1M"]
+    assert sc.__version__
