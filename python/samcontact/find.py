@@ -155,7 +155,10 @@ class Search:
             self.solves.add(name, {"reached": reached})
             self.solves.forget_increments([name])
         reached = self.solves.given[name]["reached"]
-        self._tell(name, f"{quantity(load, 'N', 6)} {where}", self._shown(reached))
+        if name not in self._told:
+            self._told.add(name)
+            tried = f"tried {quantity(load, 'N', 6)} {where}"
+            tell(f"{tried}: {self._shown(reached)}", shown=self.progress)
         self.largest = max(self.largest, (reached, load))
         return float(reached / self.target - 1.0)
 
@@ -163,12 +166,6 @@ class Search:
         label, unit = label_and_unit(self.name)
         wanted = quantity(self.target, unit)
         return f"{label} {quantity(reached, unit)}, of {wanted} that are asked for"
-
-    def _tell(self, name: str, tried: str, outcome: str) -> None:
-        """What a solve has given, once."""
-        if name not in self._told:
-            self._told.add(name)
-            tell(f"tried {tried}: {outcome}", shown=self.progress)
 
     def _reached(self, state: State) -> float:
         if self.name == YIELD:

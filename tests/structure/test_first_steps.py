@@ -84,7 +84,7 @@ def test_the_report_of_it(folder):
         ("Rx = 7.5e-3", "Rxx = 7.5e-3", ("surface", "Rxx", "Rx")),
         ("Rx = 7.5e-3", 'Rx = "7.5 s"', ("surface.", "Rx", "7.5 s")),
         ("load = 1500.0\n", "", ("path", "load")),
-        ("nx = 41", 'nx = "many"', ("grid.nx", "integer", "many")),
+        ("nx = 41", 'nx = "many"', ("grid.nx", "whole number", "many")),
         ('law = "swift"', 'law = "swfit"', ("body2", "swfit", "'swift'")),
     ],
     ids=["unknown key", "wrong unit", "missing field", "wrong type", "unknown word"],
