@@ -7,12 +7,12 @@ import math
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _doubts, hertz
+from ._cached_property import cached_property
 from ._core import ConvergenceError, GridTooSmallError
 from ._repr import lengths, quantity
 from .layered import Layered, softest

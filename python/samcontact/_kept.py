@@ -8,6 +8,7 @@ They go with the state or track that they are of, or before: when all of them to
 from __future__ import annotations
 
 import math
+import os
 import threading
 from collections.abc import Callable, Hashable
 from typing import Any
@@ -20,6 +21,10 @@ from ._frozen import read_only
 MOST = 512e6
 _PART = 0.25
 _lock = threading.Lock()  # states can be used from several threads
+if hasattr(os, "register_at_fork"):  # a child has none of the threads that could give it back
+    os.register_at_fork(
+        before=_lock.acquire, after_in_parent=_lock.release, after_in_child=_lock.release
+    )
 _fields: WeakKeyDictionary[Any, dict[Hashable, FloatArray]] = WeakKeyDictionary()
 """By owner, the one that was asked last at the end, and name."""
 

@@ -56,7 +56,8 @@ def require_known(name: object) -> None:
     of_body = _certified.OF_BODY
     if name in known or name in [f"{kind}_body{n}" for kind in of_body for n in (1, 2)]:
         return
-    near = difflib.get_close_matches(str(name).lower(), known, 1, cutoff=0.5)
+    word = name.lower() if isinstance(name, str) else ""
+    near = difflib.get_close_matches(word, known, 1, cutoff=0.5)
     hint = f": did you mean {near[0]}?" if near else ""
     raise ValueError(f"quantity must be one of {', '.join(known)}, got {in_short(name)}{hint}")
 

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._area import contact_area
+from ._cached_property import cached_property
 from ._checks import FloatArray, choice
 from ._edges import rises_outwards
 from ._points import require_closed_forms, stress_at_points

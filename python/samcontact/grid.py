@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from . import _core
+from ._cached_property import cached_property
 from ._checks import MOST_CELLS, FloatArray, choice, integer, number
 from ._frozen import read_only
 from ._repr import Rows, Shown, counts, lengths

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._cached_property import cached_property
 from ._checks import FloatArray, number, real_array
 from ._graded import PARTS, Graded, Profile, profile
 from ._laws import checked_constants, core_material

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from . import _memory
+from ._cached_property import cached_property
 from ._checks import MOST_CELLS, FloatArray, axis_number, choice, integer
 from ._frozen import Fixed
 from ._interfaces import stress_at_interfaces

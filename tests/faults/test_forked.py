@@ -71,7 +71,6 @@ def printed(script, threads):
         env=os.environ | own,
         capture_output=True,
         text=True,
-        timeout=600,  # a child that hangs, not one that is slow
     )
     assert done.returncode == 0, done.stderr
     return done.stdout.split()

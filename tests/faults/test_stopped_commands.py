@@ -57,11 +57,12 @@ COMMAND = (
 import importlib, json, os, pathlib, tempfile
 from click.testing import CliRunner
 import samcontact as sc
-from samcontact import results
+from samcontact import increment_errors, results
 from samcontact.commands.main import main
 import samcontact.commands.solve_contact, samcontact.commands.solve_study
 find = importlib.import_module("samcontact.find")
 made = {"step": 0, "end": 0}
+increment_errors.estimated = lambda *_, **__: None  # whose steps are those of no path
 
 with tempfile.TemporaryDirectory() as folder:  # loads for all what the first run loads
     case = pathlib.Path(folder, "case.toml")

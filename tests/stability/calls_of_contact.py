@@ -157,6 +157,11 @@ CALLS = [
         {"pressure": PATCH, "z": [0.0, 1e-5], "body": 2, "shear": PATCH},
     ),
     (
+        "ContactSolver.stress_at",
+        STICKING.stress_at,
+        {"solution": STUCK, "x": [0.0, 1e-5], "y": 1e-5, "z": 2e-5, "body": 2},
+    ),
+    (
         "ContactSolver.displacement",
         SOLVER.displacement,
         {"pressure": PATCH, "shear": PATCH, "body": 2},
@@ -229,6 +234,7 @@ CALLS = [
     ("State.track", STATE.track, {"body": 2, "margin": 1}),
     ("State.plastic_cells", STATE.plastic_cells, {}),
     *((f"State.{name}", getattr(STATE, name), {"body": 2}) for name in BODY_FIELDS),
+    ("State.stress_at", STATE.stress_at, {"x": 0.0, "y": 1e-5, "z": [1e-5, 2e-5], "body": 2}),
     ("State.interface_stress", COATED_STATE.interface_stress, {"body": 2}),
     ("State.residual_displacement", STATE.residual_displacement, {"body": 2, "axis": "x"}),
     *((f"Zone.{name}", getattr(ZONE, name), {}) for name in ZONE_FIELDS),

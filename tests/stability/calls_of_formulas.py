@@ -300,6 +300,8 @@ CALLS = [
         {"x": X, "y": Y, "z": Z, "nu": NU, "friction": 0.1},
     ),
     ("hertz.PointContact.max_von_mises", POINT.max_von_mises, {"nu": NU}),
+    ("hertz.EllipticContact.axis_stress", ELLIPSE.axis_stress, {"z": X, "nu": NU}),
+    ("hertz.EllipticContact.max_von_mises", ELLIPSE.max_von_mises, {"nu": NU}),
     ("hertz.EllipticContact.pressure", ELLIPSE.pressure, {"x": X, "y": Y}),
     ("hertz.LineContact.pressure", LINE.pressure, {"x": X}),
     ("hertz.LineContact.axis_stress", LINE.axis_stress, {"z": Z, "nu": NU}),

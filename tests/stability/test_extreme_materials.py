@@ -150,6 +150,7 @@ def stepped(grid):
     return ball + np.where(grid.x[:, None] > 0, 3e-7, 0.0)
 
 
+@pytest.mark.filterwarnings("ignore::samcontact.SingularPressureWarning")
 @pytest.mark.parametrize("share", [0.0, 0.1, 0.9])
 @pytest.mark.parametrize("friction", [0.0, 0.5])
 @pytest.mark.parametrize(("gap", "peak"), [(flat, 1.2), (punch, 0.6), (stepped, 0.8)])

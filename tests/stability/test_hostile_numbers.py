@@ -10,10 +10,13 @@ from public_calls import CALLS, is_named, names_in
 
 import samcontact as sc
 
+# A gap of infinity is the sharp end of a body.
+pytestmark = pytest.mark.filterwarnings("ignore::samcontact.SingularPressureWarning")
 HOSTILE = (math.nan, math.inf, -math.inf)
 
 MADE_BY_THE_PACKAGE = {
-    "Accurate", "ContactSolution", "FoundLoad", "GridErrors", "State", "Track",
+    "Accurate", "ContactSolution", "FoundLoad", "GridErrors", "IncrementErrors",
+    "State", "Track",
     "asperities.Tugging",
     "bearings.LoadZone",
     "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalLinePlace",

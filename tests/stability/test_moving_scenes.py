@@ -46,7 +46,7 @@ def draw(seed):
     ids=lambda seeds: f"{seeds.start} to {seeds.stop - 1}",
 )
 @pytest.mark.filterwarnings(
-    "ignore:the equivalent plastic strain", "ignore::samcontact.GridTooSmallWarning"
+    "ignore::samcontact.PlasticStrainWarning", "ignore::samcontact.GridTooSmallWarning"
 )
 def test_every_scene_is_solved(seeds):
     for seed in seeds:

@@ -154,6 +154,15 @@ def test_scipy_is_loaded_by_one_module():
     assert [path.name for path in MODULES if loads.search(path.read_text())] == ["_scipy.py"]
 
 
+def test_cached_properties_have_no_lock():
+    """That of the standard library before Python 3.12, which hangs a child forked meanwhile."""
+    loads = re.compile(
+        r"^\s*from functools import .*cached_property|functools\.cached", re.MULTILINE
+    )
+    users = [path.name for path in MODULES if loads.search(path.read_text())]
+    assert users == ["_cached_property.py"]
+
+
 def test_pybind11_stays_in_the_bindings():
     users = {file.name for file in BINDINGS if any("pybind11" in name for name in includes(file))}
     assert {"arrays.hpp", "base.cpp"} <= users

@@ -9,12 +9,12 @@ import time
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from .. import _certified, _memory, hertz
+from .._cached_property import cached_property
 from .._checks import FloatArray
 from ..layered import Layered, softest
 from ..runs.identity import Identity, identity

@@ -6,13 +6,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _memory
+from .._cached_property import cached_property
 from .._checks import MOST_STRESS, FloatArray, choice, real_array
 from .._frozen import FrozenDict, read_only
 from .._repr import Rows, Shown, counts, lengths

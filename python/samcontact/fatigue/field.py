@@ -6,11 +6,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._cached_property import cached_property
 from .._checks import FloatArray, positive
 from .._doubts import strength, warn_of
 from .._repr import Brief, Rows, Shown, quantity

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._cached_property import cached_property
 from .._checks import FloatArray
 from .._peak import peak_of_dataset
 from .._tensors import von_mises

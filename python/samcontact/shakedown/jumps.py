@@ -15,10 +15,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
+from .._cached_property import cached_property
 from .._checks import FloatArray
 from ..simulation import Simulation
 from ..state import State

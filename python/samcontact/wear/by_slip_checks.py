@@ -11,6 +11,7 @@ from typing import Any
 from .._checks import (
     FloatArray,
     exactly_one,
+    finite_array,
     number,
     of_bodies,
     require_type,
@@ -91,6 +92,7 @@ def make_scene(
         raise ValueError(f"{law} must be above 0 for a body at least, got {coefficients!r}")
     warn_of(wear_coefficient(law, max(coefficients)), stacklevel=4)
     surfaces = given.over(grid)
+    finite_array("gap", surfaces.initial_gap)  # wear knows no ends of bodies
     path = step_list("cycle", cycle, _TAKEN)
     closing(path)
     return FrettingScene(

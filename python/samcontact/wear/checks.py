@@ -91,6 +91,7 @@ def make_scene(
         raise ValueError("grid must have layers (dz) for the plastic strain, got dz = None")
     require_homogeneous(NO_WORN_LAYERS, *bodies)
     surfaces = given.over(grid)
+    finite_array("gap", surfaces.initial_gap)  # wear knows no ends of bodies
     limit = number("threshold", threshold)
     if not YIELD_STRAIN < limit < SMALL_STRAIN:
         raise ValueError(

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, fields
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 import numpy as np
 
+from .._cached_property import cached_property
 from .._checks import FloatArray, choice, integer
 from .._quantities import WEAR
 from .._repr import Brief
