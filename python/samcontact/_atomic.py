@@ -17,6 +17,7 @@ from typing import BinaryIO
 from ._memory import HDF5_FILE, require_address_space
 from ._owned import is_regular, record_of, remove_leftovers, require_marked
 from ._seal import seal
+from ._short import in_short
 
 ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 """Ctrl-C, what a batch system or a shutdown sends, and a terminal that is closed."""
@@ -70,6 +71,14 @@ def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
         raise
     finally:
         os.close(handle)
+
+
+def with_ending(path: str | os.PathLike[str], ending: str) -> Path:
+    """The path with an ending, which is added where it is missing; ValueError without a name."""
+    target = Path(path)
+    if target.name in ("", ".."):
+        raise ValueError(f"path must be the name of a file, got {in_short(str(path))}, a folder")
+    return target if target.suffix == ending else target.with_name(target.name + ending)
 
 
 def _checked(path: Path) -> Path:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 GROWS = "the grid grows by itself where the gap is a function of it"
 """What helps where it does not."""
 _TILTED = 0.5  # of the other heights, from which on a plane is the reason
+_ROUNDING = 1e-12  # of the largest height, up to which a rise is none
 _REPEAT = 'let it repeat itself with Grid(..., periodic="xy")'
 _REMEDY = ": enlarge "
 _ASK = ', or ask for a warning with on_border="warn"'
@@ -61,7 +62,7 @@ def _tilt(gap: FloatArray) -> str:
     rises = [
         abs(float(rise)) if n > 1 else 0.0 for rise, n in zip(found[1:], gap.shape, strict=True)
     ]
-    if max(rises) <= _TILTED * others or max(rises) == 0.0:
+    if max(rises) <= max(_TILTED * others, _ROUNDING * float(np.abs(gap[body]).max())):
         return ""
     along = " and ".join(
         f"{quantity(rise, 'm')} along {axis}"

@@ -174,7 +174,9 @@ class ContactFields(Configured):
         ndarray, shape (6, ...)
             xx, yy, zz, yz, xz, xy [Pa], tension positive, in the body's own frame. At the surface,
             z = 0, stress jumps between cells, and below it that of single cells is seen to a depth
-            of about one cell: the tractions are uniform in each.
+            of about one cell: the tractions are uniform in each. On the line between loaded cells
+            at the surface, where this stress is infinite, it is the mean half a cell to both
+            sides.
 
         Raises
         ------

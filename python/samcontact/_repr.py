@@ -43,6 +43,11 @@ _AREAS = (("m²", 1e-2), ("mm²", 1e-8), ("µm²", 0.0))
 _AREA_FACTORS = {"m²": 1.0, "mm²": 1e6, "µm²": 1e12}
 
 
+def percent(share: float) -> str:
+    """A share in per cent with two significant digits, e.g. "0.46 %" or "120 %"."""
+    return f"{float(f'{100 * share:.2g}'):g} %"  # not 1.2e+02
+
+
 def quantity(value: float, unit: str = "", digits: int = 4) -> str:
     """A number with its unit and the prefix that reads well, e.g. "25 µm" or "1.48 GPa".
 

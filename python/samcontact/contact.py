@@ -6,6 +6,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -104,6 +105,9 @@ class ContactSolver(ContactFields):
             f"ContactSolver({self.grid!r}, {self.body1!r}, {self.body2!r}, {self._settings}, "
             f"heat={self.heat!r})"
         )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _made, (self.grid, self.body1, self.body2, self._settings.arguments(), self.heat)
 
     def solve(
         self,
@@ -244,8 +248,7 @@ class ContactSolver(ContactFields):
     def _over(self, counts: Sequence[int]) -> ContactSolver:
         """The same on a grid of other counts."""
         grid = replace(self.grid, nx=counts[0], ny=counts[1])
-        settings = self._settings.arguments()
-        return ContactSolver(grid, self.body1, self.body2, heat=self.heat, **settings)
+        return _made(grid, self.body1, self.body2, self._settings.arguments(), self.heat)
 
     def _solved_from(
         self,
@@ -275,3 +278,9 @@ class ContactSolver(ContactFields):
         solution = ContactSolution(grid=self.grid, **found)
         require_apart(solution, self.grid.cell_area, bodies, self.friction, self.tol)
         return solution, complaint
+
+
+def _made(
+    grid: Grid, body1: Body, body2: Body, settings: dict[str, Any], heat: Heat
+) -> ContactSolver:
+    return ContactSolver(grid, body1, body2, heat=heat, **settings)

@@ -11,7 +11,7 @@ import numpy as np
 
 from ._checks import FloatArray, require_list, require_type
 from ._common_cells import on_common_cells
-from ._repr import Rows, Shown, quantity
+from ._repr import Rows, Shown, percent, quantity
 from ._short import in_short
 from .contact import ContactSolver
 from .friction import Coulomb
@@ -148,7 +148,7 @@ class EnergyBalance(Shown):
     def _rows(self) -> Rows:
         parts = ("put_in", "net", "elastic", "residual", "friction", "plastic")
         rows = [(name.replace("_", " "), quantity(getattr(self, name), "J")) for name in parts]
-        return [*rows, ("missing", f"{100 * self.missing:.2g} %")]
+        return [*rows, ("missing", percent(self.missing))]
 
 
 def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:

@@ -32,7 +32,7 @@ from ._load_scenes import (
     used_strength,
 )
 from ._progress import tell
-from ._repr import Rows, Shown, quantity
+from ._repr import Rows, Shown, percent, quantity
 from ._scipy import scipy
 from ._short import in_short
 from .grid_errors import estimated
@@ -81,8 +81,8 @@ class FoundLoad(Shown):
         label, unit = label_and_unit(self.quantity)
         share = self.load_error / self.load
         return [
-            ("load", f"{quantity(self.load, 'N', 5)} ± {100 * share:.2g} %"),
-            (label, f"{quantity(self.value, unit, 5)} ± {100 * self.error / self.value:.2g} %"),
+            ("load", f"{quantity(self.load, 'N', 5)} ± {percent(share)}"),
+            (label, f"{quantity(self.value, unit, 5)} ± {percent(self.error / self.value)}"),
         ]
 
     def __repr__(self) -> str:

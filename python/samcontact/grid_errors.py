@@ -16,7 +16,7 @@ from ._area import area_doubt
 from ._checks import FloatArray, require_list, step_list
 from ._peak import peak
 from ._quantities import described
-from ._repr import Rows, Shown, quantity
+from ._repr import Rows, Shown, percent, quantity
 from ._short import in_short
 from ._steps import STEP
 from .friction import Coulomb
@@ -306,7 +306,7 @@ def said_of_slope(share: float) -> str:
         else "little is beyond the grid where the spectrum goes on as it is"
     )
     return (
-        f"{100 * share:.2g} % of the mean square slope of the surface is in waves shorter than "
+        f"{percent(share)} of the mean square slope of the surface is in waves shorter than "
         f"four cells: {beyond}"
     )
 

@@ -16,7 +16,7 @@ from . import _certified, half_resolution
 from ._checks import FloatArray
 from ._increments import cleaned, doubled, halved
 from ._peak import peak
-from ._repr import Rows, Shown
+from ._repr import Rows, Shown, percent
 from .friction import Coulomb
 from .layered import materials_of
 from .resolution import cells_across, spots
@@ -78,7 +78,7 @@ class IncrementErrors(Shown):
         return f"{said(self.fields)} of its largest value (estimated from {self.compared})"
 
     def _rows(self) -> Rows:
-        return [(_label(name), f"± {_percent(share)}") for name, share in self.fields.items()]
+        return [(_label(name), f"± {percent(share)}") for name, share in self.fields.items()]
 
     def __repr__(self) -> str:
         return f"IncrementErrors({self.fields}, from {self.compared})"
@@ -316,7 +316,7 @@ def _of_values(simulation: Simulation, marks: Pairs) -> dict[str, float]:
 def said(shares: Mapping[str, float]) -> str:
     """Errors of fields in words, the largest first."""
     found = sorted(shares.items(), key=lambda item: -item[1])
-    parts = [f"the {_label(name)} by about {_percent(share)}" for name, share in found]
+    parts = [f"the {_label(name)} by about {percent(share)}" for name, share in found]
     return f"more increments would change {', '.join(parts)}"
 
 
@@ -324,7 +324,3 @@ def _label(name: str) -> str:
     text, _, body = name.partition("_body")
     text = text.replace("_", " ")
     return f"{text} of body {body}" if body else text
-
-
-def _percent(share: float) -> str:
-    return f"{100 * share:.2g} %"

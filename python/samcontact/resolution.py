@@ -197,39 +197,40 @@ def warn_of_contact(
 ) -> bool:
     """Warn when fewer than `few` cells lie across a contact, or its spots; whether it did."""
     pressure, grid = solution.pressure, scene.grid
-    if _warn_of_spots(solution, scene, few, stacklevel=stacklevel + 1):
-        return True
-    if _is_wide(pressure) or not (cells := cells_across(pressure, grid.periodic)) < few:
-        return False
-    text = (
-        f"at load {solution.load:.6g} N the contact is only {cells:.0f} of {FEW} or more "
-        f"cells across ({lengths(grid.dx, grid.dy)}): its pressures depend on the grid. "
-    )
-    if (expected := scene.hertz(load=solution.load)) is not None:
-        widest = quantity(2 * expected.semi_axes[1] / FEW, "m")
-        text += f"{expected}: take cells of at most {widest}. Lengths are in metres"
-    else:
-        text += "Take smaller cells; lengths are in metres"
-    warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
-    return True
-
-
-def _warn_of_spots(
-    solution: ContactSolution | State, scene: Scene, few: int, *, stacklevel: int
-) -> bool:
-    limit = UNCERTAIN if few >= FEW else TOO_UNCERTAIN
-    pressure, grid = solution.pressure, scene.grid
     share = area_uncertainty(pressure, grid.periodic)
-    if not share > limit or (count := spots(pressure, grid.periodic)) < 2:
+    thin = share > (UNCERTAIN if few >= FEW else TOO_UNCERTAIN)
+    cell = lengths(grid.dx, grid.dy)
+    if thin and (count := spots(pressure, grid.periodic)) > 1:
+        text = (
+            f"area is uncertain by about {100 * share:.0f} %, and the mean pressure with it: its "
+            f"{count} spots are {ROUND_SPOT / share:.1f} cells across ({cell}). Take smaller "
+            f"cells; with round spots of 8 it would be {100 * ROUND_SPOT / FEW:.0f} %"
+        )
+    elif not _is_wide(pressure) and (cells := cells_across(pressure, grid.periodic)) < few:
+        text = (
+            f"is only {cells:.0f} of {FEW} or more cells across ({cell}): its pressures depend on "
+            f"the grid. {_remedy(solution, scene)}"
+        )
+    elif thin:
+        width = 2 * AREA_OF_A_SIDE / share
+        text = (
+            f"is a ring, a line or the like, about {width:.1f} cells wide ({cell}): its pressures "
+            f"depend on the grid, and its area is uncertain by about {100 * share:.0f} %. Take "
+            "smaller cells; lengths are in metres"
+        )
+    else:
         return False
-    text = (
-        f"at load {solution.load:.6g} N the contact area is uncertain by about {100 * share:.0f} "
-        f"%, and the mean pressure with it: its {count} spots are {ROUND_SPOT / share:.1f} cells "
-        f"across ({lengths(grid.dx, grid.dy)}). Take smaller cells; with round spots of 8 it "
-        f"would be {100 * ROUND_SPOT / FEW:.0f} %"
-    )
-    warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
+    told = f"at load {solution.load:.6g} N the contact {text}"
+    warnings.warn(told, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
+
+
+def _remedy(solution: ContactSolution | State, scene: Scene) -> str:
+    expected = scene.hertz(load=solution.load)
+    if expected is None:
+        return "Take smaller cells; lengths are in metres"
+    widest = quantity(2 * expected.semi_axes[1] / FEW, "m")
+    return f"{expected}: take cells of at most {widest}. Lengths are in metres"
 
 
 def warn_of_zone(states: Sequence[State], body: int, few: int = FEW, *, stacklevel: int) -> bool:

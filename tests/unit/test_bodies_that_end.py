@@ -199,6 +199,12 @@ class TestFixedGapAtTheBorder:
         assert 'Grid(..., periodic="xy")' in text
         assert "enlarge" not in text
 
+    @pytest.mark.parametrize("height", [1e-6, -1e-6, 1 / 3])
+    def test_a_constant_gap_is_not_tilted(self, height):
+        text = self.message(np.full(self.grid.surface_shape, height), 1.0, False)
+        assert "touches everywhere" in text
+        assert "tilted" not in text
+
     def test_a_map_that_touches_here_and_there(self):
         text = self.message(self.rough, 1e-2, False)
         assert "enlarge n" in text

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The command: a real tiny run end to end, its output and exit codes."""
 
+import os
 import re
 import subprocess
 import sys
@@ -100,6 +101,20 @@ def test_unwritable_output_fails_before_the_computation(case_file, tmp_path, mon
     monkeypatch.setattr(samcontact.Simulation, "step", lambda *_, **__: pytest.fail("was run"))
     (tmp_path / "file").write_text("")
     check_failure(invoke("run", case_file, "--output", tmp_path / "file" / "out"), 1, "file")
+
+
+def test_an_empty_output_is_refused(case_file):
+    outcome = invoke("run", case_file, "--output", "")
+    assert outcome.exit_code == 2
+    assert "'--output': must be the name of a file or folder, got ''" in outcome.stderr
+
+
+def test_a_backend_for_windows_is_none_of_a_command(case_file, tmp_path):
+    environment = os.environ | {"MPLBACKEND": "none such"}
+    command = [sys.executable, "-m", "samcontact", "run", case_file, "--output", tmp_path / "out"]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "out" / "pressure.png").is_file()
 
 
 def test_version():

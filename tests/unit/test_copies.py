@@ -3,6 +3,7 @@
 
 import copy
 import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from checkpoint_scenes import GAP, GRID, LOAD, MATERIALS, assert_same, halved, s
 
 import samcontact as sc
 
+CASES = Path(__file__).parents[2] / "cases"
 WAYS = {
     "pickle": lambda thing: pickle.loads(pickle.dumps(thing)),
     "deepcopy": copy.deepcopy,
@@ -70,3 +72,33 @@ def test_a_law_that_cannot_be_pickled_is_told():
     sim = sc.Simulation(GRID, MATERIALS["elastic"], steel, GAP)
     with pytest.raises((pickle.PicklingError, AttributeError), match="lambda"):
         pickle.dumps(sim)
+
+
+@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
+@pytest.mark.parametrize("friction", [0.2, sc.Coulomb(0.3)])
+def test_solvers_stand_for_themselves(way, friction):
+    coated = sc.Layered([(MATERIALS["elastic"], 2 * GRID.dx)], sc.Material.elastic(70e9, 0.2))
+    solver = sc.ContactSolver(GRID, MATERIALS["elastic"], coated, friction, tol=1e-6)
+    other = way(solver)
+    assert repr(other) == repr(solver)
+    solved = [one.solve(GAP, load=0.5 * LOAD).pressure for one in (solver, other)]
+    np.testing.assert_array_equal(*solved)
+
+
+@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
+def test_cases_stand_for_themselves(way):
+    for file in sorted(CASES.glob("*.toml")):
+        case = sc.cases.load_case(file)
+        assert way(case) == case
+
+
+@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
+def test_results_of_wear_stand_for_themselves(way):
+    path = [{"load": LOAD}, {"load": 0.0}]
+    bodies = MATERIALS["elastic"], MATERIALS["linear"]
+    found = sc.wear.run(
+        GRID, *bodies, GAP, cycle=path, threshold=1e-4, window=3, cycles=1, progress=False
+    )
+    other = way(found)
+    np.testing.assert_array_equal(other.heights[2], found.heights[2])
+    assert_same(other.first[-1], found.first[-1])

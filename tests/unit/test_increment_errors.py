@@ -255,7 +255,9 @@ def test_table_results_and_report_state_them(tmp_path):
     data = fields(tmp_path / "out")
     shear = data.attrs["increment_error_shear"]
     assert shear > 0.3
-    assert f"the shear by about {100 * shear:.2g} %" in " ".join(outcome.stdout.split())
+    assert f"the shear by about {float(f'{100 * shear:.2g}'):g} %" in " ".join(
+        outcome.stdout.split()
+    )
     assert 0 < data["max_pressure_error"].attrs["by_increments"] < 0.05
     found = {v.name: v for v in report.checks(data)}
     (name,) = (n for n in found if n.startswith("largest estimated error by the increments"))
@@ -264,3 +266,10 @@ def test_table_results_and_report_state_them(tmp_path):
     table = errors_table(data)
     assert "by increments [%]" in table.headings
     assert "More increments would change the shear" in table.note
+
+
+def test_shares_are_written_without_powers_of_ten():
+    shares = {"shear": 0.999, "pressure": 12.34, "gap": 0.004567}
+    told = increment_errors.said(shares)
+    expected = "the pressure by about 1200 %, the shear by about 100 %, the gap by about 0.46 %"
+    assert told == f"more increments would change {expected}"

@@ -50,6 +50,28 @@ def test_cells_are_counted_across_the_spot_of_the_largest_pressure():
     assert resolution.cells_across(strip) == 10
 
 
+@pytest.mark.parametrize("shape", ["ring", "cross", "diagonal", "chequered"])
+def test_a_contact_that_is_wide_but_thin_is_coarse(shape):
+    """The spot is 19 cells long and wide, and a cell or two thick."""
+    i, j = np.abs(np.indices((29, 29)) - 14)
+    body = {
+        "ring": np.abs(np.hypot(i, j) - 9) < 0.7,
+        "cross": (np.minimum(i, j) == 0) & (np.maximum(i, j) < 10),
+        "diagonal": (i == j) & (i < 10),
+        "chequered": ((i + j) % 2 == 0) & (np.maximum(i, j) < 10),
+    }[shape]
+    solver = sc.ContactSolver(sc.Grid(29, 29, 1e-5, 1e-5), sc.Material.rigid(), STEEL)
+    gap = np.where(body, 0.0, np.inf)
+    (text,) = told(lambda: solver.solve(gap, load=1.0))
+    assert "at load 1 N the contact is a ring, a line or the like, about " in text
+
+
+def test_a_ring_of_eight_cells_is_fine():
+    grid = sc.Grid(80, 80, 1e-5, 1e-5)
+    gap = (np.hypot(*np.meshgrid(grid.x, grid.y, indexing="ij")) - 2.5e-4) ** 2 / 2e-3
+    assert told(lambda: sc.ContactSolver(grid, STEEL, STEEL).solve(gap, load=80.0)) == []
+
+
 def test_the_limits_of_a_run_are_eight_cells_and_eight_layers():
     path = [{"load": load} for load in (0.02 * LOAD, LOAD, 0.0)]
 

@@ -138,3 +138,31 @@ def test_a_body_without_a_yield_stress_is_not_looked_at(monkeypatch):
     grid, gap = ball(ONSET.load)
     for body in (STEEL, sc.Material.perfect_plastic(210e9, 0.3, 9e9)):
         assert sc.ContactSolver(grid, STEEL, body).solve(gap, load=ONSET.load).converged
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.25])
+def test_stress_where_cells_meet_at_the_surface_is_that_of_hertz(friction):
+    """Uniform cells have an infinite stress there; the middle of an even grid is such a point."""
+    a = sc.hertz.point(R, E_STAR, load=50.0).a
+    grid = sc.Grid(50, 50, a / 20, a / 20)
+    solver = sc.ContactSolver(grid, STEEL, STEEL, friction)
+    found = solver.solve(sc.surfaces.paraboloid(grid, R), load=50.0)
+    hertz = sc.hertz.point(R, E_STAR, load=50.0)
+    x = np.array([0.0, 0.0, 0.5, 0.25, 0.325]) * hertz.a  # corners, then the middle of an edge
+    y = np.array([0.0, 0.3, -0.2, 0.5, -0.4]) * hertz.a
+    expected = hertz.stress(x, y, 0.0, nu=0.3, friction=friction)
+    for z in (0.0, -0.0, 5e-324, 1e-30):
+        actual = solver.stress_at(found, x, y, z)
+        np.testing.assert_allclose(actual, expected, rtol=0, atol=5e-3 * hertz.p0)
+        nudged = solver.stress_at(found, x + 1e-12 * grid.dx, y - 1e-12 * grid.dx, z)
+        np.testing.assert_allclose(nudged, actual, rtol=0, atol=1e-9 * hertz.p0)
+
+
+def test_points_too_far_for_numbers_are_refused():
+    grid, gap = ball(50.0)
+    solver = sc.ContactSolver(grid, STEEL, STEEL)
+    found = solver.solve(gap, load=50.0)
+    far = solver.stress_at(found, 0.0, 0.0, 1e9)
+    assert far[2] == pytest.approx(-3 * 50.0 / (2 * math.pi * 1e18), rel=1e-9)
+    with pytest.raises(ValueError, match="x must be finite and at most"):
+        solver.stress_at(found, 1e160, 0.0, 1.0)

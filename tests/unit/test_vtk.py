@@ -160,6 +160,15 @@ def export(*arguments):
     return CliRunner().invoke(main, ["export", *map(str, arguments)])
 
 
+@pytest.mark.parametrize("write", [results.to_vtk, results.to_pvd])
+@pytest.mark.parametrize("path", ["", ".", "..", "/", "folder/.."])
+def test_a_path_without_a_name_is_refused(write, path, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ValueError, match=r"path must be the name of a file, got '.*', a folder"):
+        write(dataset(), path)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_command(tmp_path):
     file = results.save(dataset(), tmp_path / "results.nc")
     outcome = export(file, "--vtk", "--increment", 2, "--body", 1)

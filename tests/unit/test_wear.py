@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Wear, cycle after cycle: volumes, what the next cycle starts from, checkpoints, errors."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -40,6 +42,13 @@ def test_plastic_flow_below_the_threshold_wears_nothing():
     result = wearing(threshold=0.04, cycle=[{"load": 6.0}, {"load": 0.0}])
     assert result.stopped
     assert 1e-3 < result.cycles[0].surface_strain[0] <= 0.04
+
+
+def test_its_elastic_estimate_warns_of_no_yield():
+    """Where bodies flow, a warning that one acts elastically would be false."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", sc.ElasticStrainWarning)
+        assert wearing(cycles=1).cycles[-1].max_equivalent_plastic_strain[-1] > 0
 
 
 def test_surfaces_may_be_functions_of_the_grid():

@@ -10,7 +10,7 @@ import numpy as np
 
 from .._checks import FloatArray
 from .._quantities import described
-from .._repr import Rows, Shown, counts, quantity
+from .._repr import Rows, Shown, counts, percent, quantity
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -104,7 +104,7 @@ class Accurate(Shown):
             known, body = described(name)
             unit = "m²" if known.unit == "m2" else "" if known.unit == "1" else known.unit
             label = known.heading if body is None else f"{known.heading}, body {body}"
-            error = f"± {100 * relative:.2g} %" if np.isfinite(relative) else "(does not converge)"
+            error = f"± {percent(relative)}" if np.isfinite(relative) else "(does not converge)"
             rows.append((label, f"{quantity(self.values[name], unit)} {error}"))
         rows.append(("finest grid", f"{counts(self.grid.nx, self.grid.ny)} cells"))
         rows.append(("accuracy reached", "yes" if self.reached else f"no: {self.needs}"))

@@ -12,7 +12,7 @@ import numpy as np
 from .._checks import FloatArray
 from .._edges import SingularPressureWarning, is_singular
 from .._progress import tell
-from .._repr import counts
+from .._repr import counts, percent
 from ..runs.solves import Solves
 from .estimate import MIXED_AREA, RATIO, Estimate, joined, of_grids
 from .increments import COARSEST, Correction, correction, tried
@@ -128,7 +128,7 @@ class Search:
     def _still_to_do(self, found: Estimate) -> str:
         """Errors that are larger than asked for."""
         relative = dict(zip(self.asked, self._relative(found), strict=True))
-        above = [f"{n} {100 * e:.2g} %" for n, e in relative.items() if e > self.asked[n]]
+        above = [f"{n} {percent(e)}" for n, e in relative.items() if e > self.asked[n]]
         return f"  errors: {', '.join(above) or 'all are below those asked for'}"
 
     def _judge_increments(self) -> None:

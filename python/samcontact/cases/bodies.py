@@ -153,7 +153,11 @@ def _model(name: str, law: Law, part: str, *bases: type[_Solid]) -> Any:
     fields: dict[str, Any] = {"law": (Literal[name], ...)}
     fields |= {constant: (_field(law.constants[constant]), ...) for constant in law.constants}
     title = "".join(word.capitalize() for word in name.split("_"))
-    return create_model(f"{title}{part}", __base__=base, __doc__=law.says, **fields)
+    made = create_model(
+        f"{title}{part}", __base__=base, __doc__=law.says, __module__=__name__, **fields
+    )
+    globals()[made.__name__] = made  # where a pickle looks for it
+    return made
 
 
 def _models(part: str, *bases: type[_Solid]) -> Any:

@@ -217,8 +217,11 @@ def _annotation(allowed: Allowed) -> Any:
     return Annotated[(Finite, limits, in_unit(allowed.unit)) if allowed.unit else (Finite, limits)]
 
 
-def settings_section(name: str, without: tuple[str, ...] = (), **defaults: Any) -> Any:
-    """A section [contact] of the settings of a simulation; defaults: where they are others."""
+def settings_section(name: str, module: str, without: tuple[str, ...] = (), **defaults: Any) -> Any:
+    """A section [contact] of the settings of a simulation; defaults: where they are others.
+
+    module: where it stands under this name, for pickles.
+    """
     fields: dict[str, Any] = {}
     for setting, allowed in allowed_of(Settings).items():
         if setting in without:
@@ -226,7 +229,8 @@ def settings_section(name: str, without: tuple[str, ...] = (), **defaults: Any) 
         default = defaults.get(setting, getattr(Settings, setting))
         annotation = _annotation(allowed)
         fields[setting] = (annotation | None if default is None else annotation, default)
-    return create_model(name, __base__=Section, __doc__="[contact]: solver settings.", **fields)
+    says = "[contact]: solver settings."
+    return create_model(name, __base__=Section, __doc__=says, __module__=module, **fields)
 
 
 if TYPE_CHECKING:
@@ -234,7 +238,7 @@ if TYPE_CHECKING:
     class ContactSection(Section):
         friction: float | CoulombFriction = 0.0
 else:
-    ContactSection = settings_section("ContactSection")
+    ContactSection = settings_section("ContactSection", __name__)
 
 
 def settings_of(section: ContactSection) -> dict[str, Any]:

@@ -25,7 +25,9 @@ class FilePath(click.Path):
     def convert(
         self, value: Any, param: click.Parameter | None, context: click.Context | None
     ) -> Any:
-        """No system has names with a null character, and each says so in its own way."""
+        """Refuse names that no system has, and each refuses in its own way; "" would be "."."""
+        if not str(value):
+            self.fail("must be the name of a file or folder, got ''", param, context)
         if "\0" in str(value):
             self.fail(f"must not hold a null character, got {str(value)!r}", param, context)
         return super().convert(value, param, context)

@@ -7,6 +7,7 @@ Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad in
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 import click
@@ -34,6 +35,7 @@ class _Guarded(click.Group):
     """Also what is printed before a command is chosen is guarded: help, version, wrong usage."""
 
     def main(self, *args: Any, **settings: Any) -> Any:
+        os.environ.pop("MPLBACKEND", None)  # figures are files: they need none, right or wrong
         with stoppable(), guarded_output():
             return super().main(*args, **settings)
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import click
 
+from .._atomic import with_ending
 from .._owned import recording
 from .arguments import FilePath
 from .errors import short_errors
@@ -81,14 +82,10 @@ def export(
                 from ..plotting import save_view, view
 
                 shown = view(dataset, increment=increment, body=number, quantity=quantity)
-                page = output if output is not None and not vtk else _with(target, ".html")
+                page = output if output is not None and not vtk else with_ending(target, ".html")
                 written.append(save_view(shown, page))
         for file in written:
             click.echo(str(file))
-
-
-def _with(target: Path, ending: str) -> Path:
-    return target.with_name(target.name + ending)
 
 
 @click.command()

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
-from .._atomic import replacing
+from .._atomic import replacing, with_ending
 from .reading import body_shown, parts_of_a_run
 from .vtk import volume_names, write_surface, write_track, write_volume
 
@@ -50,9 +50,7 @@ def to_pvd(dataset: xr.Dataset, path: str | Path, body: int | None = None) -> li
         A file cannot be written.
     """
     body = body_shown(dataset, body)
-    target = Path(path)
-    if target.suffix != ".pvd":
-        target = target.with_name(target.name + ".pvd")
+    target = with_ending(path, ".pvd")
     with parts_of_a_run():
         return _write_all(dataset, target, body)
 

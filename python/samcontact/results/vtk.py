@@ -13,7 +13,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from .._atomic import replacing
+from .._atomic import replacing, with_ending
 from .._checks import FloatArray, integer
 from .motion import track_of
 from .reading import body_shown, cell_size, parts_of_a_run
@@ -73,9 +73,7 @@ def to_vtk(
         A file cannot be written.
     """
     body = body_shown(dataset, body)
-    target = Path(path)
-    if target.suffix != ".vtr":
-        target = target.with_name(target.name + ".vtr")
+    target = with_ending(path, ".vtr")
     with parts_of_a_run():
         return _write_all(dataset, target, increment, body)
 

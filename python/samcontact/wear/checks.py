@@ -207,8 +207,11 @@ def _elastic_pressure(scene: Scene) -> FloatArray:
     for relief in scene.reliefs:
         if relief is not None:
             gap -= heights_over(relief, 0, grid.nx)
+    body1, body2 = (
+        Material.elastic(body.E, body.nu) if body.is_plastic else body for body in scene.bodies
+    )
     solver = ContactSolver(
-        grid, *scene.bodies, scene.friction, on_border=scene.settings.get("on_border", "error")
+        grid, body1, body2, scene.friction, on_border=scene.settings.get("on_border", "error")
     )
     loads = [number("load", step["load"]) for step in path if step.get("load") is not None]
     if max(loads) > 0:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from contextlib import nullcontext
+from functools import partial
 from typing import TypeVar
 
 import numpy as np
@@ -96,6 +97,10 @@ def reliefs_of(scene: Worn, standing: Standing) -> list[Relief | None]:
     return reliefs
 
 
+def _solved_first(first: Moments | None, advance: Advance[S], scene: S) -> Moments:
+    return first if first is not None else advance(scene, _start(scene))[0]
+
+
 def _result(
     kind: type[R],
     scene: S,
@@ -106,10 +111,6 @@ def _result(
     last: Moments,
 ) -> R:
     relief1, relief2 = reliefs_of(scene, standing)
-
-    def solve_first() -> Moments:
-        return first if first is not None else advance(scene, _start(scene))[0]
-
     return kind(
         grid=scene.grid,
         worn=scene.worn,
@@ -118,7 +119,7 @@ def _result(
         heights={body: np.stack(heights) for body, heights in standing.heights.items()},
         first_row={body: scene.rows(body)[0] for body in scene.worn},
         last=last,
-        _solve_first=solve_first,
+        _solve_first=partial(_solved_first, first, advance, scene),
         relief1=relief1,
         relief2=relief2,
     )
