@@ -18,6 +18,7 @@ import numpy as np
 import samcontact as sc
 from samcontact import shakedown
 
+from . import increment_errors
 from .finite_elements.tables import table
 from .harness import ROOT
 from .steel import LOAD, balls
@@ -248,6 +249,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "rolling_reach": rolling_reach,
     "increments": increments,
     "grid_errors": grid_errors,
+    "increment_errors": increment_errors.stated_errors,
     "shakedown_limits": shakedown_limits,
     "shakedown_cycles": shakedown_cycles,
 }

@@ -111,8 +111,7 @@ def against(name: str, results: Results, mesh: str) -> Statement:
         max(np.abs(differences["load"])) < 0.07,
         mesh,
         f"At {', '.join(f'{ratio:g}' for ratio in COMPARED)} critical interferences; asserted to "
-        f"7 %. Contact area {ranges['area']}, mean pressure {ranges['pressure']}; the area is "
-        "counted in cells.",
+        f"7 %. Contact area {ranges['area']}, mean pressure {ranges['pressure']}.",
     )
 
 

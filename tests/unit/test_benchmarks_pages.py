@@ -8,6 +8,7 @@ import pytest
 
 from benchmarks import (
     images,
+    increment_errors,
     operators,
     plastic_zones,
     resolution,
@@ -122,6 +123,18 @@ class TestTablesOfTheTheory:
         assert last["quantity"] == "all"
         for row in found:
             assert row["least"] >= known[row["quantity"]]["least"]
+
+    def test_increment_errors(self):
+        """Of one scene, with one increment and many."""
+        (name, *_) = increment_errors.SCENES
+        found = tables.rows_of(increment_errors.stated_errors([name], runs=1))
+        stored = self.rows("increment_errors")[: len(found)]
+        assert len(found) == 2
+        for new, old in zip(found, stored, strict=True):
+            assert [new[key] for key in ("scene", "field")] == [old["scene"], old["field"]]
+            for key in ("true error [%]", "true over stated error"):
+                first = float(str(old[key]).split(", ")[0])
+                assert new[key] == pytest.approx(first, rel=0.05)
 
     def test_rolling_reach(self):
         (found, _), (stored, _) = (
