@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import kernels
-from ._checks import FloatArray, real_array
+from ._checks import FloatArray, real_array, together
 from .grid import Grid
 from .layered import Body
 from .material import Material
@@ -38,12 +38,8 @@ def stress_at_points(
     cells. Where loaded cells meet at the surface, the mean half a cell to both sides. Time grows
     with points times loaded cells, memory does not.
     """
-    given = [_finite(name, values) for name, values in zip("xyz", points, strict=True)]
-    try:
-        x, y, z = np.broadcast_arrays(*given)
-    except ValueError:
-        shapes = ", ".join(str(values.shape) for values in given)
-        raise ValueError(f"x, y and z must have shapes that broadcast, got {shapes}") from None
+    given = {name: _finite(name, values) for name, values in zip("xyz", points, strict=True)}
+    x, y, z = together(**given)
     if (z < 0).any():
         raise ValueError(f"z must be >= 0 [m], positive into the body, got {z.min():.6g}")
     flat = np.stack([np.asarray(values, dtype=np.float64).ravel() for values in (x, y, z)])

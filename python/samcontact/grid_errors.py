@@ -178,7 +178,9 @@ def estimate_errors(
     found = estimated(run, path, states, lambda coarse, steps: coarse.run(steps, progress=False))
     by_increments = increment_errors.estimated(run, path, states, states[0]._heat, certified=True)
     if by_increments is not None and run._told.looks_at_increments:
-        run._told.looks_at_increments = not by_increments.warn(stacklevel=2)
+        run._told.looks_at_increments = not increment_errors.warn_of_errors(
+            by_increments, stacklevel=2
+        )
     return replace(found, increments=by_increments)
 
 

@@ -83,14 +83,15 @@ class IncrementErrors(Shown):
     def __repr__(self) -> str:
         return f"IncrementErrors({self.fields}, from {self.compared})"
 
-    def warn(self, *, stacklevel: int) -> bool:
-        """Warn of errors above 5 %; whether it did."""
-        if self.largest <= LARGEST:
-            return False
-        times = math.ceil(self.largest / LARGEST)
-        text = f"{self}: take more, smaller increments, about {times} times as many for 5 %"
-        warnings.warn(text, IncrementWarning, stacklevel=stacklevel + 1)
-        return True
+
+def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
+    """Warn of errors above 5 %; whether it did."""
+    if errors.largest <= LARGEST:
+        return False
+    times = math.ceil(errors.largest / LARGEST)
+    text = f"{errors}: take more, smaller increments, about {times} times as many for 5 %"
+    warnings.warn(text, IncrementWarning, stacklevel=stacklevel + 1)
+    return True
 
 
 @dataclass
@@ -147,7 +148,7 @@ def warn_of(simulation: Simulation, states: Sequence[State], factor: int, stackl
     found = estimated(simulation, steps, states, history.heat)
     if found is not None:
         history.checked = len(steps)
-        told.looks_at_increments = not found.warn(stacklevel=stacklevel + 1)
+        told.looks_at_increments = not warn_of_errors(found, stacklevel=stacklevel + 1)
 
 
 def estimated(
