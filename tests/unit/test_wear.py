@@ -272,7 +272,7 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
     with pytest.raises(ValueError, match="cycles must be > 1, those of the checkpoint, got 1"):
         wearing(checkpoint=file, cycles=1)
     file.write_bytes(b"no HDF5")
-    with pytest.raises(ValueError, match=r"wear\.h5' was not written by samcontact"):
+    with pytest.raises(ValueError, match=r"wear\.h5 was not written by samcontact"):
         wearing(checkpoint=file)
 
 
