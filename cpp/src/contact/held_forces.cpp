@@ -71,8 +71,8 @@ void require_held_together(const Grid& grid, const TangentialDrive& drive, const
 void require_held(const TangentialDrive& drive, double most, const MotionNames& motions) {
   const double force = std::hypot(force_of(drive[0]), force_of(drive[1]));
   require(force == 0 || force < most * (1 - least_margin), "tangential_load",
-          "shorter than friction times the load, " + to_text(most) + " N" + beyond + motions.along +
-              ") instead",
+          "shorter than friction times the load, " + to_short_text(most, 6) + " N" + beyond +
+              motions.along + ") instead",
           force);
 }
 
@@ -83,7 +83,8 @@ void require_held(const Grid& grid, const TangentialDrive& drive, const Field& p
   require_held(drive, most.along, motions);
   const double torque = force_of(drive[2]);
   require(torque == 0 || std::fabs(torque) < most.torque * (1 - least_margin), "torque",
-          "smaller than " + to_text(most.torque) + " N m" + beyond + motions.turn + ") instead",
+          "smaller than " + to_short_text(most.torque, 6) + " N m" + beyond + motions.turn +
+              ") instead",
           torque);
   const bool pulled = force_of(drive[0]) != 0 || force_of(drive[1]) != 0;
   if (torque != 0 && pulled) require_held_together(grid, drive, pressure, friction);
