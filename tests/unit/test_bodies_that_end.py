@@ -41,6 +41,7 @@ def test_a_body_that_ends_beside_the_contact(periodic, friction):
     assert pressed.load == pytest.approx(0.5, rel=1e-6)
 
 
+@pytest.mark.filterwarnings("ignore::samcontact.SingularPressureWarning")
 def test_a_flat_punch():
     """Boussinesq's: load 2 E* a times the approach."""
     radius, errors = 0.3e-3, []

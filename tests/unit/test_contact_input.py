@@ -206,7 +206,7 @@ class TestBadInput:
                 ValueError,
                 "or +inf where there is no body, got -inf at index (2, 3)",
             ),
-            ({"gap": "flat", "load": 1.0}, TypeError, "gap must be an array of numbers, got str"),
+            ({"gap": "flat", "load": 1.0}, TypeError, "gap must be an array of numbers, got texts"),
             (
                 {"load": 1.0, "initial_pressure": spoiled(math.nan)},
                 ValueError,

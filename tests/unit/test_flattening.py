@@ -123,7 +123,11 @@ def test_kogut_etsion_ends_at_110():
     [
         ({"interference": -1e-9}, ValueError, "interference must be finite and >= 0, got -1e-09"),
         ({"interference": [1e-9, math.nan]}, ValueError, "interference must be finite and >= 0"),
-        ({"interference": "deep"}, TypeError, "interference must be an array of numbers, got str"),
+        (
+            {"interference": "deep"},
+            TypeError,
+            "interference must be an array of numbers, got texts",
+        ),
         ({"R": 0.0}, ValueError, "R must be a finite number > 0, got 0.0"),
         ({"E_star": math.inf}, ValueError, "E_star must be a finite number > 0, got inf"),
         ({"nu": 0.6}, ValueError, r"nu must be in \[0, 0\.5\], got 0\.6"),

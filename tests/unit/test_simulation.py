@@ -307,7 +307,7 @@ class TestInitialStrain:
                 ValueError,
                 "strain must be fin",
             ),
-            ((2, "strain"), TypeError, "strain must be an array of numbers, got str"),
+            ((2, "strain"), TypeError, "strain must be an array of numbers, got texts"),
             (
                 (2, strain, strain[0, 1:]),
                 ValueError,

@@ -224,7 +224,7 @@ class TestBadInput:
                 ValueError,
                 "gap must be finite everywhere, or +inf where there is no body, got nan at index",
             ),
-            ({"gap": "ball"}, TypeError, "gap must be an array of numbers, got str"),
+            ({"gap": "ball"}, TypeError, "gap must be an array of numbers, got texts"),
             ({"friction": -0.1}, ValueError, "friction must be a finite number >= 0, got -0.1"),
             ({"friction": math.nan}, ValueError, "friction must be a finite number >= 0, got nan"),
             ({"friction": "much"}, TypeError, "friction must be a number, got 'much'"),

@@ -47,7 +47,14 @@ def test_with_a_grid_and_a_relief(case_file):
 def test_the_command_writes_series_and_figures(case_file, tmp_path):
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--resume")
     assert outcome.exit_code == 0, outcome.output
-    names = ["series.nc", "series.csv", "force_x.png", "force_z.png", "load_ratio.png"]
+    names = [
+        ".samcontact-files",
+        "series.nc",
+        "series.csv",
+        "force_x.png",
+        "force_z.png",
+        "load_ratio.png",
+    ]
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == sorted(names)
     with xr.open_dataset(tmp_path / "out" / "series.nc", engine="h5netcdf") as series:
         assert series.sizes == {"pass": 2, "increment": series.sizes["increment"], "body": 2}

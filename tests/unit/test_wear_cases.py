@@ -24,7 +24,8 @@ def test_the_command_is_the_call_that_the_case_describes(case_file, tmp_path):
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--resume")
     assert outcome.exit_code == 0, outcome.output
     pictures = ["wear_rate", "profile_body2", "surface_body2", "first_cycle_body2"]
-    names = ["wear.nc", "wear.csv", "last_cycle_body2.png", *(f"{name}.png" for name in pictures)]
+    pictures.append("last_cycle_body2")
+    names = [".samcontact-files", "wear.nc", "wear.csv", *(f"{name}.png" for name in pictures)]
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == sorted(names)
     simulation, cycle = load_case(case_file).build()
     expected = wear.run(
@@ -52,7 +53,7 @@ def test_the_command_makes_a_scar(case_file, tmp_path):
     case_file.write_text(SCAR)
     outcome = invoke("run", case_file, "--output", tmp_path / "out")
     assert outcome.exit_code == 0, outcome.output
-    names = ["wear.nc", "wear.csv", "fretting.png", "wear_rate.png"]
+    names = [".samcontact-files", "wear.nc", "wear.csv", "fretting.png", "wear_rate.png"]
     names += [f"{kind}_body{body}.png" for kind in ("profile", "surface") for body in (1, 2)]
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == sorted(names)
     simulation, cycle = load_case(case_file).build()
