@@ -292,25 +292,20 @@ CALLS = [
         for driver, value in (("load_per_length", 1e4), ("p0", 1e9))
     ),
     ("hertz.PointContact.pressure", POINT.pressure, {"x": X, "y": Y}),
+    *(
+        (f"hertz.{type(contact).__name__}.{name}", getattr(contact, name), {**depth, "nu": NU})
+        for contact in (POINT, ELLIPSE, LINE)
+        for name, depth in (("axis_stress", {"z": Z}), ("max_von_mises", {}))
+    ),
     ("hertz.PointContact.gap", POINT.gap, {"x": X, "y": Y}),
-    ("hertz.PointContact.axis_stress", POINT.axis_stress, {"z": Z, "nu": NU}),
     (
         "hertz.PointContact.stress",
         POINT.stress,
         {"x": X, "y": Y, "z": Z, "nu": NU, "friction": 0.1},
     ),
-    ("hertz.PointContact.max_von_mises", POINT.max_von_mises, {"nu": NU}),
-    ("hertz.EllipticContact.axis_stress", ELLIPSE.axis_stress, {"z": X, "nu": NU}),
-    ("hertz.EllipticContact.max_von_mises", ELLIPSE.max_von_mises, {"nu": NU}),
     ("hertz.EllipticContact.pressure", ELLIPSE.pressure, {"x": X, "y": Y}),
     ("hertz.LineContact.pressure", LINE.pressure, {"x": X}),
-    ("hertz.LineContact.axis_stress", LINE.axis_stress, {"z": Z, "nu": NU}),
-    (
-        "hertz.LineContact.stress",
-        LINE.stress,
-        {"x": X, "z": Z, "nu": NU, "friction": 0.1},
-    ),
-    ("hertz.LineContact.max_von_mises", LINE.max_von_mises, {"nu": NU}),
+    ("hertz.LineContact.stress", LINE.stress, {"x": X, "z": Z, "nu": NU, "friction": 0.1}),
     ("shakedown.elliptic", sc.shakedown.elliptic, {"k": 2.0, "friction": 0.1}),
     *(
         (f"shakedown.{name}", getattr(sc.shakedown, name), {"friction": 0.2, "nu": NU})
