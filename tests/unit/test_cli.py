@@ -3,6 +3,7 @@
 
 import os
 import re
+import resource
 import subprocess
 import sys
 
@@ -192,3 +193,16 @@ def test_module_is_the_same_command():
         check=True,
     )
     assert outcome.stdout == f"samcontact {samcontact.__version__}\n"
+
+
+def test_an_error_of_the_system_names_its_place_and_no_number(case_file, tmp_path):
+    done = subprocess.run(
+        [sys.executable, "-m", "samcontact", "run", case_file, "--output", "out", "--quiet"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0)),
+    )
+    assert done.returncode == 1
+    assert done.stderr.startswith("error: cannot write to the folder out: File too large")
+    assert list((tmp_path / "out").iterdir()) == []

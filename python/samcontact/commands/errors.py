@@ -96,9 +96,26 @@ def _told(error: Exception) -> tuple[str, int]:
         return f"a warning, which the environment makes an error: {error}", FAILED
     if _is_short_of_memory(error):
         return _no_memory(error), FAILED
-    if isinstance(error, (OSError, ModuleNotFoundError)):
+    if isinstance(error, OSError):
+        return _of_system(error), FAILED
+    if isinstance(error, ModuleNotFoundError):
         return str(error), FAILED
     return "", FAILED
+
+
+_REMEDIES = {
+    errno.EFBIG: "raise the limit of the size of files (ulimit -f)",
+    errno.ENOSPC: "free some space, or give another --output",
+    errno.EDQUOT: "free some of the quota, or give another --output",
+    errno.EACCES: "allow it, or choose another path",
+    errno.EROFS: "choose a path that can be written",
+}
+
+
+def _of_system(error: OSError) -> str:
+    """What an operating system refuses, without its number: the file, why, and a remedy."""
+    parts = [error.filename, error.strerror or str(error), _REMEDIES.get(error.errno or 0)]
+    return ": ".join(str(part) for part in parts if part)
 
 
 def _is_short_of_memory(error: Exception) -> bool:

@@ -82,9 +82,14 @@ def _take(directory: Path, remedy: str, name: str) -> int:
             if not re.fullmatch(rb"\d*\s*", os.read(handle, 20)):
                 os.close(handle)
                 raise _of_others(path, remedy)
-            os.truncate(handle, 0)
-            os.lseek(handle, 0, os.SEEK_SET)
-            os.write(handle, f"{os.getpid()}\n".encode())
+            try:
+                os.truncate(handle, 0)
+                os.lseek(handle, 0, os.SEEK_SET)
+                os.write(handle, f"{os.getpid()}\n".encode())
+            except OSError as error:  # a full disk, a limit of file sizes
+                path.unlink()
+                os.close(handle)
+                raise _unusable(directory, error, remedy) from error
             return handle
         os.close(handle)  # the one before has just removed it
 
