@@ -151,7 +151,7 @@ def solve(fine: int, parts: int = 1) -> list[dict[str, float]]:
                 "spots": spots,
                 "area": float(np.mean(state.pressure > 0)),
                 "uncertainty": resolution.area_uncertainty(state.pressure),
-                "pressure": state.mean_pressure,
+                "pressure": float(state.pressure[state.pressure > 0].mean()),
                 "strain": state.max_equivalent_plastic_strain(),
                 "stress": below,
                 "surface": surface,

@@ -41,6 +41,14 @@ def undrawn(monkeypatch):
     monkeypatch.setattr(Figure, "savefig", savefig)
 
 
+@pytest.fixture
+def steps_alone(monkeypatch):
+    """No errors by the increments are estimated, whose steps are those of no path."""
+    from samcontact import increment_errors
+
+    monkeypatch.setattr(increment_errors, "estimated", lambda *_, **__: None)
+
+
 def pytest_collection_modifyitems(items):
     def place(item):
         return next((n for n, name in enumerate(LONG) if f"tests/{name}" in item.nodeid), len(LONG))

@@ -59,11 +59,12 @@ def press(material: sc.Material, radius: float, mean_pressure: float, cells: int
         warnings.simplefilter("ignore")  # of first increments over few cells
         for part in np.linspace(0.0, 1.0, INCREMENTS + 1)[1:]:
             state = simulation.step(load=load * part**2)
-    reached = math.sqrt(state.contact_area / math.pi)
+    area = np.count_nonzero(state.pressure) * grid.cell_area
+    reached = math.sqrt(area / math.pi)
     return Print(
         cells,
         reached / RADIUS,
-        state.mean_pressure / E_STAR,
+        state.load / area / E_STAR,
         float(state.pressure.max()) / E_STAR,
         state.max_equivalent_plastic_strain(),
         float(material.yield_stress(REPRESENTATIVE * reached / RADIUS)) / E_STAR,

@@ -231,6 +231,7 @@ def test_bad_arguments(argument, text):
         simulation(**argument)
 
 
+@pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 class TestFewLongCells:
     """A box needs a few cells beyond the grid, however long these are."""
 

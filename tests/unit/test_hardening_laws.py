@@ -291,7 +291,7 @@ def test_a_table_is_a_value():
         ([0.0, 5e-324], [1e9, 2e9], ValueError, "plastic_strain[1] must be further from plastic_s"),
         (0.0, 1e9, ValueError, "plastic_strain must be a list of numbers, got shape ()"),
         ([0.0], [["1e9"]], TypeError, "stress must be an array of numbers"),
-        (None, [1e9], ValueError, "plastic_strain must be a list of numbers, got shape ()"),
+        (None, [1e9], TypeError, "plastic_strain must be an array of numbers, got None"),
         (np.linspace(0, 1, 4097), np.full(4097, 1e9), ValueError, "from 1 to 4096, got 4097"),
     ],
 )

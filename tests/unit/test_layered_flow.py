@@ -120,6 +120,7 @@ SANDWICH = [(NITRIDE, 6e-6), (COPPER, 6e-6)]
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+@pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
 def test_a_soft_layer_flows_between_stiff_ones():
     run, states = indented(sc.Layered(SANDWICH, STEEL), n=40)
     loaded, unloaded = states[-2:]

@@ -75,6 +75,7 @@ def assert_same(found, other):
 
 
 @pytest.mark.parametrize("at", [2, 6, 7, 11])
+@pytest.mark.usefixtures("steps_alone")
 def test_an_interrupted_search_goes_on_with_the_same_bits(expected, steps, tmp_path, at):
     assert len(expected.runs) == 4
     steps.stop(at)
@@ -127,6 +128,7 @@ def test_a_damaged_file_is_solved_again(expected, tmp_path, steps):
 @pytest.mark.parametrize(
     ("journal", "error"), [(False, None), (True, OSError(errno.ENOSPC, os.strerror(errno.ENOSPC)))]
 )
+@pytest.mark.usefixtures("steps_alone")
 def test_the_command_leaves_the_best_values_and_goes_on(expected, steps, tmp_path, journal, error):
     file, out = tmp_path / "case.toml", tmp_path / "out"
     file.write_text(TEXT, encoding="utf-8")
@@ -203,6 +205,7 @@ def test_an_interrupted_search_for_a_load_goes_on_with_the_same_bits(steps, tmp_
         found(lambda load: (ball(load)[0], [{"load": load}]), checkpoint=tmp_path)
 
 
+@pytest.mark.usefixtures("steps_alone")
 def test_the_command_goes_on_looking_for_a_load(steps, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     file = tmp_path / "case.toml"

@@ -202,6 +202,7 @@ class TestPaths:
             sc.Simulation.load(tmp_path / "x.h5", softening=None)
 
 
+@pytest.mark.usefixtures("steps_alone")
 class TestInTheMiddle:
     def test_a_warning_made_an_error_keeps_its_increment(self, tmp_path):
         path = [{"load": 20.0}, {"load": 500.0}, {"load": 0.0}]

@@ -59,6 +59,7 @@ def test_the_path_is_repeated(run, monkeypatch):
     assert not (folder / "other.html").exists()
 
 
+@pytest.mark.usefixtures("steps_alone")
 def test_cycles_are_kept_whatever_ends_the_run(run, monkeypatch):
     text = f"estimate_error = false\n{MINIMAL}\n{SHAKEDOWN}"
     step, left = sc.Simulation.step, [3 + 3 + 1]  # path, first cycle

@@ -67,6 +67,7 @@ def test_rollers_above_the_limit_go_on_straining(cells):
     assert len(result.cycles) < result.cycles[-1].number - 10
 
 
+@pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
 def test_hardening_that_moves_the_yield_surface_closes_what_ratchets():
     """At 4.1 k with friction both are beyond their limits of elastic shakedown."""
     friction, ratio = 0.2, 4.1

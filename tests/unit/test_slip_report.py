@@ -3,7 +3,7 @@
 
 import math
 import re
-from types import SimpleNamespace
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -119,10 +119,15 @@ def test_balances_that_are_not_known_are_refused():
     with pytest.raises(ValueError, match="they have moved on"):
         energy.balance(rolls, states)
     assert "work_put_in" not in results.to_dataset(rolls, states)
-    heated = SimpleNamespace(
-        friction=sc.Coulomb(0.3), body1=body.with_thermal(50.0, 1e-5, 1e-5), body2=body
+    heated = Mock(
+        spec=sc.Simulation,
+        friction=sc.Coulomb(0.3),
+        body1=body.with_thermal(50.0, 1e-5, 1e-5),
+        body2=body,
     )
-    warm = SimpleNamespace(travel=(0.0, 0.0), approach=1e-6, surface_temperature=lambda body: 1.0)
+    warm = Mock(
+        spec=sc.State, travel=(0.0, 0.0), approach=1e-6, surface_temperature=lambda body: 1.0
+    )
     with pytest.raises(ValueError, match="states must be cold, but body 1 is heated"):
         energy.balance(heated, [warm])
 

@@ -32,8 +32,8 @@ def run(case, *arguments, **options):
 
 
 FILES = {
-    "results.nc", "pressure.png", "load_approach.png", "axis_stress.png", "sections.png",
-    "pressure_map.png", "gap_map.png", "print.png", "print_map.png", "residual.png",
+    ".samcontact-files", "results.nc", "pressure.png", "load_approach.png", "axis_stress.png",
+    "sections.png", "pressure_map.png", "gap_map.png", "print.png", "print_map.png", "residual.png",
 }  # fmt: skip
 
 
