@@ -82,7 +82,8 @@ print(dict(doctor.installation())["threads"])
     environment = {k: v for k, v in os.environ.items() if not k.startswith("OMP_")}
     found = subprocess.run(
         [sys.executable, "-c", code],
-        env=environment | {"OMP_NUM_THREADS": "3000", "OPENBLAS_NUM_THREADS": "1"},
+        env=environment
+        | {"OMP_NUM_THREADS": "3000", "OMP_DYNAMIC": "false", "OPENBLAS_NUM_THREADS": "1"},
         capture_output=True,
         text=True,
         check=True,
