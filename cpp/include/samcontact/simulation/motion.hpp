@@ -60,8 +60,9 @@ Field seen_from_body(const Field& field, const Grid& grid, double offset,
 operators::Tractions seen_from_body(const operators::Tractions& tractions, const Grid& grid,
                                     double offset);
 
-/// The gap with its origin moved by `shift` cells towards +x, by cubic interpolation. Infinite where
-/// the nearest row has no body; beside such rows, linear between two with a body, or constant.
+/// The gap with its origin moved by `shift` cells towards +x, by cubic interpolation. Infinite
+/// where the nearest row has no body; beside such rows, linear between two with a body, or
+/// constant.
 Field shifted_gap(const Field& gap, const Grid& grid, double shift);
 
 /// A surface field moved by whole cells towards +x; zero comes in.
