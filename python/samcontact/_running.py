@@ -129,7 +129,8 @@ class Running(Windowed):
             on in the same direction, on cells twice, four or eight times as large where 6 (without
             flow 16) stay across the contact. Skipped where increments have no part: of bodies that
             do not yield, or under control of `increment_tol`, unless they stick and slip; and where
-            the past is not known (prescribed tractions, `set_plastic_strain`, checkpoints).
+            the past is not known (prescribed tractions, `set_plastic_strain`, checkpoints), or
+            where the warning is ignored (`warnings.simplefilter("ignore", sc.IncrementWarning)`).
         """
         boolean("progress", progress)
         states: list[State] = []

@@ -138,17 +138,29 @@ def is_path_dependent(simulation: Simulation, states: Sequence[State]) -> bool:
 def warn_of(simulation: Simulation, states: Sequence[State], factor: int, stacklevel: int) -> None:
     """Warn, once in a simulation, of increments that are too large.
 
+    Nothing is estimated where a filter ignores the warning.
+
     states: the last ones. factor: how many times as many increments as at the last estimate there
     must be, which bounds the time of all estimates.
     """
     told, history = simulation._told, simulation._history
     if not told.looks_at_increments or not states or not history.is_due(factor):
         return
+    if _is_ignored(IncrementWarning):
+        return
     steps = history.steps or []
     found = estimated(simulation, steps, states, history.heat)
     if found is not None:
         history.checked = len(steps)
         told.looks_at_increments = not warn_of_errors(found, stacklevel=stacklevel + 1)
+
+
+def _is_ignored(category: type[Warning]) -> bool:
+    """Whether the filters of Python ignore all warnings of a category."""
+    for action, message, other, module, line in warnings.filters:
+        if issubclass(category, other) and not (message or module or line):
+            return action == "ignore"
+    return False
 
 
 def estimated(
