@@ -19,7 +19,7 @@ import numpy as np
 import scipy
 
 import samcontact as sc
-import samcontact.resolution as resolution
+import samcontact.diagnostics.resolution as resolution
 
 from .harness import ROOT, peak_memory
 from .roughness import heights, surface_rms, wave_amplitudes

@@ -44,7 +44,7 @@ def undrawn(monkeypatch):
 @pytest.fixture
 def steps_alone(monkeypatch):
     """No errors by the increments are estimated, whose steps are those of no path."""
-    from samcontact import increment_errors
+    from samcontact.simulation import increment_errors
 
     monkeypatch.setattr(increment_errors, "estimated", lambda *_, **__: None)
 

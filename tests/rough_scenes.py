@@ -4,7 +4,7 @@
 import numpy as np
 
 import samcontact as sc
-from samcontact.checkpoint import snapshot
+from samcontact.simulation.checkpoint import snapshot
 
 E, NU = 210e9, 0.3
 RIGID = sc.Material.rigid()

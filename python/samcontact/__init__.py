@@ -4,10 +4,10 @@
 from importlib import import_module as _import_module
 from typing import TYPE_CHECKING
 
-from . import _starting  # noqa: F401  (while all else is loaded)
+from ._util import silent_interrupt  # noqa: F401  (while all else is loaded)
 
 # isort: split
-from . import _load_core  # noqa: F401  (before anything that needs the core)
+from ._util import load_core  # noqa: F401  (before anything that needs the core)
 
 # isort: split
 from . import (
@@ -35,28 +35,33 @@ from . import (
 )
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
-from ._doubts import UnitWarning
-from ._edges import SingularPressureWarning
-from ._told import PlasticStrainWarning
+from ._util.errors import (
+    ElasticStrainWarning,
+    GridTooSmallWarning,
+    IncrementWarning,
+    PlasticStrainWarning,
+    ResolutionWarning,
+    SingularPressureWarning,
+    UnitWarning,
+)
 from .accuracy import AccuracyWarning, Accurate, to_accuracy
-from .contact import ContactSolver, GridTooSmallWarning
-from .find import FoundLoad, find_load
-from .friction import Coulomb
-from .grid import Grid
-from .grid_errors import GridErrors, estimate_errors
+from .accuracy.grid_errors import GridErrors, estimate_errors
+from .accuracy.load_search import FoundLoad, find_load
+from .bodies.layered import Layered
+from .bodies.material import Material
+from .contact.solver import ContactSolver
 from .heat import Heat
-from .increment_errors import IncrementErrors, IncrementWarning
-from .layered import Layered
-from .material import Material
-from .relief import Relief
-from .resolution import ElasticStrainWarning, ResolutionWarning
-from .runs.file import CheckpointError
-from .simulation import Simulation
-from .solution import ContactSolution, RollingSolution, StickSlipSolution
-from .state import State
+from .restart.file import CheckpointError
+from .scene.friction import Coulomb
+from .scene.grid import Grid
+from .scene.moving_topography import Relief
+from .simulation.increment_errors import IncrementErrors
+from .simulation.simulation import Simulation
+from .solutions.contact_solution import ContactSolution, RollingSolution, StickSlipSolution
+from .solutions.state import State
+from .solutions.track import Track
+from .solutions.zone import Zone
 from .sweeps import SweepInterrupted, sweep
-from .track import Track
-from .zone import Zone
 
 __all__ = [
     "AccuracyWarning",

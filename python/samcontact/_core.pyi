@@ -2,7 +2,7 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from ._checks import FloatArray
+from ._util.checks import FloatArray
 
 Floats = Sequence[float]
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ._checks import FloatArray, choice, finite, positive
-from .relief import Relief, rows_within
+from ._util.checks import FloatArray, choice, finite, positive
+from .scene.moving_topography import Relief, rows_within
 from .surfaces import SurfaceGrid, require_surface
 
 __all__ = ["furrow", "spherical"]

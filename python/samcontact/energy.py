@@ -9,18 +9,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._checks import FloatArray, require_list, require_type
-from ._common_cells import on_common_cells
-from ._repr import Rows, Shown, percent, quantity
-from ._short import in_short
-from .contact import ContactSolver
-from .friction import Coulomb
-from .layered import Body, backstresses_of, materials_at
-from .track import Track
+from ._util.checks import FloatArray, require_list, require_type
+from ._util.display import Rows, Shown, percent, quantity
+from ._util.short_text import in_short
+from .bodies.layered import Body, backstresses_of, materials_at
+from .contact.solver import ContactSolver
+from .scene.friction import Coulomb
+from .solutions.common_cells import on_common_cells
+from .solutions.track import Track
 
 if TYPE_CHECKING:
-    from .simulation import Simulation
-    from .state import State
+    from .simulation.simulation import Simulation
+    from .solutions.state import State
 
 __all__ = ["EnergyBalance", "balance", "plastic_work", "residual_energy"]
 
@@ -175,8 +175,8 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
         Friction as a number; bodies that moved on, soften or are heated; prescribed tractions; no
         states.
     """
-    from .simulation import Simulation
-    from .state import State
+    from .simulation.simulation import Simulation
+    from .solutions.state import State
 
     require_type("simulation", simulation, Simulation)
     require_list("states", states, State)

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import critical
-from ._checks import FloatArray, real_array
-from ._repr import Brief
+from ._util.checks import FloatArray, real_array
+from ._util.display import Brief
 from .critical import CriticalSphere
 
 __all__ = ["Flattening", "jackson_green", "kogut_etsion"]

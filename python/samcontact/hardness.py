@@ -15,7 +15,7 @@ import warnings
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._checks import FloatArray, real_array
+from ._util.checks import FloatArray, real_array
 
 __all__ = ["HardnessRangeWarning", "flow_stress_from_vickers", "yield_from_vickers"]
 

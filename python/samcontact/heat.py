@@ -16,11 +16,19 @@ from typing import TYPE_CHECKING
 
 from numpy.typing import ArrayLike
 
-from ._checks import finite, finite_array, non_negative, number, of_bodies, positive, real_array
-from ._short import in_short
+from ._util.checks import (
+    finite,
+    finite_array,
+    non_negative,
+    number,
+    of_bodies,
+    positive,
+    real_array,
+)
+from ._util.short_text import in_short
 
 if TYPE_CHECKING:
-    from .material import Material
+    from .bodies.material import Material
 
 __all__ = ["factors", "partition"]
 

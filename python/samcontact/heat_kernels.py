@@ -27,8 +27,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import FloatArray, finite, non_negative, number, positive, real_array
-from ._short import in_short
+from ._util.checks import FloatArray, finite, non_negative, number, positive, real_array
+from ._util.short_text import in_short
 from .kernels import _constants, _depths, _points, _sizes
 
 Velocity = tuple[float, float]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import FloatArray, axis_number, choice, number, positive, together
+from ._util.checks import FloatArray, axis_number, choice, number, positive, together
 
 _PRESSURE = 2  # tractions are named by the axis they act along
 

@@ -9,52 +9,20 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core, _memory
-from ._checks import (
+from . import _core
+from ._util import memory
+from ._util.checks import (
     FloatArray,
     axis_number,
     choice,
     finite_array,
     number,
-    real_array,
     require_fast,
     require_type,
-    tractions,
 )
-from ._settings import Settings
-from ._short import in_short
-from .grid import Grid
-
-
-def shear_components(
-    grid: Grid, shear: ArrayLike | None
-) -> tuple[FloatArray | None, FloatArray | None]:
-    """Split shear of shape (nx, ny) or (2, nx, ny) into contiguous s_x, s_y [Pa]."""
-    require_type("grid", grid, Grid)
-    if shear is None:
-        return None, None
-    shape = grid.surface_shape
-    if real_array("shear", shear).ndim == 3:
-        both = tractions("shear", shear, (2, *shape))
-        return both[0], both[1]
-    return tractions("shear", shear, shape), None
-
-
-def depths_of(z: ArrayLike) -> FloatArray:
-    """Check depths [m], a scalar or one-dimensional."""
-    depths = np.atleast_1d(real_array("z", z))
-    if depths.ndim != 1 or not ((depths <= 1e75) & (depths >= 0)).all():
-        raise ValueError(
-            f"z must be a one-dimensional array of depths >= 0 [m], up to 1e75, got {in_short(z)}"
-        )
-    return depths
-
-
-def depth_major(grid: Grid, name: str, tensor: ArrayLike) -> FloatArray:
-    """Check a (6, nx, ny, nz) tensor field and return it as the core stores it, (6, nz, nx, ny)."""
-    require_type("grid", grid, Grid)
-    checked = finite_array(name, tensor, (6, *grid.volume_shape))
-    return np.ascontiguousarray(np.moveaxis(checked, 3, 1))
+from .scene.cell_fields import depth_major, depths_of, shear_components
+from .scene.grid import Grid
+from .scene.settings import Settings
 
 
 def _require_volume(grid: Grid) -> None:
@@ -91,8 +59,8 @@ def surface_displacement(
     """
     require_type("grid", grid, Grid)
     number_of_axis = axis_number(axis)
-    needed = _memory.surface(grid, _memory.DISPLACEMENT)
-    _memory.require_for_grid("a displacement", grid, needed)
+    needed = memory.surface(grid, memory.DISPLACEMENT)
+    memory.require_for_grid("a displacement", grid, needed)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     body = _core.Stack(_core.Elastic.isotropic(number("E", E), number("nu", nu)))
     field: FloatArray = _core.operators.surface_displacement(
@@ -123,8 +91,8 @@ def surface_stress(
     """
     require_type("grid", grid, Grid)
     depths = depths_of(z)
-    needed = _memory.volume(grid, _memory.STRESS_OF_TRACTIONS, len(depths))
-    _memory.require_for_grid(f"the stress at {len(depths)} depths", grid, needed)
+    needed = memory.volume(grid, memory.STRESS_OF_TRACTIONS, len(depths))
+    memory.require_for_grid(f"the stress at {len(depths)} depths", grid, needed)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     # The stress due to tractions does not depend on Young's modulus.
     body = _core.Stack(_core.Elastic.isotropic(1.0, number("nu", nu)))
@@ -164,8 +132,8 @@ def residual_stress(
     exact = choice("method", method, ("exact", "fast")) == "exact"
     require_fast("method", method, grid.periodic)
     images = Settings.checked("image_tol", image_tol)
-    cell = _memory.EXACT_RESIDUAL if exact else _memory.FAST_RESIDUAL
-    _memory.require_for_grid(f"the {method} stress", grid, _memory.volume(grid, cell))
+    cell = memory.EXACT_RESIDUAL if exact else memory.FAST_RESIDUAL
+    memory.require_for_grid(f"the {method} stress", grid, memory.volume(grid, cell))
     field: FloatArray = _core.operators.residual_stress(
         grid._core, depth_major(grid, "strain", strain), elastic, exact, images
     )
@@ -193,8 +161,8 @@ def residual_displacement(
     number_of_axis = axis_number(axis)
     _require_volume(grid)
     nu = _core.Elastic.isotropic(1.0, number("nu", nu)).nu
-    needed = _memory.volume(grid, _memory.FAST_RESIDUAL)
-    _memory.require_for_grid("a displacement", grid, needed)
+    needed = memory.volume(grid, memory.FAST_RESIDUAL)
+    memory.require_for_grid("a displacement", grid, needed)
     field: FloatArray = _core.operators.residual_displacement(
         grid._core, depth_major(grid, "strain", strain), nu, number_of_axis
     )

@@ -11,13 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._checks import FloatArray, require_type
-from ._settings import ContactSettings
-from .contact import ContactSolver
-from .friction import Coulomb, GivenAlong, Pressing, Settings
-from .grid import Grid
-from .material import Material
-from .solution import ContactSolution, RollingSolution, before_on
+from ._util.checks import FloatArray, require_type
+from .bodies.material import Material
+from .contact.solver import ContactSolver
+from .contact.tangential_drive import GivenAlong, Pressing, Settings
+from .scene.friction import Coulomb
+from .scene.grid import Grid
+from .scene.settings import ContactSettings
+from .solutions.contact_solution import ContactSolution, RollingSolution, before_on
 
 __all__ = ["steady"]
 

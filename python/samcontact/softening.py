@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._checks import FloatArray, finite, finite_array, positive
+from ._util.checks import FloatArray, finite, finite_array, positive
 
 __all__ = ["JohnsonCook"]
 

@@ -13,10 +13,10 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _memory
-from ._checks import FloatArray, choice, gap_array, integer, non_negative, number, positive
-from ._scipy import scipy
-from ._short import in_short
+from ._util import memory
+from ._util.checks import FloatArray, choice, gap_array, integer, non_negative, number, positive
+from ._util.lazy_scipy import scipy
+from ._util.short_text import in_short
 
 __all__ = [
     "cylinder",
@@ -54,7 +54,7 @@ def require_surface(grid: SurfaceGrid) -> None:
 def _require_memory(grid: SurfaceGrid) -> None:
     require_surface(grid)
     what = f"a surface of nx = {grid.nx}, ny = {grid.ny}"
-    _memory.require(what, _memory.SURFACE * grid.nx * grid.ny)
+    memory.require(what, memory.SURFACE * grid.nx * grid.ny)
 
 
 def _coordinates(grid: SurfaceGrid) -> tuple[FloatArray, FloatArray]:

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ._short import LONGEST, in_short
+from ._util.short_text import LONGEST, in_short
 
 __all__ = ["si"]
 

@@ -137,8 +137,8 @@ ANY = (
 import pathlib, resource, signal
 import h5py, scipy.ndimage, scipy.optimize, scipy.special, samcontact.cases  # once for all
 from unittest import mock
-from samcontact import _memory
-from samcontact.runs import lock
+from samcontact._util import memory as _memory
+from samcontact.restart import lock
 sys.path.insert(0, {str(Path(__file__).parents[1])!r})
 KINDS = {BODIES!r}
 

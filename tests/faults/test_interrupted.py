@@ -118,7 +118,7 @@ def test_runs_with_checkpoints(count, tmp_path):
 WRITING = """
 import os, signal, sys
 import samcontact as sc
-from samcontact.runs import file
+from samcontact.restart import file
 grid = sc.Grid(15, 15, 60e-6, 60e-6)
 elastic = sc.Material.elastic(210e9, 0.3)
 sim = sc.Simulation(grid, elastic, elastic, sc.surfaces.paraboloid(grid, 7.5e-3))

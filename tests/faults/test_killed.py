@@ -125,7 +125,7 @@ def test_sweep(count, tmp_path):
 # Killed by itself at one of the system calls of writing, which a random time seldom meets.
 WRITING = """
 import os, signal, sys
-from samcontact import _atomic
+from samcontact.files import atomic as _atomic
 
 def deadly(module, name, number):
     call, left = getattr(module, name), [number]

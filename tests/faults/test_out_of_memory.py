@@ -13,7 +13,8 @@ import pytest
 from faulting import TRIALS, Nursery
 
 import samcontact as sc
-from samcontact import _memory, operators, surfaces
+from samcontact import operators, surfaces
+from samcontact._util import memory
 
 ELASTIC, OTHER = sc.Material.elastic(210e9, 0.3), sc.Material.elastic(300e9, 0.2)
 STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
@@ -27,7 +28,8 @@ import sys, warnings
 import numpy as np
 import scipy.ndimage, scipy.optimize, scipy.special  # loaded once, by the first that needs them
 import samcontact as sc
-from samcontact import _memory, increment_errors
+from samcontact._util import memory
+from samcontact.simulation import increment_errors
 increment_errors.estimated = lambda *_, **__: None  # whose solves ask for memory of their own
 sys.path.insert(0, TESTS)
 import rough_scenes
@@ -47,8 +49,8 @@ def status(name):
         return next(1024 * int(line.split()[1]) for line in lines if line.startswith(name))
 
 asked = [0.0]
-_memory._SMALL = 0.0
-_memory.require = lambda what, needed, remedy="": asked.append(needed)
+memory._SMALL = 0.0
+memory.require = lambda what, needed, remedy="": asked.append(needed)
 
 def computed(scene):
     kind, n, nz = scene.split()
@@ -163,7 +165,7 @@ REFUSED = {
 
 @pytest.mark.parametrize("name", REFUSED)
 def test_huge_grids_are_refused(name, monkeypatch):
-    monkeypatch.setattr(_memory, "available", lambda: 16e9)
+    monkeypatch.setattr(memory, "available", lambda: 16e9)
     told = r"ny = 60000, nz = 1000 needs about [\d.e+]+ GB of memory, and 16 GB are available"
     with pytest.raises(MemoryError, match=told):
         REFUSED[name]()
@@ -192,7 +194,7 @@ assert len(REFUSED) + len(FIELDS) + 1 == TRIALS["memory: refusals"][0]
 
 @pytest.mark.parametrize("name", FIELDS)
 def test_fields_are_refused(name, monkeypatch):
-    monkeypatch.setattr(_memory, "available", lambda: 60e6)
+    monkeypatch.setattr(memory, "available", lambda: 60e6)
     with pytest.raises(MemoryError, match=r"needs about \d\.\d+ GB of memory, and 0\.06 GB are"):
         FIELDS[name]()
 
@@ -209,8 +211,8 @@ def test_a_plastic_zone_is_refused_and_the_state_stays(monkeypatch):
     simulation.step(load=400.0)
     before = simulation.state.pressure.copy()
     with monkeypatch.context() as patch:
-        patch.setattr(_memory, "_SMALL", 0.0)
-        patch.setattr(_memory, "available", lambda: 20e6)
+        patch.setattr(memory, "_SMALL", 0.0)
+        patch.setattr(memory, "available", lambda: 20e6)
         told = r"the plastic zone, \d+ x \d+ x \d+ cells, needs about"
         with pytest.raises(MemoryError, match=told):
             simulation.step(load=1500.0)
@@ -223,7 +225,7 @@ def test_a_plastic_zone_is_refused_and_the_state_stays(monkeypatch):
 
 
 def test_what_is_available_is_known():
-    there = _memory.available()
+    there = memory.available()
     assert there is not None
     assert 1e8 < there < 1e15
 
@@ -231,11 +233,11 @@ def test_what_is_available_is_known():
 def test_a_limit_of_the_process_counts():
     script = """
 import resource
-from samcontact import _memory
+from samcontact._util import memory
 def computed(_):
     used = 4096 * int(open("/proc/self/statm").read().split()[0])
     resource.setrlimit(resource.RLIMIT_AS, (used + 500_000_000, resource.RLIM_INFINITY))
-    return _memory.available()
+    return memory.available()
 """
     with contextlib.closing(Nursery(script)) as nursery:
         assert 3e8 < float(nursery.run("")[0]) < 5.1e8
@@ -252,7 +254,7 @@ def test_the_command_tells_it(tmp_path, monkeypatch):
         'surface = {shape = "paraboloid", Rx = 1.0}\npath = [{load = 1.0}]\n'
     )
     (tmp_path / "huge.toml").write_text(text)
-    monkeypatch.setattr(_memory, "available", lambda: 16e9)
+    monkeypatch.setattr(memory, "available", lambda: 16e9)
     arguments = ["run", str(tmp_path / "huge.toml"), "--output", str(tmp_path / "out")]
     outcome = CliRunner().invoke(main, arguments)
     assert outcome.exit_code == 1
@@ -299,7 +301,7 @@ def test_libraries_that_do_not_survive_little_memory_are_not_asked(use, tmp_path
     script = f"""
 import resource
 import samcontact as sc
-from samcontact._scipy import scipy
+from samcontact._util.lazy_scipy import scipy
 grid = sc.Grid(8, 8, 1e-4, 1e-4)
 elastic = sc.Material.elastic(210e9, 0.3)
 simulation = sc.Simulation(grid, elastic, elastic, sc.surfaces.paraboloid(grid, 7.5e-3))

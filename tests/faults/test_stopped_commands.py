@@ -57,10 +57,11 @@ COMMAND = (
 import importlib, json, os, pathlib, tempfile
 from click.testing import CliRunner
 import samcontact as sc
-from samcontact import increment_errors, results
+from samcontact import results
+from samcontact.simulation import increment_errors
 from samcontact.commands.main import main
 import samcontact.commands.solve_contact, samcontact.commands.solve_study
-find = importlib.import_module("samcontact.find")
+find = importlib.import_module("samcontact.accuracy.load_search")
 made = {"step": 0, "end": 0}
 increment_errors.estimated = lambda *_, **__: None  # whose steps are those of no path
 

@@ -5,7 +5,7 @@ import h5py
 import numpy as np
 from hypothesis import strategies as st
 
-from samcontact._seal import seal
+from samcontact.files.checksum import seal
 
 
 @st.composite

@@ -14,7 +14,7 @@ import samcontact as sc
 from rough_scenes import PERCENT, RIGID, zones_of
 from rough_scenes import simulation as rough_simulation
 from samcontact import wear
-from samcontact.runs.file import DAMAGED, CheckpointError
+from samcontact.restart.file import DAMAGED, CheckpointError
 from samcontact.wear import checkpoint as wear_checkpoint
 from samcontact.wear import repeating
 

@@ -43,7 +43,7 @@ def private(text):
 
 @pytest.mark.parametrize(
     "line",
-    ["from samcontact._tensors import von_mises", "import samcontact._core", "sc._core.grid()",
+    ["from samcontact._util.tensors import von_mises", "import samcontact._core", "sc._core.grid()",
      "from samcontact import _checks", "from samcontact.plotting.wear import _panel"],
 )  # fmt: skip
 def test_private_names_are_found(line):

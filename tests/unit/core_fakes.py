@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from samcontact import Grid, Material, hertz
-from samcontact._area import contact_area
+from samcontact.solutions.contact_area import contact_area
 
 ELASTIC = Material.elastic(210e9, 0.3)
 RIGID = Material.rigid()

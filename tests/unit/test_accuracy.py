@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact import _certified, results
+from samcontact import results
 from samcontact.accuracy import Refinable, estimate, increments
 from samcontact.accuracy.scene import Run
 from samcontact.cases import Case as SectionsOfCase
 from samcontact.cases import CaseError
+from samcontact.simulation import error_controlled_quantities
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 STEEL = {"law": "elastic", "E": 210e9, "nu": 0.3}
@@ -105,7 +106,9 @@ def test_steel_that_yields_below_a_coating_is_closer_than_the_stated_error():
     for (name, value), expected in zip(found.values.items(), exact, strict=True):
         assert abs(value - expected) <= found.errors[name] <= 0.01 * expected
     # The coating bends: its stress is largest at the interface, and jumps there.
-    inside, *faces, below, top = _certified.parts(found.states[-1], "max_von_mises_body2")
+    inside, *faces, below, top = error_controlled_quantities.parts(
+        found.states[-1], "max_von_mises_body2"
+    )
     assert inside < max(faces) == pytest.approx(truth["loaded"]["max_vm_Pa"], rel=5e-3)
     assert top < below == pytest.approx(2.6094e9, rel=2e-3)
 
@@ -143,7 +146,7 @@ def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
     states = simulation.run(path, progress=False)
     for mine, theirs in zip(states, found.states, strict=True):
         assert np.array_equal(mine.pressure, theirs.pressure)
-    depth = _certified.value(states[-1], "print_depth_body2")
+    depth = error_controlled_quantities.value(states[-1], "print_depth_body2")
     assert abs(depth / found.values["print_depth_body2"] - 1) < 0.05
     dataset = found.to_dataset()
     end = dataset.isel(increment=-1)

@@ -7,7 +7,7 @@ from contact_scenes import RIGID, STEEL
 
 import samcontact as sc
 from samcontact import plotting, results, surfaces
-from samcontact.half_resolution import coarser
+from samcontact.simulation.coarsening import coarser
 
 SOFT = sc.Material.linear_hardening(210e9, 0.3, 1e9, 10e9)
 E_STAR = 210e9 / (1 - 0.3**2)

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact import _certified
-from samcontact._area import contact_area
-from samcontact._tensors import von_mises
+from samcontact._util.tensors import von_mises
+from samcontact.simulation import error_controlled_quantities
+from samcontact.solutions.contact_area import contact_area
 
 STEEL = sc.Material.elastic(210e9, 0.3)
 
@@ -17,13 +17,15 @@ STEEL = sc.Material.elastic(210e9, 0.3)
 def test_peak_of_a_parabola_lies_between_its_cells():
     x, y, z = np.meshgrid(np.arange(7) - 3.3, np.arange(9) - 4.4, np.arange(5) + 0.5, indexing="ij")
     field = 5.0 - 0.3 * x**2 - 0.2 * y**2 - 0.1 * (z - 2.2) ** 2
-    assert _certified.peak_value(field) == pytest.approx(5.0, rel=1e-14)
-    below, surface = _certified.below_and_at_surface(field)
+    assert error_controlled_quantities.peak_value(field) == pytest.approx(5.0, rel=1e-14)
+    below, surface = error_controlled_quantities.below_and_at_surface(field)
     assert below == pytest.approx(5.0, rel=1e-14)
     assert surface == 0.0
     # of what grows up to the surface it is the value there, half a layer above the first centres
     falling = 5.0 - 0.3 * x**2 - 0.2 * y**2 - 0.1 * (z + 1.0) ** 2
-    assert _certified.below_and_at_surface(falling) == pytest.approx((0.0, 4.9), rel=1e-14)
+    assert error_controlled_quantities.below_and_at_surface(falling) == pytest.approx(
+        (0.0, 4.9), rel=1e-14
+    )
 
 
 @pytest.mark.parametrize("even", [0, 1])
@@ -36,7 +38,7 @@ def test_hertz_area_and_pressure_are_close_on_few_cells(even):
     ).pressure  # fmt: skip
     area = contact_area(pressure, grid.cell_area)
     assert area == pytest.approx(math.pi * hertz.a**2, rel=6e-3)
-    assert _certified.peak_value(pressure) == pytest.approx(hertz.p0, rel=4e-4)
+    assert error_controlled_quantities.peak_value(pressure) == pytest.approx(hertz.p0, rel=4e-4)
 
 
 def test_area_of_what_repeats_itself_knows_no_border():
@@ -49,10 +51,12 @@ def test_area_of_what_repeats_itself_knows_no_border():
 
 def test_names_are_those_of_bodies_that_have_them():
     steel = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
-    assert _certified.names((STEEL, STEEL))[4:] == ["max_von_mises_body2"]
-    assert _certified.names((STEEL, STEEL), volume=False) == list(_certified.OF_CONTACT)
-    assert len(_certified.names((steel, STEEL))) == 8
-    assert _certified.names((steel, STEEL))[4] == "max_von_mises_body1"
+    assert error_controlled_quantities.names((STEEL, STEEL))[4:] == ["max_von_mises_body2"]
+    assert error_controlled_quantities.names((STEEL, STEEL), volume=False) == list(
+        error_controlled_quantities.OF_CONTACT
+    )
+    assert len(error_controlled_quantities.names((steel, STEEL))) == 8
+    assert error_controlled_quantities.names((steel, STEEL))[4] == "max_von_mises_body1"
 
 
 @pytest.mark.parametrize("shift", [0.0, 0.3])
@@ -74,7 +78,9 @@ def test_fields_of_the_plastic_zone_hold_the_largest_of_the_grid(shift):
                 mine, other = (von_mises(f[..., :deep]) for f in (own, whole))
                 assert mine[inside] == pytest.approx(other[beside], rel=1e-8, abs=1.0)
             kind = {"stress": "max_von_mises", "residual_stress": "max_residual_von_mises"}
-            value = _certified.value(state, f"{kind.get(name, 'print_depth')}_body2")
+            value = error_controlled_quantities.value(
+                state, f"{kind.get(name, 'print_depth')}_body2"
+            )
             field = whole if whole.ndim == 2 else von_mises(whole)
             assert value > 0.999 * field.max()
 
@@ -90,6 +96,6 @@ def test_flow_at_the_surface_is_not_continued_beyond_the_yield_stress():
     )  # fmt: skip
     path = [{"load": 300.0}, {"load": 300.0, "tangential_load": (90.0, 0.0)}]
     state = simulation.run(path, progress=False)[-1]
-    strain = _certified.value(state, "max_equivalent_plastic_strain_body2")
-    found = _certified.value(state, "max_von_mises_body2")
+    strain = error_controlled_quantities.value(state, "max_equivalent_plastic_strain_body2")
+    found = error_controlled_quantities.value(state, "max_von_mises_body2")
     assert state.von_mises(2).max() <= found <= steel.yield_stress(strain) * (1 + 1e-6)

@@ -22,9 +22,9 @@ from checkpoint_scenes import (
 )
 
 import samcontact as sc
-from samcontact._seal import seal
-from samcontact.runs import tree
-from samcontact.runs.journal import describe
+from samcontact.files.checksum import seal
+from samcontact.restart import tree
+from samcontact.simulation.journal import describe
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import pytest
 
 import samcontact as sc
 from samcontact import results
-from samcontact._area import contact_area
+from samcontact.solutions.contact_area import contact_area
 
 STEEL, RIGID = sc.Material.elastic(210e9, 0.3), sc.Material.rigid()
 PERIOD, AMPLITUDE = 1e-3, 1e-6

@@ -9,7 +9,7 @@ from scipy.integrate import quad
 
 import samcontact as sc
 from samcontact import critical, hertz
-from samcontact._tensors import von_mises
+from samcontact._util.tensors import von_mises
 
 E_STAR = 111.40819964e9
 TUGGING = {"R": 0.5, "E_star": E_STAR, "nu": 0.32, "yield_stress": 0.9115e9}

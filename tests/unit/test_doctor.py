@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner
 
 import samcontact as sc
-from samcontact import doctor
+from samcontact.commands import self_check
 from samcontact.commands.main import main
 
 LINE = re.compile(r"(ok|failed) +(.+): (\S+), limit ([≤≥]) (\S+)")
@@ -45,7 +45,7 @@ def test_a_sound_installation():
 
 
 def test_versions():
-    told = dict(doctor.installation())
+    told = dict(self_check.installation())
     assert told["samcontact"] == sc.__version__
     assert told["Python"].startswith(platform.python_version())
     assert told["numpy"] == np.__version__
@@ -56,7 +56,7 @@ def test_versions():
 
 
 def test_threads_are_those_of_the_environment():
-    code = "from samcontact import doctor; print(dict(doctor.installation())['threads'])"
+    code = "from samcontact import doctor; print(dict(self_check.installation())['threads'])"
     found = subprocess.run(
         [sys.executable, "-c", code],
         env=os.environ | {"OMP_NUM_THREADS": "3"},
@@ -71,12 +71,12 @@ def test_threads_are_never_thousands():
     """They would only wait for each other, and no run would end."""
     code = """
 import os, samcontact as sc
-from samcontact import doctor
+from samcontact.commands import self_check as doctor
 grid = sc.Grid(200, 200, 1e-5, 1e-5)
 steel = sc.Material.elastic(210e9, 0.3)
 sc.ContactSolver(grid, steel, steel).solve(sc.surfaces.paraboloid(grid, 7.5e-3), load=300.0)
 print(len(os.listdir("/proc/self/task")), "OMP_THREAD_LIMIT" in os.environ)
-print(dict(doctor.installation())["threads"])
+print(dict(self_check.installation())["threads"])
 """
     most = 8 * os.cpu_count()
     environment = {k: v for k, v in os.environ.items() if not k.startswith("OMP_")}
@@ -108,8 +108,10 @@ print(dict(doctor.installation())["threads"])
 )
 def test_level_of_the_processor(flags, level, monkeypatch):
     monkeypatch.setattr(platform, "machine", lambda: "x86_64")
-    monkeypatch.setattr(doctor.Path, "read_text", lambda self: f"model\t: 1\nflags\t\t: {flags}\n")
-    assert doctor._simd() == level
+    monkeypatch.setattr(
+        self_check.Path, "read_text", lambda self: f"model\t: 1\nflags\t\t: {flags}\n"
+    )
+    assert self_check._simd() == level
 
 
 def test_an_absent_library_is_named_with_its_extra(monkeypatch):
@@ -152,7 +154,7 @@ def test_ctrl_c_ends_it_as_any_command(monkeypatch):
     def stopped():
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(doctor, "self_check", stopped)
+    monkeypatch.setattr(self_check, "self_check", stopped)
     outcome = invoke()
     assert (outcome.exit_code, outcome.stderr) == (130, "interrupted\n")
 

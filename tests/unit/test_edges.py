@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact import _edges, report, results
+from samcontact import report, results
 from samcontact.accuracy import run as accuracy_run
+from samcontact.diagnostics import sharp_edges
 
 STEEL, RIGID = sc.Material.elastic(210e9, 0.3), sc.Material.rigid()
 E_STAR = sc.hertz.effective_modulus(STEEL, STEEL)
@@ -115,11 +116,11 @@ def test_no_body_beyond_an_edge_is_an_edge():
     pressure[2] = np.where(pressure[2] > 0, 2e9, 0.0)
     for outside in (np.nan, np.inf):
         gap[~(pressure > 0)] = outside
-        found = _edges.sharp_edge(pressure, gap, (1e-5, 1e-5), 1e11)
+        found = sharp_edges.sharp_edge(pressure, gap, (1e-5, 1e-5), 1e11)
         assert found is not None
         assert found.peak[0] == 2
         assert np.array_equal(np.nonzero(found.cells.any(axis=1))[0], [2])
-    assert _edges.sharp_edge(pressure, np.zeros((9, 9)), (1e-5, 1e-5), 1e11) is None
+    assert sharp_edges.sharp_edge(pressure, np.zeros((9, 9)), (1e-5, 1e-5), 1e11) is None
 
 
 def test_errors_say_that_the_largest_pressure_does_not_converge():

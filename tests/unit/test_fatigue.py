@@ -6,14 +6,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import samcontact as sc
-from samcontact.fatigue import (
-    crossland,
-    dang_van,
-    fatemi_socie,
-    findley,
-    orthogonal_shear,
-    passing,
-)
+from samcontact.fatigue import crossland, dang_van, fatemi_socie, findley, orthogonal_shear, passing
 
 STEEL = sc.Material.elastic(210e9, 0.3)
 PHASES = 2 * np.pi * np.arange(48) / 48

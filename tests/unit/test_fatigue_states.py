@@ -111,7 +111,7 @@ def test_a_coating_has_its_own_stiffness():
 
 
 def test_digits_depend_neither_on_blocks_nor_on_the_memory(monkeypatch):
-    from samcontact import _memory
+    from samcontact._util import memory
 
     states = [(s := ball_on()).state, s.step(load=30.0), s.step(load=60.0)]
     criteria = (partial(dang_van, slope=0.3), partial(findley, k=0.3))
@@ -119,7 +119,7 @@ def test_digits_depend_neither_on_blocks_nor_on_the_memory(monkeypatch):
     seen = cycle(states)
     whole = [criterion(seen) for criterion in criteria]
     least = 2.5 * 48 * 3 * 48 * 16
-    monkeypatch.setattr(_memory, "available", lambda: 2.2 * least / 0.4)  # two layers at once
+    monkeypatch.setattr(memory, "available", lambda: 2.2 * least / 0.4)  # two layers at once
     for given in (states, seen):  # the second has its stress already
         parts = [criterion(given) for criterion in criteria]
         for one, other in zip(whole, parts, strict=True):

@@ -12,8 +12,8 @@ import xarray as xr
 
 import samcontact as sc
 from samcontact import dents, measured, paths, report, results
-from samcontact._atomic import replacing, replacing_hdf5, undisturbed
-from samcontact._seal import check_seal, seal
+from samcontact.files.atomic import replacing, replacing_hdf5, undisturbed
+from samcontact.files.checksum import check_seal, seal
 
 GRID = sc.Grid(8, 8, 1e-5, 1e-5)
 

@@ -18,12 +18,12 @@ import samcontact as sc
 from case_texts import MINIMAL, SCAR
 from command import check_failure, invoke
 from samcontact import plotting, report, results, wear
-from samcontact._atomic import replacing
-from samcontact._owned import RECORD, recording
 from samcontact.commands.folder import publish
+from samcontact.files.atomic import replacing
+from samcontact.files.ownership import RECORD, recording
+from samcontact.restart.checkpoint_files import remove_checkpoints
+from samcontact.restart.lock import LOCK
 from samcontact.results.trial import try_to_read
-from samcontact.runs.kept import remove_checkpoints
-from samcontact.runs.lock import LOCK
 
 GRID = sc.Grid(8, 8, 1e-5, 1e-5)
 ELASTIC = sc.Material.elastic(210e9, 0.3)
@@ -264,7 +264,7 @@ def test_what_others_have_put_among_checkpoints_stays(tmp_path):
 
 KILLED = """
 import os, signal, sys
-from samcontact._atomic import replacing
+from samcontact.files.atomic import replacing
 with replacing(sys.argv[1]) as part:
     part.write_bytes(b"half of it")
     print(part, flush=True)
@@ -374,7 +374,7 @@ class TestUnsealed:
         with pytest.raises(ValueError, match=f"{name} .*another file.* is not followed"):
             results.open_results(edited)
         with h5py.File(edited, "r") as file, pytest.raises(ValueError, match="another file"):
-            sc.runs.file.require_self_contained(file)
+            sc.restart.file.require_self_contained(file)
 
 
 def test_an_unsealed_checkpoint_is_refused_without_being_opened(tmp_path, monkeypatch):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact._frozen import FrozenDict
+from samcontact._util.frozen import FrozenDict
 
 GRID = sc.Grid(12, 10, 5e-6, 5e-6, nz=4, dz=5e-6)
 HEIGHTS = 1e-7 * np.random.default_rng(2).standard_normal((12, 10))

@@ -22,8 +22,8 @@ from rough_scenes import (
     zone_counts,
 )
 from samcontact import energy
-from samcontact._certified import value as certified_value
-from samcontact._tensors import von_mises
+from samcontact._util.tensors import von_mises
+from samcontact.simulation.error_controlled_quantities import value as certified_value
 
 E, NU, Y = 210e9, 0.3, 1e9
 ELASTIC = sc.Material.elastic(E, NU)

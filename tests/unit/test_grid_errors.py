@@ -10,9 +10,10 @@ import pytest
 import samcontact as sc
 from case_texts import MINIMAL, SWIFT
 from command import fields, invoke
-from samcontact import half_resolution, report, results
+from samcontact import report, results
 from samcontact.cases import parse_case
-from samcontact.relief import heights_over
+from samcontact.scene.moving_topography import heights_over
+from samcontact.simulation import coarsening
 
 STEEL = sc.Material.elastic(210e9, 0.3)
 R, LOAD = 7.5e-3, 1500.0
@@ -62,10 +63,10 @@ def test_heights_of_one_grid_give_the_errors_of_a_function(odd):
 @pytest.mark.parametrize(("n", "first", "periodic"), [(8, 1, False), (7, -4, False), (9, 3, True)])
 def test_a_relief_is_averaged_where_it_lies(n, first, periodic):
     fine = sc.Grid(n, 5, 1e-6, 1e-6)
-    grid = half_resolution.coarser_grid(fine)
+    grid = coarsening.coarser_grid(fine)
     heights = np.random.default_rng(3).normal(size=(6, 5))
     relief = sc.Relief(heights, first, periodic)
-    coarse = half_resolution._relief(relief, fine, grid)
+    coarse = coarsening._relief(relief, fine, grid)
     quarters = np.repeat(heights_over(relief, -24, n + 48), 2, 0)  # halves of cells, around
     middle = 24 * 2 + n
     for row in range(-4, grid.nx + 4):
@@ -81,7 +82,7 @@ def test_increments_that_move_by_a_cell_become_one_of_two():
     fine = sc.Grid(9, 9, 1e-6, 1e-6)
     roll = {"load": 1.0, "advance": (1e-6, 1e-6)}
     path = [{"load": 1.0}, roll, roll, roll, {"load": 0.0}]
-    steps, which = half_resolution.coarser_path(path, fine)
+    steps, which = coarsening.coarser_path(path, fine)
     assert [step.get("advance") for step in steps] == [None, (2e-6, 2e-6), (1e-6, 1e-6), None]
     assert which == [0, 1, 1, 2, 3]
 
@@ -92,9 +93,9 @@ def test_slope_beyond_is_that_of_short_waves():
     # slopes are as heights over lengths
     share = (0.2 / 3) ** 2 / ((0.2 / 3) ** 2 + (1 / 16) ** 2)
     smooth = 0.01 * (x[:, None] ** 2 + x[None, :] ** 2)
-    found = half_resolution.slope_beyond(waves + smooth, 1.0, 1.0)
+    found = coarsening.slope_beyond(waves + smooth, 1.0, 1.0)
     assert found == pytest.approx(share, rel=1e-2)
-    assert math.isnan(half_resolution.slope_beyond(smooth, 1.0, 1.0))
+    assert math.isnan(coarsening.slope_beyond(smooth, 1.0, 1.0))
 
 
 def run(folder, text):
@@ -137,7 +138,7 @@ def test_layers_that_yield_end_between_the_coarser_cells_too(ends, deeper):
     body = sc.Layered([(soft, thickness) for thickness in thicknesses], soft)
     grid = sc.Grid(28, 28, 25e-6, 25e-6, dz=dz)
     run = sc.Simulation(grid, STEEL, body, sc.surfaces.paraboloid(grid, R))
-    assert half_resolution.coarser(run, run.heat).grid.dz == pytest.approx(deeper * dz)
+    assert coarsening.coarser(run, run.heat).grid.dz == pytest.approx(deeper * dz)
     path = [{"load": 250.0}]
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")

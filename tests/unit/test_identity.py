@@ -13,8 +13,8 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 import samcontact as sc
-from samcontact.runs.dependencies import UnidentifiedError
-from samcontact.runs.identity import canonical, differences, digest, identity, require_identified
+from samcontact.restart.dependencies import UnidentifiedError
+from samcontact.restart.identity import canonical, differences, digest, identity, require_identified
 
 STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 
@@ -63,7 +63,9 @@ def test_what_differs_is_named():
 
 def test_in_another_process():
     code = "import sys; sys.path.insert(0, sys.argv[1]); from checkpoint_scenes import halved"
-    code += "; from samcontact.runs.identity import canonical; print(canonical([halved, {'a': 1}]))"
+    code += (
+        "; from samcontact.restart.identity import canonical; print(canonical([halved, {'a': 1}]))"
+    )
     from checkpoint_scenes import halved
 
     folder = halved.__code__.co_filename.rpartition("/")[0]
@@ -265,7 +267,7 @@ def test_checkpoints_of_another_version_are_refused(tmp_path, monkeypatch):
     def run():
         return scene.run([{"approach": -1.0}], progress=False, checkpoint=tmp_path)
 
-    from samcontact.runs import file
+    from samcontact.restart import file
 
     with monkeypatch.context() as older:
         older.setattr(file._core, "version", "0.0.9")

@@ -19,9 +19,10 @@ from benchmarks.increment_errors import (
     pressed,
 )  # fmt: skip
 from command import fields, invoke
-from samcontact import increment_errors, report
-from samcontact._increments import doubled, halved
+from samcontact import report
 from samcontact.report.tables import errors_table
+from samcontact.simulation import increment_errors
+from samcontact.simulation.increment_paths import doubled, halved
 
 
 def silent(sim):

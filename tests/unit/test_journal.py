@@ -8,7 +8,7 @@ import pytest
 from checkpoint_scenes import GAP, GRID, LOAD, MATERIALS, assert_same, simulation
 
 import samcontact as sc
-from samcontact.runs.journal import Journal, describe
+from samcontact.simulation.journal import Journal, describe
 
 PATH = [{"load": part * LOAD} for part in (0.4, 0.7, 1.0, 0.5)]
 

@@ -10,7 +10,8 @@ import pytest
 import samcontact as sc
 from case_texts import MINIMAL, MOVING
 from command import invoke
-from samcontact import _core, _kept, _memory
+from samcontact import _core
+from samcontact._util import field_cache, memory
 from samcontact.cases import load_case
 
 STRESSES = ("stress", "residual_stress", "residual_stress_in")
@@ -79,30 +80,30 @@ def test_invariants_are_those_of_the_stress(states):
 
 def test_they_go_with_their_state(states):
     states[0].stress(2)
-    kept = len(_kept._fields)
+    kept = len(field_cache._fields)
     del states[0]
     gc.collect()
-    assert len(_kept._fields) == kept - 1
+    assert len(field_cache._fields) == kept - 1
 
 
 def test_the_oldest_go_first(states, monkeypatch):
     first, last = states[0], states[-1]
     size = first.stress(2).nbytes
-    monkeypatch.setattr(_kept, "MOST", 1.5 * size)
+    monkeypatch.setattr(field_cache, "MOST", 1.5 * size)
     stress = last.stress(2)
     assert last.stress(2) is stress
-    held = [field for mine in _kept._fields.values() for field in mine.values()]
+    held = [field for mine in field_cache._fields.values() for field in mine.values()]
     assert any(field is stress for field in held)
-    assert sum(field.nbytes for field in held) <= _kept.MOST
-    monkeypatch.setattr(_kept, "MOST", 0.0)
+    assert sum(field.nbytes for field in held) <= field_cache.MOST
+    monkeypatch.setattr(field_cache, "MOST", 0.0)
     assert first.stress(2) is not first.stress(2)
 
 
 def test_they_go_where_memory_is_short(states, monkeypatch):
     stress = states[0].stress(2)
     answers = iter([1e8, 1e10])
-    monkeypatch.setattr(_memory, "available", lambda: next(answers))
-    _memory.require("something", 1e9)
+    monkeypatch.setattr(memory, "available", lambda: next(answers))
+    memory.require("something", 1e9)
     monkeypatch.undo()
     assert states[0].stress(2) is not stress
 

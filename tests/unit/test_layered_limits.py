@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact._tensors import von_mises
+from samcontact._util.tensors import von_mises
 
 RIGID = sc.Material.rigid()
 STEEL = sc.Material.elastic(210e9, 0.3)

@@ -9,7 +9,7 @@ import warnings
 import pytest
 
 import samcontact as sc
-from samcontact import _load_core
+from samcontact._util import load_core
 
 SOLVE = """
 import hashlib, os
@@ -59,15 +59,15 @@ def test_what_openmp_cannot_use_does_no_harm():
 @pytest.mark.parametrize("given", ["0", "abc", "2,x", "1" * 400 + "x", "1.5"])
 def test_a_wrong_number_of_threads_is_named(given):
     with pytest.warns(RuntimeWarning, match="OMP_NUM_THREADS") as told:
-        assert _load_core._number_of_threads(given) is None
+        assert load_core._number_of_threads(given) is None
     assert len(str(told[0].message)) < 200
 
 
 def test_settings_that_are_right_stay():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert _load_core._number_of_threads("2,1") == "2,1"
-        assert _load_core._number_of_threads(" ") is None
-    assert [_load_core._stack(given) for given in ("2m", "4096", "1G")] == ["2m", "4096", "1G"]
-    assert [_load_core._stack(given) for given in ("16k", "1b", "1023")] == ["1M", "1M", "1M"]
+        assert load_core._number_of_threads("2,1") == "2,1"
+        assert load_core._number_of_threads(" ") is None
+    assert [load_core._stack(given) for given in ("2m", "4096", "1G")] == ["2m", "4096", "1G"]
+    assert [load_core._stack(given) for given in ("16k", "1b", "1023")] == ["1M", "1M", "1M"]
     assert sc.__version__

@@ -13,8 +13,9 @@ from case_texts import MINIMAL, SCAR, TUGGING, WEAR
 from command import check_failure, fields, invoke, pressed
 from samcontact import plotting, report, results
 from samcontact.commands import interrupted, solve_contact
-from samcontact.runs import journal, kept, lock
-from samcontact.runs.lock import LOCK, locked
+from samcontact.restart import checkpoint_files, lock
+from samcontact.restart.lock import LOCK, locked
+from samcontact.simulation import journal
 
 OPTIONS = ("--no-figures", "--quiet")
 
@@ -61,7 +62,7 @@ PLACES = {
     "in the table": (solve_contact, "_summary", pressed),
     "in the figures": (plotting, "summary_figures", pressed),
     "before forgetting": (interrupted.Checkpoints, "forget", pressed),
-    "while forgetting": (kept, "_files", pressed),
+    "while forgetting": (checkpoint_files, "_files", pressed),
 }
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact._laws import LAWS
+from samcontact.bodies.hardening_laws import LAWS
 
 E, NU = 210e9, 0.3
 # sigma_y [MPa] at 0, 20 and 2000 microstrain, from the law evaluated by hand; Boucly (2008) prints

@@ -59,7 +59,7 @@ def test_animation_of_what_does_not_move(case_file, tmp_path):
 KILLED = """
 import os, signal, sys
 from samcontact import Simulation
-from samcontact.runs import file
+from samcontact.restart import file
 from samcontact.commands.main import main
 write, count = file.write_tree, 0
 def counted(opened, tree):

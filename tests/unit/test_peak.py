@@ -7,7 +7,7 @@ from core_fakes import ELASTIC, SWIFT
 
 import samcontact as sc
 from samcontact import report, results
-from samcontact._peak import peak, peak_of_dataset
+from samcontact.solutions.peak import peak, peak_of_dataset
 
 NONE = [np.nan] * 4
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact._plastic_patterns import alternation
+from samcontact.diagnostics.plastic_patterns import alternation
 
 RIGID = sc.Material.rigid()
 

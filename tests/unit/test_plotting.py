@@ -13,7 +13,7 @@ from matplotlib.contour import QuadContourSet
 from matplotlib.figure import Figure
 
 from samcontact import ContactSolver, Grid, Simulation, hertz, plotting, surfaces
-from samcontact._tensors import von_mises
+from samcontact._util.tensors import von_mises
 from samcontact.plotting.parts import new_figure, save
 from samcontact.results import to_dataset
 

@@ -9,7 +9,7 @@ import pytest
 from core_fakes import ELASTIC
 
 import samcontact as sc
-from samcontact._progress import LINES, progress_bar
+from samcontact._util.progress import LINES, progress_bar
 
 
 class Terminal(io.StringIO):

@@ -12,7 +12,7 @@ import pytest
 import xarray as xr
 
 import samcontact as sc
-from samcontact._repr import quantity
+from samcontact._util.display import quantity
 
 pytestmark = pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)

@@ -14,7 +14,7 @@ import pytest
 
 import samcontact as sc
 from samcontact import accuracy, results
-from samcontact._repr import LONGEST, UNITS, html_table, in_short, quantity
+from samcontact._util.display import LONGEST, UNITS, html_table, in_short, quantity
 from samcontact.cases import parse_case
 
 E_STAR = 115384615384.6154
@@ -266,7 +266,7 @@ def public_objects():
         accuracy.Refinable(sc.to_accuracy(balls, 0.5).case),
         sc.Layered([(BALL, 1e-6 / 3)] * 3, BALL),
         grid, steel, relief, heat, simulation, state, state.track(), solver, collision, cycle, load,
-        sc.increment_errors.IncrementErrors({"pressure": 0.1}, {}, "half as many"),
+        sc.IncrementErrors({"pressure": 0.1}, {}, "half as many"),
         *bent.state.zones(2), sc.estimate_errors(simulation, [{"load": 10.0}], [state]),
         sc.FoundLoad("max_pressure", 1.0 / 3, 1e-3, 1e9 / 3, 1e6 / 3, [state] * 100),
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),

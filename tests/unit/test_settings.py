@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 import samcontact as sc
-from samcontact._settings import ContactSettings, Range, Settings, Words, allowed
 from samcontact.cases import Case, TuggingCase
+from samcontact.scene.settings import ContactSettings, Range, Settings, Words, allowed
 
 DOCS = Path(__file__).parents[2] / "docs"
 NUMBERS = [

@@ -9,7 +9,7 @@ import pytest
 
 import samcontact as sc
 from samcontact import shakedown
-from samcontact._tensors import von_mises
+from samcontact._util.tensors import von_mises
 from samcontact.shakedown.jumps import Trend
 
 E, NU, K, WIDTH = 210e9, 0.3, 50e6, 1e-4

@@ -10,7 +10,7 @@ from samcontact import plotting, shakedown
 
 @pytest.mark.parametrize(("contact", "curves"), [("line", 4), ("point", 3)])
 def test_map_of_limits(contact, curves, monkeypatch):
-    monkeypatch.setattr("samcontact.plotting.shaking_down._FRICTION", np.array([0.0, 0.3, 0.5]))
+    monkeypatch.setattr("samcontact.plotting.shakedown._FRICTION", np.array([0.0, 0.3, 0.5]))
     ax = plotting.shakedown_map(contact=contact)
     drawn = {line.get_label(): line for line in ax.lines if line.get_label()[0] != "_"}
     assert len(drawn) == curves

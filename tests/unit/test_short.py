@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from samcontact import Grid, Heat, Material
-from samcontact._checks import choice, real_array
-from samcontact._short import LONGEST, in_short
+from samcontact._util.checks import choice, real_array
+from samcontact._util.short_text import LONGEST, in_short
 
 
 class Broken:

@@ -10,12 +10,13 @@ import pytest
 from case_texts import MINIMAL, TUGGING, WEAR
 from command import invoke
 from samcontact import results
-from samcontact._starting import is_command
+from samcontact._util.silent_interrupt import is_command
 
 # The command, which gets a signal when it is about to make an increment for the n-th time.
 COMMAND = """
 import os, signal, sys
-from samcontact import Simulation, increment_errors
+from samcontact import Simulation
+from samcontact.simulation import increment_errors
 from samcontact.commands.main import main
 step, left = Simulation.step, int(sys.argv[1])
 increment_errors.estimated = lambda *_, **__: None  # whose steps are those of no path
@@ -74,7 +75,7 @@ def test_what_a_batch_system_or_a_closed_terminal_sends(tmp_path, kind):
 
 AGAIN = """
 import os, signal
-from samcontact.runs import file
+from samcontact.restart import file
 write = file.write_tree
 def pressed(*arguments):  # again while it keeps what it has
     os.kill(os.getpid(), signal.SIGINT)

@@ -10,13 +10,14 @@ from rich.console import Console
 
 import samcontact as sc
 from case_texts import BODIES, GRID
-from samcontact import half_resolution, paths
+from samcontact import paths
 from samcontact.accuracy.scene import require_refinable
 from samcontact.cases import CaseError, load_case, parse_case
 from samcontact.commands.folder import is_own
 from samcontact.commands.solve_contact import solve_contact
 from samcontact.results import open_results
 from samcontact.results.slipping import moved_along, without_rounding
+from samcontact.simulation import coarsening
 
 CASES = Path(__file__).parents[2] / "cases"
 LAW = "friction = {coulomb = 0.3}"
@@ -124,7 +125,7 @@ def test_cells_twice_as_large_take_twice_the_motion():
     grid = sc.Grid(8, 8, 1e-5, 1e-5)
     step = {"load": 1.0, "advance": (1.001e-5, 1e-5), "shift": (None, 2e-8), "twist": 1e-6}
     step["tangential_load"] = (0.1, None)
-    halved, which = half_resolution.coarser_path([step] * 4, grid)
+    halved, which = coarsening.coarser_path([step] * 4, grid)
     assert which == [0, 0, 1, 1]
     assert halved[0] == step | {
         "advance": (2.002e-5, 2e-5), "shift": (None, 4e-8), "twist": 2e-6

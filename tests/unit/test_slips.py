@@ -10,9 +10,9 @@ import pytest
 import samcontact as sc
 from command import invoke
 from samcontact import report, results
-from samcontact._doubts import doubts_of
-from samcontact._heating import COLD
 from samcontact.cases import parse_case
+from samcontact.diagnostics.plausibility import doubts_of
+from samcontact.scene.heating import COLD
 
 ELASTIC = sc.Material.elastic(210e9, 0.3)
 

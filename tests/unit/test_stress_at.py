@@ -64,7 +64,7 @@ def test_blocks_do_not_matter(monkeypatch):
     found = solver.solve(gap, load=50.0)
     x = np.linspace(-2, 2, 13) * grid.dx
     expected = solver.stress_at(found, x, 0.0, grid.dx)
-    monkeypatch.setattr("samcontact._points._BLOCK", 17)
+    monkeypatch.setattr("samcontact.solutions.stress_at_points._BLOCK", 17)
     again = solver.stress_at(found, x, 0.0, grid.dx)
     np.testing.assert_allclose(again, expected, rtol=0, atol=1e-14 * found.pressure.max())
 
@@ -134,7 +134,7 @@ def hardened():
 
 
 def test_a_body_without_a_yield_stress_is_not_looked_at(monkeypatch):
-    monkeypatch.setattr("samcontact._yielding.main_spot", None)  # would be an error
+    monkeypatch.setattr("samcontact.diagnostics.yield_check.main_spot", None)  # would be an error
     grid, gap = ball(ONSET.load)
     for body in (STEEL, sc.Material.perfect_plastic(210e9, 0.3, 9e9)):
         assert sc.ContactSolver(grid, STEEL, body).solve(gap, load=ONSET.load).converged

@@ -15,7 +15,7 @@ from click.testing import CliRunner
 
 import samcontact as sc
 from command import check_failure, invoke
-from samcontact._short import escaped
+from samcontact._util.short_text import escaped
 from samcontact.cases import Case, CaseError, load_case, parse_case
 from samcontact.cases.errors import nearest
 from samcontact.commands.main import main

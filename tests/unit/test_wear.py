@@ -55,7 +55,7 @@ def test_its_elastic_estimate_warns_of_no_yield():
 
 def test_surfaces_may_be_functions_of_the_grid():
     """As in a simulation; not of another grid than the one that is given."""
-    relief = sc.relief.Relief(1e-8 * np.cos(np.arange(29.0 * 27)).reshape(29, 27))
+    relief = sc.Relief(1e-8 * np.cos(np.arange(29.0 * 27)).reshape(29, 27))
     fixed = wearing(cycles=1, relief1=relief)
     made = wearing(
         cycles=1, gap=lambda grid: sc.surfaces.paraboloid(grid, 4e-4), relief1=lambda _: relief

@@ -14,7 +14,7 @@ import samcontact as sc
 from case_texts import MINIMAL
 from command import check_failure, invoke
 from samcontact import results, surfaces
-from samcontact._seal import seal
+from samcontact.files.checksum import seal
 
 CELL, RADIUS, LOAD = 20e-6, 5e-3, 300.0
 STEEL = sc.Material.elastic(210e9, 0.3)

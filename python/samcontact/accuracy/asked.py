@@ -9,9 +9,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .. import _memory
-from .._checks import boolean, positive
-from .._short import in_short
+from .._util import memory
+from .._util.checks import boolean, positive
+from .._util.short_text import in_short
 from .outcome import Accurate
 from .run import OF_INCREMENTS, Search
 from .scene import Refinable
@@ -103,11 +103,11 @@ def searched(
     asked = _asked(scene, known, accuracy, quantities)
     scene.accept(min(asked.values()))
     scene.names = [name for name in scene.names if name in asked or name in OF_INCREMENTS]
-    memory = known.max_memory if max_memory is None else positive("max_memory", max_memory)
+    most = known.max_memory if max_memory is None else positive("max_memory", max_memory)
     limit = known.max_time if max_time is None else positive("max_time", max_time)
-    if memory is None:
-        memory = _memory.available() or math.inf
-    return Search(scene, asked, memory, HOUR if limit is None else limit, progress)
+    if most is None:
+        most = memory.available() or math.inf
+    return Search(scene, asked, most, HOUR if limit is None else limit, progress)
 
 
 def _asked(

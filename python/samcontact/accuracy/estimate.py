@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray
+from .._util.checks import FloatArray
 
 RATIO = 2.0**0.5
 """Of cells from one grid to the next."""

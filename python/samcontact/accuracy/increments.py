@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .._checks import FloatArray
+from .._util.checks import FloatArray
 from .estimate import by_grid, irregular, of_doublings
 from .scene import Run
 

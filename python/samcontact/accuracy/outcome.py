@@ -8,21 +8,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._checks import FloatArray
-from .._quantities import described
-from .._repr import Rows, Shown, counts, percent, quantity
+from .._util.checks import FloatArray
+from .._util.display import Rows, Shown, counts, percent, quantity
+from .._util.quantities import described
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..cases import Case
-    from ..grid import Grid
-    from ..simulation import Simulation
-    from ..state import State
-
-
-class AccuracyWarning(UserWarning):
-    """An accuracy that was asked for is not reached."""
+    from ..scene.grid import Grid
+    from ..simulation.simulation import Simulation
+    from ..solutions.state import State
 
 
 @dataclass(frozen=True, eq=False)

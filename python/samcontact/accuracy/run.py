@@ -9,15 +9,16 @@ import warnings
 
 import numpy as np
 
-from .._checks import FloatArray
-from .._edges import SingularPressureWarning, is_singular
-from .._progress import tell
-from .._repr import counts, percent
-from ..runs.solves import Solves
+from .._util.checks import FloatArray
+from .._util.display import counts, percent
+from .._util.errors import AccuracyWarning, SingularPressureWarning
+from .._util.progress import tell
+from ..diagnostics.sharp_edges import is_singular
 from .estimate import MIXED_AREA, RATIO, Estimate, joined, of_grids
 from .increments import COARSEST, Correction, correction, tried
-from .outcome import AccuracyWarning, Accurate, largest
+from .outcome import Accurate, largest
 from .scene import Refinable, Run, Solved, marks_of
+from .solves import Solves
 
 _logger = logging.getLogger("samcontact")
 

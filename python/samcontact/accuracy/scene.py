@@ -13,19 +13,21 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from .. import _certified, _memory, hertz
-from .._cached_property import cached_property
-from .._checks import FloatArray
-from ..layered import Layered, softest
-from ..runs.identity import Identity, identity
-from ..runs.solves import Solves
-from ..zone import strained_extent
+from .. import hertz
+from .._util import memory
+from .._util.cached_property import cached_property
+from .._util.checks import FloatArray
+from ..bodies.layered import Layered, softest
+from ..restart.identity import Identity, identity
+from ..simulation import error_controlled_quantities
+from ..solutions.zone import strained_extent
 from .estimate import RATIO
+from .solves import Solves
 
 if TYPE_CHECKING:
     from ..cases import Case
-    from ..simulation import Simulation
-    from ..state import State
+    from ..simulation.simulation import Simulation
+    from ..solutions.state import State
 
 COARSEST = math.sqrt(32.0)
 """Cells along a semi-axis of the Hertz contact on the first grid; each next has sqrt(2) more."""
@@ -95,8 +97,8 @@ class Solved(NamedTuple):
         grid = self.simulation.grid
         layers = max((len(state.depths) for state in self.states[-1:]), default=0)
         plastic = float(self.simulation.counters["volume_bytes"])
-        fields = _memory.volume(grid, _memory.VOLUME_FIELD, layers)
-        return _memory.surface(grid, _memory.CONTACT + _memory.SIMULATION) + plastic + fields
+        fields = memory.volume(grid, memory.VOLUME_FIELD, layers)
+        return memory.surface(grid, memory.CONTACT + memory.SIMULATION) + plastic + fields
 
 
 @dataclass(eq=False)
@@ -139,7 +141,9 @@ class Refinable:
         layered = any(isinstance(body, Layered) for body in self.bodies)
         self.elastic_layers = layered and not self.yields
         """Of which stress is none of the values: cells lie on both sides of interfaces."""
-        names = _certified.names(self.bodies, case.output.body, volume=not self.elastic_layers)
+        names = error_controlled_quantities.names(
+            self.bodies, case.output.body, volume=not self.elastic_layers
+        )
         self.names = [name for name in names if name not in given]
         contact: Any = case.contact
         self.tol = float(contact.tol)
@@ -158,7 +162,7 @@ class Refinable:
     @property
     def parts(self) -> list[int]:
         """How many values of a run belong to each quantity, the largest of which it is."""
-        return [_certified.has_parts(name, self.bodies) for name in self.names]
+        return [error_controlled_quantities.has_parts(name, self.bodies) for name in self.names]
 
     @cached_property
     def semi_axes(self) -> tuple[float, float]:
@@ -290,7 +294,9 @@ class Refinable:
         solved = self.solve(level, increments, solves, progress=progress)
         values = []
         for mark in marks_of(solved.case):
-            found = [_certified.parts(solved.states[mark], name) for name in self.names]
+            found = [
+                error_controlled_quantities.parts(solved.states[mark], name) for name in self.names
+            ]
             values.append([part for parts in found for part in parts])
         given: dict[str, Any] = {
             "cells": solved.simulation.grid.surface_shape,

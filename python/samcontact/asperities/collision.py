@@ -6,8 +6,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from .._checks import finite, integer, positive
-from ..grid import Grid
+from .._util.checks import finite, integer, positive
+from ..scene.grid import Grid
 
 
 @dataclass(frozen=True)

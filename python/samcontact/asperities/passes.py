@@ -9,15 +9,16 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from .. import energy, resolution
-from .._checks import FloatArray
-from ..runs.journal import Journal
-from ..simulation import Simulation
+from .. import energy
+from .._util.checks import FloatArray
+from ..diagnostics import resolution
+from ..simulation.journal import Journal
+from ..simulation.simulation import Simulation
 from .collision import Collision
 from .series import Row
 
 if TYPE_CHECKING:
-    from ..material import Material
+    from ..bodies.material import Material
 
 _ROUNDING = 1e-9
 """Relative: what is less does not count as a step, or as an approach."""

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._checks import FloatArray
-from .._quantities import TUGGING
+from .._util.checks import FloatArray
+from .._util.quantities import TUGGING
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -7,17 +7,18 @@ import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from .. import resolution, surfaces
-from .._checks import boolean, integer, require_type
-from .._progress import progress_bar
-from .._repr import Brief
-from ..grid import Grid
-from ..layered import require_homogeneous
-from ..material import Material
-from ..relief import Relief
-from ..runs.journal import journal_of
-from ..simulation import Simulation
-from ..state import State
+from .. import surfaces
+from .._util.checks import boolean, integer, require_type
+from .._util.display import Brief
+from .._util.progress import progress_bar
+from ..bodies.layered import require_homogeneous
+from ..bodies.material import Material
+from ..diagnostics import resolution
+from ..scene.grid import Grid
+from ..scene.moving_topography import Relief
+from ..simulation.journal import journal_of
+from ..simulation.simulation import Simulation
+from ..solutions.state import State
 from .collision import Collision
 from .passes import Passes, whole_steps
 from .series import Row, to_dataset

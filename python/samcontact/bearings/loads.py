@@ -6,8 +6,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from .._checks import finite, integer, non_negative, positive
-from .._scipy import scipy
+from .._util.checks import finite, integer, non_negative, positive
+from .._util.lazy_scipy import scipy
 from .races import angle_of
 
 POINT = 1.5  # load ~ approach^n of point contacts

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from .._checks import choice, finite, positive
+from .._util.checks import choice, finite, positive
 
 
 @dataclass(frozen=True)

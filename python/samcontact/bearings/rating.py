@@ -7,8 +7,8 @@ import math
 from collections.abc import Sequence
 
 from .. import hertz
-from .._checks import integer, non_negative, positive, require_type
-from .._short import in_short
+from .._util.checks import integer, non_negative, positive, require_type
+from .._util.short_text import in_short
 from .loads import stribeck_load
 from .races import RaceContact
 

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel, Discriminator, Tag
 from pydantic.fields import FieldInfo
 
-from .._checks import MOST_COUNT
+from .._util.checks import MOST_COUNT
 
 # The marks are for the conversion, these for the reader.
 _WRITTEN = {"m**2/s": "m²/s", "W/(m*K)": "W/(m K)", "N*m": "N m"}

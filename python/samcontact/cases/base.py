@@ -20,12 +20,12 @@ from pydantic import (
 )
 
 from .. import measured
-from .._checks import MOST_COUNT, MOST_NUMBER, FloatArray
-from .._short import escaped, in_short
-from ..grid import Grid
+from .._util.checks import MOST_COUNT, MOST_NUMBER, FloatArray
+from .._util.short_text import escaped, in_short
 from ..measured.files import has_columns
 from ..measured.plain import is_plain, plain_heights
 from ..measured.plausible import warn_of_size
+from ..scene.grid import Grid
 from ..units import from_text
 from .errors import explained
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sections of a case file for the bodies: one model for each law of `samcontact._laws`."""
+"""Sections of a case file for the bodies: one model for each hardening law."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, create_model, model_validator
 
-from .._laws import LAWS, Constant, Law
+from ..bodies.hardening_laws import LAWS, Constant, Law
 from .base import Finite, NonNegative, Positive, Section, in_unit
 
 if TYPE_CHECKING:
-    from ..layered import Body
-    from ..material import Material
+    from ..bodies.layered import Body
+    from ..bodies.material import Material
 
 
 class KinematicHardening(Section):
@@ -94,7 +94,7 @@ class _Solid(Section):
 
     @property
     def material(self) -> Material:
-        from ..material import Material
+        from ..bodies.material import Material
         from ..softening import JohnsonCook
 
         parameters = self.model_dump(exclude={"layers", "thickness"})
@@ -215,7 +215,7 @@ class _Body(_Solid):
 
     def build(self) -> Body:
         """The material, below its layers."""
-        from ..layered import Layered
+        from ..bodies.layered import Layered
 
         layers = tuple((part.material, part.thickness) for part in self.coating)
         return Layered(layers, self.material) if layers else self.material

@@ -12,14 +12,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
-from .. import _memory, paths
 from .. import hertz as _hertz
-from .._checks import file_path
-from .._heating import COLD, heating
-from .._short import in_short
-from ..layered import softest
+from .. import paths
+from .._util import memory
+from .._util.checks import file_path
+from .._util.short_text import in_short
+from ..bodies.layered import softest
+from ..scene.heating import COLD, heating
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
+from .cross_checks import require_all_used
 from .fatigue import FatigueSection
 from .motion import ReliefSection, Segment
 from .sections import (
@@ -34,7 +36,6 @@ from .sections import (
 from .shakedown import ShakedownSection
 from .slipping import Reached, require_held
 from .tugging import TuggingCase
-from .used import require_all_used
 from .wear import WearSection
 
 if sys.version_info >= (3, 11):
@@ -43,8 +44,8 @@ else:
     import tomli as tomllib
 
 if TYPE_CHECKING:
-    from ..grid import Grid
-    from ..simulation import Simulation
+    from ..scene.grid import Grid
+    from ..simulation.simulation import Simulation
 
 
 MOST_CHARACTERS = 100_000_000
@@ -226,8 +227,8 @@ class Case(CaseFile):
         CaseError
             A section that cannot be realised, e.g. a surface file of the wrong shape.
         """
-        from ..relief import relief_rows
-        from ..simulation import Simulation
+        from ..scene.moving_topography import relief_rows
+        from ..simulation.simulation import Simulation
 
         section = "grid"
         try:
@@ -235,8 +236,8 @@ class Case(CaseFile):
                 raise ValueError("is chosen by samcontact.to_accuracy, or give it")
             grid = self.grid.build()
             # before the surface, which takes a part of it
-            needed = _memory.surface(grid, _memory.CONTACT + _memory.SIMULATION)
-            _memory.require_for_grid("a simulation", grid, needed)
+            needed = memory.surface(grid, memory.CONTACT + memory.SIMULATION)
+            memory.require_for_grid("a simulation", grid, needed)
             section = "body1"
             body1 = self.body1.build()
             section = "body2"

@@ -11,17 +11,8 @@ from typing import Any, NamedTuple, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
-from .._short import in_short
-from .allowed import (
-    described,
-    discriminated,
-    is_model,
-    members,
-    models_in,
-    opened,
-    tags,
-    unit_of,
-)
+from .._util.short_text import in_short
+from .allowed import described, discriminated, is_model, members, models_in, opened, tags, unit_of
 
 MOST_LINES = 20
 """Of the problems of one case."""

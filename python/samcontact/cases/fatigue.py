@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from ..fatigue import Cycle, FatigueField, cycle, passing
 from ..fatigue import criteria as _criteria
-from ..state import State
+from ..solutions.state import State
 from .base import Finite, Positive, Section, in_unit
 
 Slope = Annotated[Finite, Field(ge=0.0, le=10.0)]

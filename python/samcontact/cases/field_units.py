@@ -8,7 +8,7 @@ from functools import cache
 
 from pydantic import BaseModel
 
-from .._laws import LAWS
+from ..bodies.hardening_laws import LAWS
 from .allowed import models_in, unit_of
 from .case import Case
 from .tugging import TuggingCase

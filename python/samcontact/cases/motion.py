@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 
 from .. import dents, paths
 from ..paths.ramps import fractions
-from ..relief import Relief
+from ..scene.moving_topography import Relief
 from .base import (
     BodyNumber,
     Count,
@@ -31,7 +31,7 @@ from .sections import SelfAffineRoughness
 from .slipping import ALONG, Along, Force, Fretting, Reached
 
 if TYPE_CHECKING:
-    from ..grid import Grid
+    from ..scene.grid import Grid
 
 
 class _Passes(Section):

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Discriminator, Field, Tag, create_model, model_validator
 
 from .. import surfaces
-from .._checks import FloatArray
-from .._settings import Allowed, Counted, Friction, Settings, Words
-from .._settings import allowed as allowed_of
-from ..friction import Coulomb
+from .._util.checks import FloatArray
 from ..heat import Heat
+from ..scene.friction import Coulomb
+from ..scene.settings import Allowed, Counted, Friction, Settings, Words
+from ..scene.settings import allowed as allowed_of
 from .base import (
     BodyNumber,
     Count,
@@ -32,7 +32,7 @@ from .base import (
 )
 
 if TYPE_CHECKING:
-    from ..grid import Grid
+    from ..scene.grid import Grid
 
 
 class GridSection(Section):
@@ -56,7 +56,7 @@ class GridSection(Section):
         return self
 
     def build(self) -> Grid:
-        from ..grid import Grid
+        from ..scene.grid import Grid
 
         return Grid(**self.model_dump())
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from pathlib import Path as Folder
 
     from ..paths import Path
-    from ..simulation import Simulation
+    from ..simulation.simulation import Simulation
 
 
 class ShakedownSection(Section):

@@ -9,20 +9,12 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 from pydantic import Field, model_validator
 
 from ..asperities import Collision, Tugging, tug
-from ..relief import Relief, relief_rows
-from .base import (
-    CaseError,
-    CaseFile,
-    Count,
-    Length,
-    OutputPlace,
-    Positive,
-    Section,
-)
+from ..scene.moving_topography import Relief, relief_rows
+from .base import CaseError, CaseFile, Count, Length, OutputPlace, Positive, Section
 from .bodies import BodySection
+from .cross_checks import require_all_used_in_tugging
 from .motion import ReliefSection
 from .sections import GridSection, settings_section
-from .used import require_all_used_in_tugging
 
 
 class TuggingSection(Section):
@@ -53,7 +45,7 @@ class TuggingSection(Section):
 
 
 if TYPE_CHECKING:
-    from ..material import Material
+    from ..bodies.material import Material
 
     TuggingSolver = Section
 else:

@@ -12,8 +12,8 @@ from pydantic import Field, model_validator
 from .base import BodyNumber, Count, Length, NonNegative, Positive, Section, changed, in_unit
 
 if TYPE_CHECKING:
-    from ..material import Material
-    from ..simulation import Simulation
+    from ..bodies.material import Material
+    from ..simulation.simulation import Simulation
     from ..wear import FrettingResult, WearResult
 
 Cells = Annotated[int, Field(ge=1)]

@@ -13,7 +13,7 @@ def doctor() -> None:
     """Tell what is installed, and check that it computes: exit code 1 when it does not."""
     failed = False
     with short_errors():
-        from .. import doctor as checkup
+        from . import self_check as checkup
 
         for name, text in checkup.installation():
             click.echo(f"{name:<12}{text}")

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import click
 
-from .._memory import BLAS_BUFFER, LIBRARIES, blas_threads, require_address_space
-from .._short import escaped
+from .._util.memory import BLAS_BUFFER, LIBRARIES, blas_threads, require_address_space
+from .._util.short_text import escaped
 from .signals import exit_code
 
 BAD_INPUT = 2

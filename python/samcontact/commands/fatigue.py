@@ -10,13 +10,13 @@ import xarray as xr
 from rich.console import Console
 
 from .. import results
-from .._repr import quantity
+from .._util.display import quantity
 from .tables import Sheet
 
 if TYPE_CHECKING:
     from ..cases import Case
     from ..fatigue import FatigueField
-    from ..state import State
+    from ..solutions.state import State
 
 
 def write_fatigue(

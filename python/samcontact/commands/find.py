@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .._short import in_short
+from .._util.short_text import in_short
 from .arguments import FilePath, Quantity
 from .errors import short_errors
 
 if TYPE_CHECKING:
+    from ..accuracy.load_search import FoundLoad, Search
     from ..cases import Case
-    from ..find import FoundLoad, Search
 
 
 @click.command()
@@ -34,8 +34,8 @@ def find(
     of the results of the case, and the same command goes on.
     """
     with short_errors(files=True):
+        from ..accuracy.load_search import searched
         from ..cases.given import case_of_contact
-        from ..find import searched
         from .tables import Sheet, new_console
 
         case = case_of_contact("CASE.toml", case_file)
@@ -57,9 +57,9 @@ def find(
 
 def _found(case: Case, search: Search) -> FoundLoad:
     """From what an interrupted search has left, if there is one; another one leaves the same."""
-    from .._atomic import undisturbed
-    from ..runs.identity import digest
-    from ..runs.kept import remove_checkpoints
+    from ..files.atomic import undisturbed
+    from ..restart.checkpoint_files import remove_checkpoints
+    from ..restart.identity import digest
 
     folder = case.output_directory / f"find_{digest(search.solves.who)[:12]}"
     kept = folder if folder.exists() else None
@@ -80,7 +80,7 @@ def _found(case: Case, search: Search) -> FoundLoad:
 
 def _wanted(target: str) -> tuple[str, float]:
     """Name of a quantity, and its value in SI units."""
-    from .._load_scenes import YIELD, require_known
+    from ..accuracy.load_search_cases import YIELD, require_known
 
     name, given, text = (part.strip() for part in target.partition("="))
     if not name:
@@ -98,8 +98,8 @@ def _wanted(target: str) -> tuple[str, float]:
 
 def _value(name: str, text: str) -> float:
     """In SI units, of a number or a text with a unit."""
-    from .._load_scenes import PERMANENT
-    from .._quantities import CONTACT
+    from .._util.quantities import CONTACT
+    from ..accuracy.load_search_cases import PERMANENT
     from ..units import from_text
 
     try:

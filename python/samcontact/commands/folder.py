@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .. import results
-from .._atomic import undisturbed
-from .._owned import recording
+from ..files.atomic import undisturbed
+from ..files.ownership import recording
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -9,11 +9,11 @@ import click
 import numpy as np
 
 from .. import hertz as _hertz
-from .._checks import exactly_one, poisson_ratio, positive
-from .._doubts import LARGEST_PART, Contact, Doubt, part_of_radius, warn_of
-from .._expected import Expected
-from .._tensors import von_mises
-from .._verdict import Verdict
+from .._util.check import Verdict
+from .._util.checks import exactly_one, poisson_ratio, positive
+from .._util.tensors import von_mises
+from ..diagnostics.hertz_estimate import Expected
+from ..diagnostics.plausibility import LARGEST_PART, Contact, Doubt, part_of_radius, warn_of
 from .arguments import Bare, Quantity
 from .errors import short_errors
 

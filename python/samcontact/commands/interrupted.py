@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from .._atomic import replacing, undisturbed
-from .._owned import Record, recording
-from ..runs.file import ForeignCheckpointError
-from ..runs.kept import CASE, CASE_MARK, foreign, remove_checkpoints
-from ..runs.lock import locked
+from ..files.atomic import replacing, undisturbed
+from ..files.ownership import Record, recording
+from ..restart.checkpoint_files import CASE, CASE_MARK, foreign, remove_checkpoints
+from ..restart.file import ForeignCheckpointError
+from ..restart.lock import locked
 
 if TYPE_CHECKING:
     from ..cases.base import CaseFile

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import click
 
-from .._atomic import with_ending
-from .._owned import recording
+from ..files.atomic import with_ending
+from ..files.ownership import recording
 from .arguments import FilePath
 from .errors import short_errors
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from .._atomic import ENDING
+from ..files.atomic import ENDING
 
 INTERRUPTED = 130
 _ONE_WISH = 1.0

@@ -14,22 +14,22 @@ import numpy as np
 from rich.console import Console
 
 from .. import hertz, results
-from .._peak import peak_of_dataset
 from ..accuracy import Accurate
 from ..accuracy.asked import searched
-from ..grid_errors import (
+from ..accuracy.grid_errors import (
     GridErrors,
     error_rows,
     estimate_errors,
     said_of_increments,
     said_of_slope,
 )
-from ..increment_errors import warn_of
 from ..results.against_hertz import hertz_rows
 from ..results.dataset import completeness
 from ..results.slipping import moved_along, without_rounding
-from ..runs.journal import Journal, describe
-from ..state import in_one_window
+from ..simulation.increment_errors import warn_of
+from ..simulation.journal import Journal, describe
+from ..solutions.peak import peak_of_dataset
+from ..solutions.state import in_one_window
 from .errors import StoppedEarlyError, tell_partial, to_try_on
 from .fatigue import write_fatigue
 from .folder import publish, written_names
@@ -41,8 +41,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from ..cases import Case
-    from ..simulation import Simulation
-    from ..state import State
+    from ..simulation.simulation import Simulation
+    from ..solutions.state import State
 
 MOST_FRAMES = 120  # of an animation
 

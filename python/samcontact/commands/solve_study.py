@@ -14,9 +14,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from rich.console import Console
 
-from .._atomic import replacing
-from .._quantities import TUGGING, WEAR
+from .._util.quantities import TUGGING, WEAR
 from ..asperities.series import of_passes
+from ..files.atomic import replacing
 from ..plotting import tugging, wear
 from ..plotting.parts import column
 from ..plotting.parts import save as save_figure

@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from .._peak import peak_of_dataset
-from .._quantities import TUGGING
+from .._util.quantities import TUGGING
 from ..cases import load_case
 from ..cases.tugging import TuggingCase
+from ..solutions.peak import peak_of_dataset
 from ..sweeps import SweepInterrupted, sweep
 from .errors import FAILED
 from .signals import exit_code

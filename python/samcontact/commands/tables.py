@@ -14,7 +14,7 @@ from rich.console import Console, ConsoleOptions
 from rich.table import Table
 from rich.text import Text
 
-from .._quantities import CONTACT, Quantity
+from .._util.quantities import CONTACT, Quantity
 
 if TYPE_CHECKING:
     import xarray as xr

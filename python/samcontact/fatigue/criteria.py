@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _core
-from .._checks import FloatArray, choice, non_negative, positive, require_type
-from .._doubts import strength, warn_of
-from .._frozen import FrozenDict, read_only
-from .._short import in_short
-from ..layered import Layered
-from ..material import Material
-from ..state import State
+from .._util.checks import FloatArray, choice, non_negative, positive, require_type
+from .._util.frozen import FrozenDict, read_only
+from .._util.short_text import in_short
+from ..bodies.layered import Layered
+from ..bodies.material import Material
+from ..diagnostics.plausibility import strength, warn_of
+from ..solutions.state import State
 from .cycle import Cycle, cycle
 from .field import FatigueField
 

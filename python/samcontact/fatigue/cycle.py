@@ -11,14 +11,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _memory
-from .._cached_property import cached_property
-from .._checks import MOST_STRESS, FloatArray, choice, real_array
-from .._frozen import FrozenDict, read_only
-from .._repr import Rows, Shown, counts, lengths
-from .._short import in_short
-from ..layered import Body
-from ..state import State, in_one_window
+from .._util import memory
+from .._util.cached_property import cached_property
+from .._util.checks import MOST_STRESS, FloatArray, choice, real_array
+from .._util.display import Rows, Shown, counts, lengths
+from .._util.frozen import FrozenDict, read_only
+from .._util.short_text import in_short
+from ..bodies.layered import Body
+from ..solutions.state import State, in_one_window
 from .paths import GivenPaths, Passing, Paths, StatePaths
 
 __all__ = ["Cycle", "cycle", "passing"]
@@ -68,10 +68,10 @@ class Cycle(Shown):
         """Along the last axis, as many as fit at once."""
         last = self.points_shape[-1]
         one = 48.0 * self.moments * math.prod(self.points_shape[:-1]) * fields
-        there = _memory.available()
+        there = memory.available()
         fit = last if there is None else int(_PART * there / (_COPIES * one))
         if fit < 1:
-            _memory.require("one layer of a cycle", _COPIES * one / _PART, "take fewer moments")
+            memory.require("one layer of a cycle", _COPIES * one / _PART, "take fewer moments")
         size = max(min(fit, last), 1)
         for first in range(0, last, size):
             yield slice(first, min(first + size, last))

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._cached_property import cached_property
-from .._checks import FloatArray, positive
-from .._doubts import strength, warn_of
-from .._repr import Brief, Rows, Shown, quantity
+from .._util.cached_property import cached_property
+from .._util.checks import FloatArray, positive
+from .._util.display import Brief, Rows, Shown, quantity
+from ..diagnostics.plausibility import strength, warn_of
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -13,8 +13,8 @@ from typing import Protocol
 
 import numpy as np
 
-from .._checks import FloatArray
-from ..state import State
+from .._util.checks import FloatArray
+from ..solutions.state import State
 
 
 class Paths(Protocol):

@@ -8,8 +8,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .._checks import FloatArray, poisson_ratio
-from .._scipy import scipy
+from .._util.checks import FloatArray, poisson_ratio
+from .._util.lazy_scipy import scipy
 
 
 def _maximum(function: Callable[[float], float], upper: float) -> tuple[float, float]:

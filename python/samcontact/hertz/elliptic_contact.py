@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, exactly_one, poisson_ratio, positive, together
-from .._repr import Shown
-from .._scipy import scipy
+from .._util.checks import FloatArray, exactly_one, poisson_ratio, positive, together
+from .._util.display import Shown
+from .._util.lazy_scipy import scipy
 from .axis import elliptic_axis, elliptic_max_von_mises
 from .points import depth_ratio, require_range, semi_ellipsoid
 

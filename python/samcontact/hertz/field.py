@@ -17,8 +17,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .._checks import FloatArray
-from .._scipy import scipy
+from .._util.checks import FloatArray
+from .._util.lazy_scipy import scipy
 
 
 def _disc(second: NDArray[np.complex128], third: NDArray[np.complex128]) -> FloatArray:

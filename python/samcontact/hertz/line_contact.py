@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive, together
-from .._repr import Shown
+from .._util.checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive, together
+from .._util.display import Shown
 from .axis import line_axis, line_max_von_mises
 from .plane_field import plane_field
 from .points import coordinates, depth_ratio, require_range, semi_ellipsoid

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._checks import FloatArray
+from .._util.checks import FloatArray
 
 
 def line_field(x: FloatArray, z: FloatArray, nu: float) -> FloatArray:

@@ -6,8 +6,8 @@ from __future__ import annotations
 import math
 from typing import Protocol
 
-from .._checks import poisson_ratio, positive
-from .._short import in_short
+from .._util.checks import poisson_ratio, positive
+from .._util.short_text import in_short
 
 
 class Body(Protocol):

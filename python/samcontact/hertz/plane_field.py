@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._checks import FloatArray
+from .._util.checks import FloatArray
 
 
 def plane_field(x: FloatArray, z: FloatArray, nu: float, friction: float) -> FloatArray:

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive, together
-from .._repr import Shown
+from .._util.checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive, together
+from .._util.display import Shown
 from .axis import point_axis, point_max_von_mises
 from .field import field
 from .points import depth_ratio, require_range, semi_ellipsoid

@@ -8,7 +8,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, finite_array, real_array
+from .._util.checks import FloatArray, finite_array, real_array
 
 
 def require_range(given: str, **sizes: float) -> None:

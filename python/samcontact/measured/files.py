@@ -8,19 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from .._checks import choice, file_path, positive
-from .._short import in_short
+from .._util.checks import choice, file_path, positive
+from .._util.short_text import in_short
 from .instruments import Given, metres, require_format, with_library
-from .plain import (
-    Table,
-    columns,
-    grid_of_points,
-    is_array,
-    is_plain,
-    plain_heights,
-    profile,
-    table,
-)
+from .plain import Table, columns, grid_of_points, is_array, is_plain, plain_heights, profile, table
 from .plausible import warn_of_size
 from .surface import TRENDS, MeasuredSurface
 

@@ -11,8 +11,8 @@ from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
 
-from .._checks import FloatArray
-from .._short import in_short
+from .._util.checks import FloatArray
+from .._util.short_text import in_short
 from .plain import profile, said, written_positions
 from .surface import MeasuredSurface, library
 

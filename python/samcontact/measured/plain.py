@@ -16,7 +16,7 @@ from zipfile import BadZipFile
 import numpy as np
 from numpy.lib.format import MAGIC_PREFIX
 
-from .._checks import FloatArray
+from .._util.checks import FloatArray
 
 PLAIN_FORMATS = (".npy", ".txt", ".dat", ".asc", ".csv")
 _TABLES = (*PLAIN_FORMATS, ".xyz")

@@ -7,9 +7,9 @@ import warnings
 
 import numpy as np
 
-from .._checks import FloatArray
-from .._doubts import UnitWarning
-from .._repr import lengths, quantity
+from .._util.checks import FloatArray
+from .._util.display import lengths, quantity
+from .._util.errors import UnitWarning
 
 LONGEST = 1.0
 """Of a measured area [m]."""

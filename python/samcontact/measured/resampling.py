@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from .._checks import FloatArray, boolean, choice, number
-from .._scipy import scipy
+from .._util.checks import FloatArray, boolean, choice, number
+from .._util.lazy_scipy import scipy
 
 _REACH = 24  # samples over which a cubic spline forgets its ends, to rounding
 

@@ -16,12 +16,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, finite, positive, real_array
-from .._frozen import FrozenDict, read_only
-from .._repr import Brief
-from .._short import in_short
-from ..grid import Grid
-from ..relief import Relief, rows_within
+from .._util.checks import FloatArray, choice, finite, positive, real_array
+from .._util.display import Brief
+from .._util.frozen import FrozenDict, read_only
+from .._util.short_text import in_short
+from ..scene.grid import Grid
+from ..scene.moving_topography import Relief, rows_within
 from ..surfaces import SurfaceGrid, require_surface
 from .resampling import Sampling, resampled
 from .trends import detrended_profile, filled_profile

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._checks import FloatArray
+from .._util.checks import FloatArray
 
 
 def detrended_profile(z: FloatArray, trend: str) -> FloatArray:

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, finite_array, load_or_approach, non_negative, step_count
-from .._short import in_short
+from .._util.checks import FloatArray, finite_array, load_or_approach, non_negative, step_count
+from .._util.short_text import in_short
 from .ramps import Path
 
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from .._checks import (
+from .._util.checks import (
     MOST_STEPS,
     boolean,
     choice,

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .._checks import (
+from .._util.checks import (
     FloatArray,
     choice,
     finite,

@@ -20,15 +20,9 @@ from .interface import interface_profile
 from .maps import surface_map, track_map
 from .parts import column
 from .section import section
-from .shaking_down import shakedown_map, strain_per_cycle
+from .shakedown import shakedown_map, strain_per_cycle
 from .slip_animation import stick_slip_animation
-from .slipping import (
-    creep_curve,
-    fretting_loop,
-    rolling_force,
-    shear_profile,
-    stick_slip_map,
-)
+from .slipping import creep_curve, fretting_loop, rolling_force, shear_profile, stick_slip_map
 from .summary import summary_figures
 from .track import loaded_section, track_print, track_section
 from .view import save_view, view

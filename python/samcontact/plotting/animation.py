@@ -13,21 +13,15 @@ from matplotlib.axes import Axes
 from matplotlib.image import AxesImage
 from matplotlib.lines import Line2D
 
-from .._atomic import replacing
-from .._checks import FloatArray, choice, positive
-from .._quantities import CONTACT
-from ..state import in_one_window
-from .parts import (
-    edges,
-    finish,
-    nearest,
-    new_figure,
-    require_volume,
-)
+from .._util.checks import FloatArray, choice, positive
+from .._util.quantities import CONTACT
+from ..files.atomic import replacing
+from ..solutions.state import in_one_window
+from .parts import edges, finish, nearest, new_figure, require_volume
 from .track import positions_on_body
 
 if TYPE_CHECKING:
-    from ..state import State
+    from ..solutions.state import State
 
 _WIDTH = 8.0
 _QUANTITIES = ("von_mises", "residual_von_mises", "equivalent_plastic_strain")

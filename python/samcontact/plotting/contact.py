@@ -10,27 +10,19 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, finite_array
-from .._quantities import CONTACT
-from .._tensors import von_mises
+from .._util.checks import FloatArray, choice, finite_array
+from .._util.quantities import CONTACT
+from .._util.tensors import von_mises
+from ..bodies.layered import Layered
 from ..hertz import EllipticContact, PointContact
-from ..layered import Layered
-from .parts import (
-    COMPONENTS,
-    INTERFACE,
-    axes_or_new,
-    depths_of,
-    finish,
-    nearest,
-    surface_line,
-)
+from .parts import COMPONENTS, INTERFACE, axes_or_new, depths_of, finish, nearest, surface_line
 from .shown import require_possible
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..grid import Grid
-    from ..layered import Body
+    from ..bodies.layered import Body
+    from ..scene.grid import Grid
 
 HertzContact = PointContact | EllipticContact
 

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 
-from .._checks import FloatArray, choice, finite, positive
-from .._quantities import Quantity
-from .._short import in_short
+from .._util.checks import FloatArray, choice, finite, positive
+from .._util.quantities import Quantity
+from .._util.short_text import in_short
 from .fields import Plane, show_surface
 from .parts import axes_or_new, edges, finish, nearest, place
 

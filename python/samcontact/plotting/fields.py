@@ -11,9 +11,9 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 
-from .._checks import BoolArray, FloatArray, boolean
-from .._quantities import Quantity
-from .._scipy import scipy
+from .._util.checks import BoolArray, FloatArray, boolean
+from .._util.lazy_scipy import scipy
+from .._util.quantities import Quantity
 from .parts import LYING, axes_or_new, without_seams
 from .ticks import FittedLocator, fit_ticks
 

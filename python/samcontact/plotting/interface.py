@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, finite, finite_array, integer
-from .._quantities import CONTACT
+from .._util.checks import FloatArray, choice, finite, finite_array, integer
+from .._util.quantities import CONTACT
 from .fields import touching_along
 from .parts import (
     COMPONENTS,
@@ -25,7 +25,7 @@ from .parts import (
 )
 
 if TYPE_CHECKING:
-    from ..grid import Grid
+    from ..scene.grid import Grid
     from .scene import Scene
 
 _MOST_PANELS = 3

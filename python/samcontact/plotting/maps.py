@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, finite_array, gap_array
-from .._quantities import CONTACT, Quantity
+from .._util.checks import FloatArray, choice, finite_array, gap_array
+from .._util.quantities import CONTACT, Quantity
 from ..results.reading import cell_size
 from .fields import Plane, inside_of_contact, name_sides, outline, show_surface
 from .parts import SURFACES, edges
@@ -19,7 +19,7 @@ from .shown import of_either_sign, quantity_of
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..grid import Grid
+    from ..scene.grid import Grid
     from .scene import Scene
 
 _BLANK = {"pressure": ", white: no contact", "gap": ", white: contact"}

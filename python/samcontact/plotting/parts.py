@@ -19,12 +19,12 @@ from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 from numpy.typing import ArrayLike
 
-from .._atomic import replacing
-from .._checks import FloatArray, choice, finite, finite_array
+from .._util.checks import FloatArray, choice, finite, finite_array
+from ..files.atomic import replacing
 from .ticks import FittedLocator, fit_ticks
 
 if TYPE_CHECKING:
-    from ..grid import Grid
+    from ..scene.grid import Grid
 
 SECTIONS = (
     "von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises",

@@ -8,21 +8,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._cached_property import cached_property
-from .._checks import FloatArray
-from .._peak import peak_of_dataset
-from .._tensors import von_mises
-from ..grid import Grid
+from .._util.cached_property import cached_property
+from .._util.checks import FloatArray
+from .._util.tensors import von_mises
 from ..results.motion import track_of
 from ..results.reading import graded_of, grid_of
 from ..results.zones import on_grid
+from ..scene.grid import Grid
+from ..solutions.peak import peak_of_dataset
 from .contact import HertzContact
 from .parts import LONG, map_height, row_of_interest, section_height
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..layered import Body
+    from ..bodies.layered import Body
 
 
 @dataclass

@@ -9,13 +9,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
-from .._checks import choice, finite, finite_array
+from .._util.checks import choice, finite, finite_array
 from .fields import Plane, show_section, touching_along
 from .parts import INTERFACE, SECTIONS, depths_of, edges, nearest
 from .shown import quantity_of
 
 if TYPE_CHECKING:
-    from ..grid import Grid
+    from ..scene.grid import Grid
 
 
 def section(

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._checks import FloatArray
-from .._quantities import CONTACT, Quantity
+from .._util.checks import FloatArray
+from .._util.quantities import CONTACT, Quantity
 
 if TYPE_CHECKING:
-    from ..grid import Grid
+    from ..scene.grid import Grid
 
 _ROUNDING = 1e-6
 """Of the largest value, or of the size of the grid: what is less below zero is rounding."""

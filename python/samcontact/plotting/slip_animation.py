@@ -11,15 +11,15 @@ from matplotlib.animation import FuncAnimation
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from .._checks import FloatArray, positive
-from .._quantities import CONTACT
-from ..state import in_one_window
+from .._util.checks import FloatArray, positive
+from .._util.quantities import CONTACT
+from ..solutions.state import in_one_window
 from .parts import LONG, finish, new_figure
 from .slipping import stick_slip_map
 
 if TYPE_CHECKING:
-    from ..grid import Grid
-    from ..state import State
+    from ..scene.grid import Grid
+    from ..solutions.state import State
 
 _MARGIN = 0.15  # around the contact, of its size
 

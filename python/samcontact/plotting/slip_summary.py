@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from .._along import ROUNDING
-from .._quantities import CONTACT
+from .._util.quantities import CONTACT
 from ..results.slipping import moved_along
+from ..results.tangential_quantities import ROUNDING
 from .parts import new_figure
 from .scene import Scene
 from .slipping import (

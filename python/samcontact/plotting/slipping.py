@@ -13,8 +13,8 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, finite_array, non_negative
-from .._quantities import CONTACT
+from .._util.checks import FloatArray, choice, finite_array, non_negative
+from .._util.quantities import CONTACT
 from .fields import Plane, clip, inside_of_contact, inside_of_slip, name_sides, outline
 from .parts import axes_or_new, edges, finish, prefixed, surface_line
 from .shown import require_possible
@@ -22,7 +22,7 @@ from .shown import require_possible
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..grid import Grid
+    from ..scene.grid import Grid
 
 COLOURS = "#9ecae1", "#fdae6b"
 """Of what sticks and of what slips."""

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from .._checks import choice
-from .._owned import recording
+from .._util.checks import choice
+from ..files.ownership import recording
 from ..results.reading import body_shown, grid_of
 from .contact import (
     HertzContact,

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.font_manager import FontProperties
 from matplotlib.ticker import AutoLocator, MaxNLocator
 
-from .._checks import FloatArray
+from .._util.checks import FloatArray
 
 _DIGIT = 0.64  # of the size of letters, which a digit is wide
 _APART = 0.8, 1.0  # of it, between labels beside and above each other

@@ -13,8 +13,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from .._checks import FloatArray, choice, finite
-from .._quantities import CONTACT, Quantity
+from .._util.checks import FloatArray, choice, finite
+from .._util.quantities import CONTACT, Quantity
 from ..results.reading import grid_of
 from .fields import Plane, show_section
 from .parts import (
@@ -36,8 +36,8 @@ from .parts import (
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..grid import Grid
-    from ..state import State
+    from ..scene.grid import Grid
+    from ..solutions.state import State
 
 _RESIDUAL = ("residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain")
 _LOADED = ("von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature")

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 
-from .._checks import FloatArray, choice
-from .._quantities import TUGGING
-from .._repr import quantity
+from .._util.checks import FloatArray, choice
+from .._util.display import quantity
+from .._util.quantities import TUGGING
 from .parts import axes_or_new, finish, prefixed
 
 if TYPE_CHECKING:

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._atomic import replacing
-from .._checks import FloatArray, choice
-from .._quantities import CONTACT
+from .._util.checks import FloatArray, choice
+from .._util.quantities import CONTACT
+from ..files.atomic import replacing
 from ..results.reading import body_shown
 from ..results.vtk import stored_number, volume_names
 from .fields import Plane, inside_of_contact, scale_of

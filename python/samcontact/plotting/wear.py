@@ -14,8 +14,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, choice, finite, integer
-from .._quantities import CONTACT, WEAR
+from .._util.checks import FloatArray, choice, finite, integer
+from .._util.quantities import CONTACT, WEAR
 from ..results.reading import cell_size
 from .fields import Plane, show_section, show_surface
 from .parts import (
@@ -33,7 +33,7 @@ from .parts import (
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..state import State
+    from ..solutions.state import State
 
 __all__ = ["cycle_panels", "fretting_panels", "surface_map", "tresca", "wear_rate", "worn_profile"]
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .._peak import peak_of_dataset
-from .._verdict import Verdict
+from .._util.check import Verdict
 from ..results.reading import body_shown
+from ..solutions.peak import peak_of_dataset
 from . import tables
 from .figures import contact_figures
-from .verdicts import verdicts
+from .quality_checks import verdicts
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -12,10 +12,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .. import plotting
-from .._checks import FloatArray
-from .._peak import peak_of_dataset
-from .._quantities import CONTACT
-from .._tensors import von_mises
+from .._util.checks import FloatArray
+from .._util.quantities import CONTACT
+from .._util.tensors import von_mises
 from ..plotting.contact import HertzContact, draw_pressure
 from ..plotting.interface import interface_figure
 from ..plotting.maps import peak_map
@@ -30,6 +29,7 @@ from ..plotting.parts import (
     place,
 )
 from ..plotting.scene import Scene
+from ..solutions.peak import peak_of_dataset
 from . import slipping
 
 if TYPE_CHECKING:

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from .._atomic import replacing
-from .._verdict import Verdict
+from .._util.check import Verdict
+from ..files.atomic import replacing
 from ..results.reading import parts_of_a_run
-from . import contact, shaking_down, tables, tugging, wear
+from . import contact, tables, tugging, wear
+from . import shakedown as shakedown_report
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -51,7 +52,7 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
         The file cannot be written.
     """
     if shakedown is not None:
-        shaking_down.require_cycles(shakedown)
+        shakedown_report.require_cycles(shakedown)
     environment = Environment(
         loader=PackageLoader("samcontact.report", "templates"),
         autoescape=True,
@@ -62,9 +63,9 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
     with parts_of_a_run():
         content = _content(dataset)
         if shakedown is not None:
-            repeated = ("shakedown", "The path, repeated", shaking_down.table(shakedown))
+            repeated = ("shakedown", "The path, repeated", shakedown_report.table(shakedown))
             content["values"] = [*content["values"], repeated]
-            content["figures"] = [*content["figures"], shaking_down.figure(shakedown)]
+            content["figures"] = [*content["figures"], shakedown_report.figure(shakedown)]
     text = environment.get_template("report.html.j2").render(**content)
     target = Path(path)
     with replacing(target) as part:

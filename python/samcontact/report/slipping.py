@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from .._checks import FloatArray
-from .._verdict import Verdict
+from .._util.check import Verdict
+from .._util.checks import FloatArray
 from ..plotting.slip_summary import chosen, slip_figures
 from ..results.reading import cell_size
 from ..results.slipping import balance_of

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from .._checks import FloatArray
-from .._graded import PARTS
-from .._quantities import CONTACT, Quantity
-from .._repr import counts, lengths, quantity
+from .._util.checks import FloatArray
+from .._util.display import counts, lengths, quantity
+from .._util.quantities import CONTACT, Quantity
+from ..accuracy.grid_errors import error_rows, said_of_increments
+from ..bodies.depth_profiles import PARTS
 from ..cases.field_units import field_unit
-from ..grid_errors import error_rows, said_of_increments
 from ..results.against_hertz import hertz_rows
 from ..results.slipping import balance_of, moved_along
 

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import plotting
-from .._quantities import WEAR
-from .._verdict import Verdict
+from .._util.check import Verdict
+from .._util.quantities import WEAR
 from ..plotting.parts import new_figure
 from .figures import ReportFigure, embedded
+from .quality_checks import contact_cells, plastic_layers
 from .tables import values_table
-from .verdicts import contact_cells, plastic_layers
 
 if TYPE_CHECKING:
     import xarray as xr

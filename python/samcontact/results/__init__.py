@@ -5,7 +5,7 @@ Names ending in _body1 or _body2 belong to that body; tensor components are labe
 xx, yy, zz, yz, xz, xy (tensor shear strains).
 """
 
-from .._tensors import COMPONENTS
+from .._util.tensors import COMPONENTS
 from .dataset import to_dataset
 from .file import open_results, save, scalars
 from .pvd import to_pvd

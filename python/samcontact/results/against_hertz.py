@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from .._quantities import CONTACT, Quantity
+from .._util.quantities import CONTACT, Quantity
 from ..hertz import EllipticContact, PointContact
 
 if TYPE_CHECKING:

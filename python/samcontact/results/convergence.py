@@ -10,13 +10,13 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from .. import _edges
-from ..resolution import area_uncertainty, cells_across, plastic_layers, spots
-from ..zone import strained_extent
+from ..diagnostics import sharp_edges
+from ..diagnostics.resolution import area_uncertainty, cells_across, plastic_layers, spots
+from ..solutions.zone import strained_extent
 from .motion import add
 
 if TYPE_CHECKING:
-    from ..state import State
+    from ..solutions.state import State
 
 
 def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Sequence[int]) -> None:
@@ -48,7 +48,7 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
     ]
     add(dataset, "contact_cells", "increment", across)
     _add_area_uncertainty(dataset, states, solved)
-    sharp = [_edges.edge_of_state(state) for state in states]
+    sharp = [sharp_edges.edge_of_state(state) for state in states]
     if any(sharp):
         cells = [0 if edge is None else np.count_nonzero(edge.cells) for edge in sharp]
         add(dataset, "sharp_cells", "increment", cells)

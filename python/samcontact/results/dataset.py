@@ -10,25 +10,25 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from .._checks import choice, integer
-from .._graded import PARTS
-from .._interfaces import SIDES
-from .._peak import peak_of_dataset
-from .._quantities import CONTACT
-from .._tensors import COMPONENTS
-from ..friction import Coulomb, coefficient
-from ..layered import Body, Layered, materials_of, names_of_materials
-from ..state import in_one_window
+from .._util.checks import choice, integer
+from .._util.quantities import CONTACT
+from .._util.tensors import COMPONENTS
+from ..bodies.depth_profiles import PARTS
+from ..bodies.layered import Body, Layered, materials_of, names_of_materials
+from ..scene.friction import Coulomb, coefficient
+from ..solutions.interface_stress import SIDES
+from ..solutions.peak import peak_of_dataset
+from ..solutions.state import in_one_window
 from .convergence import add_convergence
 from .motion import add, add_motion
 from .slipping import add_slipping
 from .zones import add_gathered, is_gathered, max_von_mises
 
 if TYPE_CHECKING:
-    from .._window import Window
     from ..cases import Case
-    from ..simulation import Simulation
-    from ..state import State
+    from ..scene.domain import Window
+    from ..simulation.simulation import Simulation
+    from ..solutions.state import State
 
 VOLUME_CHOICES = ("none", "last", "peak_and_last", "all")
 

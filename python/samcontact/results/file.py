@@ -13,9 +13,9 @@ import h5py
 import numpy as np
 import xarray as xr
 
-from .._atomic import replacing_hdf5
-from .._seal import check_seal
-from ..runs.file import DAMAGED, require_self_contained
+from ..files.atomic import replacing_hdf5
+from ..files.checksum import check_seal
+from ..restart.file import DAMAGED, require_self_contained
 from .reading import parts_of_a_run
 from .trial import try_to_read
 

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import xarray as xr
 
-from .._quantities import CONTACT, TRACK
+from .._util.quantities import CONTACT, TRACK
 
 if TYPE_CHECKING:
-    from ..state import State
+    from ..solutions.state import State
 
 
 def moving_bodies(states: Sequence[State]) -> list[int]:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
-from .._atomic import replacing, with_ending
+from ..files.atomic import replacing, with_ending
 from .reading import body_shown, parts_of_a_run
 from .vtk import volume_names, write_surface, write_track, write_volume
 

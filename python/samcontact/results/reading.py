@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._checks import choice
-from .._graded import PARTS
-from .._laws import LAWS
-from ..grid import Grid
-from ..layered import Body, Layered, names_of_materials
-from ..material import Material
+from .._util.checks import choice
+from ..bodies.depth_profiles import PARTS
+from ..bodies.hardening_laws import LAWS
+from ..bodies.layered import Body, Layered, names_of_materials
+from ..bodies.material import Material
+from ..scene.grid import Grid
 
 if TYPE_CHECKING:
     import xarray as xr

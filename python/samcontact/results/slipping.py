@@ -10,15 +10,15 @@ import numpy as np
 import xarray as xr
 
 from .. import energy
-from .._along import ALONG, ROUNDING, along_surface, not_rounding
-from .._checks import FloatArray
-from .._quantities import CONTACT
-from ..friction import Coulomb
+from .._util.checks import FloatArray
+from .._util.quantities import CONTACT
+from ..scene.friction import Coulomb
 from .motion import add
+from .tangential_quantities import ALONG, ROUNDING, along_surface, not_rounding
 
 if TYPE_CHECKING:
-    from ..simulation import Simulation
-    from ..state import State
+    from ..simulation.simulation import Simulation
+    from ..solutions.state import State
 
 _BALANCE = {
     "put_in": "work_put_in", "net": "net_work", "elastic": "elastic_energy",

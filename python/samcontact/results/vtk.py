@@ -13,8 +13,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from .._atomic import replacing, with_ending
-from .._checks import FloatArray, integer
+from .._util.checks import FloatArray, integer
+from ..files.atomic import replacing, with_ending
 from .motion import track_of
 from .reading import body_shown, cell_size, parts_of_a_run
 from .zones import cells_of

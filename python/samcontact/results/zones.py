@@ -14,14 +14,14 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from .._checks import FloatArray
-from .._tensors import von_mises
-from ..zone import strained_cells
+from .._util.checks import FloatArray
+from .._util.tensors import von_mises
+from ..solutions.zone import strained_cells
 from .motion import add
 
 if TYPE_CHECKING:
-    from ..state import State
-    from ..zone import Zone
+    from ..solutions.state import State
+    from ..solutions.zone import Zone
 
 _AXES = ("x", "y", "z")
 # name: whether it has components

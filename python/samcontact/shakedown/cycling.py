@@ -9,15 +9,15 @@ import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from .._checks import FloatArray, boolean, in_cells, integer, number, require_type, step_list
-from .._frozen import read_only
-from .._progress import progress_bar
-from .._steps import STEP
-from ..checkpoint import stand_at
-from ..layered import materials_of
-from ..runs.journal import Journal, journal_of
-from ..simulation import Simulation
-from ..state import State
+from .._util.checks import FloatArray, boolean, in_cells, integer, number, require_type, step_list
+from .._util.frozen import read_only
+from .._util.progress import progress_bar
+from ..bodies.layered import materials_of
+from ..simulation.checkpoint import stand_at
+from ..simulation.journal import Journal, journal_of
+from ..simulation.simulation import Simulation
+from ..simulation.steps import STEP
+from ..solutions.state import State
 from .jumps import MOST, Changes, Jump, jump, norm
 from .plastic import as_deep, change, tracks
 from .results import (

@@ -18,10 +18,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .._cached_property import cached_property
-from .._checks import FloatArray
-from ..simulation import Simulation
-from ..state import State
+from .._util.cached_property import cached_property
+from .._util.checks import FloatArray
+from ..simulation.simulation import Simulation
+from ..solutions.state import State
 from .plastic import FIELDS, Change, as_deep, largest, product
 
 MOST = 20

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .._checks import FloatArray, choice, non_negative, poisson_ratio, positive
-from .._repr import Rows, Shown
-from .._scipy import scipy
+from .._util.checks import FloatArray, choice, non_negative, poisson_ratio, positive
+from .._util.display import Rows, Shown
+from .._util.lazy_scipy import scipy
 from ..fatigue import crossland
 from ..hertz.field import field
 from ..hertz.plane_field import plane_field

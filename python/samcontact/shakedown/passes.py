@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import integer, require_type, tractions
-from ..grid import Grid
+from .._util.checks import integer, require_type, tractions
+from ..scene.grid import Grid
 
 
 def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, Any]]:

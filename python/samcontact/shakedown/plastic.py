@@ -9,11 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .._checks import FloatArray
-from .._common_cells import on_common_cells
-from ..simulation import Simulation
-from ..state import State
-from ..track import Track
+from .._util.checks import FloatArray
+from ..simulation.simulation import Simulation
+from ..solutions.common_cells import on_common_cells
+from ..solutions.state import State
+from ..solutions.track import Track
 
 FIELDS = ("plastic_strain", "equivalent_plastic_strain", "backstress")
 _DOUBLE_SHEAR = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])[:, None, None, None]

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from .._checks import FloatArray, choice
-from .._repr import Brief, Rows, Shown
-from ..state import State
+from .._util.checks import FloatArray, choice
+from .._util.display import Brief, Rows, Shown
+from ..solutions.state import State
 
 ELASTIC, SHAKEDOWN = "elastic", "elastic shakedown"
 PLASTIC, RATCHETING = "plastic shakedown", "ratcheting"

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 from pydantic import BaseModel
 
-from .._checks import choice
-from .._short import in_short
+from .._util.checks import choice
+from .._util.short_text import in_short
 from ..cases.base import CaseError, CaseFile
 from ..cases.field_units import field_unit
 

@@ -18,12 +18,12 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .. import resolution
-from .._atomic import undisturbed
-from .._checks import boolean, file_path, integer
-from .._progress import progress_bar
-from .._short import in_short
-from ..runs.lock import locked
+from .._util.checks import boolean, file_path, integer
+from .._util.progress import progress_bar
+from .._util.short_text import in_short
+from ..diagnostics import resolution
+from ..files.atomic import undisturbed
+from ..restart.lock import locked
 from . import worker
 from .worker import Outcome, case_key, failure
 

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from .._owned import require_marked
-from .._quantities import CONTACT, TUGGING, Quantity
-from ..runs.file import DAMAGED, read, require_same, write
+from .._util.quantities import CONTACT, TUGGING, Quantity
+from ..files.ownership import require_marked
+from ..restart.file import DAMAGED, read, require_same, write
 
 if TYPE_CHECKING:
     from ..cases.base import CaseFile

@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..resolution import ResolutionWarning
-from ..runs.identity import digest, identity
+from .._util.errors import ResolutionWarning
+from ..restart.identity import digest, identity
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -12,15 +12,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .. import hertz, resolution
-from .._checks import FloatArray, boolean, integer
-from .._window import Surfaces
-from ..friction import Coulomb
-from ..grid import Grid
-from ..material import Material
-from ..relief import Relief
-from ..simulation import Simulation
-from ..state import State
+from .. import hertz
+from .._util.checks import FloatArray, boolean, integer
+from ..bodies.material import Material
+from ..diagnostics import resolution
+from ..scene.domain import Surfaces
+from ..scene.friction import Coulomb
+from ..scene.grid import Grid
+from ..scene.moving_topography import Relief
+from ..simulation.simulation import Simulation
+from ..solutions.state import State
 from .by_slip_checks import FrettingScene, closing, make_scene
 from .checkpoint import Standing, require_own
 from .repeating import reliefs_of, repeat

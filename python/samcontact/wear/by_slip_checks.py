@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from .._checks import (
+from .._util.checks import (
     FloatArray,
     exactly_one,
     finite_array,
@@ -17,14 +17,15 @@ from .._checks import (
     require_type,
     step_list,
 )
-from .._doubts import warn_of, wear_coefficient
-from .._short import in_short
-from .._window import Surfaces
-from ..friction import Coulomb, GivenAlong
-from ..grid import Grid
-from ..layered import require_homogeneous
-from ..material import Material
-from ..relief import Relief
+from .._util.short_text import in_short
+from ..bodies.layered import require_homogeneous
+from ..bodies.material import Material
+from ..contact.tangential_drive import GivenAlong
+from ..diagnostics.plausibility import warn_of, wear_coefficient
+from ..scene.domain import Surfaces
+from ..scene.friction import Coulomb
+from ..scene.grid import Grid
+from ..scene.moving_topography import Relief
 from .checks import NO_WORN_LAYERS
 from .results import FrettingCycle
 

@@ -14,19 +14,19 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from .._atomic import replacing
-from .._checks import FloatArray, file_path
-from .._owned import require_marked
-from .._seal import check_seal
-from ..grid import Grid
-from ..material import Material
-from ..relief import Relief
-from ..runs.file import DAMAGED, DamagedCheckpointError, damaged, require_same
-from ..runs.file import read as read_file
-from ..runs.file import write as write_file
-from ..runs.identity import Identity, identity, require_identified
-from ..runs.lock import locked
-from ..runs.tree import Tree, array
+from .._util.checks import FloatArray, file_path
+from ..bodies.material import Material
+from ..files.atomic import replacing
+from ..files.checksum import check_seal
+from ..files.ownership import require_marked
+from ..restart.file import DAMAGED, DamagedCheckpointError, damaged, require_same
+from ..restart.file import read as read_file
+from ..restart.file import write as write_file
+from ..restart.identity import Identity, identity, require_identified
+from ..restart.lock import locked
+from ..restart.tree import Tree, array
+from ..scene.grid import Grid
+from ..scene.moving_topography import Relief
 from .results import AnyCycle
 
 _KIND = "wear"

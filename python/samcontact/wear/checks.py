@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from .._checks import (
+from .._util.checks import (
     FloatArray,
     choice,
     finite_array,
@@ -20,16 +20,16 @@ from .._checks import (
     require_type,
     step_list,
 )
-from .._short import in_short
-from .._steps import STEP
-from .._told import SMALL_STRAIN
-from .._window import Surfaces
-from ..contact import ContactSolver
-from ..grid import Grid
-from ..layered import require_homogeneous
-from ..material import Material
-from ..relief import Relief, heights_over
-from ..resolution import ElasticStrainWarning
+from .._util.errors import ElasticStrainWarning
+from .._util.short_text import in_short
+from ..bodies.layered import require_homogeneous
+from ..bodies.material import Material
+from ..contact.solver import ContactSolver
+from ..diagnostics.monitor import SMALL_STRAIN
+from ..scene.domain import Surfaces
+from ..scene.grid import Grid
+from ..scene.moving_topography import Relief, heights_over
+from ..simulation.steps import STEP
 from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, window_and_order
 

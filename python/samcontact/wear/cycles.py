@@ -11,14 +11,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .. import resolution
-from .._checks import FloatArray, boolean, integer
-from .._window import Surfaces
-from ..grid import Grid
-from ..material import Material
-from ..relief import Relief
-from ..simulation import Simulation
-from ..state import State
+from .._util.checks import FloatArray, boolean, integer
+from ..bodies.material import Material
+from ..diagnostics import resolution
+from ..scene.domain import Surfaces
+from ..scene.grid import Grid
+from ..scene.moving_topography import Relief
+from ..simulation.simulation import Simulation
+from ..solutions.state import State
 from .checkpoint import Standing, Strain, require_own
 from .checks import Scene, make_filter, make_scene
 from .repeating import reliefs_of, repeat

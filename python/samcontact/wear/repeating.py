@@ -11,10 +11,10 @@ from typing import TypeVar
 
 import numpy as np
 
-from .. import _expected, resolution
-from .._progress import progress_bar
-from ..relief import Relief, heights_over
-from ..state import State
+from .._util.progress import progress_bar
+from ..diagnostics import hertz_estimate, resolution
+from ..scene.moving_topography import Relief, heights_over
+from ..solutions.state import State
 from .checkpoint import Standing, Worn, alone, latest, write
 from .results import AnyResult
 
@@ -64,7 +64,7 @@ def _repeat(
                     error.result = _result(kind, scene, advance, standing, False, first, last)  # type: ignore[attr-defined]
                 raise
             first = moments if not standing.cycles else first
-            surface = _expected.Scene(scene.grid, scene.gap, scene.bodies, relieved=True)
+            surface = hertz_estimate.Scene(scene.grid, scene.gap, scene.bodies, relieved=True)
             coarse = coarse or resolution.warn_of_run(moments, surface, stacklevel=4)
             standing, last = after, moments
             stopped = not any(standing.cycles[-1].volume)

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 import numpy as np
 
-from .._cached_property import cached_property
-from .._checks import FloatArray, choice, integer
-from .._quantities import WEAR
-from .._repr import Brief
-from ..grid import Grid
-from ..relief import Relief
-from ..state import State
+from .._util.cached_property import cached_property
+from .._util.checks import FloatArray, choice, integer
+from .._util.display import Brief
+from .._util.quantities import WEAR
+from ..scene.grid import Grid
+from ..scene.moving_topography import Relief
+from ..solutions.state import State
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._checks import FloatArray, finite_array, integer, positive, real_array
-from .._scipy import scipy
-from .._short import in_short
+from .._util.checks import FloatArray, finite_array, integer, positive, real_array
+from .._util.lazy_scipy import scipy
+from .._util.short_text import in_short
 
 Window = int | Sequence[int] | None
 

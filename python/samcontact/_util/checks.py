@@ -1,0 +1,389 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Argument checks shared by the Python layer: name, value and allowed range in every error."""
+
+from __future__ import annotations
+
+import difflib
+import math
+import os
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from decimal import Decimal
+from itertools import islice
+from numbers import Integral, Real
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .short_text import in_short
+
+FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
+MOST_COUNT = (1 << 31) - 1
+"""The core counts with 32 bits."""
+MOST_CELLS = 1 << 24
+"""Along one axis, twice as many for transforms included."""
+MOST_STRESS = 1e75
+"""Like the largest load and modulus [Pa]: products stay in the range of numbers."""
+MOST_STEPS = 100_000
+"""Increments of one path: more would take months, and a slip of the pen fills the memory."""
+MOST_OF_NAME = 200
+"""Bytes of the name of a file: file systems hold 255, names of partial files are longer."""
+MOST_NUMBER = 1e300
+"""Of a size, in SI units: products of larger ones leave the range of numbers."""
+_NOT_REAL = (bool, np.bool_, np.timedelta64)  # to Python or NumPy these are numbers
+
+
+def _has_unit(value: Any) -> bool:
+    """Whether it is a quantity, e.g. of pint, whose unit NumPy would drop."""
+    return hasattr(value, "to_base_units")
+
+
+def number(name: str, value: Any) -> float:
+    """Return `value` as a float; raise TypeError unless it is a real number (not a bool)."""
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value[()]
+    if isinstance(value, _NOT_REAL) or not isinstance(value, Real):
+        raise TypeError(f"{name} must be a number, got {in_short(value)}{_slip(value)}")
+    try:
+        found = float(value) + 0.0  # never -0.0
+    except OverflowError:  # a whole number of more than 308 digits
+        found = sys.float_info.max
+    if MOST_NUMBER < abs(found) < math.inf or (math.isinf(found) and value != found):
+        raise ValueError(
+            f"{name} must be a number of a size up to {MOST_NUMBER:g}, got {in_short(value)}"
+        )
+    return found
+
+
+def _slip(value: Any) -> str:
+    """What to do with something that is not a number."""
+    if _has_unit(value):
+        return ": convert it with samcontact.units.si"
+    if isinstance(value, str):
+        return ': write it without quotes, or convert it with samcontact.units.si("...", unit)'
+    if isinstance(value, (bool, np.bool_)):
+        return ": a truth value is no number"
+    return ""
+
+
+def boolean(name: str, value: Any) -> bool:
+    """Return `value` as a bool; raise TypeError for all else, such as "no", which Python takes
+    for true."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} must be True or False, got {in_short(value)}")
+    return bool(value)
+
+
+def finite(name: str, value: Any) -> float:
+    """Return `value` as a finite float."""
+    result = number(name, value)
+    if not math.isfinite(result):
+        raise ValueError(f"{name} must be a finite number, got {result!r}")
+    return result
+
+
+def require_type(name: str, value: Any, kind: type) -> None:
+    """Raise TypeError naming the argument unless `value` is a `kind`."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{name} must be a samcontact.{kind.__name__}, got {in_short(value)}")
+
+
+def require_list(name: str, values: Any, kind: type) -> None:
+    """Raise TypeError naming the argument unless `values` is a list or tuple of `kind`."""
+    wrong = values
+    if isinstance(values, (list, tuple)):
+        others = [one for one in values if not isinstance(one, kind)]
+        if not others:
+            return
+        wrong = others[0]
+    raise TypeError(f"{name} must be a list of samcontact.{kind.__name__}, got {in_short(wrong)}")
+
+
+def positive(name: str, value: Any, *, allow_inf: bool = False) -> float:
+    """Return `value` as a float > 0, finite unless `allow_inf`."""
+    result = number(name, value)
+    if not result > 0.0 or (math.isinf(result) and not allow_inf):
+        kind = "number > 0 (inf allowed)" if allow_inf else "finite number > 0"
+        raise ValueError(f"{name} must be a {kind}, got {result!r}")
+    return result
+
+
+def non_negative(name: str, value: Any) -> float:
+    """Return `value` as a finite float >= 0."""
+    result = number(name, value)
+    if not (result >= 0.0 and math.isfinite(result)):
+        raise ValueError(f"{name} must be a finite number >= 0, got {result!r}")
+    return result
+
+
+def poisson_ratio(name: str, value: Any) -> float:
+    """Return `value` as a float in [0, 0.5], the range of the closed-form solutions."""
+    result = number(name, value)
+    if not 0.0 <= result <= 0.5:
+        raise ValueError(f"{name} must be in [0, 0.5], got {result!r}")
+    return result
+
+
+def integer(
+    name: str, value: Any, minimum: int | None = None, largest: int | None = MOST_COUNT
+) -> int:
+    """Return `value` as an int, >= `minimum`, of a size up to `largest`."""
+    if isinstance(value, _NOT_REAL) or not isinstance(value, Integral):
+        raise TypeError(f"{name} must be an integer, got {in_short(value)}")
+    if minimum is not None and value < minimum:
+        raise ValueError(f"{name} must be an integer >= {minimum}, got {in_short(value)}")
+    count = int(value)
+    if largest is not None and abs(count) > largest:
+        raise ValueError(
+            f"{name} must be an integer of a size up to {largest}, got {in_short(count)}"
+        )
+    return count
+
+
+def in_cells(name: str, length: float, step: float) -> float:
+    """A length [m] as a number of cells, which the core can count."""
+    if not abs(length) <= MOST_CELLS * step:
+        raise ValueError(
+            f"{name} must be at most {MOST_CELLS * step:.6g} m, {MOST_CELLS} cells of {step!r} m, "
+            f"got {length!r} m"
+        )
+    return length / step
+
+
+def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any]]:
+    """Return `steps` as a list of arguments of `Simulation.step`, whose names are `known`."""
+    several = isinstance(steps, Iterable) and not isinstance(
+        steps, (Mapping, str, bytes, np.ndarray)
+    )
+    given = list(islice(steps, MOST_STEPS + 1)) if several else [steps]
+    if len(given) > MOST_STEPS:
+        raise ValueError(f"{name} must have at most {MOST_STEPS} increments, got more")
+    wrong = [step for step in given if not (several and isinstance(step, Mapping))]
+    if wrong:
+        raise TypeError(
+            f"{name} must be a list of arguments of step(), e.g. [{{'load': 300.0}}], "
+            f"got {in_short(wrong[0])}"
+        )
+    known = list(known)
+    for number_, step in enumerate(given, 1):
+        for key in step:
+            if key not in known:
+                near = difflib.get_close_matches(str(key), known, 1)
+                hint = f": did you mean {near[0]}?" if near else f": one of {', '.join(known)}"
+                raise TypeError(
+                    f"increment {number_} of {name} has an unknown field {in_short(key)}{hint}"
+                )
+        exactly_one(**{key: step.get(key) for key in ("load", "approach", "pressure")})
+        if step.get("pressure") is None:
+            load_or_approach(step.get("load"), step.get("approach"))
+    return [dict(step) for step in given]  # the caller's may change meanwhile
+
+
+def step_count(name: str, value: Any) -> int:
+    """Return `value` as a number of increments that a list can hold."""
+    count = integer(name, value, 1)
+    if count > MOST_STEPS:
+        raise ValueError(f"{name} must be at most {MOST_STEPS}, got {count}")
+    return count
+
+
+def choice(name: str, value: Any, allowed: tuple[Any, ...]) -> Any:
+    """Return `value` when it is one of `allowed`."""
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value[()]
+    for item in allowed:
+        # True and 1 + 0j are equal to 1; 2.0 is taken for 2
+        alike = Real if isinstance(item, Real) else type(item)
+        if isinstance(value, alike) and not isinstance(value, _NOT_REAL) and value == item:
+            return item
+    listed = ", ".join(repr(item) for item in allowed)
+    raise ValueError(f"{name} must be one of {listed}, got {in_short(value)}")
+
+
+def axis_number(axis: Any) -> int:
+    """Return 0, 1 or 2 for "x", "y" or "z"."""
+    return ("x", "y", "z").index(choice("axis", axis, ("x", "y", "z")))
+
+
+def require_fast(name: str, method: str, periodic: str) -> None:
+    """Raise ValueError for the exact residual stress on a periodic grid."""
+    if method == "exact" and periodic:
+        raise ValueError(
+            f'{name} must be "fast" with grid.periodic = {periodic!r}, got "exact": there are '
+            "no closed forms of its lattice sums"
+        )
+
+
+def exactly_one(**given: Any) -> str:
+    """Return the name of the only argument that is not None."""
+    names = [name for name, value in given.items() if value is not None]
+    if len(names) != 1:
+        listed = ", ".join(given)
+        got = ", ".join(names) if names else "none"
+        raise ValueError(f"give exactly one of {listed}; got {got}")
+    return names[0]
+
+
+def real_array(name: str, value: ArrayLike) -> FloatArray:
+    """Return `value` as a float64 array of any shape; nothing is lost on the way."""
+    if _has_unit(value):
+        raise TypeError(f"{name} has a unit: convert it with samcontact.units.si")
+    lost = _masked_values(value)
+    if lost:  # NumPy would take what lies under the mask
+        raise ValueError(
+            f"{name} must be defined everywhere, got {lost} masked values: fill them first "
+            "(heights: samcontact.measured.MeasuredSurface(...).filled())"
+        )
+    axes = [axis for axis in getattr(value, "dims", ()) if axis in ("x", "y", "z")]
+    if axes != sorted(axes):
+        raise ValueError(
+            f"{name} must have its axes in the order x, y, z, got {value.dims}: "  # type: ignore[union-attr]
+            f"use .transpose({', '.join(map(repr, sorted(axes)))})"
+        )
+    wrong = ""
+    try:
+        given = np.asarray(value)
+        wrong = " and ".join(sorted(_not_numbers(value, given)))
+        array = np.asarray(given, dtype=np.float64) if not wrong else None
+    except OverflowError:  # a whole number of more than 308 digits
+        array = np.array(sys.float_info.max)
+    except Exception:  # rows of different lengths, and whatever the conversion of an object raises
+        array = None
+    if array is None:
+        rows = "" if wrong else ", whose rows are equally long"
+        raise TypeError(f"{name} must be an array of numbers{rows}, got {wrong or in_short(value)}")
+    if array.size and max(-_finite_end(np.fmin, array), _finite_end(np.fmax, array)) > MOST_NUMBER:
+        raise ValueError(
+            f"{name} must be finite everywhere and of a size up to {MOST_NUMBER:g}, "
+            f"got {in_short(value)}"
+        )
+    return array
+
+
+def _finite_end(end: np.ufunc, array: FloatArray) -> float:
+    """The smallest or largest of all values but NaN; 0 where that is infinite."""
+    found = float(end.reduce(array, axis=None))
+    return found if math.isfinite(found) else 0.0
+
+
+def _masked_values(value: ArrayLike) -> int:
+    """How many values are masked: none while nobody has loaded masked arrays, which naming them
+    would do, for longer than a small contact takes."""
+    if "numpy.ma" not in sys.modules:
+        return 0
+    parts = value if isinstance(value, (list, tuple)) else (value,)
+    return sum(int(np.sum(p.mask)) for p in parts if isinstance(p, np.ma.MaskedArray))
+
+
+def _not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:
+    """What NumPy would take for numbers without a word, and what it could not convert."""
+    names = {"b": "truth values", "c": "complex numbers", "S": "texts", "U": "texts"}
+    names |= {"m": "spans of time", "M": "dates"}
+    if given.dtype.kind not in "iufO":
+        return {names.get(given.dtype.kind, "records")}
+    # of a list with truth values among numbers, NumPy makes an array of numbers
+    kinds = _kinds(given.flat if given.dtype.kind == "O" else value)
+    wrong = {k for k in kinds if not issubclass(k, (Real, Decimal)) or issubclass(k, _NOT_REAL)}
+    return {names.get(np.dtype(k).kind, k.__name__.removesuffix("Type")) for k in wrong}
+
+
+def _kinds(value: Any) -> set[type]:
+    """Kinds of the entries of nested lists; arrays among them have one that NumPy tells."""
+    if isinstance(value, np.ndarray):
+        return {value.dtype.type}
+    if not isinstance(value, (list, tuple, np.flatiter)):
+        return set()
+    found = set(map(type, value))
+    if not any(issubclass(kind, (list, tuple, np.ndarray)) for kind in found):
+        return found
+    return set().union(*(_kinds(item) for item in value))
+
+
+def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...] | None = None) -> FloatArray:
+    """Return `value` as a float64 array of exactly this `shape`, or any, with finite entries."""
+    array = real_array(name, value)
+    if shape is not None and array.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
+    finite = np.isfinite(array)
+    if not finite.all():
+        index = tuple(int(i) for i in np.argwhere(~finite)[0])
+        where = f" at index {index}" if index else ""
+        raise ValueError(f"{name} must be finite everywhere, got {array[index]}{where}")
+    return array
+
+
+def together(**given: ArrayLike) -> list[FloatArray]:
+    """Return coordinates as arrays of one shape, broadcast, with finite entries."""
+    arrays = {name: finite_array(name, value) for name, value in given.items()}
+    try:
+        return list(np.broadcast_arrays(*arrays.values()))
+    except ValueError:
+        shapes = ", ".join(str(array.shape) for array in arrays.values())
+        allowed = "the same shape, or shapes that extend to it"
+        raise ValueError(f"{', '.join(arrays)} must have {allowed}, got {shapes}") from None
+
+
+def gap_array(
+    name: str, value: ArrayLike, shape: tuple[int, ...], nobody: float = math.inf
+) -> FloatArray:
+    """Return `value` as a float64 array of exactly this `shape`, finite in at least one cell.
+
+    nobody: the infinity that stands where there is no body, +inf of a gap.
+    """
+    array = real_array(name, value)
+    if array.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
+    wrong = ~np.isfinite(array) & (array != nobody)
+    if wrong.any():
+        index = tuple(int(i) for i in np.argwhere(wrong)[0])
+        raise ValueError(
+            f"{name} must be finite everywhere, or {nobody:+} where there is no body, got "
+            f"{array[index]} at index {index}"
+        )
+    if not np.isfinite(array).any():
+        raise ValueError(f"{name} must be finite somewhere, got {nobody:+}, no body, everywhere")
+    return array
+
+
+def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
+    """Return `value` as a contiguous array of stresses [Pa] that a load can be made of."""
+    array = np.ascontiguousarray(finite_array(name, value, shape))
+    largest = float(np.abs(array).max(initial=0.0))
+    if largest > MOST_STRESS:
+        raise ValueError(f"{name} must be of a size up to {MOST_STRESS:g} Pa, got {largest:.6g}")
+    return array
+
+
+def of_bodies(name: str, value: float | Sequence[float]) -> tuple[float, float]:
+    """Return `value` as two finite floats >= 0, of body 1 and 2; a single one is of body 2."""
+    given = real_array(name, value)
+    pair = [0.0, value] if given.ndim == 0 else list(given)
+    if given.ndim > 1 or len(pair) != 2:
+        raise ValueError(f"{name} must be a number or a pair, got {in_short(value)}")
+    return non_negative(name, pair[0]), non_negative(name, pair[1])
+
+
+def file_path(name: str, value: Any) -> Path:
+    """Return `value` as the path of a file or folder."""
+    if not isinstance(value, (str, os.PathLike)):
+        raise TypeError(f"{name} must be a path, got {in_short(value)}")
+    text = os.fsdecode(value)
+    if not text or "\0" in text:
+        raise ValueError(f"{name} must be a path without NUL that is not empty, got {text!r:.80}")
+    longest = max(Path(text).parts, key=len, default="")
+    if len(os.fsencode(longest)) > MOST_OF_NAME:
+        raise ValueError(
+            f"{name} must have parts of at most {MOST_OF_NAME} bytes, which file systems hold, "
+            f"got {in_short(longest)}"
+        )
+    return Path(text)
+
+
+def load_or_approach(load: float | None, approach: float | None) -> tuple[str, float]:
+    """Return the name and value of the only one that is given."""
+    name = exactly_one(load=load, approach=approach)
+    # an approach below zero separates the bodies; a negative load would be adhesion
+    return name, non_negative("load", load) if name == "load" else finite("approach", approach)

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How objects show themselves in notebooks: a small table of names and values with units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import fields
+from html import escape
+
+from .short_text import in_short
+
+Rows = Sequence[tuple[str, str]]
+LONGEST = 160
+"""Characters of one value in a repr."""
+
+# Units of the fields of dataclasses that are shown as they are; "" is a pure number.
+UNITS = {
+    "C": "",
+    "E_star": "Pa",
+    "R": "m",
+    "Rx": "m",
+    "Ry": "m",
+    "a": "m",
+    "a_x": "m",
+    "a_y": "m",
+    "approach": "m",
+    "b": "m",
+    "energy": "J",
+    "interference": "m",
+    "k": "",
+    "load": "N",
+    "load_per_length": "N/m",
+    "p0": "Pa",
+    "x": "m",
+    "y": "m",
+    "z": "m",
+}
+# Units whose prefixes are not powers of a thousand, with the factors that read well.
+_AREAS = (("m²", 1e-2), ("mm²", 1e-8), ("µm²", 0.0))
+_AREA_FACTORS = {"m²": 1.0, "mm²": 1e6, "µm²": 1e12}
+
+
+def percent(share: float) -> str:
+    """A share in per cent with two significant digits, e.g. "0.46 %" or "120 %"."""
+    return f"{float(f'{100 * share:.2g}'):g} %"  # not 1.2e+02
+
+
+def quantity(value: float, unit: str = "", digits: int = 4) -> str:
+    """A number with its unit and the prefix that reads well, e.g. "25 µm" or "1.48 GPa".
+
+    Parameters
+    ----------
+    value : float
+        In SI units.
+    unit : str, optional
+        "m²" gets mm² or µm²; with "" the number is written without prefix.
+    digits : int, optional
+        Significant ones.
+
+    Returns
+    -------
+    str
+    """
+    if not math.isfinite(value):
+        return {math.inf: "∞", -math.inf: "-∞"}.get(value, "none")
+    if unit == "m²":
+        shown = next(name for name, least in _AREAS if abs(value) >= least)
+        return f"{value * _AREA_FACTORS[shown]:.{digits}g} {shown}"
+    mantissa, power = f"{value:.{digits - 1}e}".split("e")
+    place, shift = divmod(int(power), 3)
+    if unit in ("", "K") or value == 0 or abs(place) > 10:  # there is no prefix
+        return f"{value:.{digits}g} {unit}".strip()
+    prefix = "qryzafpnµm kMGTPEZYRQ"[place + 10].strip()
+    return f"{float(f'{mantissa}e{shift}'):g} {prefix}{unit}"
+
+
+def lengths(*values: float) -> str:
+    """Sizes along the axes, as "25 µm × 30 µm"."""
+    return " × ".join(quantity(value, "m") for value in values)
+
+
+def counts(*values: int) -> str:
+    """Numbers of cells along the axes, as "31 × 31"."""
+    return " × ".join(str(value) for value in values)
+
+
+def html_table(title: str, rows: Rows) -> str:
+    """A table with a caption; names and values are escaped."""
+    style = "text-align: left"
+    body = "".join(
+        f'<tr><th scope="row" style="{style}">{escape(name)}</th>'
+        f'<td style="{style}">{escape(value)}</td></tr>'
+        for name, value in rows
+    )
+    caption = f'<caption style="{style}; font-weight: bold">{escape(title)}</caption>'
+    return f"<table>{caption}<tbody>{body}</tbody></table>"
+
+
+class Brief:
+    """A dataclass without a repr of its own, which may hold arrays."""
+
+    def __repr__(self) -> str:
+        shown = [field.name for field in fields(self) if field.repr]  # type: ignore[arg-type]
+        listed = ", ".join(f"{name}={in_short(getattr(self, name), LONGEST)}" for name in shown)
+        return f"{type(self).__name__}({listed})"
+
+
+class Shown:
+    """Something that notebooks show as a table; dataclasses of numbers need nothing more."""
+
+    def _rows(self) -> Rows:
+        return [
+            (field.name, quantity(getattr(self, field.name), UNITS[field.name]))
+            for field in fields(self)  # type: ignore[arg-type]
+        ]
+
+    def _repr_html_(self) -> str:
+        return html_table(type(self).__name__, self._rows())

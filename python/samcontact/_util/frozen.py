@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What something was made of cannot change afterwards: results would tell what was not computed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, TypeVar
+
+from .checks import FloatArray
+
+Value = TypeVar("Value")
+
+
+def read_only(array: FloatArray) -> FloatArray:
+    """The same array, which is nobody else's, without the right to write."""
+    array.flags.writeable = False
+    return array
+
+
+class FrozenDict(Mapping[str, Value]):
+    """A dictionary that stays as it is; compares with others, can be hashed and pickled."""
+
+    __slots__ = ("_items",)
+    _items: dict[str, Value]
+
+    def __init__(self, items: Mapping[str, Value]) -> None:
+        object.__setattr__(self, "_items", dict(items))
+
+    def __getitem__(self, name: str) -> Value:
+        return self._items[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._items)
+
+    def __len__(self) -> int:
+        return len(self._items)
+
+    def __hash__(self) -> int:
+        return hash(frozenset(self._items.items()))
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"{name} cannot be changed")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FrozenDict, (self._items,)
+
+    def __repr__(self) -> str:
+        return repr(self._items)
+
+
+class Fixed:
+    """Public attributes are those of `__init__`, which makes `_core` of them at its end."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        known = getattr(type(self), name, None)
+        settable = isinstance(known, property) and known.fset is not None
+        if not name.startswith("_") and not settable:
+            self._refuse(name)
+        object.__setattr__(self, name, value)
+
+    def __delattr__(self, name: str) -> None:
+        self._refuse(name)
+
+    def _refuse(self, name: str) -> None:
+        if "_core" in self.__dict__:
+            kind = type(self).__name__
+            raise AttributeError(f"{name} of a {kind} cannot be set: make a new {kind} instead")

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Values that no load of a search can reach, told before anything is solved."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+from .._util.display import quantity
+from ..bodies.layered import Layered
+from ..bodies.material import Material
+from ..scene.friction import coefficient
+from .load_search_cases import PERMANENT, YIELD, label_and_unit
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ..bodies.layered import Body
+    from ..diagnostics.hertz_estimate import Expected
+    from ..simulation.simulation import Simulation
+
+_MARGIN = 3.0
+"""Of estimates: gaps within 3 % of a paraboloid, plastic contacts by the yield stress."""
+_SLIPS = {
+    "m": {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9},
+    "m²": {"mm²": 1e-6, "µm²": 1e-12},
+    "Pa": {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3},
+    "": {"%": 1e-2, "x 1e-6": 1e-6},
+}
+"""Other units of the same number, the likeliest first."""
+_DEPTHS = ("approach", "print_depth", PERMANENT)
+
+
+class _Limit(NamedTuple):
+    """A value, and what it is that of."""
+
+    value: float
+    of: str
+
+
+def require_attainable(name: str, target: float, simulation: Simulation, most: float) -> None:
+    """Raise ValueError for a value that no load up to the largest reaches.
+
+    Bounds are those of Hertz's theory where the gap is a paraboloid, of the yield stress, and of
+    the size of the grid; other values are left to the search.
+
+    Parameters
+    ----------
+    name : str
+        The quantity, by its resolved name.
+    target : float
+        The wanted value [SI].
+    simulation : Simulation
+        Of the largest load.
+    most : float
+        The largest load [N].
+    """
+    kind = name.partition(",")[0].partition("_body")[0]
+    _, unit = label_and_unit(name)
+    largest = _largest(name, simulation, most)
+    shown = f"value = {target!r} of {name.replace(',', ' or ')}"
+
+    def meant() -> str:
+        """The same number in the first unit in which it can be, in words."""
+        for other, factor in _SLIPS.get(unit, {}).items() if kind != YIELD else ():
+            value = factor * target
+            if (largest is None or value <= largest.value) and not _least(kind, value, simulation):
+                return (
+                    f"; values are in SI units: {target:g} {other} is {value:.6g} {unit}".rstrip()
+                )
+        return ""
+
+    if largest is not None and target > largest.value:
+        raise ValueError(
+            f"{shown} is not reached: at {most:.6g} N it is less than {largest.value:.6g}, "
+            f"{largest.of}{meant()}"
+        )
+    if why := _least(kind, target, simulation):
+        raise ValueError(f"{shown} is too small for the grid: {why}{meant()}")
+
+
+def _largest(name: str, simulation: Simulation, most: float) -> _Limit | None:
+    """What a quantity is at most under loads up to the largest; None where that is not known."""
+    first = name.partition(",")[0]
+    kind, _, number = first.partition("_body")
+    both = simulation.body1, simulation.body2
+    bodies = [both[int(number) - 1]] if number and first == name else list(both)
+    expected = simulation._scene.hertz(load=most)
+    found = [
+        _of_strain(kind),
+        _of_strength(kind, bodies),
+        _of_grid(kind, simulation),
+        None if expected is None else _of_hertz(kind, simulation, expected),
+    ]
+    return min((limit for limit in found if limit is not None), default=None)
+
+
+def _of_strain(kind: str) -> _Limit | None:
+    if kind != "max_equivalent_plastic_strain":
+        return None
+    return _Limit(1.0, "far beyond the small strains that are solved for")
+
+
+def _of_strength(kind: str, bodies: Sequence[Body]) -> _Limit | None:
+    """The yield stress of a plastic strain of 1, which no von Mises stress exceeds."""
+    if kind not in ("max_von_mises", "max_residual_von_mises"):
+        return None
+    strengths = []
+    for body in bodies:
+        if isinstance(body, Layered) or not body.is_plastic or body.kinematic or body.softening:
+            return None
+        factor = 1.0 if body.yield_profile is None else max(body.yield_profile[1])
+        strengths.append(factor * float(body.yield_stress(1.0)))
+    return _Limit(max(strengths), "the yield stress at a plastic strain of 1")
+
+
+def _of_grid(kind: str, simulation: Simulation) -> _Limit | None:
+    """Depths beyond the width of the grid, and areas beyond it where it does not grow."""
+    grid = simulation.grid
+    if kind in _DEPTHS:
+        side = max(grid.nx * grid.dx, grid.ny * grid.dy)
+        return _Limit(side, "a depth as large as the grid is wide")
+    if kind == "contact_area" and not simulation._surfaces.are_known:
+        return _Limit(grid.nx * grid.ny * grid.cell_area, "the area of the grid")
+    return None
+
+
+def _of_hertz(kind: str, simulation: Simulation, expected: Expected) -> _Limit | None:
+    """By the elastic contact under the largest load, and by one under the yield stress."""
+    contact, both = expected.contact, (simulation.body1, simulation.body2)
+    bodies = [body for body in both if isinstance(body, Material)]
+    if len(bodies) < len(both) or any(body.softening for body in bodies):
+        return None
+    weakest = min(body.least_yield_stress for body in bodies)
+    crushed = contact.load / weakest  # the area under the yield stress
+    a, b = expected.semi_axes
+    radius = math.sqrt(math.prod(simulation._scene.radii or (math.inf, math.inf)))
+    depth = max(contact.approach, crushed / (2 * math.pi * radius))
+    is_stressed = any(body.residual_stress is not None for body in bodies)
+    sliding = (1 + coefficient(simulation.friction)) * contact.p0
+    largest = {
+        **dict.fromkeys(_DEPTHS, depth),
+        "contact_area": max(math.pi * a * b, crushed),
+        "max_pressure": contact.p0,
+        "max_von_mises": math.inf if is_stressed else sliding,
+        YIELD: math.inf if is_stressed else sliding / weakest,
+    }.get(kind, math.inf)
+    return _Limit(_MARGIN * largest, f"{_MARGIN:.0f} times what Hertz and the yield stress give")
+
+
+def _least(kind: str, target: float, simulation: Simulation) -> str | None:
+    """Why a value is of less than one cell; None where it is not, or nothing is known."""
+    grid, scene = simulation.grid, simulation._scene
+    if kind == "contact_area" and target < grid.cell_area:
+        return f"one cell has {quantity(grid.cell_area, 'm²')}"
+    radii = scene.radii
+    if kind not in ("max_pressure", "max_von_mises", "approach") or radii is None:
+        return None
+    if kind == "approach":
+        expected = scene.hertz(approach=target + float(scene.gap.min()))
+    else:
+        like = scene.hertz(load=1.0)
+        if like is None:
+            return None
+        # the pressure of a Hertz contact grows as the cube root of the load
+        expected = scene.hertz(load=(target / like.contact.p0) ** 3)
+    if expected is None or 2 * expected.semi_axes[0] >= max(grid.dx, grid.dy):
+        return None
+    across = quantity(2 * expected.semi_axes[0], "m")
+    return f"its contact is {across} across by Hertz's theory, less than a cell"

@@ -1,0 +1,400 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The load at which a quantity of a contact reaches a value."""
+
+from __future__ import annotations
+
+import math
+import os
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._core import ConvergenceError
+from .._util.checks import FloatArray, boolean, number, positive
+from .._util.display import Rows, Shown, percent, quantity
+from .._util.lazy_scipy import scipy
+from .._util.progress import tell
+from .._util.short_text import in_short
+from ..bodies.material import Material
+from ..restart.identity import identity
+from ..simulation import coarsening, error_controlled_quantities
+from ..simulation.journal import describe
+from .attainable_values import require_attainable
+from .grid_errors import estimated
+from .load_search_cases import (
+    PERMANENT,
+    YIELD,
+    Built,
+    Scaled,
+    elastic,
+    is_graded,
+    label_and_unit,
+    of_case,
+    require_known,
+    resolved,
+    used_strength,
+)
+from .solves import Solves
+
+if TYPE_CHECKING:
+    from ..cases import Case
+    from ..solutions.state import State
+
+__all__ = ["FoundLoad", "find_load"]
+
+_MOST = 100.0  # times the largest load of a case
+_LEAST = 1e-9  # times the first load that is tried
+_COARSE = 1e-2  # relative tolerance of the load on the coarser grid
+_TRIES = 12  # on the grid itself
+
+
+@dataclass(frozen=True, eq=False)
+class FoundLoad(Shown):
+    """A load and what is reached under it.
+
+    Attributes
+    ----------
+    quantity : str
+        By its name in results files, "permanent_deformation" or "yield"; by two names where it is
+        the larger of both.
+    load, load_error : float
+        [N]; the error is that of the value over its slope.
+    value, error : float
+        What is reached, in SI units, with its estimated error by the cells of the grid.
+    states : list of State
+        Of the run with this load; with "yield" of bodies that stay elastic.
+    """
+
+    quantity: str
+    load: float
+    load_error: float
+    value: float
+    error: float
+    states: list[State]
+
+    def _rows(self) -> Rows:
+        label, unit = label_and_unit(self.quantity)
+        share = self.load_error / self.load
+        return [
+            ("load", f"{quantity(self.load, 'N', 5)} ± {percent(share)}"),
+            (label, f"{quantity(self.value, unit, 5)} ± {percent(self.error / self.value)}"),
+        ]
+
+    def __repr__(self) -> str:
+        return f"FoundLoad({self.quantity!r}, load={self.load!r}, load_error={self.load_error:.2g})"
+
+
+class Search:
+    """What was tried so far: each load at most once on a grid.
+
+    start, most: loads where it begins and ends [N]; tolerance: of what is reached.
+    """
+
+    def __init__(
+        self, quantity: str, target: float, build: Callable[[float], Built], start: float,
+        most: float, tolerance: float, progress: bool,
+    ) -> None:  # fmt: skip
+        simulation, path = _made(build, most)
+        self.name, self.target = resolved(quantity, simulation), target
+        self.build, self.start, self.most = build, start, most
+        self.tolerance, self.progress = tolerance, progress
+        self.bodies = simulation.body1, simulation.body2
+        self.solves = Solves(describe(simulation, path=list(path), quantity=self.name))
+        require_attainable(self.name, target, simulation, most)
+        self.largest = (0.0, 0.0)
+        """Value and load."""
+        self._last: tuple[str, Built, list[State]] | None = None
+        self._told: set[str] = set()
+
+    def find(self) -> FoundLoad:
+        return _refined(self, _enclosed(self, self.start, self.most), self.tolerance)
+
+    def on_coarse(self, load: float) -> float:
+        """What is missing [of the target], on cells twice as large."""
+
+        def made() -> Built:
+            simulation, path = self._built(load)
+            path, _ = coarsening.coarser_path(path, simulation.grid)
+            return coarsening.coarser(simulation, simulation.heat), path
+
+        return self._missing(f"coarse_{load!r}", "on cells twice as large", load, made)
+
+    def on_grid(self, load: float) -> float:
+        """The same on the grid itself."""
+        return self._missing(_name(load), "on the grid itself", load, lambda: self._built(load))
+
+    def run(self, load: float) -> tuple[Built, list[State]]:
+        """What `on_grid` has solved last, or what is kept of it."""
+        if self._last is None or self._last[0] != _name(load):
+            self._solve(_name(load), self._built(load))
+        assert self._last is not None
+        return self._last[1:]
+
+    def _built(self, load: float) -> Built:
+        simulation, path = _made(self.build, load)
+        return (elastic(simulation), path) if self.name == YIELD else (simulation, path)
+
+    def _solve(self, name: str, built: Built) -> list[State]:
+        self._last = None  # whose memory the next may need
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            states = self.solves.run(name, built[0], list(built[1]), progress=self.progress)
+        self._last = name, built, states
+        return states
+
+    def _missing(self, name: str, where: str, load: float, make: Callable[[], Built]) -> float:
+        if name not in self.solves.given:
+            states = self._solve(name, make())
+            marks = {len(states) - 1} if self.name == PERMANENT else _marks(states)
+            reached = max(self._reached(states[at]) for at in marks)
+            self.solves.add(name, {"reached": reached})
+            self.solves.forget_increments([name])
+        reached = self.solves.given[name]["reached"]
+        if name not in self._told:
+            self._told.add(name)
+            tried = f"tried {quantity(load, 'N', 6)} {where}"
+            tell(f"{tried}: {self._shown(reached)}", shown=self.progress)
+        self.largest = max(self.largest, (reached, load))
+        return float(reached / self.target - 1.0)
+
+    def _shown(self, reached: float) -> str:
+        label, unit = label_and_unit(self.name)
+        wanted = quantity(self.target, unit)
+        return f"{label} {quantity(reached, unit)}, of {wanted} that are asked for"
+
+    def _reached(self, state: State) -> float:
+        if self.name == YIELD:
+            return max(used_strength(state, n, body) for n, body in self.yielding.items())
+        values = [error_controlled_quantities.value(state, name) for name in self.parts]
+        return sum(values) if self.name == PERMANENT else max(values)
+
+    @property
+    def yielding(self) -> dict[int, Material]:
+        """Materials that can, by the numbers of bodies."""
+        bodies = enumerate(self.bodies, 1)
+        return {n: body for n, body in bodies if isinstance(body, Material) and body.is_plastic}
+
+    @property
+    def parts(self) -> list[str]:
+        """What the quantity is the largest (or the sum) of, by names in results files."""
+        if self.name == PERMANENT:
+            bodies = enumerate(self.bodies, 1)
+            return [f"print_depth_body{n}" for n, body in bodies if body.is_plastic]
+        if self.name != YIELD:
+            return self.name.split(",")
+        return [f"max_von_mises_body{n}" for n in self.yielding]
+
+    @property
+    def is_graded(self) -> bool:
+        """Whether yield is looked for where strength changes with depth."""
+        return self.name == YIELD and any(map(is_graded, self.yielding.values()))
+
+    def refuse(self, why: object) -> ValueError:
+        reached, load = self.largest
+        name = self.name.replace(",", " or ")
+        return ValueError(
+            f"value = {self.target!r} of {name} is not reached: the largest is {reached:.6g} at "
+            f"{load:.6g} N; {why}"
+        )
+
+
+def find_load(
+    case: Case | str | Path | Mapping[str, Any] | Callable[[float], Built],
+    quantity: str,
+    value: float = 1.0,
+    *,
+    tolerance: float = 1e-3,
+    largest_load: float | None = None,
+    progress: bool = True,
+    checkpoint: str | os.PathLike[str] | None = None,
+) -> FoundLoad:
+    """Find the load at which a quantity reaches a value.
+
+    The load is enclosed on cells twice as large (Brent's method), then found on the grid itself by
+    secants, which take three or four solves.
+
+    Parameters
+    ----------
+    case : Case, path, dict or callable
+        A case, its file or a dictionary of the same layout, all of whose forces are multiplied by
+        the same factor; or a function that makes the simulation and the path (for
+        `Simulation.run`) of a largest load [N].
+    quantity : str
+        Of those with errors in results files, e.g. "max_pressure", "print_depth_body2"; without a
+        body the larger of both. It is taken under the largest load and at the end of the path, the
+        larger of both. "permanent_deformation": the depths of the prints of both bodies together,
+        at the end of the path. "yield": largest von Mises stress over yield stress of bodies that
+        stay elastic, 1 where the first one yields, wherever strength and stress of the start change
+        with depth.
+    value : float, optional
+        To be reached, > 0, in SI units.
+    tolerance : float, optional
+        Relative, of what is reached; in [1e-8, 0.1].
+    largest_load : float, optional
+        Where the search ends [N]; 100 times that of the case. A function needs it.
+    progress : bool, optional
+        Tell of each load that is tried, on stderr.
+    checkpoint : path, optional
+        Folder in which to keep what each load has given, and the increments of the last one. The
+        same call goes on from it, with the same bits. Remove it when it is no longer needed.
+
+    Returns
+    -------
+    FoundLoad
+
+    Raises
+    ------
+    ValueError
+        The value is not reached; the text has the largest one, or, before anything is solved, why
+        no load reaches it. An argument out of range, an unknown quantity (with the nearest), a case
+        without loads, wear; with "yield", bodies that cannot, that
+        have layers, that soften, or that yield in the last layer of the grid; a `checkpoint` of
+        another call.
+    """
+    search = searched(
+        case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
+    )
+    if checkpoint is not None and callable(case):  # other loads may make other scenes of it
+        search.solves.who |= identity(function=case)
+    with search.solves.kept_in(checkpoint):
+        return search.find()
+
+
+def searched(
+    case: Case | str | Path | Mapping[str, Any] | Callable[[float], Built],
+    quantity: str,
+    value: float,
+    *,
+    tolerance: float,
+    largest_load: float | None,
+    progress: bool,
+) -> Search:
+    """What `find_load` does, before anything is solved."""
+    boolean("progress", progress)
+    require_known(quantity)
+    target, relative = positive("value", value), number("tolerance", tolerance)
+    if not 1e-8 <= relative <= 0.1:
+        raise ValueError(f"tolerance must be in [1e-8, 0.1], got {tolerance!r}")
+    build: Callable[[float], Built]
+    if callable(case):
+        if largest_load is None:
+            raise ValueError("largest_load must be given with a function, got None")
+        build, start = case, positive("largest_load", largest_load)
+    else:
+        from ..cases.given import case_of_contact
+
+        known = case_of_contact("case", case)
+        start = of_case(known)
+        build = Scaled(known, start)
+    most = _MOST * start if largest_load is None else positive("largest_load", largest_load)
+    return Search(quantity, target, build, min(start, most), most, relative, progress)
+
+
+def _made(build: Callable[[float], Built], load: float) -> Built:
+    """What a function of the load makes."""
+    built = build(load)
+    if not (isinstance(built, tuple) and len(built) == 2):
+        raise TypeError(
+            "case must be a function that returns a simulation and its path, got one that "
+            f"returns {in_short(built)}"
+        )
+    return built
+
+
+def _marks(states: Sequence[State]) -> set[int]:
+    """The last increment under the largest load, and the last."""
+    loads = [state.load for state in states]
+    most = max(loads) * (1 - 1e-9)
+    return {max(n for n, load in enumerate(loads) if load >= most), len(states) - 1}
+
+
+def _name(load: float) -> str:
+    """Of a solve on the grid itself, in files."""
+    return f"grid_{load!r}"
+
+
+def _enclosed(search: Search, start: float, most: float) -> float:
+    """About where, on cells twice as large."""
+    try:
+        coarsening.coarser_grid(search.build(start)[0].grid)
+        missing = search.on_coarse
+    except ValueError:
+        missing = search.on_grid
+    why: list[object] = [f"largest_load is {most:.6g} N"]
+
+    def tried(load: float) -> float | None:
+        """None under loads that have no solution."""
+        try:
+            return missing(load)
+        except (ValueError, ConvergenceError, MemoryError) as error:
+            why[0] = error
+            return None
+
+    low, value = start, tried(start)
+    while (value is None or value > 0) and low > _LEAST * start:
+        most, low = (low, 0.5 * low) if value is None else (most, 0.5 * low)
+        value = tried(low)
+    if value is None or value > 0:
+        raise search.refuse(why[0])
+    high, value = low, -1.0
+    while value is None or value < 0:
+        low, most = (high, most) if value is not None else (low, 0.5 * (low + high))
+        high = min(2.0 * low, most)
+        if high < (1 + _COARSE) * low:
+            raise search.refuse(why[0])
+        value = tried(high)
+    found: float = scipy.optimize.brentq(missing, low, high, xtol=_COARSE * low, rtol=_COARSE)
+    return found
+
+
+def _refined(search: Search, near: float, tolerance: float) -> FoundLoad:
+    """By secants on the grid itself; halves where these leave what encloses the load."""
+    low, high = 0.0, math.inf
+    points: list[tuple[float, float]] = []
+    load = near
+    for _ in range(_TRIES):
+        missing = search.on_grid(load)
+        points.append((load, missing))
+        low, high = (load, high) if missing < 0 else (low, load)
+        if abs(missing) <= tolerance and len(points) > 1:
+            return _outcome(search, load, missing, _slope(points))
+        step = -missing / _slope(points) if len(points) > 1 else -missing * load
+        load += min(max(step if step else tolerance * load, -0.5 * load), load)
+        if not low < load < high:
+            load = 0.5 * (low + high)
+    raise search.refuse(f"within {_TRIES} solves the tolerance {tolerance!r} is not met")
+
+
+def _slope(points: Sequence[tuple[float, float]]) -> float:
+    """Of the last point and the one nearest to it."""
+    *others, (load, missing) = points
+    other, value = min(others, key=lambda point: abs(point[0] - load))
+    slope = (missing - value) / (load - other)
+    return slope if slope > 0 else 1.0 / load
+
+
+def _outcome(search: Search, load: float, missing: float, slope: float) -> FoundLoad:
+    (simulation, path), states = search.run(load)
+    try:
+        beside = estimated(simulation, path, states, partial(search.solves.run, f"errors_{load!r}"))
+        errors = [_relative(beside.values[n], beside.errors[n]) for n in search.parts]
+        if search.is_graded:  # kinks of strength are known to a layer
+            errors.append(abs(search.on_coarse(load) - missing))
+        error = max(errors)
+    except (ValueError, ConvergenceError, MemoryError):  # it has none, which NaN tells
+        error = math.nan
+    value = search.target * (1.0 + missing)
+    load_error = (abs(missing) + error) / slope
+    return FoundLoad(search.name, load, load_error, value, error * value, states)
+
+
+def _relative(values: FloatArray, errors: FloatArray) -> float:
+    """Where the value is largest."""
+    known = np.where(np.isfinite(errors), np.abs(values), -1.0)
+    at = int(known.argmax())
+    return float(errors[at] / known[at]) if known[at] > 0 else 0.0

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tasks of many solves: what each gave is kept, and of the last ones their increments."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from .._util.checks import file_path
+from ..files.ownership import require_marked
+from ..restart.checkpoint_files import remove_checkpoints
+from ..restart.file import DamagedCheckpointError, read, require_same, write
+from ..restart.identity import Identity, identity, require_identified
+from ..restart.lock import locked
+from ..restart.tree import Tree
+from ..simulation.journal import Journal, describe
+from ..solutions.state import in_one_window
+
+if TYPE_CHECKING:
+    from ..simulation.simulation import Simulation
+    from ..solutions.state import State
+
+_KIND = "solve"
+
+
+class _Solve(NamedTuple):
+    """A simulation with the increments that it has made so far."""
+
+    simulation: Simulation
+    who: Identity
+    states: list[State]
+
+
+class Solves:
+    """Solves of one task, each by a name: what they gave, and states that may still be needed.
+
+    Parameters
+    ----------
+    who : Identity
+        Of the task: files of another one are refused.
+    """
+
+    def __init__(self, who: Identity) -> None:
+        from .. import __version__
+
+        self.who = who | identity(version=__version__)
+        self.given: dict[str, Tree] = {}
+        """What each gave, as `add` was told."""
+        self._folder: Path | None = None
+        self._solves: dict[str, _Solve] = {}
+
+    @contextmanager
+    def kept_in(self, folder: str | os.PathLike[str] | None) -> Iterator[None]:
+        """Take what is in a folder, and keep there what follows as it is done; None: nowhere."""
+        if folder is None:
+            yield
+            return
+        require_identified(self.who)
+        self._folder = file_path("checkpoint", folder)
+        with locked(self._folder):
+            for file in sorted(self._folder.glob("*.h5")):
+                require_marked(file, "move it away, or choose another folder")
+                self._take(file)
+            yield
+
+    def _take(self, file: Path) -> None:
+        try:
+            tree = read(file, _KIND)
+        except DamagedCheckpointError as error:
+            warnings.warn(f"{error}: it is solved again", stacklevel=4)
+            return
+        require_same(file.parent, self.who, tree)
+        self.given[file.stem] = tree["given"]
+
+    def run(
+        self,
+        name: str,
+        simulation: Simulation,
+        path: Sequence[Mapping[str, Any]],
+        *,
+        progress: bool = False,
+    ) -> list[State]:
+        """The increments of a solve: those that are kept, and others as they are made."""
+        solve = self._solves[name] = _Solve(simulation, describe(simulation, path=path), [])
+        folder = None if self._folder is None else self._folder / name
+        simulation._run_into(solve.states, path, progress, folder, leave=False)
+        return in_one_window(solve.states)
+
+    def add(self, name: str, given: Tree) -> None:
+        """What a solve gave: numbers, texts and arrays."""
+        self.given[name] = given
+        if self._folder is not None:
+            self._write(self._folder, name)
+
+    def forget_increments(self, but: Collection[str]) -> None:
+        """Of all solves but these."""
+        for name in {*self.given, *self._solves}.difference(but):
+            self._solves.pop(name, None)
+            if self._folder is not None:
+                remove_checkpoints(self._folder / name)
+
+    @property
+    def increments(self) -> int:
+        """How many there are to keep."""
+        return sum(len(solve.states) for solve in self._solves.values())
+
+    def keep(self, folder: Path) -> None:
+        """Write all there is into a folder, to go on from."""
+        folder.mkdir(parents=True, exist_ok=True)
+        for name in self.given:
+            self._write(folder, name)
+        for name, solve in self._solves.items():
+            Journal(folder / name, solve.simulation, solve.who).add_all(solve.states)
+
+    def _write(self, folder: Path, name: str) -> None:
+        write(folder / f"{name}.h5", _KIND, {"run": self.who, "given": self.given[name]})

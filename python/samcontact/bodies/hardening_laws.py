@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Laws of materials, and the constants of each with what they may be.
+
+The core tells its hardening laws. A factory of `Material` by the same name makes the material of a
+law; all else (checks, case files, tables, checkpoints) follows from `LAWS`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .. import _core
+from .._util.checks import number, real_array
+from .._util.frozen import FrozenDict
+from .._util.short_text import in_short
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A parameter of a law: its unit, its limits, and whether it is a list of such numbers."""
+
+    unit: str = ""
+    gt: float | None = None
+    ge: float | None = None
+    lt: float | None = None
+    le: float | None = None
+    many: bool = False
+
+
+@dataclass(frozen=True)
+class Law:
+    """What all materials of a law share."""
+
+    says: str
+    """In a line."""
+    constants: Mapping[str, Constant]
+    """In the order of the factory."""
+    yields: bool = False
+
+
+def _constant(told: _core.LawParameter) -> Constant:
+    low = {"gt" if told.above_low else "ge": told.low}
+    return Constant(
+        told.unit, **low, le=told.high if told.high < math.inf else None, many=told.many
+    )
+
+
+_E = {"E": Constant("Pa", gt=0.0), "nu": Constant(ge=0.0, lt=0.5)}
+_TOLD = {
+    law.name: Law(law.says, _E | {p.name: _constant(p) for p in law.parameters}, law.yields)
+    for law in _core.hardening_laws()
+}
+LAWS: Mapping[str, Law] = {
+    "elastic": _TOLD["elastic"],
+    "rigid": Law("A body that does not deform.", {}),
+    **_TOLD,
+}
+
+
+def _values(name: str, given: Any) -> tuple[float, ...]:
+    values = real_array(name, given)
+    if values.ndim != 1:
+        raise ValueError(f"{name} must be a list of numbers, got shape {values.shape}")
+    return tuple((values + 0.0).tolist())
+
+
+def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
+    """All constants of a law, in its order; their ranges are checked by the core."""
+    if not isinstance(law, str) or law not in LAWS:
+        raise ValueError(f"law must be one of {', '.join(LAWS)}, got {in_short(law)}")
+    if not isinstance(given, Mapping):
+        raise TypeError(f"parameters must be a mapping of names to numbers, got {in_short(given)}")
+    names = LAWS[law].constants
+    if set(given) != set(names):
+        raise ValueError(
+            f"parameters of {law!r} must be {', '.join(names) or 'none'}, "
+            f"got {', '.join(map(str, given)) or 'none'}: use Material.{law}(...)"
+        )
+    return FrozenDict(
+        {
+            name: (_values if constant.many else number)(name, given[name])
+            for name, constant in names.items()
+        }
+    )
+
+
+def core_material(law: str, constants: Mapping[str, Any]) -> _core.Material:
+    """The core's material; raises ValueError naming a constant that is out of range."""
+    if law == "rigid":
+        return _core.Material.rigid()
+    values = {name: np.atleast_1d(value).tolist() for name, value in constants.items()}
+    (E,), (nu,) = values.pop("E"), values.pop("nu")
+    return _core.Material.with_law(E, nu, law, values)

@@ -1,0 +1,255 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bodies of layers: coatings on a substrate."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import accumulate
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import _core
+from .._util.cached_property import cached_property
+from .._util.checks import FloatArray, finite, positive, real_array, require_type
+from .._util.display import Rows, Shown, quantity
+from .._util.frozen import FrozenDict
+from .._util.short_text import in_short
+from .depth_profiles import checked_depths
+from .display import material_in_short
+from .material import Material
+
+
+def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
+    if isinstance(given, (Material, str, np.ndarray)) or not isinstance(given, Iterable):
+        raise TypeError(f"layers must be a list of (material, thickness), got {in_short(given)}")
+    layers = []
+    for n, layer in enumerate(given):
+        if isinstance(layer, Material) or not isinstance(layer, Sequence) or len(layer) != 2:
+            raise TypeError(f"layers[{n}] must be (material, thickness), got {in_short(layer)}")
+        material, thickness = layer
+        require_type(f"material of layers[{n}]", material, Material)
+        if material.is_rigid:
+            raise ValueError(f"layers[{n}] is rigid: only the substrate may be")
+        layers.append((material, positive(f"thickness of layers[{n}]", thickness)))
+    if not layers:
+        raise ValueError("layers must hold at least one layer: the substrate alone is a body too")
+    return tuple(layers)
+
+
+@dataclass(frozen=True, repr=False, init=False)
+class Layered(Shown):
+    """Layers on a substrate, perfectly bonded: a coated body, to be used like a `Material`.
+
+    Parameters
+    ----------
+    layers : sequence of pairs
+        Material and thickness [m] of each layer, from the surface down; any number.
+    substrate : Material
+        What lies below them, without end; `Material.rigid()` is allowed: its stress is not known,
+        and 0 in all fields.
+
+    Raises
+    ------
+    ValueError
+        There is no layer, a layer is rigid, a thickness is not a finite number > 0, or a material
+        has thermal constants or softens, for which layers have no kernels.
+    TypeError
+        Something is not a material or not a number.
+
+    Notes
+    -----
+    Waves of each wavenumber are reflected and transmitted at the interfaces by a recursion of
+    impedances that holds for thick and thin layers (docs/theory.md, "Layers"). Stresses in the
+    surface's plane jump at interfaces. A depth that lies exactly on one belongs to the layer below;
+    ``np.nextafter(z, 0.0)`` is the layer above.
+
+    Each layer and the substrate yield by the law of their own material, and have its yield profile
+    and residual stress, whose depths are those below the surface of the body: a growth stress of a
+    coating is ``material.with_residual_stress([0.0], [s])`` of it.
+    """
+
+    layers: tuple[tuple[Material, float], ...]
+    substrate: Material
+    law: ClassVar[str] = "layered"
+    thermal: ClassVar[None] = None
+    softening: ClassVar[None] = None
+
+    def __init__(self, layers: Sequence[tuple[Material, float]], substrate: Material) -> None:
+        object.__setattr__(self, "layers", _checked_layers(layers))
+        require_type("substrate", substrate, Material)
+        object.__setattr__(self, "substrate", substrate)
+        for name, material in self._named_materials():
+            for what in ("thermal", "softening"):
+                if getattr(material, what) is not None:
+                    raise ValueError(
+                        f"{name} must have no {what}, got {getattr(material, what)!r}: layered "
+                        "bodies have no kernels of heat"
+                    )
+        self._core  # noqa: B018  (the core checks thicknesses)
+
+    def _named_materials(self) -> list[tuple[str, Material]]:
+        named = [(f"layers[{n}]", material) for n, (material, _) in enumerate(self.layers)]
+        return [*named, ("substrate", self.substrate)]
+
+    @cached_property
+    def _core(self) -> Any:
+        layers = [(material._core, h) for material, h in self.layers]
+        return _core.Body(self.substrate._core, layers)
+
+    @property
+    def parameters(self) -> Mapping[str, tuple[float, ...]]:
+        """E [Pa] and nu from the surface down, the substrate last, and each thickness [m]."""
+        materials = materials_of(self)
+        return FrozenDict(
+            {
+                "E": tuple(material.E for material in materials),
+                "nu": tuple(material.nu for material in materials),
+                "thickness": tuple(h for _, h in self.layers),
+            }
+        )
+
+    @property
+    def least_yield_stress(self) -> float:
+        """Smallest yield stress of all materials before hardening [Pa]; infinite without yield."""
+        return min(material.least_yield_stress for material in materials_of(self))
+
+    @property
+    def interfaces(self) -> FloatArray:
+        """Depth of the bottom of each layer [m], shape (number of layers,)."""
+        return np.array(list(accumulate(h for _, h in self.layers)))
+
+    @property
+    def is_rigid(self) -> bool:
+        """False: layers are elastic."""
+        return False
+
+    @property
+    def is_plastic(self) -> bool:
+        """Whether a layer or the substrate can yield."""
+        return any(material.is_plastic for _, material in self._named_materials())
+
+    def material_at(self, z: float) -> Material:
+        """The material at a depth z >= 0 [m]; on an interface that below it."""
+        depth = finite("z", z)
+        if not depth >= 0:
+            raise ValueError(f"z must be >= 0, got {z!r}")
+        below = int(np.searchsorted(self.interfaces, depth, side="right"))
+        return self._named_materials()[below][1]
+
+    def yield_stress_at(self, z: ArrayLike) -> FloatArray:
+        """Yield stress before hardening at depths z [Pa], same shape; infinite without yield.
+
+        Raises ValueError where z is negative or not finite.
+        """
+        depths = checked_depths(z)
+        return self._over_depth(depths, np.zeros_like(depths), Material.yield_stress_at)
+
+    def residual_stress_at(self, z: ArrayLike) -> FloatArray:
+        """Stress of the start at depths z [m]: sxx, syy and sxy [Pa], one array of z's shape each.
+
+        0 without. Raises ValueError where z is negative or not finite.
+        """
+        depths = checked_depths(z)
+        return self._over_depth(depths, np.zeros((3, *depths.shape)), Material.residual_stress_at)
+
+    def _over_depth(
+        self, depths: FloatArray, out: FloatArray, of: Callable[[Material, FloatArray], FloatArray]
+    ) -> FloatArray:
+        """What the material at each depth says of it, into an array whose last axes are depths'."""
+        for material, there in materials_at(self, depths):
+            out[..., there] = of(material, depths[there])
+        return out
+
+    def wave_compliance(self, wavenumber: ArrayLike) -> FloatArray:
+        """Displacement u_z of the surface over the pressure of a wave cos(q x) [m/Pa].
+
+        Parameters
+        ----------
+        wavenumber : array_like
+            q = 2 pi over the wavelength [1/m], > 0.
+
+        Returns
+        -------
+        ndarray
+            Of the same shape: (1 - nu^2) 2/(E q) of the substrate for long waves, of the top layer
+            for short ones.
+        """
+        q = real_array("wavenumber", wavenumber)
+        bad = ~(np.isfinite(q) & (q > 0))
+        if bad.any():
+            raise ValueError(f"wavenumber must be finite and > 0, got {float(q[bad].flat[0])!r}")
+        found = self._core.stack.wave_compliance(np.ascontiguousarray(q).ravel())
+        return np.asarray(found).reshape(q.shape)
+
+    def _rows(self) -> Rows:
+        rows = [("law", self.law)]
+        rows += [
+            (f"layer {n}", f"{quantity(h, 'm')} of {material_in_short(material)}")
+            for n, (material, h) in enumerate(self.layers, 1)
+        ]
+        return [*rows, ("substrate", material_in_short(self.substrate))]
+
+    def __repr__(self) -> str:
+        return f"Layered({list(self.layers)!r}, {self.substrate!r})"
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"layers": self.layers, "substrate": self.substrate}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+
+Body = Material | Layered
+
+
+def require_bodies(*bodies: Any) -> None:
+    """Raise TypeError for what is neither a material nor layers of them."""
+    for n, body in enumerate(bodies, 1):
+        if not isinstance(body, Body):
+            raise TypeError(
+                f"body{n} must be a samcontact.Material or samcontact.Layered, got {in_short(body)}"
+            )
+
+
+def require_homogeneous(why: str, *bodies: Any) -> None:
+    """Raise TypeError for what is no material, ValueError with the reason for layers of them."""
+    for n, body in enumerate(bodies, 1):
+        if isinstance(body, Layered):
+            raise ValueError(f"body{n} must be a Material, got {len(body.layers)} layer(s): {why}")
+        require_type(f"body{n}", body, Material)
+
+
+def materials_of(body: Body) -> list[Material]:
+    """All materials of a body, from the surface down."""
+    if isinstance(body, Material):
+        return [body]
+    return [material for _, material in body._named_materials()]
+
+
+def names_of_materials(layers: int) -> list[str]:
+    """What files call the materials of so many layers and their substrate."""
+    return [*(f"layer{n}" for n in range(1, layers + 1)), "substrate"]
+
+
+def materials_at(body: Body, depths: FloatArray) -> Iterator[tuple[Material, FloatArray]]:
+    """Each material of a body, and at which of some depths [m] it is, as a mask."""
+    materials = materials_of(body)
+    bottoms = body.interfaces if isinstance(body, Layered) else np.empty(0)
+    numbers = np.searchsorted(bottoms, depths, side="right")
+    for number, material in enumerate(materials):
+        yield material, numbers == number
+
+
+def backstresses_of(body: Body) -> int:
+    """How many backstresses a history of the body has: the most of its materials."""
+    return max(len(material.kinematic) for material in materials_of(body))
+
+
+def softest(body: Body) -> Material:
+    """Of the materials of a body that is most compliant: a homogeneous one for orders of size."""
+    if isinstance(body, Material):
+        return body
+    return max(materials_of(body), key=lambda material: (1 - material.nu**2) / material.E)

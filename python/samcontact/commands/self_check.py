@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What this installation consists of, and a self-check that takes a second or two."""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.util
+import os
+import platform
+import re
+import tempfile
+from collections.abc import Callable, Iterator
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .. import hertz, surfaces
+from .._util.check import Verdict
+from ..bodies.material import Material
+from ..scene.grid import Grid
+from ..simulation.simulation import Simulation
+
+__all__ = ["installation", "self_check"]
+
+REQUIRED = (
+    "numpy", "scipy", "matplotlib", "pydantic", "xarray", "h5netcdf", "h5py", "jinja2", "pandas",
+    "click", "rich", "tqdm",
+)  # fmt: skip
+# library: (extra that installs it, what it is for)
+OPTIONAL = {"vtk": ("vtk", "export for ParaView")}
+# Extensions that tell the levels of x86-64 apart for which the core has hot loops.
+LEVELS = {
+    "x86-64-v4 (AVX-512)": {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"},
+    "x86-64-v3 (AVX2)": {"avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe"},
+}
+R, E, NU = 7.5e-3, 210e9, 0.3  # of the self-check
+
+
+def installation() -> list[tuple[str, str]]:
+    """Versions and settings, as name and text.
+
+    Returns
+    -------
+    list of (str, str)
+        Package, Python, machine, compiler, FFTW, SIMD level and threads, then libraries.
+    """
+    from .. import __version__
+
+    core = Path(_core_file())
+    library = ctypes.CDLL(str(core))  # is loaded already: only names are looked up
+    return [
+        ("samcontact", __version__),
+        ("Python", f"{platform.python_version()} ({platform.python_implementation()})"),
+        ("machine", f"{platform.system()} {platform.machine()}"),
+        ("compiler", _compiler(core)),
+        ("FFTW", f"{_fftw(library)}, plans by estimate"),
+        ("SIMD", _simd()),
+        ("threads", _threads(library)),
+        *((name, _version(name) or "missing: pip install samcontact") for name in REQUIRED),
+        *_optional(),
+    ]
+
+
+def _core_file() -> str:
+    found = importlib.util.find_spec("samcontact._core")
+    if found is None or found.origin is None:  # a package without its core could not be imported
+        raise FileNotFoundError("the compiled core is missing")
+    return found.origin
+
+
+def _compiler(core: Path) -> str:
+    """As compilers leave it in the files they make."""
+    pattern = rb"GCC: \([^)\0]*\) [\d.]+|clang version [\d.]+"
+    found = sorted({text.decode() for text in re.findall(pattern, core.read_bytes())})
+    return ", ".join(found) or "unknown"
+
+
+def _fftw(library: ctypes.CDLL) -> str:
+    try:
+        version = (ctypes.c_char * 64).in_dll(library, "fftw_version").value
+    except ValueError:  # linked in such a way that it shows no names
+        return "unknown"
+    return version.decode().removeprefix("fftw-")
+
+
+def _simd() -> str:
+    """The level of x86-64 that the loader selects hot loops for."""
+    if platform.machine() not in ("x86_64", "AMD64"):
+        return "one level only"
+    try:
+        text = Path("/proc/cpuinfo").read_text()
+    except OSError:
+        return "unknown"
+    line = re.search(r"^flags\s*:(.*)$", text, re.MULTILINE)
+    if line is None:
+        return "unknown"
+    flags = set(line.group(1).split())
+    needed: set[str] = set()
+    best = "x86-64 (SSE2)"
+    for level, own in reversed(LEVELS.items()):
+        needed |= own
+        if needed <= flags:
+            best = level
+    return best
+
+
+def _threads(library: ctypes.CDLL) -> str:
+    try:
+        count = min(library.omp_get_max_threads(), library.omp_get_thread_limit())
+    except AttributeError:
+        return "1 (built without OpenMP)"
+    given = os.environ.get("OMP_NUM_THREADS")
+    source = f"OMP_NUM_THREADS={given}" if given else "OMP_NUM_THREADS not set"
+    return f"{count} of {os.cpu_count()} processors ({source})"
+
+
+def _version(name: str) -> str | None:
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:
+        return None
+
+
+def _optional() -> Iterator[tuple[str, str]]:
+    for name, (extra, purpose) in OPTIONAL.items():
+        missing = f"absent ({purpose}): pip install samcontact[{extra}]"
+        yield name, _version(name) or missing
+
+
+def self_check() -> Iterator[Verdict]:
+    """Solve small contacts and compare.
+
+    Yields
+    ------
+    Verdict
+        One after the other, as they are computed. A part that raises gives a failed one with the
+        error in its name.
+    """
+    for part in (_hertz, _plastic, _checkpoint):
+        yield from _guarded(part)
+
+
+def _guarded(part: Callable[[], Iterator[Verdict]]) -> Iterator[Verdict]:
+    try:
+        yield from part()
+    except Exception as error:  # whatever is wrong here has to be told, not to end the list
+        text = f"{part.__name__.strip('_')}: {type(error).__name__}: {error}"
+        yield Verdict(text, float("nan"), 0.0)
+
+
+def _hertz() -> Iterator[Verdict]:
+    """An elastic contact with 14 cells per radius against the closed form."""
+    steel = Material.elastic(E, NU)
+    exact = hertz.point(R, hertz.effective_modulus(steel, steel), load=1000.0)
+    step = exact.a / 14.0
+    grid = Grid(35, 35, step, step)
+    state = Simulation(grid, steel, steel, surfaces.paraboloid(grid, R)).step(load=1000.0)
+    pressure = abs(float(state.pressure.max()) / exact.p0 - 1.0)
+    # discretisation: a few times what the validation finds at this resolution
+    yield Verdict("Hertz: maximum pressure against the closed form", pressure, 5e-3)
+    approach = abs(state.approach / exact.approach - 1.0)
+    yield Verdict("Hertz: approach against the closed form", approach, 2e-3)
+
+
+def _plastic_simulation() -> Simulation:
+    ball, flat = Material.elastic(E, NU), Material.swift(E, NU, 945e6, 20.0, 0.121)
+    grid = Grid(15, 15, 60e-6, 60e-6, 12, 60e-6)
+    return Simulation(grid, ball, flat, surfaces.paraboloid(grid, R))
+
+
+def _plastic() -> Iterator[Verdict]:
+    simulation = _plastic_simulation()
+    state = simulation.step(load=600.0)
+    tol = simulation.tol
+    strain = state.max_equivalent_plastic_strain(body=2)
+    yield Verdict("elastic-plastic: largest plastic strain", strain, 1e-5, at_least=True)
+    yield Verdict("elastic-plastic: plastic residual", state.plastic_residual, tol)
+    yield Verdict("elastic-plastic: stress beyond yield", state.yield_excess, tol)
+    total = float(state.pressure.sum()) * simulation.grid.cell_area
+    yield Verdict("elastic-plastic: balance of the load", abs(total / 600.0 - 1.0), tol)
+
+
+def _checkpoint() -> Iterator[Verdict]:
+    """A simulation that is saved, read and continued ends as one that was not."""
+    straight = _plastic_simulation()
+    straight.step(load=500.0)
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "checkpoint.h5"
+        straight.save(file)
+        resumed = Simulation.load(file)
+    states: list[Any] = [simulation.step(load=0.0) for simulation in (straight, resumed)]
+    first, second = (state.residual_displacement(body=2) for state in states)
+    difference = float(np.max(np.abs(first - second)))
+    yield Verdict("checkpoint: difference of the print [m]", difference, 0.0)

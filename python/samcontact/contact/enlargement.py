@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Larger grids for contacts that touch the border."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from .._core import GridTooSmallError
+from ..diagnostics import hertz_estimate
+from ..scene.grid import Grid
+
+MOST, LARGE = 64, 1 << 22
+"""Times the cells of its first window that a window may have; and cells, where Hertz says so."""
+ROOM = 1.25
+"""Sides of a window over those of the Hertz contact: yielding bodies touch over more."""
+_WIDER, _LEAST = 1.5, 1.25  # a side that the contact touches, and one that needs to be longer
+
+
+def counts_for(
+    error: GridTooSmallError,
+    first: Grid,
+    scene: hertz_estimate.Scene,
+    load: float | None = None,
+    approach: float | None = None,
+) -> list[int]:
+    """Cells along x and y of a window larger than that of an error; ValueError for too many."""
+    shape, sizes = scene.grid.surface_shape, (scene.grid.dx, scene.grid.dy)
+    halves = zip(scene.extent(load, approach), sizes, strict=True)
+    needed = [math.ceil(2 * ROOM * half / d) for half, d in halves]
+    fits = all(n >= cells for n, cells in zip(shape, needed, strict=True))
+    counts = [
+        _even_more(n, max(cells, _WIDER * n if fits and axis in (error.axes or "xy") else n))
+        for axis, n, cells in zip("xy", shape, needed, strict=True)
+    ]
+    most = MOST * first.nx * first.ny
+    most = max(most, MOST * needed[0] * needed[1] if fits else LARGE)
+    if counts[0] * counts[1] > most:
+        raise ValueError(f"{counts[0]} x {counts[1]} cells are more than {most}")
+    return counts
+
+
+@contextmanager
+def told_in(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
+    """Why a grid cannot become larger, as a part of the error that asked for it."""
+    try:
+        yield
+    except (ValueError, MemoryError) as reason:
+        cells = f"{grid.nx} x {grid.ny} cells"
+        error.args = (f"{error}; the grid of {cells} grows no further: {reason}",)
+        raise error from reason
+
+
+def _even_more(n: int, wanted: float) -> int:
+    """At least as many cells as wanted, an even number more and a quarter at least, if any."""
+    if wanted <= n:
+        return n
+    return n + 2 * math.ceil((max(wanted, _LEAST * n) - n) / 2)

@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fields of a body under the tractions of an elastic contact."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import _core
+from .._util import memory
+from .._util.checks import FloatArray, choice, finite_array, real_array, require_type
+from ..bodies.layered import Body
+from ..heat import Heat
+from ..scene.cell_fields import depths_of, shear_components
+from ..scene.friction import Coulomb
+from ..scene.grid import Grid
+from ..scene.settings import Configured
+from ..solutions.contact_solution import ContactSolution, ShearedSolution
+from ..solutions.stress_at_points import require_closed_forms, stress_at_points
+
+
+class ContactFields(Configured):
+    """Stress, displacement and temperature of what a contact solver was made of."""
+
+    grid: Grid
+    body1: Body
+    body2: Body
+    friction: Any
+    heat: Heat
+    _core: Any
+    _heating: Any
+
+    def stress(
+        self,
+        pressure: ArrayLike,
+        z: ArrayLike,
+        body: int = 2,
+        *,
+        shear: ArrayLike | None = None,
+    ) -> FloatArray:
+        """Elastic and thermal stress in a body at any depths, without that of the start.
+
+        Parameters
+        ----------
+        pressure : array_like, shape (nx, ny)
+            [Pa].
+        z : array_like, shape (m,)
+            Depths [m], >= 0.
+        body : {1, 2}, optional
+        shear : array_like, shape (nx, ny) or (2, nx, ny), optional
+            Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction times
+            pressure. With `Coulomb` there is no default.
+
+        Returns
+        -------
+        ndarray, shape (6, nx, ny, m)
+            xx, yy, zz, yz, xz, xy [Pa], tension positive, in the body's own frame.
+        """
+        material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
+        if material.is_rigid:
+            raise ValueError(f"body {body} is rigid: it has no stress")
+        layers = real_array("z", z).size
+        needed = memory.volume(self.grid, memory.STRESS_OF_TRACTIONS, layers)
+        memory.require_for_grid(f"the stress at {layers} depths", self.grid, needed)
+        stress: FloatArray = _core.operators.surface_stress(
+            self.grid._core,
+            material._core.stack,
+            self._heating[body - 1],
+            depths_of(z).tolist(),
+            *self._tractions_on(body, pressure, shear),
+        )
+        return stress
+
+    def displacement(
+        self, pressure: ArrayLike, shear: ArrayLike | None = None, body: int = 2
+    ) -> FloatArray:
+        """Elastic displacement of a body's surface under tractions, along x, y and z.
+
+        Parameters
+        ----------
+        pressure : array_like, shape (nx, ny)
+            [Pa], positive in compression.
+        shear : array_like, shape (nx, ny) or (2, nx, ny), optional
+            Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction times
+            pressure. With `Coulomb` there is no default.
+        body : {1, 2}, optional
+
+        Returns
+        -------
+        ndarray, shape (3, nx, ny)
+            u_x, u_y, u_z [m] at the cell centres, zero far away (see Grid for periodic ones): u_x
+            and u_y along the x and y that both bodies share, u_z positive into the body. Shear
+            s_x > 0 on body 2 moves its surface to +x; pressure draws the surface around it towards
+            itself. Without thermal expansion; zero for a rigid body.
+
+        Raises
+        ------
+        ValueError, TypeError
+            An argument out of range or of the wrong kind.
+
+        Notes
+        -----
+        Boussinesq's and Cerruti's point forces (Johnson 1985, sections 3.2 and 3.6), integrated
+        over each cell in closed form. The relative displacement along the surface is that of body 2
+        less that of body 1; the approach of the surfaces is the sum of u_z.
+        """
+        material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
+        needed = 3 * memory.surface(self.grid, memory.DISPLACEMENT)
+        memory.require_for_grid("a displacement", self.grid, needed)
+        loads = self._tractions_on(body, pressure, shear)
+        along = _core.operators.surface_displacement
+        return np.stack(
+            [along(self.grid._core, material._core.stack, *loads, axis) for axis in range(3)]
+        )
+
+    def _tractions_on(
+        self, body: int, pressure: ArrayLike, shear: ArrayLike | None
+    ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
+        """Pressure, s_x and s_y on a body, of those on body 2; without shear that of friction."""
+        p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
+        if shear is None and not isinstance(self._core, _core.CoulombContact):
+            shear = self._core.shear(p)
+        elif shear is None:
+            raise ValueError(
+                f"shear must be given where friction is {self.friction!r}, got None: it does not "
+                "follow from the pressure; a solution has it"
+            )
+        parts = shear_components(self.grid, shear)
+        s_x, s_y = parts if body == 2 else (None if s is None else -s for s in parts)
+        return p, s_x, s_y
+
+    def temperature(self, pressure: ArrayLike, z: ArrayLike = 0.0, body: int = 2) -> FloatArray:
+        """Rise of temperature in a body at any depths.
+
+        Parameters
+        ----------
+        pressure : array_like, shape (nx, ny)
+            [Pa].
+        z : array_like, shape (m,), optional
+            Depths [m], >= 0; default the surface (flash temperature).
+        body : {1, 2}, optional
+
+        Returns
+        -------
+        ndarray, shape (nx, ny, m)
+            [K]; zero in a body that is not heated.
+        """
+        index = choice("body", body, (1, 2)) - 1
+        p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
+        layers = real_array("z", z).size
+        needed = memory.volume(self.grid, memory.TEMPERATURE, layers)
+        memory.require_for_grid(f"the temperature at {layers} depths", self.grid, needed)
+        rise: FloatArray = _core.operators.temperature(
+            self.grid._core, self._heating[index], depths_of(z).tolist(), p
+        )
+        return rise
+
+    def stress_at(
+        self, solution: ContactSolution, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: int = 2
+    ) -> FloatArray:
+        """Elastic stress of a solution at any points, also off the grid and beside it.
+
+        Parameters
+        ----------
+        solution : ContactSolution
+            Its pressure and shear act; with friction as a number, friction times the pressure.
+        x, y, z : array_like
+            Points [m], of shapes that broadcast; z >= 0 is the depth in the body.
+        body : {1, 2}, optional
+
+        Returns
+        -------
+        ndarray, shape (6, ...)
+            xx, yy, zz, yz, xz, xy [Pa], tension positive, in the body's own frame. At the surface,
+            z = 0, stress jumps between cells, and below it that of single cells is seen to a depth
+            of about one cell: the tractions are uniform in each. On the line between loaded cells
+            at the surface, where this stress is infinite, it is the mean half a cell to both
+            sides.
+
+        Raises
+        ------
+        ValueError, TypeError
+            A layered, rigid or heated body, a periodic grid; points that are not finite, or above
+            the surface.
+
+        Notes
+        -----
+        Sums the closed form of each loaded cell (Love 1929; Johnson 1985, section 3.4): the values
+        of `stress` at the centres of cells, to rounding. It takes a few microseconds per point and
+        loaded cell.
+        """
+        require_type("solution", solution, ContactSolution)
+        number = choice("body", body, (1, 2))
+        given = self.body1 if number == 1 else self.body2
+        material = require_closed_forms(
+            solution.grid, given, number, heated=self.heat.factor[number - 1] > 0
+        )
+        p = solution.pressure
+        if isinstance(solution, ShearedSolution):
+            s_x, s_y = solution.shear
+        elif isinstance(self.friction, Coulomb):
+            raise ValueError(
+                f"solution must be one with shear where friction is {self.friction!r}, got a "
+                "ContactSolution of a solver with friction as a number"
+            )
+        else:
+            s_x, s_y = self.friction * p, 0.0 * p
+        sign = 1.0 if number == 2 else -1.0
+        tractions = p, sign * s_x, sign * s_y
+        return stress_at_points(solution.grid, tractions, material.nu, (x, y, z))

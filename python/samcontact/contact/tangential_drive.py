@@ -1,0 +1,290 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Coulomb's law, and what drives a contact along the surface."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+
+from .. import _core
+from .._util.checks import FloatArray, finite, finite_array, in_cells, require_type
+from .._util.short_text import in_short
+from ..heat import Heat
+from ..scene.friction import Coulomb
+from ..scene.grid import Grid
+from ..solutions.contact_solution import (
+    Before,
+    ContactSolution,
+    ShearedSolution,
+    StickSlipSolution,
+    before_on,
+)
+
+_DIRECTIONS = ("x", "y")
+
+Pressing = tuple[FloatArray, bool, float]
+"""Initial gap, whether the load is given, and the load or approach."""
+Settings = tuple[float, int, bool]
+"""Tolerance, iterations at most, whether the border is an error."""
+
+
+def require_heat_of(friction: float | Coulomb, heat: Heat) -> None:
+    """Raise ValueError for heat of another kind than the friction's."""
+    sticks = isinstance(friction, Coulomb)
+    if sticks and any(heat.factor):
+        raise ValueError(
+            f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: bodies that "
+            "stick and slip are heated by their slip; give heat.partition to a Simulation"
+        )
+    if not sticks and heat.partition is not None:
+        raise ValueError(
+            f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: "
+            "where all slides the heat goes with the pressure; give heat.factor, see heat.factors"
+        )
+
+
+@dataclass(frozen=True)
+class GivenAlong:
+    """What is given along the surface: of each direction and the turn, its kind and its value."""
+
+    is_force: tuple[bool, bool, bool]
+    values: tuple[float, float, float]
+
+    @classmethod
+    def of(cls, motions: Mapping[str, Any], forces: Mapping[str, Any]) -> GivenAlong:
+        """Of a pair and a turn each, by their names; what is given nowhere is a motion of 0."""
+        (moved, motion), (turned, turn) = motions.items()
+        (pulled, force), (wrung, torque) = forces.items()
+        given = zip(
+            (f"{moved} and {pulled} along x", f"{moved} and {pulled} along y"),
+            pair_of(moved, motion),
+            pair_of(pulled, force),
+            strict=True,
+        )
+        all_given = [*given, (f"{turned} and {wrung}", _maybe(turned, turn), _maybe(wrung, torque))]
+        for names, a, b in all_given:
+            if a is not None and b is not None:
+                raise ValueError(
+                    f"{names} cannot both be given, got {a!r} and {b!r}: the motion follows from "
+                    "the force; put None in place of one"
+                )
+        x, y, z = (b is not None for _, _, b in all_given)
+        u, v, w = ((0.0 if a is None else a) if b is None else b for _, a, b in all_given)
+        return cls((x, y, z), (u, v, w))
+
+
+class Drive(Protocol):
+    """What drives a contact with Coulomb friction along the surface."""
+
+    @property
+    def previous(self) -> ShearedSolution | None:
+        """The solution whose grid the present one must fit."""
+
+    def solved(
+        self,
+        core: _core.CoulombContact,
+        grid: Grid,
+        contact: Pressing,
+        start: FloatArray | None,
+        settings: Settings,
+    ) -> tuple[ContactSolution, str]:
+        """The solution, and what is to be said of the border."""
+
+
+@dataclass(frozen=True)
+class Tangential:
+    """What drives one increment along the surface."""
+
+    given: GivenAlong
+    previous: ShearedSolution | None
+    ways: tuple[float, float] = (0.0, 0.0)
+    """Of both surfaces through the contact [m]."""
+
+    @property
+    def way(self) -> float:
+        """Of the material through the grid [m]."""
+        return 0.5 * (self.ways[0] + self.ways[1])
+
+    def _before(self, grid: Grid) -> Before | tuple[None, None, None, float]:
+        """The end of the increment before, on a grid that may be larger, where its cells are."""
+        if self.previous is None:
+            return None, None, None, 0.0
+        before = before_on(self.previous, grid)
+        cells = round(self.way / grid.dx)
+        if cells == 0:
+            return before
+        _require_kept(before[0], cells, grid)
+        return carried(before[0], cells), carried(before[1], cells), None, before[3]
+
+    def solved(
+        self,
+        core: _core.CoulombContact,
+        grid: Grid,
+        contact: Pressing,
+        start: FloatArray | None,
+        settings: Settings,
+    ) -> tuple[StickSlipSolution, str]:
+        """The solution with the totals of the increments before; and the complaint."""
+        p, s, g, d = self._before(grid)
+        moves = self.way != 0
+        if start is None and moves and self.previous is not None:
+            start = before_on(self.previous, grid)[0]  # the contact stays where it is
+        x, y, turn = self.given.values
+        # the turn slips where cells are on their way
+        lead = _core.spin_lead * self.way
+        if not self.given.is_force[0]:
+            x += self.ways[0] - self.ways[1]
+        if not self.given.is_force[1]:
+            y -= lead * turn
+        drive = self.given.is_force, (x, y, turn)
+        tol, most, refuse = settings
+        found = core.solve(*contact, *drive, p, s, g, d, moves, start, tol, most, refuse)
+        dx, dy, turned = found.pop("motion")
+        return self._total(grid, found, (dx, dy + lead * turned), turned)
+
+    def _total(
+        self, grid: Grid, found: dict[str, Any], shift: tuple[float, float], twist: float
+    ) -> tuple[StickSlipSolution, str]:
+        complaint = found.pop("border_complaint")
+        *force, torque = found.pop("force")
+        del found["fallbacks"]
+        moved = np.array(shift)
+        if isinstance(self.previous, StickSlipSolution):
+            moved += self.previous.shift
+            twist += self.previous.twist
+            found["friction_work"] += self.previous.friction_work
+        totals = {
+            "tangential_load": np.array(force),
+            "torque": torque,
+            "shift": moved,
+            "twist": twist,
+        }
+        return StickSlipSolution(grid=grid, **totals, **found), complaint
+
+
+def carried(field: FloatArray, cells: int) -> FloatArray:
+    """A field of the surface moved along x by whole cells; what comes from outside is zero."""
+    moved = np.zeros_like(field)
+    to, of = slice(max(cells, 0), None), slice(max(-cells, 0), None)
+    count = max(field.shape[-2] - abs(cells), 0)
+    moved[..., to, :][..., :count, :] = field[..., of, :][..., :count, :]
+    return moved
+
+
+def _require_kept(pressure: FloatArray, cells: int, grid: Grid) -> None:
+    """Raise ValueError where tractions would leave the grid, with what they displace in it."""
+    rows = np.flatnonzero(pressure.any(axis=1))
+    least, most = (-int(rows[0]), grid.nx - 1 - int(rows[-1])) if rows.size else (cells, cells)
+    if not least <= cells <= most:
+        raise ValueError(
+            f"advance must move the contact of the increment before by {least} to {most} cells of "
+            f"{grid.dx!r} m, which keeps it on the grid, got {cells} cells on the mean of both "
+            "bodies: take shorter steps, or a longer grid"
+        )
+
+
+def given_along(
+    friction: float | Coulomb,
+    shift: Sequence[float | None] | None,
+    tangential_load: Sequence[float | None] | None,
+    twist: float | None,
+    torque: float | None,
+    **more: Any,
+) -> GivenAlong:
+    """What is given along the surface, checked; nothing, of more either, where friction is a
+    number."""
+    motions, forces = (
+        {"shift": shift, "twist": twist},
+        {"tangential_load": tangential_load, "torque": torque},
+    )
+    if isinstance(friction, Coulomb):
+        return GivenAlong.of(motions, forces)
+    for name, value in (motions | forces | more).items():
+        if value is not None:
+            raise ValueError(
+                f"{name} must be left out where friction is a number, which is gross sliding, "
+                f"got {value!r:.80}: make the solver with friction=samcontact.Coulomb(mu)"
+            )
+    return GivenAlong((False,) * 3, (0.0,) * 3)
+
+
+def tangential_drive(
+    friction: float | Coulomb,
+    shift: Sequence[float | None] | None,
+    tangential_load: Sequence[float | None] | None,
+    twist: float | None,
+    torque: float | None,
+    previous: ShearedSolution | None,
+    advance: Sequence[float],
+    grid: Grid,
+) -> Tangential:
+    """What drives along the surface, checked; nothing where friction is a number."""
+    first, second = (float(way) for way in finite_array("advance", advance, (2,)))
+    moves = None if first == second == 0 else advance
+    along = given_along(
+        friction, shift, tangential_load, twist, torque, previous=previous, advance=moves
+    )
+    if not isinstance(friction, Coulomb):
+        return Tangential(along, None)
+    if previous is not None and not isinstance(previous, ShearedSolution):
+        require_type("previous", previous, StickSlipSolution)
+    drive = Tangential(along, previous, (first, second))
+    if (first, second) != (0.0, 0.0):
+        _require_rolling(drive, grid)
+    return drive
+
+
+def _require_rolling(drive: Tangential, grid: Grid) -> None:
+    """Raise ValueError unless the way is one that a contact can roll."""
+    first, second = drive.ways
+    cells = in_cells("advance", drive.way, grid.dx)
+    if drive.previous is None:
+        raise ValueError(
+            f"advance must be (0, 0) without previous, got {drive.ways!r}: press first, then roll"
+        )
+    if grid.along_x:
+        raise ValueError(
+            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got {drive.ways!r}"
+        )
+    if abs(cells - round(cells)) > 1e-6:
+        raise ValueError(
+            f"advance must be a whole number of cells of {grid.dx!r} m on the mean of both bodies, "
+            f"got {drive.way!r} m: take steps of whole cells, or cells that fit"
+        )
+    if abs(first - second) > grid.dx:
+        raise ValueError(
+            f"advance of the bodies must differ by at most a cell, {grid.dx!r} m, got {first!r} "
+            f"and {second!r} m: bodies that slide that far are those of friction as a number"
+        )
+    if drive.given.is_force[0] and first != second:
+        raise ValueError(
+            f"advance must be the same of both bodies where tangential_load along x is given, got "
+            f"{first!r} and {second!r} m: the slip follows from the force"
+        )
+    if drive.given.is_force[2] and not drive.given.is_force[1]:
+        raise ValueError(
+            "torque goes with tangential_load along y where the contact advances, which the spin "
+            f"moves too; got a shift of {drive.given.values[1]!r} m: give both forces, or the twist"
+        )
+
+
+def _maybe(name: str, value: Any) -> float | None:
+    return None if value is None else finite(name, value)
+
+
+def pair_of(name: str, pair: Any) -> list[float | None]:
+    """Two numbers along x and y, or None in place of each or of both."""
+    if pair is None:
+        return [None, None]
+    if (
+        isinstance(pair, (str, Mapping))
+        or not hasattr(pair, "__len__")
+        or (isinstance(pair, np.ndarray) and pair.ndim == 0)
+    ):
+        raise TypeError(f"{name} must be two numbers, along x and y, got {in_short(pair)}")
+    if len(pair) != 2:
+        raise ValueError(f"{name} must be two numbers, along x and y, got {len(pair)}")
+    return [_maybe(f"{name} along {a}", v) for a, v in zip(_DIRECTIONS, pair, strict=True)]

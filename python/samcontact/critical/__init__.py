@@ -1,0 +1,391 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Critical values of a contact: where the first point of an elastic-plastic body yields.
+
+I. Green, *Poisson ratio effects and critical values in spherical and cylindrical Hertzian
+contacts*, Int. J. Appl. Mech. Eng. 10 (2005) 451-462. C is the Hertz pressure at the onset of
+yield over the yield stress.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass
+
+from .._util.checks import non_negative, poisson_ratio, positive, require_type
+from .._util.display import Shown
+from ..bodies.material import Material
+from ..hertz.axis import line_max_von_mises, point_max_von_mises
+from ..hertz.field import sliding_max_von_mises
+from .first_yield import first_yield
+
+__all__ = [
+    "CriticalCylinder",
+    "CriticalLinePlace",
+    "CriticalPlace",
+    "CriticalSlidingSphere",
+    "CriticalSphere",
+    "green",
+    "green_cylinder",
+    "jackson_green",
+    "kogut_etsion",
+    "onset",
+    "onset_cylinder",
+    "onset_cylinder_over_depth",
+    "onset_over_depth",
+    "onset_sliding",
+]
+
+
+@dataclass(frozen=True)
+class CriticalSphere(Shown):
+    """Onset of yield in a point contact.
+
+    Attributes
+    ----------
+    interference : float
+        Rigid-body approach [m].
+    load : float
+        Normal load [N].
+    energy : float
+        Elastic energy stored up to there, the integral of load over interference [J].
+    C : float
+        Maximum pressure over yield stress [-].
+    p0 : float
+        Maximum pressure [Pa].
+    a : float
+        Contact radius [m].
+    """
+
+    interference: float
+    load: float
+    energy: float
+    C: float
+    p0: float
+    a: float
+
+
+@dataclass(frozen=True)
+class CriticalSlidingSphere(CriticalSphere):
+    """Onset of yield in a sliding point contact; energy is that of the normal load.
+
+    Attributes
+    ----------
+    x, z : float
+        Where the body yields first, in the plane y = 0 [m]; z = 0 is the surface.
+    """
+
+    x: float
+    z: float
+
+
+@dataclass(frozen=True)
+class CriticalPlace(CriticalSphere):
+    """Onset of yield in a point contact of a body whose strength changes with depth.
+
+    Attributes
+    ----------
+    x, y, z : float
+        Where the body yields first [m]; z = 0 is the surface. Of places alike one.
+    """
+
+    x: float
+    y: float
+    z: float
+
+
+@dataclass(frozen=True)
+class CriticalCylinder(Shown):
+    """Onset of yield in a line contact.
+
+    Attributes
+    ----------
+    load_per_length : float
+        Normal load per unit length [N/m].
+    C : float
+        Maximum pressure over yield stress [-].
+    p0 : float
+        Maximum pressure [Pa].
+    b : float
+        Half-width of the contact [m].
+    """
+
+    load_per_length: float
+    C: float
+    p0: float
+    b: float
+
+
+@dataclass(frozen=True)
+class CriticalLinePlace(CriticalCylinder):
+    """Onset of yield in a line contact of a body whose strength changes with depth.
+
+    Attributes
+    ----------
+    x, z : float
+        Where the body yields first [m], x from the middle of the contact; z = 0 is the surface.
+    """
+
+    x: float
+    z: float
+
+
+def _require_numbers(R: float, E_star: float, p0: float) -> None:
+    """Refuse what has no energy within the range of numbers, and so no load either."""
+    powers = [5 * math.log10(p0), 3 * math.log10(R), -4 * math.log10(E_star)]
+    if not all(abs(sum(powers[: n + 1])) < 300 for n in range(3)):
+        raise ValueError(
+            "the critical values are beyond the range of numbers: got "
+            f"R = {R!r}, E_star = {E_star!r}, yield_stress of {p0:.4g} over C"
+        )
+
+
+def _sphere(R: float, E_star: float, C: float, yield_stress: float) -> CriticalSphere:
+    R, E_star = positive("R", R), positive("E_star", E_star)
+    p0 = C * positive("yield_stress", yield_stress)
+    strength = math.pi * p0
+    _require_numbers(R, E_star, p0)
+    return CriticalSphere(
+        interference=(strength / (2.0 * E_star)) ** 2 * R,
+        load=strength**3 * R**2 / (6.0 * E_star**2),
+        energy=strength**5 * R**3 / (60.0 * E_star**4),
+        C=C,
+        p0=p0,
+        a=strength * R / (2.0 * E_star),
+    )
+
+
+def _cylinder(R: float, E_star: float, C: float, yield_stress: float) -> CriticalCylinder:
+    R, E_star = positive("R", R), positive("E_star", E_star)
+    p0 = C * positive("yield_stress", yield_stress)
+    _require_numbers(R, E_star, p0)
+    return CriticalCylinder(
+        load_per_length=math.pi * R * p0**2 / E_star, C=C, p0=p0, b=2.0 * p0 * R / E_star
+    )
+
+
+def green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSphere:
+    """Green's critical values of a sphere, C = 1.30075 + 0.87825 nu + 0.54373 nu^2.
+
+    Parameters
+    ----------
+    R : float
+        Equivalent radius [m].
+    E_star : float
+        Contact modulus of the pair [Pa].
+    nu : float
+        Poisson's ratio of the body that yields, in [0, 0.5] [-].
+    yield_stress : float
+        Its uniaxial yield stress [Pa].
+
+    Returns
+    -------
+    CriticalSphere
+        Green (2005); the polynomial is within 0.4 % of `onset`.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+    """
+    nu = poisson_ratio("nu", nu)
+    return _sphere(R, E_star, 1.30075 + 0.87825 * nu + 0.54373 * nu**2, yield_stress)
+
+
+def onset(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSphere:
+    """Critical values of a sphere with the exact C, from the largest von Mises stress on the axis.
+
+    Parameters and errors as for `green`.
+
+    Returns
+    -------
+    CriticalSphere
+        With 1/C = (sigma_rr - sigma_zz)/p0 where it is largest, Johnson (1985), (3.45).
+    """
+    return _sphere(R, E_star, 1.0 / point_max_von_mises(nu)[0], yield_stress)
+
+
+def onset_sliding(
+    R: float, E_star: float, nu: float, yield_stress: float, friction: float
+) -> CriticalSlidingSphere:
+    """Critical values of a sphere that slides with Coulomb friction, exact.
+
+    Parameters
+    ----------
+    R, E_star, nu, yield_stress : float
+        As for `green`.
+    friction : float
+        Coefficient mu >= 0; the shear mu p acts on the body that yields along +x [-].
+
+    Returns
+    -------
+    CriticalSlidingSphere
+        From the largest von Mises stress in the half-space, its surface included, under a Hertz
+        pressure p with the shear mu p (`hertz.PointContact.stress`). With nu = 0.3 the body yields
+        below the surface, ahead of the centre, up to mu = 0.304, then at the trailing edge.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+
+    Notes
+    -----
+    Equals `onset` for mu = 0. The shear's share in the normal displacement is left out (zero for
+    bodies of equal elastic constants).
+    """
+    nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
+    if friction == 0.0:
+        ratio, z = point_max_von_mises(nu)
+        x = 0.0
+    else:
+        ratio, x, z = sliding_max_von_mises(nu, friction)
+    sphere = _sphere(R, E_star, 1.0 / ratio, yield_stress)
+    return CriticalSlidingSphere(**asdict(sphere), x=x * sphere.a, z=z * sphere.a)
+
+
+def onset_over_depth(
+    R: float, E_star: float, body: Material, friction: float = 0.0
+) -> CriticalPlace:
+    """Critical values of a sphere on a body with a yield profile or residual stress.
+
+    Parameters
+    ----------
+    R : float
+        Equivalent radius [m].
+    E_star : float
+        Contact modulus of the pair [Pa].
+    body : Material
+        The body that yields; the elastic constants of the pair are in E_star.
+    friction : float, optional
+        Coefficient mu >= 0 of a contact that slides on it along +x [-], as of `onset_sliding`.
+
+    Returns
+    -------
+    CriticalPlace
+        The smallest load at which the von Mises stress, residual stress included, reaches the yield
+        stress of its depth: anywhere within 1.3 radii of the axis and down to 12 radii, from the
+        closed form of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02, to about 1e-5. C is
+        over the yield stress of the law, without its profile.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range; the body cannot yield, or its residual stress leaves
+        nothing to a contact.
+    TypeError
+        `body` is not a Material.
+    """
+    yield_stress = _yield_stress_of(body)
+    R, E_star = positive("R", R), positive("E_star", E_star)
+    friction = non_negative("friction", friction)
+    _require_numbers(R, E_star, yield_stress)
+    p0, place = first_yield(body, math.pi * R / (2.0 * E_star), friction)
+    x, y, z = map(float, place)
+    sphere = _sphere(R, E_star, p0 / yield_stress, yield_stress)
+    return CriticalPlace(**asdict(sphere), x=x, y=y, z=z)
+
+
+def kogut_etsion(
+    R: float,
+    E_star: float,
+    nu: float,
+    yield_stress: float,
+    hardness: float | None = None,
+) -> CriticalSphere:
+    """Critical values of Kogut and Etsion, interference (pi K H / 2 E*)^2 R.
+
+    Parameters
+    ----------
+    R, E_star, nu, yield_stress : float
+        As for `green`.
+    hardness : float, optional
+        H of the softer body [Pa]; 2.8 times the yield stress by default.
+
+    Returns
+    -------
+    CriticalSphere
+        K = 0.454 + 0.41 nu; load and energy are those of Hertz at this interference. Kogut and
+        Etsion (2002), doi:10.1115/1.1490373.
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+    """
+    yield_stress = positive("yield_stress", yield_stress)
+    H = 2.8 * yield_stress if hardness is None else positive("hardness", hardness)
+    C = (0.454 + 0.41 * poisson_ratio("nu", nu)) * H / yield_stress
+    return _sphere(R, E_star, C, yield_stress)
+
+
+def jackson_green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSphere:
+    """Critical values of Jackson and Green, C = 1.295 exp(0.736 nu).
+
+    Parameters and errors as for `green`.
+
+    Returns
+    -------
+    CriticalSphere
+        Jackson and Green (2005), doi:10.1115/1.1866166; within 0.4 % of `onset`.
+    """
+    return _sphere(R, E_star, 1.295 * math.exp(0.736 * poisson_ratio("nu", nu)), yield_stress)
+
+
+def green_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalCylinder:
+    """Green's critical values of a cylinder in plane strain.
+
+    Parameters and errors as for `green`.
+
+    Returns
+    -------
+    CriticalCylinder
+        C = 1/sqrt(1 + 4 (nu - 1) nu) where the surface yields first (nu <= 0.1938), else
+        1.164 + 2.975 nu - 2.906 nu^2, within 0.12 % of `onset_cylinder`. Green (2005).
+    """
+    nu = poisson_ratio("nu", nu)
+    if nu <= 0.1938:
+        C = 1.0 / math.sqrt(1.0 + 4.0 * (nu - 1.0) * nu)
+    else:
+        C = 1.164 + 2.975 * nu - 2.906 * nu**2
+    return _cylinder(R, E_star, C, yield_stress)
+
+
+def onset_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalCylinder:
+    """Critical values of a cylinder with the exact C (Johnson 1985, (4.46)); see `green`."""
+    return _cylinder(R, E_star, 1.0 / line_max_von_mises(nu)[0], yield_stress)
+
+
+def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> CriticalLinePlace:
+    """Critical values of a cylinder on a body with a yield profile or residual stress.
+
+    Parameters
+    ----------
+    R, E_star, body
+        As for `onset_over_depth`; the cylinder lies along y, in plane strain, without friction.
+
+    Returns
+    -------
+    CriticalLinePlace
+        The smallest load at which the von Mises stress, residual stress included, reaches the yield
+        stress of its depth: within 1.3 half-widths of the middle and down to 12, from the closed
+        form of McEwen (Johnson 1985, (4.49)), to about 1e-5. C is over the yield stress of the law,
+        without its profile.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `onset_over_depth`.
+    """
+    yield_stress = _yield_stress_of(body)
+    R, E_star = positive("R", R), positive("E_star", E_star)
+    _require_numbers(R, E_star, yield_stress)
+    p0, place = first_yield(body, 2.0 * R / E_star, None)
+    cylinder = _cylinder(R, E_star, p0 / yield_stress, yield_stress)
+    return CriticalLinePlace(**asdict(cylinder), x=float(place[0]), z=float(place[2]))
+
+
+def _yield_stress_of(body: Material) -> float:
+    require_type("body", body, Material)
+    if not body.is_plastic:
+        raise ValueError(f"body must be one that yields, got {body.law!r}")
+    return float(body.yield_stress(0.0))

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where a body under a Hertz pressure yields first whose strength changes with depth."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from .._util.checks import FloatArray
+from .._util.lazy_scipy import scipy
+from .._util.tensors import von_mises
+from ..bodies.material import Material
+from ..hertz.field import field
+from ..hertz.line_field import line_field
+
+_STEP = 1.1
+"""By which pressures grow until something yields."""
+_WIDEST, _DEEPEST = 1.3, 12.0
+"""In contact radii: where yield is looked for."""
+_ANGLES = 8
+"""Of lines through the axis, where residual stress is not the same in all directions."""
+_MOST_KINKS = 150
+_ZOOMS = 4
+"""Looks at what is near, each ten times finer."""
+
+
+class Place(NamedTuple):
+    """How far stress is above the yield stress, over it; where, r and z in contact radii."""
+
+    excess: float
+    r: float
+    angle: float
+    z: float
+
+
+Look = Callable[[float], Place]
+"""The largest excess under a largest pressure [Pa]."""
+
+
+def first_yield(body: Material, spread: float, friction: float | None) -> tuple[float, FloatArray]:
+    """The largest pressure [Pa] when a body yields, and where [m].
+
+    spread: contact radius over the largest pressure [m/Pa]; friction: None of a line along y that
+    does not slide, whose half-width counts as the radius.
+    """
+    around = _Around(body, spread, friction)
+    low, p0 = 0.0, 1e-3 * body.least_yield_stress
+    highest = 1e2 * float(body.yield_stress(0.0)) * float(body.yield_factor(_kinks(body)).max())
+    while around(p0).excess < 0:
+        low, p0 = p0, _STEP * p0
+        if p0 > highest:
+            raise ValueError(f"body does not yield below p0 = {highest:.4g} Pa")
+    if low == 0:
+        raise ValueError("body is at yield without a contact: its residual stress leaves nothing")
+    p0 = _root(around, low, p0)
+    place = around(p0)
+    for zoom in range(_ZOOMS):
+        near = _Near(body, spread, friction, place, 0.1**zoom)
+        p0 = _root(near, p0 / _STEP, p0)
+        place = near(p0)
+    across = place.r * np.array([math.cos(place.angle), math.sin(place.angle)])
+    return p0, spread * p0 * np.array([*across, place.z])
+
+
+def _root(look: Look, low: float, high: float) -> float:
+    while look(low).excess >= 0:
+        low /= _STEP
+    while look(high).excess < 0:
+        high *= _STEP
+    root = scipy.optimize.brentq(lambda p: look(p).excess, low, high, xtol=1e-12 * high, rtol=1e-12)
+    return float(root)
+
+
+def _kinks(body: Material) -> FloatArray:
+    profiles = [p for p in (body.yield_profile, body.residual_stress) if p is not None]
+    return np.unique(np.concatenate([[0.0], *(np.asarray(p[0]) for p in profiles)]))
+
+
+def _is_even(body: Material) -> bool:
+    """Whether its residual stress is the same in all directions along the surface."""
+    if body.residual_stress is None:
+        return True
+    _, sxx, syy, sxy = body.residual_stress
+    return sxx == syy and not any(sxy)
+
+
+def _angles(body: Material, friction: float | None) -> int:
+    """Of lines through the axis in which yield is looked for."""
+    return 1 if friction is None or _is_even(body) else _ANGLES
+
+
+def _unit_stress(
+    body: Material, friction: float | None, angle: FloatArray, r: FloatArray, z: FloatArray
+) -> FloatArray:
+    """Over the largest pressure, shape (6, angles, r, z)."""
+    turned, out, down = np.meshgrid(angle, r, z, indexing="ij")
+    if friction is None:
+        return line_field(out, down, body.nu)
+    return field(out * np.cos(turned), out * np.sin(turned), down, body.nu, friction)
+
+
+def _largest(
+    body: Material, stress: FloatArray, a: float, angle: FloatArray, r: FloatArray, z: FloatArray
+) -> Place:
+    """stress: of the contact [Pa], shape (6, angles, r, z); r and z in contact radii."""
+    sxx, syy, sxy = body.residual_stress_at(a * z)
+    total = stress.copy()
+    for component, start in ((0, sxx), (1, syy), (5, sxy)):
+        total[component] += start
+    limit = float(body.yield_stress(0.0)) * body.yield_factor(a * z)
+    excess = von_mises(total) / limit - 1.0
+    n, i, k = np.unravel_index(int(np.argmax(excess)), excess.shape)
+    return Place(float(excess[n, i, k]), float(r[i]), float(angle[n]), float(z[k]))
+
+
+class _Around:
+    """Everywhere, from the stress at given depths; between them, at kinks, it is interpolated."""
+
+    def __init__(self, body: Material, spread: float, friction: float | None) -> None:
+        self._body, self._spread = body, spread
+        r = np.asarray(_WIDEST * np.linspace(0.0, 1.0, 27), dtype=np.float64)
+        self._r = r if not friction else np.concatenate([-r[:0:-1], r])
+        angles = _angles(body, friction)
+        self._angle: FloatArray = np.arange(angles, dtype=np.float64) * (math.pi / angles)
+        near, far = np.linspace(0.0, 2.0, 121), np.geomspace(2.05, _DEEPEST, 50)
+        self._z: FloatArray = np.asarray(np.concatenate([near, far]), dtype=np.float64)
+        self._stress = _unit_stress(body, friction, self._angle, self._r, self._z)
+        kinks = _kinks(body)
+        self._kinks: FloatArray = kinks[:: math.ceil(kinks.size / _MOST_KINKS)]
+
+    def __call__(self, p0: float) -> Place:
+        a = self._spread * p0
+        more = self._kinks[self._kinks < _DEEPEST * a] / a
+        below = np.clip(np.searchsorted(self._z, more), 1, self._z.size - 1)
+        part = (more - self._z[below - 1]) / (self._z[below] - self._z[below - 1])
+        between = self._stress[..., below - 1] * (1 - part) + self._stress[..., below] * part
+        stress = p0 * np.concatenate([self._stress, between], axis=-1)
+        z = np.concatenate([self._z, more])
+        return _largest(self._body, stress, a, self._angle, self._r, z)
+
+
+class _Near:
+    """Around a place, of a size; with all kinks there."""
+
+    def __init__(
+        self, body: Material, spread: float, friction: float | None, place: Place, size: float
+    ) -> None:
+        self._body, self._spread, self._friction = body, spread, friction
+        ways = np.linspace(-1.0, 1.0, 21)
+        r = place.r + 0.05 * size * ways
+        self._r: FloatArray = np.unique(np.append(r if friction else np.abs(r), place.r))
+        turn = np.zeros(1) if _angles(body, friction) == 1 else 0.4 * size * ways
+        self._angle: FloatArray = np.asarray(place.angle + turn, dtype=np.float64)
+        reach = 0.2 * size * max(1.0, place.z)
+        low, high = max(0.0, place.z - reach), place.z + reach
+        self._z: FloatArray = np.unique(np.append(np.linspace(low, high, 41), place.z))
+
+    def __call__(self, p0: float) -> Place:
+        a, kinks = self._spread * p0, _kinks(self._body)
+        inside = kinks[(kinks >= a * self._z[0]) & (kinks <= a * self._z[-1])]
+        z = np.unique(np.concatenate([self._z, inside / a]))
+        stress = p0 * _unit_stress(self._body, self._friction, self._angle, self._r, z)
+        return _largest(self._body, stress, a, self._angle, self._r, z)

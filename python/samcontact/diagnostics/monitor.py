@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a simulation warns of after its increments, and what it has told already."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+from .._util.display import quantity
+from .._util.errors import GridTooSmallWarning, PlasticStrainWarning
+from ..heat import Heat
+from ..solutions.state import State
+from . import resolution, sharp_edges
+from .hertz_estimate import Scene
+from .plastic_patterns import warn_of_alternation, warn_of_limit
+
+SMALL_STRAIN = 0.05
+"""Plastic strain up to which small-strain theory is trusted [-]."""
+
+
+@dataclass
+class Told:
+    """Each is told once; a copy of a simulation need not tell it again."""
+
+    of_strain: bool = False
+    of_pressure: bool = False
+    of_limit: bool = False
+    of_alternation: bool = False
+    looks_at_increments: bool = True
+    """Whether it is still estimated what more increments would change."""
+    looks_at_steps: bool = True
+    """Whether steps are warned of by themselves; a run looks at its grid as a whole."""
+    of_cut: bool = False
+    of_scene: bool = False
+    of_contact: bool = False
+    of_edge: bool = False
+    largest_load: float = 0.0
+
+    @contextmanager
+    def as_a_whole(self) -> Iterator[None]:
+        """Of several steps, whose grid is looked at afterwards."""
+        looks = self.looks_at_steps, self.looks_at_increments
+        self.looks_at_steps = self.looks_at_increments = False
+        try:
+            yield
+        finally:
+            self.looks_at_steps, self.looks_at_increments = looks
+
+    def doubt(
+        self, scene: Scene, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
+    ) -> None:
+        """Before an increment; what would be found of the same afterwards is told with it."""
+        if self.of_scene or not (doubt := scene.doubted(heat, target, stacklevel=stacklevel + 1)):
+            return
+        self.of_scene = True
+        if doubt.of_contact:
+            self.of_contact = True
+            self.looks_at_steps = False
+
+    def warn_of_run(self, states: Sequence[State], scene: Scene, *, stacklevel: int) -> None:
+        """After a run, of its grid."""
+        if not self.of_contact:
+            resolution.warn_of_run(states, scene, stacklevel=stacklevel + 1)
+
+    def warn(self, state: State, scene: Scene, complaints: list[str], *, stacklevel: int) -> None:
+        """After an increment; complaints: of the border of the grid, by the core."""
+        for complaint in complaints:
+            warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
+        if not self.of_cut and (text := _cut_text(state)):
+            self.of_cut = True
+            warnings.warn(text, GridTooSmallWarning, stacklevel=stacklevel + 1)
+        if self.looks_at_steps and state.load > self.largest_load:
+            self.largest_load = state.load
+            warned = resolution.warn_of_step(state, scene, stacklevel=stacklevel + 1)
+            self.looks_at_steps = not warned
+        if not self.of_pressure:
+            pressure = state.pressure
+            self.of_pressure = resolution.warn_of_strain(pressure, scene, stacklevel=stacklevel + 1)
+        if not self.of_edge:
+            edge = sharp_edges.edge_of_state(state)
+            self.of_edge = sharp_edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
+        if not self.of_limit:
+            self.of_limit = warn_of_limit(state, scene, stacklevel=stacklevel + 1)
+        if not self.of_alternation:
+            self.of_alternation = warn_of_alternation(state, stacklevel=stacklevel + 1)
+        if not self.of_strain and (text := _strain_text(state)):
+            self.of_strain = True
+            warnings.warn(text, PlasticStrainWarning, stacklevel=stacklevel + 1)
+
+
+def _strain_text(state: State) -> str:
+    """The warning of plastic strain above the small-strain limit; empty below."""
+    for body in (1, 2):
+        accumulated = state.max_equivalent_plastic_strain(body)
+        magnitude = state.max_plastic_strain_magnitude(body)
+        # Reversed flow adds up without end, and leaves the strain small.
+        mostly_reversed = magnitude < 0.5 * accumulated
+        limit = f"above the small-strain limit of {SMALL_STRAIN}: results are unreliable"
+        if accumulated > SMALL_STRAIN and not mostly_reversed:
+            return (
+                f"the accumulated equivalent plastic strain of body {body} is {accumulated:.3g}, "
+                f"{limit} (plastic strain magnitude sqrt(2/3 e:e) at most {magnitude:.3g})"
+            )
+        if magnitude > SMALL_STRAIN:  # after more reversed flow, or as it was set
+            name = "plastic strain magnitude sqrt(2/3 e:e)"
+            return f"the {name} of body {body} is {magnitude:.3g}, {limit}"
+    return ""
+
+
+def _cut_text(state: State) -> str:
+    """Where plastic strain lies that fields do not show."""
+    grid, core = state.grid, state._core
+    for body in (1, 2):
+        box = core.strain_beyond(body - 1)
+        if box is None:
+            continue
+        first_x, first_y, nx, ny, nz = box
+        where, remedy = [], []
+        if grid.nz and nz > grid.nz:
+            depths = [quantity(n * (grid.dz or 0.0), "m") for n in (nz, grid.nz)]
+            where.append(f"{depths[0]} deep, below nz dz = {depths[1]}")
+            remedy.append("leave nz out")
+        for axis, first, cells, n, d in (
+            ("x", first_x, nx, grid.nx, grid.dx), ("y", first_y, ny, grid.ny, grid.dy),
+        ):  # fmt: skip
+            if first < 0 or first + cells > n:
+                where.append(f"beside the grid along {axis}, over {quantity(cells * d, 'm')}")
+                remedy.append(f"enlarge n{axis}")
+        return (
+            f"plastic strain of body {body} lies {' and '.join(where)}: it acts as all of it, but "
+            f"fields do not show it; to see it, {' and '.join(remedy)}"
+        )
+    return ""

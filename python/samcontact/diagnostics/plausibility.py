@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes that cannot be meant: quantities that are likely written in another unit."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable, Iterable, Iterator
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
+
+from .._util.check import Verdict
+from .._util.display import quantity
+from .._util.errors import UnitWarning
+from ..bodies.layered import Layered, materials_of, softest
+from ..hertz import EllipticContact
+
+if TYPE_CHECKING:
+    from ..bodies.depth_profiles import Profile
+    from ..bodies.layered import Body
+    from ..bodies.material import Material
+    from ..heat import Heat
+    from ..scene.grid import Grid
+    from .hertz_estimate import Expected
+
+LARGEST_PART = 0.55
+"""Of a contact's half width in its radius: a sphere is 15 % stiffer there than its paraboloid."""
+MOST_WINDOWS, FEWEST_CELLS, MOST_LAYERS = 4.0, 2.0, 1e3
+"""Hertz contacts beyond these are off the grid: across over a side of the window, across over a
+cell, half across over a layer."""
+SOFTEST_YIELD = 1e-6
+"""Yield stress over E: that of pure single crystals is 4e-6."""
+STRONGEST_YIELD = 0.2
+"""Yield stress over E: no bond of atoms bears more."""
+LARGEST_FACTOR = 20.0
+"""Yield stress at a depth over that of the law: a case has 2 to 3."""
+DEEPEST = 0.1
+"""Of a case, residual stress or layer [m]: rolls of mills are hard to 0.1 m."""
+LEAST_STRESS = 1e-7
+"""Residual stress, or modulus of a backstress, over E: in steel 0.02 MPa."""
+LARGEST_MODULUS = 1e4
+"""Of a backstress, over E: E Et/(E - Et) of nearly elastic hardening is large as well."""
+FASTEST = 1e3
+"""Speed of a surface through a contact [m/s]: no bearing reaches 300."""
+MOST_WEAR = 1e-9
+"""Volume over work or over load and way [1/Pa]: soft rubber on abrasive paper."""
+LEAST_LIMIT = 1e4
+"""Fatigue limit or yield stress of a solid [Pa]: gels have some 1e4."""
+CAPACITIES = 1e5, 1e7
+"""Of heat in a volume of solids [J/(m^3 K)]: 1e6 to 4e6 without pores."""
+LARGEST_EXPANSION = 2e-3
+"""[1/K]: rubber has up to 7e-4."""
+HOTTEST = 3e5
+"""Rise of the temperature, without what melting would change [K]."""
+_THERMAL = "conductivity is in W/(m K), diffusivity in m^2/s"
+_ROOM = 6.0  # cells across a Hertz contact that a corrected quantity must leave
+_STIFFEST = 2e12  # E* of two diamonds is 0.6e12
+_SLIPS = {"m": (1e-3, 1e-6, 1e-9), "N": (1e-3, 1e-6, 1e-9), "Pa": (1e3, 1e6, 1e9)}
+
+
+class Doubt(NamedTuple):
+    """A number of a scene against what it can be, and what is said where it cannot."""
+
+    verdict: Verdict
+    remedy: Callable[[], str]
+    """Made where it is said: most scenes are not doubted."""
+    of_contact: bool = False
+    """Not of a body: it goes with what is found of the same contact once it is solved."""
+
+
+class Contact(NamedTuple):
+    """What Hertz expects: how far it reaches along x and y [m], of which radii [m]."""
+
+    expected: Expected
+    extent: tuple[float, float]
+    driver: str = "load"
+
+    @property
+    def radii(self) -> tuple[float, float]:
+        """In the planes of the larger and the smaller semi-axis."""
+        hertz = self.expected.contact
+        if isinstance(hertz, EllipticContact):
+            return max(hertz.Rx, hertz.Ry), min(hertz.Rx, hertz.Ry)
+        return hertz.R, hertz.R
+
+
+def doubts_of(
+    contact: Contact | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
+) -> Iterator[Doubt]:
+    """All that a scene is looked at for, before it is solved; grid: the one that was given."""
+    solids = softest(bodies[0]), softest(bodies[1])
+    for number, (whole, body) in enumerate(zip(bodies, solids, strict=True), 1):
+        if body.is_plastic:
+            name, ratio = f"yield stress over E of body {number}", body.least_yield_stress / body.E
+            verdict = Verdict(name, ratio, SOFTEST_YIELD, at_least=True)
+            yield Doubt(verdict, lambda: "Both are in pascals")
+        yield from _failed(_of_body(f"body {number}", whole))
+    heated = [
+        (number, heat.factor[number - 1], body)
+        for number, body in enumerate(solids, 1)
+        if heat.shares[number - 1] > 0 and body.thermal is not None
+    ]
+    for number, _, body in heated:
+        yield from _of_constants(number, body)
+        speed = math.hypot(*heat.velocity[number - 1])
+        verdict = Verdict(f"heat.velocity of body {number}", speed, FASTEST, unit="m/s")
+        yield from _failed([Doubt(verdict, lambda: "Speeds are in m/s")])
+    if contact is not None:
+        yield from _of_contact(contact, grid, solids)
+        for number, factor, body in heated:
+            yield _of_rise(contact, number, factor, body, heat)
+    for number, whole in enumerate(bodies, 1):  # of what a contact may have told better
+        plastic = [material for material in materials_of(whole) if material.is_plastic]
+        yield from _failed(_of_strength(number, material) for material in plastic)
+
+
+def _failed(doubts: Iterable[Doubt]) -> Iterator[Doubt]:
+    """Those that a report need not list where they pass: most materials have none of them."""
+    return (doubt for doubt in doubts if not doubt.verdict.passed)
+
+
+def warn_of_doubts(
+    contact: Contact | None,
+    grid: Grid,
+    bodies: tuple[Body, Body],
+    heat: Heat,
+    *,
+    stacklevel: int,
+) -> Doubt | None:
+    """Warn of what cannot be meant of a scene, the first of it; that."""
+    found = [d for d in doubts_of(contact, grid, bodies, heat) if not d.verdict.passed]
+    if not found:
+        return None
+    warn_of(found[0], stacklevel=stacklevel + 1)
+    return found[0]
+
+
+def warn_of(doubt: Doubt, *, stacklevel: int) -> None:
+    """Warn of a number unless it can be meant."""
+    verdict = doubt.verdict
+    if not verdict.passed:
+        told = f"{verdict.name} is {verdict.shown}, and should be {verdict.condition}"
+        warnings.warn(f"{told}. {doubt.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
+
+
+def wear_coefficient(name: str, value: float) -> Doubt:
+    """Of the work of friction, or of load and way."""
+    verdict = Verdict(name, value, MOST_WEAR, unit="1/Pa")
+    return Doubt(verdict, lambda: "It is in 1/Pa, m³ per joule: 1e-6 mm³/(N m) are 1e-15 1/Pa")
+
+
+def strength(name: str, value: float) -> Doubt:
+    """A fatigue limit, or a yield stress that is given by itself."""
+    verdict = Verdict(name, value, LEAST_LIMIT, at_least=True, unit="Pa")
+    return Doubt(verdict, lambda: "Stresses are in pascals: 300 MPa are 300e6")
+
+
+def _of_body(name: str, body: Body) -> Iterator[Doubt]:
+    if not isinstance(body, Layered):
+        yield from _of_material(name, body)
+        return
+    for place, (material, thickness) in enumerate(body.layers):
+        layer = f"layers[{place}] of {name}"
+        verdict = Verdict(f"thickness of {layer}", thickness, DEEPEST, unit="m")
+        yield Doubt(verdict, lambda: "Thicknesses are in metres")
+        yield from _of_material(layer, material)
+    yield from _of_material(f"the substrate of {name}", body.substrate)
+
+
+def _of_material(name: str, body: Material) -> Iterator[Doubt]:
+    for modulus, _ in body.kinematic:
+        told = f"modulus of kinematic hardening over E of {name}"
+        for limit, least in ((LEAST_STRESS, True), (LARGEST_MODULUS, False)):
+            verdict = Verdict(told, modulus / body.E, limit, least)
+            yield Doubt(verdict, lambda: "Both are in pascals")
+    if body.yield_profile is not None:
+        most_of_law = max(body.yield_profile[1])
+        verdict = Verdict(f"largest yield factor of {name}", most_of_law, LARGEST_FACTOR)
+        yield Doubt(verdict, lambda: "It is a ratio: the hardness there over that of the core")
+        yield _of_depth(f"depth of the yield profile of {name}", body.yield_profile)
+    if body.residual_stress is not None:
+        largest = max(abs(v) for values in body.residual_stress[1:] for v in values)
+        if largest > 0:
+            told = f"largest residual stress over E of {name}"
+            verdict = Verdict(told, largest / body.E, LEAST_STRESS, at_least=True)
+            yield Doubt(verdict, lambda: "Both are in pascals: -800 MPa are -800e6")
+        yield _of_depth(f"depth of the residual stress of {name}", body.residual_stress)
+
+
+def _of_strength(number: int, body: Material) -> Doubt:
+    """The largest yield stress that the law has by itself."""
+    given = body.parameters
+    of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
+    largest = max(*of_law, *given.get("stress", ()))
+    name = f"largest yield stress over E of body {number}"
+    verdict = Verdict(name, largest / body.E, STRONGEST_YIELD)
+    return Doubt(verdict, lambda: "Both are in pascals: 210 GPa are 210e9")
+
+
+def _of_depth(name: str, profile: Profile) -> Doubt:
+    """Where a profile ends to change [m]."""
+    z = profile[0]
+    deepest = 0.0
+    for above, below in pairwise(range(len(z))):
+        if any(values[above] != values[below] for values in profile[1:]):
+            deepest = z[below]
+    return Doubt(Verdict(name, deepest, DEEPEST, unit="m"), lambda: "Depths are in metres")
+
+
+def _of_constants(number: int, body: Material) -> Iterator[Doubt]:
+    conductivity, expansion, diffusivity = body.thermal or (1.0, 0.0, 1.0)
+    name = f"conductivity over diffusivity of body {number}, the heat that its volume holds,"
+    for limit, least in zip(CAPACITIES, (True, False), strict=True):
+        verdict = Verdict(name, conductivity / diffusivity, limit, least, "J/(m³ K)")
+        yield Doubt(verdict, lambda: f"Solids have 1e6 to 4e6; {_THERMAL}")
+    verdict = Verdict(f"expansion of body {number}", expansion, LARGEST_EXPANSION, unit="1/K")
+    yield Doubt(verdict, lambda: "Steel has 1.2e-5 1/K")
+
+
+def _of_rise(contact: Contact, number: int, factor: float, body: Material, heat: Heat) -> Doubt:
+    """Flux over conductivity, times the size of the contact or of what heat reaches in time."""
+    conductivity, _, diffusivity = body.thermal or (1.0, 0.0, 1.0)
+    size = math.sqrt(math.prod(contact.expected.semi_axes))
+    age = heat.time if heat.history is None else heat.history[1]
+    if age is not None:
+        size = min(size, math.sqrt(diffusivity * age))
+    if (speed := math.hypot(*heat.velocity[number - 1])) > 0:
+        size = min(size, math.sqrt(diffusivity * size / speed))
+    rise = factor * contact.expected.contact.p0 * size / conductivity
+    name = f"rise of the temperature of body {number} by frictional heat, about,"
+    verdict = Verdict(name, rise, HOTTEST, unit="K")
+    return Doubt(verdict, lambda: f"The factor of heat is in m/s; {_THERMAL}")
+
+
+def part_of_radius(contact: Contact, said: Callable[[], str] | None = None) -> Doubt:
+    """How large a contact is; said: what is told of it first, default what Hertz expects."""
+    first = said or (lambda: str(contact.expected))
+    share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
+    verdict = Verdict("half width of the Hertz contact over its radius", share, LARGEST_PART)
+    taken = "Bodies are taken as half-spaces, and spheres as paraboloids"
+    return Doubt(verdict, lambda: f"{first()}. {taken}", True)
+
+
+def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material]) -> Iterator[Doubt]:
+    expected, extent = contact.expected, contact.extent
+
+    def said() -> str:
+        return f"{expected}. {likely_slips(contact, grid)}"
+
+    yield part_of_radius(contact, said)
+    windows = max(
+        2 * e / (n * d)
+        for e, n, d in zip(extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
+    )
+    name = "width of the Hertz contact over that of the grid"
+    yield Doubt(Verdict(name, windows, MOST_WINDOWS), said, True)
+    wider = max(_flattened(contact, body) for body in bodies)
+    cells = wider * min(2 * e / d for e, d in zip(extent, (grid.dx, grid.dy), strict=True))
+    name = "width of the Hertz contact in cells"
+    yield Doubt(Verdict(name, cells, FEWEST_CELLS, at_least=True), said, True)
+    yields = [b for b in bodies if b.is_plastic and expected.contact.p0 > b.least_yield_stress]
+    if grid.dz is not None and yields:
+        name = "half width of the Hertz contact in layers"
+        verdict = Verdict(name, wider * expected.semi_axes[1] / grid.dz, MOST_LAYERS)
+        yield Doubt(verdict, lambda: f"dz = {quantity(grid.dz or 0.0, 'm')}, in metres")
+
+
+def _flattened(contact: Contact, body: Material) -> float:
+    """How much wider than elastic a contact is whose mean pressure is three yield stresses."""
+    stress = 3.0 * body.least_yield_stress if body.is_plastic else math.inf
+    mean = contact.expected.contact.p0 / 1.5
+    return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
+
+
+def likely_slips(contact: Contact, grid: Grid) -> str:
+    """Which quantity in another unit would make a contact fit its grid, in words."""
+    hertz, by_approach = contact.expected.contact, contact.driver == "approach"
+    # value, unit, and powers of a factor by which the contact, its radius and the cells grow
+    given = {
+        "moduli of E* =": (hertz.E_star, "Pa", 0.0 if by_approach else -1 / 3, 0.0, 0.0),
+        "radii of": (contact.radii[0], "m", 0.5 if by_approach else 1 / 3, 1.0, 0.0),
+        "cells of": (max(grid.dx, grid.dy), "m", 0.0, 0.0, 1.0),
+        "a load of": (hertz.load, "N", 0.0 if by_approach else 1 / 3, 0.0, 0.0),
+        "an approach of": (hertz.approach, "m", 0.5 if by_approach else 0.0, 0.0, 0.0),
+    }
+    fits, unusual = [], []
+    for name, (value, unit, *powers) in given.items():
+        for factor in _SLIPS[unit] if any(powers) else ():
+            wider, larger, coarser = (factor**power for power in powers)
+            if factor * value < _STIFFEST and _fits(contact, grid, wider, wider / larger, coarser):
+                fits.append(f"{name} {quantity(factor * value, unit)}")
+                unusual += fits[-1:] if _is_unusual(name, value) else []
+                break
+    units = "lengths are in metres, loads in newtons, moduli in pascals"
+    text = ", or ".join(unusual or fits)
+    return f"It would fit with {text}: {units}" if text else units.capitalize()
+
+
+def _is_unusual(name: str, value: float) -> bool:
+    if name.startswith("moduli"):
+        return value < 1e6
+    return value > {"radii of": 1.0, "cells of": 1e-3, "a load of": 1e6}.get(name, math.inf)
+
+
+def _fits(contact: Contact, grid: Grid, wider: float, steeper: float, cells: float) -> bool:
+    """Whether a contact would, that is so much wider, over its radius, and in larger cells."""
+    sides = zip(contact.extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
+    across = [(2 * wider * e / (cells * d), n) for e, n, d in sides]
+    part = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
+    inside = all(_ROOM <= share <= MOST_WINDOWS * n for share, n in across)
+    return inside and steeper * part <= LARGEST_PART

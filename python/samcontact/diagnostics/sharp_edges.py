@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sharp edges of bodies, at which the pressure of elastic contact is singular."""
+
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import hertz
+from .._util.checks import FloatArray
+from .._util.display import quantity
+from .._util.errors import SingularPressureWarning
+from .._util.lazy_scipy import scipy
+from ..bodies.layered import Body, softest
+from ..solutions.outline import (
+    _rising,
+    around,
+    away_from_border,
+    rises_outwards,
+    sides_between,
+    sides_of,
+    steps_beside,
+)
+
+if TYPE_CHECKING:
+    from ..solutions.contact_solution import ContactSolution
+    from ..solutions.state import State
+
+DEFLECTION = 0.25
+"""Height of a step over p d/E*, at least: elastic deflection between two cells of size d closes
+less at once."""
+TOGETHER = 3
+"""Cells of an edge, at least: single cells of a rough surface are none."""
+ROUNDING = 4
+"""Cells in the radius of a rounded edge from which its pressure can be resolved."""
+SINGULAR = (
+    "max_pressure", "max_von_mises", "max_equivalent_plastic_strain", "max_residual_von_mises",
+)  # fmt: skip
+"""Quantities without a limit at a sharp edge, by their names in files without the body: the cells
+do not bring them to an end (stresses of perfect plasticity have one)."""
+
+
+class SharpEdge(NamedTuple):
+    """Cells in contact along sharp edges."""
+
+    cells: NDArray[np.bool_]
+    """Of shape (nx, ny): those at the edge."""
+    peak: tuple[int, int]
+    """That of the largest pressure among them."""
+
+
+def sharp_edge(
+    pressure: ArrayLike, gap: ArrayLike, grid_sizes: tuple[float, float], E_star: float,
+    periodic: str = "", initial_gap: ArrayLike | None = None,
+) -> SharpEdge | None:  # fmt: skip
+    """Find the sharp edges of a contact, to which its pressure rises.
+
+    The pressure of a smooth contact falls to zero at its edge, like the root of the distance. At
+    the end of a body, or at a step that elastic deflection does not close, it rises instead: like
+    r^-1/2 with the distance r from the edge for the contact of two half-spaces (Johnson 1985,
+    sections 2.8 and 5.1; other exponents for wedges of unlike materials: Williams 1952,
+    doi:10.1115/1.4010553, Dundurs & Lee 1972).
+
+    Parameters
+    ----------
+    pressure : array_like, shape (nx, ny)
+        [Pa], >= 0.
+    gap : array_like, shape (nx, ny)
+        Separation under load [m]; NaN or infinite where there is no body.
+    grid_sizes : pair of float
+        Sizes of a cell along x and y [m].
+    E_star : float
+        Contact modulus [Pa].
+    periodic : {"", "x", "y", "xy"}, optional
+        As of a Grid.
+    initial_gap : array_like, shape (nx, ny), optional
+        Separation of the undeformed bodies [m], for steps that the load has closed.
+
+    Returns
+    -------
+    SharpEdge or None
+        None where no three touching cells have a step of the gap beside them and more pressure than
+        the cells further inside.
+    """
+    p, heights = np.asarray(pressure, dtype=np.float64), np.asarray(gap, dtype=np.float64)
+    whole = np.zeros(p.shape, dtype=np.bool_)
+    window = around(p > 0, periodic)
+    p, heights = p[window], heights[window]
+    found, inside = whole[window], p > 0
+    looked_at = [(sides, heights) for sides in sides_of(inside, periodic)]
+    if initial_gap is not None:
+        before = np.asarray(initial_gap, dtype=np.float64)[window]
+        for sides in sides_between(inside, inside, periodic):
+            looked_at.append((away_from_border(sides, p.shape, periodic), before))
+    for sides, surface in looked_at:
+        rising = _rising(sides, p)
+        if not rising.any():
+            continue
+        sides = sides._replace(i=sides.i[rising], j=sides.j[rising])
+        steps, height = steps_beside(sides, surface, periodic)
+        deflection = p[sides.i, sides.j] * grid_sizes[sides.axis] / E_star
+        high = steps & (height > DEFLECTION * deflection)
+        found[sides.i[high], sides.j[high]] = True
+    if not found.any():
+        return None
+    labels, _ = scipy.ndimage.label(found, structure=np.ones((3, 3)))
+    sizes = np.bincount(labels.ravel())
+    sizes[0] = 0
+    found &= (sizes >= min(TOGETHER, *inside.shape))[labels]
+    if not found.any():
+        return None
+    i, j = np.unravel_index(int(np.where(found, p, -1.0).argmax()), p.shape)
+    first = [
+        slice_.indices(n)[0] for slice_, n in zip(window, (len(whole), len(whole[0])), strict=True)
+    ]
+    return SharpEdge(whole, (int(i) + first[0], int(j) + first[1]))
+
+
+def edge_of(
+    solution: ContactSolution | State, bodies: tuple[Body, Body], initial_gap: FloatArray | None
+) -> SharpEdge | None:
+    """The sharp edges of a solution; None without any, and of given tractions."""
+    pressure, grid = solution.pressure, solution.grid
+    if not np.isfinite(solution.approach):
+        return None
+    if initial_gap is None and not rises_outwards(pressure, grid.periodic):
+        return None
+    E_star = hertz.effective_modulus(*map(softest, bodies))
+    sizes = grid.dx, grid.dy
+    return sharp_edge(pressure, solution.gap, sizes, E_star, grid.periodic, initial_gap)
+
+
+def edge_of_state(state: State) -> SharpEdge | None:
+    """The same of a state; steps of reliefs that the load has closed are not looked for."""
+    run, window = state._simulation, state._window
+    known = all(relief is None for relief in window.reliefs)
+    return edge_of(state, (run.body1, run.body2), window.initial_gap if known else None)
+
+
+def is_singular(name: str) -> bool:
+    """Whether a quantity, by its name in files, has no limit at a sharp edge."""
+    return name.partition("_body")[0] in SINGULAR
+
+
+def warn_of_edge(
+    solution: ContactSolution | State, edge: SharpEdge | None, *, stacklevel: int
+) -> bool:
+    """Warn of pressures that are singular at a sharp edge; whether there is one."""
+    if edge is None:
+        return False
+    i, j = edge.peak
+    x, y = (quantity(float(s), "m") for s in (solution.grid.x[i], solution.grid.y[j]))
+    text = (
+        f"the pressure rises to {quantity(float(solution.pressure[i, j]), 'Pa')} at a sharp edge, "
+        f"beside a step of the gap or the end of a body (x = {x}, y = {y}). In elastic contact it "
+        "is singular there: the largest pressure and the stresses near the edge grow without limit "
+        "as the cells become smaller. The load, the approach, the pressure a few cells away from "
+        "the edge and forces over a fixed length remain meaningful. Round the edge, with a radius "
+        f"of {ROUNDING} cells or more, or give a roller a crowned or logarithmic profile"
+    )
+    warnings.warn(text, SingularPressureWarning, stacklevel=stacklevel + 1)
+    return True

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bodies that would yield, where they are taken as elastic."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._util.checks import FloatArray
+from .._util.display import quantity
+from .._util.errors import ElasticStrainWarning
+from .._util.tensors import von_mises
+from ..bodies.layered import Body, softest
+from ..hertz.axis import line_axis, point_axis
+from ..hertz.field import sliding_max_von_mises
+from ..scene.friction import Coulomb
+from ..solutions.contact_solution import ContactSolution, ShearedSolution
+from .resolution import main_spot
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+_DEPTHS = np.concatenate(([0.0], np.geomspace(0.02, 10.0, 200)))
+"""Over the half width of the contact: where stress is compared with strength."""
+_LONG = 4.0
+"""Length of a spot over its width from which its stress is taken as that of a line contact."""
+_MOST_FRICTION = 10.0
+
+
+def warn_of_yield(
+    solution: ContactSolution,
+    bodies: Sequence[Body],
+    friction: float | Coulomb,
+    *,
+    stacklevel: int,
+) -> bool:
+    """Warn where a body that yields would do so under an elastic solution; whether it did.
+
+    The stress is that below a Hertz contact of the same largest pressure, width and friction, so
+    that a rough or unsmooth contact may yield a little sooner or later.
+    """
+    largest = float(solution.pressure.max())
+    found = []
+    for number, body in enumerate(bodies, 1):
+        # no contact that slides without friction has a von Mises stress above its largest pressure
+        if not body.is_plastic or (1 + 2 * _traction(solution, friction)) * largest <= (
+            body.least_yield_stress
+        ):
+            continue
+        share, stress = _over_yield(solution, body, friction)
+        if share > 1:
+            found.append((share, stress, number))
+    if not found:
+        return False
+    share, stress, number = max(found)
+    text = (
+        f"body {number} acts elastically here, but would yield: under the largest pressure, "
+        f"{quantity(largest, 'Pa')}, the von Mises stress reaches about {quantity(stress, 'Pa')}, "
+        f"{share:.3g} times its yield stress. Use Simulation for plastic flow, or an elastic "
+        "material"
+    )
+    warnings.warn(text, ElasticStrainWarning, stacklevel=stacklevel + 1)
+    return True
+
+
+def _traction(solution: ContactSolution, friction: float | Coulomb) -> float:
+    """Largest shear over the largest pressure."""
+    if isinstance(solution, ShearedSolution):
+        largest = float(solution.pressure.max())
+        shear = float(np.hypot(*solution.shear).max())
+        return shear / largest if largest > 0 else 0.0
+    return 0.0 if isinstance(friction, Coulomb) else float(friction)
+
+
+def _over_yield(
+    solution: ContactSolution, body: Body, friction: float | Coulomb
+) -> tuple[float, float]:
+    """Largest von Mises stress over the yield stress of its depth, and that stress [Pa]."""
+    grid, largest = solution.grid, float(solution.pressure.max())
+    spot = main_spot(solution.pressure, grid.periodic)
+    assert spot is not None  # there is a pressure above the yield stress
+    sides = [
+        math.inf if axis in grid.periodic and s.stop - s.start == n else (s.stop - s.start) * d
+        for axis, s, n, d in zip(
+            "xy", spot, grid.surface_shape, (grid.dx, grid.dy), strict=True
+        )
+    ]  # fmt: skip
+    half = 0.5 * min(sides)
+    nu = softest(body).nu
+    depths = np.zeros(1) if math.isinf(half) else _DEPTHS * half
+    stress = largest * _below(nu, is_line=max(sides) >= _LONG * min(sides))[: depths.size]
+    strength = np.asarray(body.yield_stress_at(depths))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        shares = np.where(strength > 0, stress / strength, 0.0)
+    at = int(shares.argmax())
+    found = float(shares[at]), float(stress[at])
+    traction = _traction(solution, friction)
+    if traction > 0:
+        ratio, depth = _sliding(nu, round(min(traction, _MOST_FRICTION), 3))
+        least = float(body.yield_stress_at(np.array([depth * half]))[0])
+        found = max(found, (ratio * largest / least, ratio * largest))
+    return found
+
+
+@lru_cache(maxsize=64)
+def _sliding(nu: float, friction: float) -> tuple[float, float]:
+    """Largest von Mises stress over the largest pressure, and its depth over the half width."""
+    ratio, _, depth = sliding_max_von_mises(nu, friction)
+    return ratio, depth
+
+
+@lru_cache(maxsize=64)
+def _below(nu: float, *, is_line: bool) -> FloatArray:
+    """Von Mises stress on the axis of a Hertz contact over its largest pressure, at `_DEPTHS`."""
+    if not is_line:
+        radial, axial = point_axis(_DEPTHS, nu)
+        return np.asarray(np.abs(radial - axial))
+    normal = np.stack(line_axis(_DEPTHS, nu))
+    return von_mises(np.concatenate([normal, np.zeros_like(normal)]))

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Restart after an interruption: files, identity and lock of a run."""

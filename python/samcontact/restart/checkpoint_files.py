@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is in a folder of checkpoints: files of this package, which may be removed, and others."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+
+from ..files.ownership import HDF5, PART, is_marked, is_regular
+from .lock import LOCKS
+
+CASE = "case.txt"
+"""Name of the file that says which case the checkpoints are of."""
+CASE_MARK = "samcontact run "
+"""How it begins."""
+
+
+def foreign(folder: Path) -> Path | None:
+    """Return something in the place of a folder of checkpoints that is none of this package."""
+    if not os.path.lexists(folder):
+        return None
+    if folder.is_symlink() or not folder.is_dir():
+        return folder
+    return next((file for file in _files(folder) if not _is_own(file)), None)
+
+
+def remove_checkpoints(folder: Path) -> None:
+    """Remove a folder of checkpoints; files of others in it stay, and their folders."""
+    if folder.is_symlink() or not folder.is_dir():
+        return
+    for file in _files(folder):
+        if _is_own(file):
+            file.unlink(missing_ok=True)
+    for path, _, _ in os.walk(folder, topdown=False):
+        with suppress(OSError):  # not empty
+            os.rmdir(path)
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    """All that is not a folder, at any depth; links are not followed."""
+    for path, folders, files in os.walk(folder):
+        yield from (Path(path, name) for name in sorted(files))
+        yield from (Path(path, name) for name in folders if Path(path, name).is_symlink())
+
+
+def _is_own(file: Path) -> bool:
+    if not is_regular(file):
+        return False
+    if file.name == CASE:
+        with file.open("rb") as opened:
+            return opened.read(len(CASE_MARK)) == CASE_MARK.encode()
+    if file.name in LOCKS or PART.fullmatch(file.name):
+        return True
+    return file.suffix in HDF5 and is_marked(file)

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files to go on from: HDF5 with a digest at the end, all of one format."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import h5py
+
+from .. import _core
+from .._util.checks import file_path
+from ..files.atomic import replacing_hdf5
+from ..files.checksum import check_seal
+from ..files.ownership import is_marked
+from .identity import Identity, differences
+from .tree import Tree, read_tree, write_tree
+
+_FORMAT = "samcontact checkpoint"
+_FORMAT_VERSION = 10
+_SIGNATURE = b"\x89HDF\r\n\x1a\n"
+
+DAMAGED = (
+    OSError, KeyError, ValueError, TypeError, AttributeError, IndexError, OverflowError,
+    RuntimeError, MemoryError,
+)  # fmt: skip
+"""What h5py, NumPy and the core raise for a file of which a part is not what it should be."""
+
+
+class CheckpointError(ValueError):
+    """The file is no checkpoint of this package, or it is damaged."""
+
+
+class DamagedCheckpointError(CheckpointError):
+    """It is one, or was, but cannot be used: an earlier one may serve."""
+
+
+class ForeignCheckpointError(CheckpointError):
+    """It belongs to another run."""
+
+
+def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckpointError:
+    """The error of a file whose content cannot be used."""
+    return DamagedCheckpointError(f"{os.fspath(path)!r} is damaged: {error}")
+
+
+def write(path: str | os.PathLike[str], kind: str, tree: Mapping[str, Any]) -> None:
+    """Keep a tree; a failure leaves the old file. kind: in a word, what the tree is of."""
+    file_path("path", path)
+    with replacing_hdf5(path) as opened, h5py.File(opened, "w") as file:
+        file.attrs.update(
+            format=_FORMAT,
+            format_version=_FORMAT_VERSION,
+            samcontact_version=_core.version,
+            kind=kind,
+        )
+        write_tree(file, tree)
+
+
+def read(path: str | os.PathLike[str], kind: str) -> Tree:
+    """What `write` has kept.
+
+    Raises FileNotFoundError, and CheckpointError for a file of another program, format or kind;
+    DamagedCheckpointError where its bytes are not those that were written.
+    """
+    if not file_path("path", path).is_file():
+        raise FileNotFoundError(f"no checkpoint at {os.fspath(path)!r}")
+    try:
+        if not check_seal(path):  # HDF5 may not come back from a damaged file
+            raise _unsealed(path)
+        with h5py.File(path, "r") as file:
+            require_self_contained(file)
+            _require_format(path, kind, dict(file.attrs))
+            return read_tree(file)
+    except CheckpointError:
+        raise
+    except DAMAGED as error:
+        raise damaged(path, error) from error
+
+
+def other_version(path: str | os.PathLike[str], tree: Tree) -> str:
+    """Return which version of this package wrote a tree; nothing where it is this one."""
+    version = tree.get("samcontact_version")
+    if version == _core.version:
+        return ""
+    return f"{os.fspath(path)!r} was written by samcontact {version}, and this is {_core.version}"
+
+
+def _unsealed(path: str | os.PathLike[str]) -> ValueError:
+    """The error of a file without a digest: one of others, or a damaged one."""
+    with open(path, "rb") as file:
+        is_hdf5 = file.read(len(_SIGNATURE)) == _SIGNATURE
+    if not is_hdf5:
+        return ValueError("it is not an HDF5 file")
+    if not is_marked(Path(path)):
+        return CheckpointError(f"{os.fspath(path)!r} is not a samcontact checkpoint")
+    return ValueError("the digest at its end is missing: it was cut off or changed")
+
+
+def require_self_contained(file: h5py.Group) -> None:
+    """Raise ValueError for an HDF5 file with parts that lie in other files."""
+    found: list[str] = []  # h5py loses exceptions that are raised within a visit
+
+    def check_link(name: str, link: Any) -> None:
+        if isinstance(link, h5py.ExternalLink):
+            found.append(f"{name} is a link to another file, {link.filename!r:.80}")
+
+    def check(name: str, part: h5py.Group | h5py.Dataset) -> None:
+        if isinstance(part, h5py.Dataset) and (part.external or part.is_virtual):
+            found.append(f"the values of {name} are in another file")
+
+    file.visititems_links(check_link)
+    file.visititems(check)
+    if found:
+        raise ValueError(f"{found[0]}, which is not followed: copy the values into the file")
+
+
+def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> None:
+    """Raise ForeignCheckpointError for a file of a computation that is not the one of now."""
+    before = tree.get("run")
+    if told := other_version(path, tree):
+        raise ForeignCheckpointError(
+            f"{told}, whose results may differ in their last digits: go on with that version, or "
+            "start again in another place"
+        )
+    if now != before:
+        told = differences(now, before) if isinstance(before, dict) else "a simulation by itself"
+        raise ForeignCheckpointError(
+            f"{os.fspath(path)!r} is of another run: remove it, or choose another ({told})"
+        )
+
+
+def _require_format(path: str | os.PathLike[str], kind: str, found: Mapping[str, Any]) -> None:
+    name = f"{os.fspath(path)!r}"
+    if not isinstance(found.get("format"), str) or found["format"] != _FORMAT:
+        raise CheckpointError(f"{name} is not a samcontact checkpoint")
+    version = int(found["format_version"])
+    if version != _FORMAT_VERSION:
+        raise CheckpointError(
+            f"{name} has checkpoint format {version} of samcontact "
+            f"{found.get('samcontact_version')}; this is {_core.version}, which reads format "
+            f"{_FORMAT_VERSION}"
+        )
+    if found.get("kind") != kind:
+        raise CheckpointError(f"{name} is a checkpoint of {found.get('kind')!r}, not of {kind!r}")

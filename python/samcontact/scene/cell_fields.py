@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fields over the cells of a grid as the core takes them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._util.checks import (
+    FloatArray,
+    finite_array,
+    real_array,
+    require_type,
+    tractions,
+)
+from .._util.short_text import in_short
+from .grid import Grid
+
+
+def shear_components(
+    grid: Grid, shear: ArrayLike | None
+) -> tuple[FloatArray | None, FloatArray | None]:
+    """Split shear of shape (nx, ny) or (2, nx, ny) into contiguous s_x, s_y [Pa]."""
+    require_type("grid", grid, Grid)
+    if shear is None:
+        return None, None
+    shape = grid.surface_shape
+    if real_array("shear", shear).ndim == 3:
+        both = tractions("shear", shear, (2, *shape))
+        return both[0], both[1]
+    return tractions("shear", shear, shape), None
+
+
+def depths_of(z: ArrayLike) -> FloatArray:
+    """Check depths [m], a scalar or one-dimensional."""
+    depths = np.atleast_1d(real_array("z", z))
+    if depths.ndim != 1 or not ((depths <= 1e75) & (depths >= 0)).all():
+        raise ValueError(
+            f"z must be a one-dimensional array of depths >= 0 [m], up to 1e75, got {in_short(z)}"
+        )
+    return depths
+
+
+def depth_major(grid: Grid, name: str, tensor: ArrayLike) -> FloatArray:
+    """Check a (6, nx, ny, nz) tensor field and return it as the core stores it, (6, nz, nx, ny)."""
+    require_type("grid", grid, Grid)
+    checked = finite_array(name, tensor, (6, *grid.volume_shape))
+    return np.ascontiguousarray(np.moveaxis(checked, 3, 1))

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether layers of materials fit the layers of cells."""
+
+from __future__ import annotations
+
+from ..bodies.layered import Body, Layered
+from .grid import Grid
+
+
+def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
+    """Whether bodies of layers may flow; ValueError where the flow of one is not served."""
+    flows = False
+    for n, body in enumerate(bodies, 1):
+        if not isinstance(body, Layered) or not body.is_plastic:
+            continue
+        flows = True
+        if body.substrate.is_rigid:
+            raise ValueError(
+                f"layers of body{n} must not yield on a rigid substrate, got {body!r}: take one "
+                "that is some times stiffer than they are"
+            )
+        if residual_stress == "exact":
+            raise ValueError(
+                f'residual_stress must be "fast" where body{n} has layers, got "exact": there are '
+                "no closed forms"
+            )
+        for place, depth in enumerate(body.interfaces if grid.dz is not None else ()):
+            cells = depth / grid.dz
+            if abs(cells - round(cells)) > 1e-6:
+                raise ValueError(
+                    f"the bottom of layers[{place}] of body{n}, {float(depth)!r} m deep, must lie "
+                    f"between layers of cells, got grid.dz = {grid.dz!r}: take a part of the "
+                    "thickness"
+                )
+    return flows

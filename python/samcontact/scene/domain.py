@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A grid with the surfaces of both bodies over it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._util.checks import FloatArray, gap_array
+from .._util.frozen import read_only
+from .grid import Grid
+from .moving_topography import Relief, heights_over, relief_rows
+
+_SAME = 1e-9  # of the heights
+
+
+@dataclass(frozen=True, eq=False)
+class Window:
+    """A grid, and what lies between two bodies over it."""
+
+    grid: Grid
+    initial_gap: FloatArray
+    relief1: Relief | None
+    relief2: Relief | None
+
+    @property
+    def reliefs(self) -> tuple[Relief | None, Relief | None]:
+        return self.relief1, self.relief2
+
+    @property
+    def cells(self) -> int:
+        return self.grid.nx * self.grid.ny
+
+
+@dataclass(frozen=True, eq=False)
+class Surfaces:
+    """What lies between two bodies: fields of one grid, or functions of any."""
+
+    gap: ArrayLike | Callable[[Grid], ArrayLike]
+    relief1: Relief | Callable[[Grid], Relief] | None = None
+    relief2: Relief | Callable[[Grid], Relief] | None = None
+
+    @property
+    def are_known(self) -> bool:
+        """Whether on any grid."""
+        reliefs = (self.relief1, self.relief2)
+        return callable(self.gap) and all(r is None or callable(r) for r in reliefs)
+
+    def over(self, grid: Grid) -> Window:
+        """Checked."""
+        gap = self.gap(grid) if callable(self.gap) else self.gap
+        reliefs = [r(grid) if callable(r) else r for r in (self.relief1, self.relief2)]
+        for number, relief in enumerate(reliefs, 1):
+            relief_rows(f"relief{number}", relief, grid)
+        checked = np.array(gap_array("gap", gap, grid.surface_shape), order="C")
+        return Window(grid, read_only(checked), *reliefs)
+
+
+def require_continued(larger: Window, window: Window) -> None:
+    """Raise ValueError unless a larger window shows the same surfaces in its middle."""
+    i = (larger.grid.nx - window.grid.nx) // 2
+    j = (larger.grid.ny - window.grid.ny) // 2
+    columns = slice(j, j + window.grid.ny)
+    shown = [("gap", larger.initial_gap[i : i + window.grid.nx, columns], window.initial_gap)]
+    for number, (now, before) in enumerate(zip(larger.reliefs, window.reliefs, strict=True), 1):
+        if now is not None and before is not None:
+            first, rows = before.first, len(before.heights)
+            heights = heights_over(now, first + i, rows)[:, columns]
+            shown.append((f"relief{number}", heights, before.heights))
+    for name, field, known in shown:
+        body = np.isfinite(known)
+        if not np.array_equal(np.isfinite(field), body):
+            raise ValueError(f"{name} on a larger grid is infinite in other cells, no body there")
+        off = np.abs(field[body] - known[body])
+        if not np.all(off <= _SAME * float(np.ptp(known[body]))):
+            raise ValueError(
+                f"{name} is another surface on a larger grid, which differs by up to "
+                f"{off.max():.3g} m where both know it"
+            )

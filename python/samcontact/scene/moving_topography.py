@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Roughness, dents and furrows that move with the surface of a body."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .._util.checks import FloatArray, boolean, finite_array, integer, real_array
+from .._util.display import Brief
+from .._util.frozen import read_only
+from ..surfaces import SurfaceGrid
+from .grid import Grid
+
+__all__ = ["Relief"]
+
+MOST_ROWS = 1 << 20
+"""From where a contact starts to the last row of a dent or furrow."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Relief(Brief):
+    """Heights of a body's surface, fixed to the body.
+
+    Parameters
+    ----------
+    heights : array_like, shape (rows, ny)
+        [m], positive out of the body, on cells as large as the grid's; any number of rows along x.
+    first : int, optional
+        Row of the grid over which the first of these rows starts; may be negative. As a body moves
+        towards +x, rows before it enter the grid.
+    periodic : bool, optional
+        Repeat the rows along x for ever; by default the surface is flat (0) beyond them.
+    worn : array_like, shape (rows, ny), optional
+        Depth of the material that has been worn off [m], >= 0: the yield profile and the residual
+        stress of the body are counted from the surface before. It does not change the heights;
+        default 0, and 0 beyond these rows.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Heights that are not finite or not two-dimensional, worn depths that are negative or of
+        another shape, or `first` not an integer.
+    """
+
+    heights: FloatArray
+    first: int = 0
+    periodic: bool = False
+    worn: FloatArray | None = None
+
+    def __post_init__(self) -> None:
+        heights = real_array("heights", self.heights)
+        if heights.ndim != 2:
+            raise ValueError(f"heights must have shape (rows, ny), got {heights.shape}")
+        checked = np.array(finite_array("heights", heights, heights.shape), order="C")
+        object.__setattr__(self, "heights", read_only(checked))
+        object.__setattr__(self, "first", integer("first", self.first))
+        object.__setattr__(self, "periodic", boolean("periodic", self.periodic))
+        if self.worn is not None:
+            worn = np.array(finite_array("worn", self.worn, heights.shape), order="C")
+            if (worn < 0).any():
+                raise ValueError(f"worn must be >= 0 everywhere, got {float(worn.min())!r}")
+            object.__setattr__(self, "worn", read_only(worn))
+
+
+def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool, Any] | None:
+    """The parts of a relief for the core."""
+    if relief is None:
+        return None
+    if not isinstance(relief, Relief):
+        raise TypeError(f"{name} must be a Relief, got {type(relief).__name__}")
+    if relief.heights.shape[1] != grid.ny or relief.heights.shape[0] == 0:
+        raise ValueError(
+            f"{name} must have heights of shape (rows, {grid.ny}), got {relief.heights.shape}"
+        )
+    return relief.heights, int(relief.first), bool(relief.periodic), relief.worn
+
+
+def heights_over(relief: Relief, first: int, count: int) -> FloatArray:
+    """Heights over some rows of the grid [m], shape (count, ny)."""
+    rows = len(relief.heights)
+    places = np.arange(first, first + count) - relief.first
+    if relief.periodic:
+        places %= rows
+    inside = (places >= 0) & (places < rows)
+    return np.where(inside[:, None], relief.heights[np.clip(places, 0, rows - 1)], 0.0)
+
+
+def rows_within(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray, int]:
+    """Positions of the rows of cells within a radius of x, and the number of the first one."""
+    middle = 0.5 * (grid.nx - 1)
+    if not (abs(x) + radius) / grid.dx < MOST_ROWS:
+        raise ValueError(
+            f"x and its reach along x must stay within {MOST_ROWS} cells of {grid.dx!r} m, "
+            f"got {x!r} m and {radius!r} m"
+        )
+    first = int(np.ceil((x - radius) / grid.dx + middle))
+    last = max(first, int(np.floor((x + radius) / grid.dx + middle)))
+    return np.asarray((np.arange(first, last + 1) - middle) * grid.dx, dtype=np.float64), first

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Settings of solver and simulation: of each its default and its range.
+
+Checks, repr, checkpoints, the section [contact] of case files and the call of the core follow.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+from .. import _core
+from .._util import memory
+from .._util.checks import choice, in_cells, integer, number
+from .._util.frozen import Fixed
+from .friction import Coulomb
+
+
+@dataclass(frozen=True)
+class Range:
+    """Limits of a number, which is finite; None: without."""
+
+    gt: float | None = None
+    ge: float | None = None
+    lt: float | None = None
+    le: float | None = None
+    unit: str = ""
+
+    def __str__(self) -> str:
+        least, most = (
+            None if limit is None else f"{limit:g}".replace("e-0", "e-")
+            for limit in (
+                self.ge if self.gt is None else self.gt,
+                self.le if self.lt is None else self.lt,
+            )
+        )
+        if most is None:
+            return f"a finite number {'>=' if self.gt is None else '>'} {least}"
+        ends = "[" if self.gt is None else "(", "]" if self.lt is None else ")"
+        return f"in {ends[0]}{least}, {most}{ends[1]}"
+
+    def check(self, name: str, value: Any) -> float:
+        """The value as a float within the limits."""
+        given = number(name, value)
+        inside = (
+            math.isfinite(given)
+            and (self.gt is None or given > self.gt)
+            and (self.ge is None or given >= self.ge)
+            and (self.lt is None or given < self.lt)
+            and (self.le is None or given <= self.le)
+        )
+        if not inside:
+            raise ValueError(f"{name} must be {self}, got {given!r}")
+        return given
+
+
+@dataclass(frozen=True)
+class Counted:
+    """At least 1."""
+
+    def check(self, name: str, value: Any) -> int:
+        return integer(name, value, 1)
+
+
+@dataclass(frozen=True)
+class Words:
+    """One of some words."""
+
+    allowed: tuple[str, ...]
+
+    def check(self, name: str, value: Any) -> str:
+        word: str = choice(name, value, self.allowed)
+        return word
+
+
+@dataclass(frozen=True)
+class Friction(Range):
+    """A coefficient, or a law of friction."""
+
+    def check(self, name: str, value: Any) -> Any:
+        return value if isinstance(value, Coulomb) else super().check(name, value)
+
+
+Allowed = Range | Counted | Words
+
+
+def _setting(default: Any, allowed: Allowed) -> Any:
+    """A field; it may be None where that is its default."""
+    return field(default=default, metadata={"allowed": allowed})
+
+
+def allowed(settings: type[ContactSettings]) -> Mapping[str, Allowed]:
+    """What each setting may be."""
+    return {item.name: item.metadata["allowed"] for item in fields(settings)}
+
+
+@dataclass(frozen=True)
+class ContactSettings:
+    """Of `ContactSolver`, which tells what they mean."""
+
+    friction: float | Coulomb = _setting(0.0, Friction(ge=0.0))  # noqa: RUF009 (a field)
+    tol: float = _setting(1e-8, Range(ge=1e-13, lt=1.0))
+    on_border: str = _setting("error", Words(("error", "warn")))
+    max_iterations: int = _setting(5000, Counted())
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            value = getattr(self, item.name)
+            if value is not None or item.default is not None:
+                checked = item.metadata["allowed"].check(item.name, value)
+                object.__setattr__(self, item.name, checked)
+
+    @classmethod
+    def checked(cls, name: str, value: Any) -> Any:
+        """A value of one of them."""
+        return allowed(cls)[name].check(name, value)
+
+    def arguments(self) -> dict[str, Any]:
+        """By name."""
+        return {item.name: getattr(self, item.name) for item in fields(self)}
+
+    def __str__(self) -> str:
+        """Those that are not None, as the arguments they are."""
+        given = {name: value for name, value in self.arguments().items() if value is not None}
+        return ", ".join(f"{name}={value!r}" for name, value in given.items())
+
+
+@dataclass(frozen=True)
+class Settings(ContactSettings):
+    """Of `Simulation`, which tells what they mean."""
+
+    tol: float = _setting(1e-6, Range(ge=1e-11, lt=1.0))
+    max_iterations: int = _setting(60, Counted())
+    increment_tol: float | None = _setting(None, Range(gt=0.0, lt=1.0))
+    residual_stress: str = _setting("fast", Words(("fast", "exact")))
+    image_tol: float = _setting(1e-3, Range(ge=1e-6, le=0.1))
+    zones: str = _setting("auto", Words(("auto", "one")))
+    reach: float | None = _setting(None, Range(ge=0.0, unit="m"))
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        # Closer to tol, the difference of two solutions is their own residual.
+        if self.increment_tol is not None and self.increment_tol < 10 * self.tol:
+            raise ValueError(
+                f"increment_tol must be in [10 tol, 1) with tol = {self.tol!r}, "
+                f"got {self.increment_tol!r}"
+            )
+
+    def to_core(self, dx: float) -> _core.Settings:
+        """As the core takes them, on cells of this length along x [m]."""
+        given = self.arguments()
+        del given["friction"]  # of the scene
+        given["increment_tol"] = self.increment_tol or 0.0
+        given["one_zone"] = given.pop("zones") == "one"
+        given["reach"] = round(in_cells("reach", given["reach"], dx))
+        return _core.Settings(**given)
+
+
+class Configured(Fixed):
+    """Has its settings as attributes."""
+
+    friction: Any  # float, or a law
+    tol: float
+    on_border: str
+    max_iterations: int
+    _settings: ContactSettings
+
+    def _configure(self, settings: ContactSettings) -> None:
+        self._settings = settings
+        vars(self).update(settings.arguments())
+
+    def _memory_of_contact(self, body1: Any, body2: Any, heat: Any) -> float:
+        """Bytes of a surface cell of an elastic contact of two bodies."""
+        return memory.of_contact(
+            coupled=self.friction != 0 and body1._core.stack != body2._core.stack,
+            sticks=isinstance(self.friction, Coulomb),
+            heated=any(heat.factor),
+        )

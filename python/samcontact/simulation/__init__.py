@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Elastic-plastic contact along a path of increments, with checkpoints."""

@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A simulation over half as many cells along x, y and z: what its grid has no part in stays."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._util.checks import FloatArray, finite_array
+from .._util.lazy_scipy import scipy
+from ..bodies.layered import Layered
+from ..scene.moving_topography import Relief
+
+if TYPE_CHECKING:
+    from ..bodies.layered import Body
+    from ..heat import Heat
+    from ..scene.grid import Grid
+    from .simulation import Simulation
+
+__all__ = ["coarser", "coarser_grid", "coarser_path", "slope_beyond"]
+
+Path = Sequence[Mapping[str, Any]]
+
+
+def coarser(simulation: Simulation, heat: Heat) -> Simulation:
+    """The same simulation, at its start with this heat, over cells twice as long, wide and deep.
+
+    Where layers yield, cells are as deep as fits them: two to three times as deep, or as before.
+    Surfaces that are functions of a grid are those of the coarser one; heights that are known on
+    one grid only are averaged over its cells (of a smooth paraboloid, interpolated).
+
+    Raises
+    ------
+    ValueError
+        A periodic direction whose cells cannot be halved, or a relief that repeats itself after an
+        odd number of rows.
+    """
+    window = simulation._window
+    bodies = simulation.body1, simulation.body2
+    grid, surfaces = coarser_grid(window.grid, bodies), simulation._surfaces
+    gap: Any = surfaces.gap
+    if not callable(gap):
+        gap = _gap(simulation, grid)
+    reliefs = [
+        given if given is None or callable(given) else _relief(given, window.grid, grid)
+        for given in (surfaces.relief1, surfaces.relief2)
+    ]
+    return remade(simulation, grid=grid, gap=gap, heat=heat, relief1=reliefs[0], relief2=reliefs[1])
+
+
+def remade(simulation: Simulation, **changes: Any) -> Simulation:
+    """The same simulation at its start, but for some arguments."""
+    surfaces = simulation._surfaces
+    given = {name: getattr(simulation, name) for name in ("grid", "body1", "body2", "heat")}
+    given |= {name: getattr(surfaces, name) for name in ("gap", "relief1", "relief2")}
+    made = type(simulation)(**given | simulation._settings.arguments() | changes)
+    made._told.looks_at_increments = False  # it is for those who judge a simulation
+    return made
+
+
+def coarser_grid(grid: Grid, bodies: Sequence[Body] = ()) -> Grid:
+    """Cells twice as large, over no less, between whose layers those of bodies end that yield.
+
+    An odd number where there was one, so that what lay in the middle of a cell does so again, or
+    between two.
+    """
+    given: dict[str, Any] = {}
+    for axis, n, d in zip("xy", (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True):
+        if n == 1:  # a line contact
+            given |= {f"n{axis}": 1, f"d{axis}": d}
+            continue
+        half = math.ceil(n / 2)
+        if axis in grid.periodic:
+            if n % 4 != 0 and n != 2:
+                raise ValueError(
+                    f"n{axis} must be a multiple of 4 where the grid is periodic, got {n}"
+                )
+        elif half % 2 != n % 2:
+            half += 1
+        given |= {f"n{axis}": half, f"d{axis}": 2 * d}
+    if grid.dz is not None:
+        deeper = times_as_deep(grid.dz, bodies)
+        given |= {"nz": math.ceil(grid.nz / deeper), "dz": grid.dz * deeper}
+    return replace(grid, **given)
+
+
+def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
+    """How many times as deep coarser cells are: 2 or the least above it, of which all layers of
+    bodies that yield have a whole number; 1 where there is none."""
+    ends = [
+        round(float(depth) / dz) for body in bodies if isinstance(body, Layered) and body.is_plastic
+        for depth in body.interfaces
+    ]  # fmt: skip
+    part = math.gcd(*ends)
+    return part / (part // 2) if part > 1 else 1.0 if ends else 2.0
+
+
+def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int]]:
+    """A path in whole cells of twice the length, and which of its increments has each of the old.
+
+    Two increments that move by the same odd number of cells become one; others stay.
+    """
+    steps: list[dict[str, Any]] = []
+    which: list[int] = []
+    waiting = False
+    for step in path:
+        given = dict(step)
+        moves = np.asarray(given.get("advance", (0.0, 0.0)), dtype=np.float64)
+        whole = np.allclose(moves / (2 * fine.dx), np.round(moves / (2 * fine.dx)), atol=1e-6)
+        if waiting and given == path[len(which) - 1]:
+            steps[-1] |= _of_both(given)
+            if given.get("duration") is not None:
+                steps[-1]["duration"] = 2 * given["duration"]
+            waiting = False
+        else:
+            steps.append(given)
+            waiting = not whole
+        which.append(len(steps) - 1)
+    return steps, which
+
+
+def _of_both(step: Mapping[str, Any]) -> dict[str, Any]:
+    """Motions of two equal increments together; forces along the surface are totals."""
+    moved: dict[str, Any] = {"advance": tuple(2 * s for s in step["advance"])}
+    if step.get("shift") is not None:
+        moved["shift"] = tuple(None if s is None else 2 * s for s in step["shift"])
+    if step.get("twist") is not None:
+        moved["twist"] = 2 * step["twist"]
+    return moved
+
+
+def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
+    """Share of the mean square slope of heights in waves that a grid of half the cells has not.
+
+    Parameters
+    ----------
+    heights : array_like, shape (nx, ny)
+        [m]; a paraboloid is taken off, and the borders are faded out (Hann).
+    dx, dy : float
+        Cell sizes [m].
+
+    Returns
+    -------
+    float
+        In [0, 1]; of waves shorter than 4 dx along x or 4 dy along y. NaN of a smooth surface, and
+        of fewer than 8 cells a side.
+
+    Notes
+    -----
+    Of a surface whose slope falls by a power of the wavenumber, such as a self-affine one, the next
+    octave, beyond the grid itself, holds no less than this one times the ratio of the two before.
+    """
+    field = np.asarray(heights, dtype=np.float64)
+    finite_array("heights", field, field.shape)
+    if min(field.shape) < 8:
+        return math.nan
+    x, y = np.meshgrid(*(np.linspace(-1, 1, n) for n in field.shape), indexing="ij")
+    basis = np.stack([v.ravel() for v in (np.ones_like(x), x, y, x * x, x * y, y * y)], axis=1)
+    fitted = basis @ np.linalg.lstsq(basis, field.ravel(), rcond=None)[0]
+    rough = field - fitted.reshape(field.shape)
+    if not rough.std() > 1e-6 * np.ptp(field):
+        return math.nan
+    faded = rough * np.outer(*(scipy.signal.windows.hann(n) for n in field.shape))
+    spectrum = np.abs(np.fft.fft2(faded)) ** 2
+    q_x, q_y = (np.fft.fftfreq(n) for n in field.shape)  # cycles per cell
+    slopes = spectrum * ((q_x[:, None] / dx) ** 2 + (q_y[None, :] / dy) ** 2)
+    short = (np.abs(q_x)[:, None] > 0.25) | (np.abs(q_y)[None, :] > 0.25)
+    return float(slopes[short].sum() / slopes.sum())
+
+
+def _gap(simulation: Simulation, grid: Grid) -> FloatArray:
+    window = simulation._window
+    body = np.isfinite(window.initial_gap)
+    if not body.all():  # cells of which most have a body are as high as that
+        share = _averaged(body.astype(np.float64), window.grid, grid)
+        height = _averaged(np.where(body, window.initial_gap, 0.0), window.grid, grid)
+        kept = share >= 0.5
+        return np.where(kept, height / np.where(kept, share, 1.0), np.inf)
+    if simulation._scene.radii is None:
+        return _averaged(window.initial_gap, window.grid, grid)
+    fine = window.grid
+    pads = [max(0, math.ceil(0.5 * (2 * m - n))) + 1 for m, n in _counts(grid, fine)]
+    field = np.pad(window.initial_gap, [(p, p) for p in pads], "reflect", reflect_type="odd")
+    axes = [
+        (np.arange(n + 2 * p) - 0.5 * (n + 2 * p - 1)) * d
+        for n, p, d in zip(fine.surface_shape, pads, (fine.dx, fine.dy), strict=True)
+    ]
+    spline = scipy.interpolate.RectBivariateSpline(*axes, field)
+    found: FloatArray = spline(grid.x, grid.y)
+    return found
+
+
+def _counts(grid: Grid, fine: Grid) -> list[tuple[int, int]]:
+    return list(zip(grid.surface_shape, fine.surface_shape, strict=True))
+
+
+def _averaged(field: FloatArray, fine: Grid, grid: Grid) -> FloatArray:
+    """Means over the cells of a coarser grid around the same middle."""
+    for axis, (m, n) in enumerate(_counts(grid, fine)):
+        if n == 1:
+            continue
+        pad = max(0, math.ceil(0.5 * (2 * m - n)))
+        width = [(pad, pad) if axis == other else (0, 0) for other in (0, 1)]
+        longer = np.pad(field, width, "reflect", reflect_type="odd")
+        middle = 0.5 * (n + 2 * pad)
+        edges: FloatArray = middle + 2.0 * (np.arange(m + 1, dtype=np.float64) - 0.5 * m)
+        field = _means(longer, edges, axis)
+    return field
+
+
+def _means(field: FloatArray, edges: FloatArray, axis: int) -> FloatArray:
+    """Of a field of cells between edges, which are counted in cells."""
+    lines = np.moveaxis(field, axis, 0)
+    sums = np.concatenate([np.zeros((1, lines.shape[1])), np.cumsum(lines, axis=0)])
+    below = np.clip(np.floor(edges).astype(int), 0, len(lines) - 1)
+    at_edges = sums[below] + (edges - below)[:, None] * lines[below]
+    return np.moveaxis(np.diff(at_edges, axis=0) / np.diff(edges)[:, None], 0, axis)
+
+
+def _relief(relief: Relief, fine: Grid, grid: Grid) -> Relief:
+    """Means of its rows over the cells of a coarser grid."""
+    rows = len(relief.heights)
+    if relief.periodic and rows % 2 != 0:
+        raise ValueError(f"a relief that repeats itself after {rows} rows cannot be halved")
+    begins = relief.first - 0.5 * fine.nx  # from the middle of the grid, in fine cells
+    first = math.floor(0.5 * begins + 0.5 * grid.nx)
+    ends = math.ceil(0.5 * (begins + rows) + 0.5 * grid.nx)
+    count = rows // 2 if relief.periodic else ends - first
+    numbers = np.arange(count + 1, dtype=np.float64)
+    edges: FloatArray = 2.0 * (first + numbers - 0.5 * grid.nx) - begins
+    mode: Any = "wrap" if relief.periodic else "constant"
+    across = [replace(g, nx=1, periodic="") for g in (fine, grid)]
+
+    def means(field: FloatArray) -> FloatArray:
+        along = _means(np.pad(field, [(2, 2), (0, 0)], mode), edges + 2.0, 0)
+        return _averaged(along, across[0], across[1])
+
+    # Beside the rows of the grid it goes on straight, and may fall below 0.
+    worn = None if relief.worn is None else np.maximum(means(relief.worn), 0.0)
+    return Relief(means(relief.heights), first, relief.periodic, worn)

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Quantities of a state whose error is told: between the cells, so that they converge cleanly.
+
+A largest value is that of parabolas through its cell and the neighbours: along grids that become
+finer it jumps far less than the largest cell does, as does `contact_area` than the number of cells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._util.checks import FloatArray
+from .._util.tensors import von_mises
+from ..bodies.layered import Body, materials_of
+from ..bodies.material import Material
+
+if TYPE_CHECKING:
+    from ..scene.grid import Grid
+    from ..solutions.state import State
+
+OF_CONTACT = ("load", "approach", "max_pressure", "contact_area")
+OF_BODY = (
+    "max_von_mises",
+    "max_equivalent_plastic_strain",
+    "max_residual_von_mises",
+    "print_depth",
+)
+"""Of bodies, all but the first of those that yield only; followed by `_body1` or `_body2`."""
+_FIELDS = {
+    "max_von_mises": "stress",
+    "max_equivalent_plastic_strain": "equivalent_plastic_strain",
+    "max_residual_von_mises": "residual_stress",
+}
+
+
+def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list[str]:
+    """Of all that a scene has: of each inelastic body, or else of the chosen one."""
+    inelastic = [n for n, material in enumerate(bodies, 1) if material.is_plastic]
+    found = list(OF_CONTACT)
+    if not volume:
+        return found
+    if not inelastic and bodies[body - 1].law != "rigid":
+        return [*found, f"{OF_BODY[0]}_body{body}"]
+    return [*found, *(f"{name}_body{n}" for n in inelastic for name in OF_BODY)]
+
+
+def value(state: State, name: str) -> float:
+    """One quantity of a state, by its name in files [SI units]."""
+    return max(parts(state, name))
+
+
+def parts(state: State, name: str) -> tuple[float, ...]:
+    """The same as the values whose largest it is, each of which converges by itself.
+
+    Of a field of the volume the largest below the surface and that of the surface, of each layer
+    that inside of it and those of its faces: which of them is larger may depend on the grid.
+    """
+    if name in ("load", "approach"):
+        return (float(getattr(state, name)),)
+    if name == "max_pressure":
+        return (peak_value(state.pressure),)
+    if name == "contact_area":
+        return (state.contact_area,)
+    kind, body = name[: -len("_body1")], int(name[-1])
+    if kind == "print_depth":
+        own = state._in_own_box("residual_displacement", body)
+        return (peak_value(state.residual_displacement(body) if own is None else own),)
+    ranges = _ranges(_bodies(state)[body - 1], state.grid)
+    largest = np.zeros(_count(len(ranges)))
+    for field in _fields(state, kind, body):
+        of_materials = [
+            _parts_of_material(field[:, :, own], is_layer=own is not ranges[-1]) for own in ranges
+        ]
+        largest = np.maximum(largest, np.concatenate(of_materials))
+    if kind == "max_von_mises":
+        largest = np.minimum(largest, _bounds(state, body, ranges))
+    return tuple(float(part) for part in largest)
+
+
+def _bodies(state: State) -> tuple[Body, Body]:
+    return state._simulation.body1, state._simulation.body2
+
+
+def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
+    """Scalar fields that together have the largest value of a quantity of the volume."""
+    zones = state.zones(body)
+    if not zones and kind != "max_von_mises":
+        return []
+    name = _FIELDS[kind]
+    if len(zones) > 1:
+        found = [getattr(zone, name)() for zone in zones]
+    else:
+        own = None if name == "equivalent_plastic_strain" else state._in_own_box(name, body)
+        found = [getattr(state, name)(body) if own is None else own]
+    return [field if field.ndim == 3 else von_mises(field) for field in found]
+
+
+def _ranges(body: Body, grid: Grid) -> list[slice]:
+    """Layers of cells of each material: stress jumps, and flow ends, between two of them."""
+    if isinstance(body, Material) or grid.dz is None:
+        return [slice(None)]
+    cuts = np.rint(body.interfaces / grid.dz).astype(int).tolist()
+    return [slice(*ends) for ends in zip([0, *cuts], [*cuts, None], strict=True)]
+
+
+def _parts_of_material(cells: FloatArray, *, is_layer: bool) -> list[float]:
+    """Largest value inside of it, at its top and, of a layer, at its bottom."""
+    found = list(below_and_at_surface(cells))
+    return [*found, below_and_at_surface(cells[:, :, ::-1])[1]] if is_layer else found
+
+
+def _count(materials: int) -> int:
+    """Of parts that so many materials have."""
+    return 3 * materials - 1
+
+
+def _bounds(state: State, body: int, ranges: Sequence[slice]) -> FloatArray:
+    """Yield stress of each material, which no stress exceeds, whatever a parabola does.
+
+    Infinite where it is not known.
+    """
+    bounds = np.full(_count(len(ranges)), np.inf)
+    if state.max_plastic_strain_magnitude(body) == 0:
+        return bounds
+    fields = _fields(state, "max_equivalent_plastic_strain", body)
+    materials = materials_of(_bodies(state)[body - 1])
+    for n, (material, own) in enumerate(zip(materials, ranges, strict=True)):
+        if any((material.kinematic, material.softening, material.yield_profile)):
+            continue
+        strains = [field[:, :, own] for field in fields]
+        parts = [_parts_of_material(strain, is_layer=True) for strain in strains]
+        most = max(strain.max(initial=0.0) for strain in strains)
+        bounds[3 * n : 3 * n + 3] = material.yield_stress(max(most, np.max(parts)))
+    return bounds
+
+
+def has_parts(name: str, bodies: Sequence[Body]) -> int:
+    """How many parts a quantity has."""
+    if name[: -len("_body1")] not in _FIELDS:
+        return 1
+    return _count(len(materials_of(bodies[int(name[-1]) - 1])))
+
+
+def values(state: State, wanted: Sequence[str]) -> dict[str, float]:
+    """Several quantities of a state, by their names in files [SI units]."""
+    return {name: value(state, name) for name in wanted}
+
+
+def peak_value(field: ArrayLike) -> float:
+    """Largest value of a field between its cells.
+
+    Parameters
+    ----------
+    field : array_like
+        At the centres of cells.
+
+    Returns
+    -------
+    float
+        The largest cell, and along each axis what a parabola through it and its neighbours rises
+        above it.
+    """
+    values = np.asarray(field, dtype=np.float64)
+    if values.size == 0:
+        return 0.0
+    return _risen(values, np.unravel_index(int(values.argmax()), values.shape))
+
+
+def _risen(values: FloatArray, at: tuple[np.intp, ...]) -> float:
+    """A cell, and what parabolas through it and its neighbours rise above it."""
+    risen = float(values[at])
+    for axis in range(values.ndim):
+        line = np.moveaxis(values, axis, -1)[tuple(np.delete(at, axis))]
+        k = int(at[axis])
+        if 0 < k < line.size - 1:
+            slope, bend = 0.5 * (line[k + 1] - line[k - 1]), line[k + 1] - 2 * line[k] + line[k - 1]
+            if bend < 0 and abs(slope) <= -bend:
+                risen -= float(0.5 * slope**2 / bend)
+    return risen
+
+
+def below_and_at_surface(field: FloatArray) -> tuple[float, float]:
+    """Largest of what rises and falls with the depth, and of a parabola at depth 0.
+
+    The parabola goes through the first three layers where the values grow towards the surface;
+    where the third has none it is a line.
+    """
+    layers = field.shape[2]
+    if layers < 3:
+        return (0.0, float(field.max())) if field.size else (0.0, 0.0)
+    inner = field[:, :, 1:-1]
+    turns = np.where((inner >= field[:, :, :-2]) & (inner >= field[:, :, 2:]), inner, -np.inf)
+    at = np.unravel_index(int(turns.argmax()), turns.shape)
+    below = _risen(field, (at[0], at[1], at[2] + 1)) if np.isfinite(turns[at]) else 0.0
+    first, second, third = (field[:, :, k] for k in range(3))
+    surface = 1.875 * first - 1.25 * second + 0.375 * third
+    surface = np.where(third > 0, surface, 1.5 * first - 0.5 * second)
+    return below, peak_value(np.where(first >= second, surface, 0.0))

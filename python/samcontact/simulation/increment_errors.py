@@ -1,0 +1,339 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How far results depend on the number of increments, from a solve with another number of them."""
+
+from __future__ import annotations
+
+import logging
+import math
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._util.checks import FloatArray
+from .._util.display import Rows, Shown, percent
+from .._util.errors import IncrementWarning
+from ..bodies.layered import materials_of
+from ..diagnostics.resolution import cells_across, spots
+from ..scene.friction import Coulomb
+from ..solutions.peak import peak
+from . import coarsening, error_controlled_quantities
+from .increment_paths import cleaned, doubled, halved
+
+if TYPE_CHECKING:
+    from ..heat import Heat
+    from ..solutions.state import State
+    from .simulation import Simulation
+
+__all__ = ["IncrementErrors", "IncrementWarning", "estimated"]
+
+LARGEST = 0.05
+"""Relative error above which there is a warning."""
+_ENOUGH = {True: 6.0, False: 16.0}
+"""Cells across the contact on the coarsest grid used; whether a body yields. Without flow, what
+increments change lies in few cells, between stick and slip."""
+_COARSEST = 3
+_FIRST_ORDER = 2.0, 2.0
+"""Error of n increments over the difference of n and 2n, of plastic strain and of others; exact for
+the first order."""
+_BETWEEN = 2.0, 1.5
+"""The same over the difference of n/2 and n: 1 for the first order, 2.4 for the order 1/2 that
+single cells may have; calibrated, see docs/theory.md."""
+
+_logger = logging.getLogger("samcontact")
+
+
+@dataclass(frozen=True, eq=False)
+class IncrementErrors(Shown):
+    """Estimated relative errors of a run by the number of its increments.
+
+    Attributes
+    ----------
+    fields : dict of float
+        Of "pressure", "shear" and "equivalent_plastic_strain_bodyN": the largest error at any cell
+        and increment over the largest value of the run (of the strain no less than that at yield,
+        at the increment of largest load and at the last only).
+    values : dict of float
+        Of the certified quantities, by their names in results files: at the same two increments,
+        relative to the larger value.
+    compared : str
+        The solves that the estimate is from.
+    """
+
+    fields: dict[str, float]
+    values: dict[str, float]
+    compared: str
+
+    @property
+    def largest(self) -> float:
+        """The largest error of the fields."""
+        return max(self.fields.values(), default=0.0)
+
+    def __str__(self) -> str:
+        return f"{said(self.fields)} of its largest value (estimated from {self.compared})"
+
+    def _rows(self) -> Rows:
+        return [(_label(name), f"± {percent(share)}") for name, share in self.fields.items()]
+
+    def __repr__(self) -> str:
+        return f"IncrementErrors({self.fields}, from {self.compared})"
+
+
+def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
+    """Warn of errors above 5 %; whether it did."""
+    if errors.largest <= LARGEST:
+        return False
+    times = math.ceil(errors.largest / LARGEST)
+    text = f"{errors}: take more, smaller increments, about {times} times as many for 5 %"
+    warnings.warn(text, IncrementWarning, stacklevel=stacklevel + 1)
+    return True
+
+
+@dataclass
+class History:
+    """The increments of a simulation since its start, as far as they are known."""
+
+    heat: Heat
+    """Of the first increment."""
+    steps: list[dict[str, Any]] | None = field(default_factory=list)
+    """Arguments of `Simulation.step`; None where the start is not that of undeformed bodies."""
+    checked: int = 0
+    """The number of increments at the last estimate."""
+
+    def add(self, given: Mapping[str, Any]) -> None:
+        """Add an increment; prescribed tractions are not kept, nor what follows them."""
+        if given.get("pressure") is not None:
+            self.forget()
+        if self.steps is not None:
+            self.steps.append(cleaned(given))
+
+    def forget(self) -> None:
+        """Forget all, after a state that the increments do not lead to."""
+        self.steps = None
+
+    def is_due(self, factor: int) -> bool:
+        """Whether there are so many times as many increments as at the last estimate."""
+        return bool(self.steps) and len(self.steps or ()) >= factor * self.checked
+
+
+def is_path_dependent(simulation: Simulation, states: Sequence[State]) -> bool:
+    """Whether the number of increments has a part in some states.
+
+    It has where a body has yielded, unless `increment_tol` controls it, or where shear sticks.
+    """
+    last = states[-1]
+    if isinstance(simulation.friction, Coulomb):
+        if any(state.shear.any() for state in states):
+            return True
+    elif simulation.increment_tol is not None:
+        return False
+    return any(last.max_equivalent_plastic_strain(body) > 0 for body in (1, 2))
+
+
+def warn_of(simulation: Simulation, states: Sequence[State], factor: int, stacklevel: int) -> None:
+    """Warn, once in a simulation, of increments that are too large.
+
+    Nothing is estimated where a filter ignores the warning.
+
+    states: the last ones. factor: how many times as many increments as at the last estimate there
+    must be, which bounds the time of all estimates.
+    """
+    told, history = simulation._told, simulation._history
+    if not told.looks_at_increments or not states or not history.is_due(factor):
+        return
+    if _is_ignored(IncrementWarning):
+        return
+    steps = history.steps or []
+    found = estimated(simulation, steps, states, history.heat)
+    if found is not None:
+        history.checked = len(steps)
+        told.looks_at_increments = not warn_of_errors(found, stacklevel=stacklevel + 1)
+
+
+def _is_ignored(category: type[Warning]) -> bool:
+    """Whether the filters of Python ignore all warnings of a category."""
+    for action, message, other, module, line in warnings.filters:
+        if issubclass(category, other) and not (message or module or line):
+            return action == "ignore"
+    return False
+
+
+def estimated(
+    simulation: Simulation,
+    path: Sequence[Mapping[str, Any]],
+    states: Sequence[State],
+    heat: Heat,
+    *,
+    certified: bool = False,
+) -> IncrementErrors | None:
+    """Estimate what more increments would change in a run from the undeformed bodies on.
+
+    The path is solved with half as many increments where neighbours join, else with twice as many:
+    on cells so many times as large that 6 (without flow 16) are still across the contact.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        That made the run; it stays as it is.
+    path : sequence of dict
+        All increments since the start.
+    states : sequence of State
+        Of all increments or the last ones.
+    heat : Heat
+        Of the first increment.
+    certified : bool, optional
+        Whether `IncrementErrors.values` are wanted.
+
+    Returns
+    -------
+    IncrementErrors or None
+        None where increments have no part in the result, and where the estimate fails (the logger
+        "samcontact" tells why).
+    """
+    path = [cleaned(step) for step in path]
+    if not is_path_dependent(simulation, states) or any("pressure" in step for step in path):
+        return None
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of another path on another grid than the user's
+            return _compared(simulation, path, states, heat, certified)
+    except Exception as error:
+        _logger.info("the error by the number of increments is not estimated: %s", error)
+        return None
+
+
+def _compared(
+    simulation: Simulation,
+    path: Sequence[Mapping[str, Any]],
+    states: Sequence[State],
+    heat: Heat,
+    certified: bool,
+) -> IncrementErrors:
+    base = simulation
+    steps: Sequence[Mapping[str, Any]] = path
+    level = 0
+    for level in range(1, _level(simulation, states) + 1):
+        try:
+            base, steps = (
+                coarsening.coarser(base, heat),
+                coarsening.coarser_path(steps, base.grid)[0],
+            )
+        except ValueError:  # a periodic direction that cannot be halved further
+            level -= 1
+            break
+    first = list(states)
+    if level > 0 or len(states) != len(path):
+        first = coarsening.remade(base, heat=heat).run(steps, progress=False)
+    start = float(base.initial_gap.min())
+    halves = halved(steps, first, start)
+    joined, ends = halves or doubled(steps, first, start, base.grid.dx, heat)
+    compared = f"{'half' if halves else 'twice'} as many increments"
+    # What moves by single cells has fewer increments on larger ones.
+    factors = [f * len(steps) / len(path) for f in (_BETWEEN if halves else _FIRST_ORDER)]
+    second = coarsening.remade(base, heat=heat).run(joined, progress=False)
+    if level > 0:
+        compared += f", both on cells {2**level} times as large"
+    pairs = [(first[one], second[other]) for one, other in ends]
+    loads = [one.load for one, _ in pairs]
+    top = peak(None, [float(one.pressure.max()) for one, _ in pairs], loads)
+    marks = [pairs[n] for n in sorted({top, len(pairs) - 1})]
+    values = _of_values(simulation, marks) if certified else {}
+    return IncrementErrors(
+        _scaled(_of_fields(simulation, pairs, marks), factors), _scaled(values, factors), compared
+    )
+
+
+def _scaled(differences: Mapping[str, float], factors: Sequence[float]) -> dict[str, float]:
+    """Errors by differences; factors: of strains, of others."""
+    return {
+        name: factors[0 if "strain" in name else 1] * share for name, share in differences.items()
+    }
+
+
+def _level(simulation: Simulation, states: Sequence[State]) -> int:
+    """How many times the cells are doubled."""
+    top = max(states, key=lambda state: float(state.pressure.max()))
+    periodic = top.grid.periodic
+    yields = any(states[-1].max_equivalent_plastic_strain(body) > 0 for body in (1, 2))
+    across = cells_across(top.pressure, periodic)
+    if math.isnan(across) or spots(top.pressure, periodic) > 1:  # a rough surface
+        return int(min(top.grid.surface_shape) >= 32)
+    return max(0, min(_COARSEST, int(math.log2(across / _ENOUGH[yields]))))
+
+
+Pairs = Sequence[tuple["State", "State"]]
+
+
+def _of_fields(simulation: Simulation, pairs: Pairs, marks: Pairs) -> dict[str, float]:
+    """Largest differences of fields over largest values."""
+    names = ["pressure", "shear"] if isinstance(simulation.friction, Coulomb) else ["pressure"]
+    found = {}
+    for name in names:
+        both = [(getattr(one, name), getattr(other, name)) for one, other in pairs]
+        found[name] = _difference(both, 0.0)
+    for number, body in enumerate((simulation.body1, simulation.body2), 1):
+        if marks[-1][0].max_equivalent_plastic_strain(number) > 0:
+            both = [
+                (one.equivalent_plastic_strain(number), other.equivalent_plastic_strain(number))
+                for one, other in marks
+            ]
+            strains = [m.least_yield_stress / m.E for m in materials_of(body) if m.is_plastic]
+            name = f"equivalent_plastic_strain_body{number}"
+            found[name] = _difference(both, min(strains, default=0.0))
+    return {name: share for name, share in found.items() if math.isfinite(share)}
+
+
+def _difference(both: Sequence[tuple[FloatArray, ...]], least: float) -> float:
+    """The largest, over the largest value or `least`."""
+    largest = max([least, *(float(np.abs(one).max()) for one, _ in both)])
+    differences = [float(np.abs(np.subtract(*_common(*pair))).max()) for pair in both]
+    return max(differences) / largest if largest > 0 else 0.0
+
+
+def _common(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Over the cells that both grids have: windows around the same middle, layers from the top."""
+    if one.shape == other.shape:
+        return one, other
+    x = 1 if one.ndim == 3 and len(one) == 2 else 0  # of a pair of components
+    cut = []
+    for field_of, like in ((one, other), (other, one)):
+        for axis in (x, x + 1):
+            n, m = field_of.shape[axis], min(field_of.shape[axis], like.shape[axis])
+            field_of = field_of.take(range((n - m) // 2, (n - m) // 2 + m), axis)
+        if field_of.ndim == 3 and x == 0:
+            field_of = field_of[:, :, : like.shape[2]]
+        cut.append(field_of)
+    return cut[0], cut[1]
+
+
+def _of_values(simulation: Simulation, marks: Pairs) -> dict[str, float]:
+    """Largest differences of the certified quantities over the larger of both values."""
+    names = error_controlled_quantities.names(
+        (simulation.body1, simulation.body2), volume=simulation.grid.has_volume
+    )
+    one, other = (
+        [error_controlled_quantities.values(pair[which], names) for pair in marks]
+        for which in (0, 1)
+    )
+    found = {}
+    for name in names:
+        largest = max(abs(values[name]) for values in one)
+        if largest > 0:
+            differences = [abs(a[name] - b[name]) for a, b in zip(one, other, strict=True)]
+            found[name] = max(differences) / largest
+    return found
+
+
+def said(shares: Mapping[str, float]) -> str:
+    """Errors of fields in words, the largest first."""
+    found = sorted(shares.items(), key=lambda item: -item[1])
+    parts = [f"the {_label(name)} by about {percent(share)}" for name, share in found]
+    return f"more increments would change {', '.join(parts)}"
+
+
+def _label(name: str) -> str:
+    text, _, body = name.partition("_body")
+    text = text.replace("_", " ")
+    return f"{text} of body {body}" if body else text

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Paths with twice, and with half, as many increments."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ..heat import Heat
+    from ..solutions.state import State
+
+Step = Mapping[str, Any]
+Ends = list[tuple[int, int]]
+"""Numbers of increments of the one path and the other that end at the same target."""
+_TARGETS = ("load", "approach", "torque")
+_MOTIONS = ("twist", "duration")
+_ALIKE = 3.0
+_FEW = 0.65
+"""Of the increments, that may be left of them."""
+
+
+def cleaned(step: Step) -> dict[str, Any]:
+    """Without arguments that are left out, or at rest."""
+    return {
+        name: value
+        for name, value in step.items()
+        if value is not None and not (name == "advance" and tuple(value) == (0.0, 0.0))
+    }
+
+
+def doubled(
+    path: Sequence[Step], states: Sequence[State], start: float, dx: float, heat: Heat
+) -> tuple[list[dict[str, Any]], Ends]:
+    """Each increment in two; those stay whole that would move by parts of a cell, or be shorter
+    than the heat of a history allows.
+
+    start: the approach at which the bodies touch [m]; dx: length of the cells.
+    """
+    steps: list[dict[str, Any]] = []
+    ends = []
+    for number, step in enumerate(path):
+        steps += _halves(step, _before(number, path, states, start), dx, heat)
+        ends.append((number, len(steps) - 1))
+    return steps, ends
+
+
+def halved(
+    path: Sequence[Step], states: Sequence[State], start: float
+) -> tuple[list[dict[str, Any]], Ends] | None:
+    """Neighbouring increments that go on in the same direction as one; others stay.
+
+    None where that tells too little: few can be joined, or one that stays is larger than those.
+    """
+    steps: list[dict[str, Any]] = []
+    ends: Ends = []
+    sizes: dict[bool, dict[str, float]] = {True: {}, False: {}}
+    number = 0
+    while number < len(path):
+        step = path[number]
+        before = _before(number, path, states, start)
+        joins = number + 1 < len(path) and _goes_on(before, step, path[number + 1])
+        if joins:
+            step = _joined(step, path[number + 1])
+            number += 1
+        for name, size in _sizes(before, step).items():
+            sizes[joins][name] = max(size, sizes[joins].get(name, 0.0))
+        steps.append(dict(step))
+        ends.append((number, len(steps) - 1))
+        number += 1
+    larger = any(size > sizes[True].get(name, 0.0) for name, size in sizes[False].items())
+    return None if larger or len(steps) > _FEW * len(path) else (steps, ends)
+
+
+def _sizes(before: Step, step: Step) -> dict[str, float]:
+    """How far an increment goes in each of its targets and motions."""
+    found = {name: abs(step[name] - before[name]) for name in _TARGETS if name in step}
+    if "twist" in step:
+        found["twist"] = abs(step["twist"])
+    for name in ("tangential_load", "shift", "advance"):
+        if name in step:
+            starts = before[name] if name == "tangential_load" else (0.0, 0.0)
+            ways = [0.0 if q is None else q - p for p, q in zip(starts, step[name], strict=True)]
+            found[name] = max(map(abs, ways))
+    return found
+
+
+def _before(
+    number: int, path: Sequence[Step], states: Sequence[State], start: float
+) -> dict[str, Any]:
+    """Targets as they were reached before an increment: as they were given, or as they are."""
+    if number == 0:
+        return {"load": 0.0, "approach": start, "torque": 0.0, "tangential_load": (0.0, 0.0)}
+    step, state = path[number - 1], states[number - 1]
+    approach = state.approach if state.load > 0 else start
+    found: dict[str, Any] = {"load": state.load, "approach": approach, "torque": state.torque}
+    forces = zip(step.get("tangential_load", (None, None)), state.tangential_load, strict=True)
+    rounding = 1e-9 * state.load
+    held = ((given, q if abs(q) > rounding else 0.0) for given, q in forces)
+    found["tangential_load"] = tuple(q if given is None else given for given, q in held)
+    return found | {name: step[name] for name in _TARGETS if name in step}
+
+
+def _halves(step: Step, before: Step, dx: float, heat: Heat) -> list[dict[str, Any]]:
+    first, second = dict(step), dict(step)
+    if "advance" in step:
+        ways = [0.5 * way for way in step["advance"]]
+        if any(abs(way / dx - round(way / dx)) > 1e-6 for way in ways):
+            return [first]
+        first["advance"] = second["advance"] = tuple(ways)
+    if heat.history is not None and 0.5 * step["duration"] < heat.history[0]:
+        return [first]
+    for name in _TARGETS:
+        if name in step:
+            first[name] = 0.5 * (before[name] + step[name])
+    for name in _MOTIONS:
+        if name in step:
+            first[name] = second[name] = 0.5 * step[name]
+    if "tangential_load" in step:
+        first["tangential_load"] = tuple(
+            None if q is None else 0.5 * (p + q)
+            for p, q in zip(before["tangential_load"], step["tangential_load"], strict=True)
+        )
+    if "shift" in step:
+        first["shift"] = second["shift"] = tuple(
+            None if s is None else 0.5 * s for s in step["shift"]
+        )
+    return [first, second]
+
+
+def _goes_on(before: Step, step: Step, after: Step) -> bool:
+    """Whether two increments, from what was reached before, go on in the same direction."""
+    if step.keys() != after.keys():
+        return False
+    ways = [(before[name], step[name], after[name]) for name in _TARGETS if name in step]
+    if "tangential_load" in step:
+        ways += zip(before["tangential_load"], step["tangential_load"], after["tangential_load"],
+                    strict=True)  # fmt: skip
+    ways += [(0.0, step[n], step[n] + after[n]) for n in ("twist",) if n in step]
+    for name in ("shift", "advance"):
+        if name in step:
+            ways += [
+                (0.0, s, None if s is None or t is None else s + t)
+                for s, t in zip(step[name], after[name], strict=True)
+            ]
+    same_heat = step.get("heat_factor") == after.get("heat_factor")
+    return same_heat and all(_is_one_way(*way) for way in ways)
+
+
+def _is_one_way(a: float, b: float | None, c: float | None) -> bool:
+    """Whether two ways in the same direction are of about the same length."""
+    if b is None or c is None:
+        return b is None and c is None
+    return a == b == c or (b != a and 1 / _ALIKE <= (c - b) / (b - a) <= _ALIKE)
+
+
+def _joined(step: Step, after: Step) -> dict[str, Any]:
+    joined = dict(after)
+    for name in _MOTIONS:
+        if name in step:
+            joined[name] = step[name] + after[name]
+    for name in ("shift", "advance"):
+        if name in step:
+            joined[name] = tuple(
+                None if s is None else s + t for s, t in zip(step[name], after[name], strict=True)
+            )
+    return joined

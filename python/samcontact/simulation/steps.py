@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Arguments of a step of a simulation, checked and as the core takes them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._util.checks import (
+    FloatArray,
+    exactly_one,
+    finite_array,
+    in_cells,
+    integer,
+    number,
+    of_bodies,
+    positive,
+    real_array,
+    tractions,
+)
+from .._util.short_text import in_short
+from ..contact.tangential_drive import GivenAlong, given_along, require_heat_of
+from ..heat import Heat
+from ..scene.cell_fields import shear_components
+from ..scene.friction import Coulomb
+from ..scene.grid import Grid
+from ..scene.heating import Bodies, heating, require_reference
+
+STEP = (
+    "load", "approach", "pressure", "shear", "advance", "shift", "tangential_load", "twist",
+    "torque", "heat_factor", "duration",
+)  # fmt: skip
+"""Arguments of `Simulation.step`."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """Where an increment goes, and the heat from then on."""
+
+    kind: str
+    value: float
+    heat: Heat
+    heating: list[Any]
+    duration: float
+    advance: tuple[float, float]
+    tangential: GivenAlong
+    pressure: FloatArray | None = None
+    shear_x: FloatArray | None = None
+    shear_y: FloatArray | None = None
+
+    @property
+    def target(self) -> dict[str, float]:
+        """Load or approach by its name; nothing with given tractions."""
+        return {} if self.kind == "pressure" else {self.kind: self.value}
+
+    def to_core(self) -> dict[str, Any]:
+        names = ("kind", "value", "pressure", "shear_x", "shear_y", "heating", "duration")
+        given = {name: getattr(self, name) for name in (*names, "advance")}
+        drive = self.tangential
+        return given | {"is_force": drive.is_force, "tangential": drive.values}
+
+
+def checked_step(
+    grid: Grid,
+    bodies: Bodies,
+    heat: Heat,
+    friction: float | Coulomb,
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    pressure: ArrayLike | None = None,
+    shear: ArrayLike | None = None,
+    advance: Sequence[float] = (0.0, 0.0),
+    shift: Sequence[float | None] | None = None,
+    tangential_load: Sequence[float | None] | None = None,
+    twist: float | None = None,
+    torque: float | None = None,
+    heat_factor: float | Sequence[float] | None = None,
+    duration: float | None = None,
+) -> Step:
+    """From the arguments of `Simulation.step`, after steps with this heat."""
+    kind = exactly_one(load=load, approach=approach, pressure=pressure)
+    value = 0.0
+    given: dict[str, FloatArray | None] = {}
+    if pressure is not None:
+        given = dict(zip(("shear_x", "shear_y"), shear_components(grid, shear), strict=True))
+        given["pressure"] = tractions("pressure", pressure, grid.surface_shape)
+    elif shear is not None:
+        raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")
+    else:
+        value = number(kind, load if kind == "load" else approach)
+    ways = finite_array("advance", advance, (2,))
+    first, second = (in_cells("advance", float(way), grid.dx) for way in ways)
+    if grid.along_x and (first, second) != (0.0, 0.0):
+        raise ValueError(
+            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got "
+            f"{(first, second)!r}: a body that repeats itself along x does not leave the grid"
+        )
+    tangential = given_along(friction, shift, tangential_load, twist, torque)
+    _require_possible(friction, tangential, pressure, shear, torque, (first, second))
+    lasts = _duration(heat, duration)
+    if heat_factor is not None and heat.partition is not None:
+        raise ValueError(
+            f"heat_factor must be left out with heat.partition, "
+            f"got {in_short(heat_factor)}: the heat is that of the slip"
+        )
+    if heat_factor is not None:
+        heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
+    require_heat_of(friction, heat)
+    if heat.history is not None and lasts is not None and (first, second) != (0.0, 0.0):
+        _require_motion_of_heat(heat, lasts, (first, second), grid.dx)
+    entries = heating(heat, bodies, grid, None if heat.history is None else lasts)
+    if kind == "approach":
+        require_reference(heat)
+    return Step(kind, value, heat, entries, lasts or 0.0, (first, second), tangential, **given)
+
+
+def _require_possible(
+    friction: float | Coulomb,
+    tangential: GivenAlong,
+    pressure: ArrayLike | None,
+    shear: ArrayLike | None,
+    torque: float | None,
+    advance: tuple[float, float],
+) -> None:
+    """What goes with each other of bodies that stick and slip."""
+    if not isinstance(friction, Coulomb):
+        return
+    if pressure is not None and (any(tangential.is_force) or any(tangential.values)):
+        raise ValueError(
+            "shift, tangential_load, twist and torque go with load or approach, not with "
+            "pressure: no contact is solved then; give the shear"
+        )
+    if pressure is not None and shear is None:
+        raise ValueError(
+            f"shear must be given with pressure where friction is {friction!r}, got None: it does "
+            "not follow from the pressure; 0 everywhere is none"
+        )
+    if torque is not None and advance != (0.0, 0.0):
+        raise ValueError(
+            f"torque must be left out where the bodies move on, got {in_short(torque)} "
+            "with advance: give the twist, spin times the way"
+        )
+
+
+def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:
+    """Of a path whose steps change no heat; None where one does, or without loads."""
+    loads = [step.get("load") for step in steps]
+    given = [load for load in loads if isinstance(load, (int, float))]
+    heated = any("heat_factor" in step for step in steps)
+    return max(given) if given and not heated else None
+
+
+def largest_target(steps: Sequence[Mapping[str, Any]]) -> dict[str, float]:
+    """Of a path: its largest load, or approach where no load is given."""
+    for name in ("load", "approach"):
+        given = [v for step in steps if isinstance(v := step.get(name), (int, float))]
+        if given:
+            return {name: max(given)}
+    return {}
+
+
+def _duration(heat: Heat, duration: float | None) -> float | None:
+    """Of an increment [s]; None without a march in time or heat of slip."""
+    if heat.partition is not None:
+        if duration is None:
+            raise ValueError("duration must be given in a simulation with heat of slip")
+        return positive("duration", duration)
+    if heat.history is None:
+        if duration is not None:
+            raise ValueError("duration needs a simulation with heat of a history or of slip")
+        return None
+    if duration is None:
+        raise ValueError("duration must be given in a simulation with heat of a history")
+    seconds, shortest = positive("duration", duration), heat.history[0]
+    if seconds < shortest * (1 - 1e-12):
+        raise ValueError(
+            f"duration must be at least the shortest step of heat.history, {shortest!r} s, "
+            f"got {seconds!r}"
+        )
+    return seconds
+
+
+def _require_motion_of_heat(
+    heat: Heat, duration: float, advance: tuple[float, float], dx: float
+) -> None:
+    """Past heat is known at the cells of the grid, and moves with the velocities."""
+    for n, cells in enumerate(advance, 1):
+        moved = cells * dx
+        if abs(cells - round(cells)) > 1e-6:
+            raise ValueError(
+                f"advance of body {n} must be a whole number of cells of {dx!r} m in a simulation "
+                f"with heat of a history, got {moved!r} m"
+            )
+        expected = heat.velocity[n - 1][0] * duration
+        if heat.factor[n - 1] > 0 and abs(moved - expected) > 1e-6 * dx:
+            raise ValueError(
+                f"advance of body {n} must be its velocity times duration, {expected!r} m, "
+                f"got {moved!r} m"
+            )
+
+
+def plastic_fields(
+    grid: Grid,
+    strain: ArrayLike,
+    equivalent: ArrayLike | None,
+    backstress: ArrayLike | None,
+    terms: int,
+    first: int | None,
+) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
+    """Arguments of `Simulation.set_plastic_strain`, depth-major; terms: number of backstresses."""
+    given = real_array("strain", strain).shape
+    fits = len(given) == 4 and min(given) > 0
+    rows = grid.nx
+    if first is not None:
+        integer("first", first)
+        rows = given[1] if fits else rows
+    shape = (rows, grid.ny, given[3] if fits else grid.nz)
+    checked = finite_array("strain", strain, (6, *shape))
+    history = centre = None
+    if equivalent is not None:
+        history = np.ascontiguousarray(
+            np.moveaxis(finite_array("equivalent", equivalent, shape), 2, 0)
+        )
+    if backstress is not None:
+        deviators = finite_array("backstress", backstress, (terms, 6, *shape))
+        centre = np.ascontiguousarray(np.moveaxis(deviators, 4, 2))
+    _require_over_grid(grid, checked, first or 0)
+    return np.ascontiguousarray(np.moveaxis(checked, 3, 1)), history, centre
+
+
+def _require_over_grid(grid: Grid, strain: FloatArray, first: int) -> None:
+    """Refuse a plastic strain that lies beside the grid as a whole."""
+    rows = np.flatnonzero(strain.any(axis=(0, 2, 3))) + first
+    if rows.size and not ((rows >= 0) & (rows < grid.nx)).any():
+        raise ValueError(
+            f"strain must lie over the grid at least in part, rows 0 to {grid.nx - 1}; with "
+            f"first = {first} it lies in rows {rows[0]} to {rows[-1]}"
+        )

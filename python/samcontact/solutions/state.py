@@ -1,0 +1,391 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One moment of a simulation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from .._util import memory
+from .._util.cached_property import cached_property
+from .._util.checks import MOST_CELLS, FloatArray, axis_number, choice, integer
+from .._util.display import Rows, Shown, quantity
+from .._util.field_cache import kept
+from .._util.frozen import Fixed
+from .._util.tensors import von_mises
+from ..heat import Heat
+from ..scene.domain import Window
+from ..simulation.checkpoint import Standing, restored_state, snapshot
+from .interface_stress import stress_at_interfaces
+from .surface_state import SurfaceState
+from .track import Track
+from .zone import Zone, ZoneStress
+
+_VOLUME = (
+    "stress", "residual_stress", "initial_stress", "plastic_strain", "equivalent_plastic_strain",
+    "backstress", "temperature",
+)  # fmt: skip
+
+
+def in_one_window(states: Sequence[State]) -> list[State]:
+    """The same moments of a simulation, over the largest of their grids."""
+    if not states:
+        return []
+    largest = max(states, key=lambda state: state.grid.nx * state.grid.ny)
+    return [s if s.grid == largest.grid else s._seen_over(largest) for s in states]
+
+
+class State(SurfaceState, Fixed, Shown):
+    """Fields of one moment, in SI units; volume fields are computed when they are asked for.
+
+    Tensor components are xx, yy, zz, yz, xz, xy in the frame of the body (z into it); tension is
+    positive. Methods take body = 1 or 2; those of volume fields raise ValueError for a grid without
+    layers or a rigid body. Their nz layers lie at `depths`. They are read-only, and what was
+    computed last is kept for the next who asks for it. A pickle or copy stands for itself, with a
+    simulation of its own.
+    """
+
+    def __init__(
+        self,
+        core: Any,
+        simulation: Standing,
+        heat: Heat,
+        layers: int | None = None,
+        window: Window | None = None,
+    ) -> None:
+        self._window = simulation._window if window is None else window
+        self.grid = self._window.grid
+        self._given_layers = layers
+        self._tracks: dict[tuple[int, int], Track] = {}
+        self._core = core
+        self._simulation = simulation
+        self._heat = heat  # of the next increment
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return restored_state, (type(self._simulation), snapshot(self._simulation, self))
+
+    @cached_property
+    def depths(self) -> FloatArray:
+        """Mid-depths of the layers that volume fields have [m], shape (nz,).
+
+        Those of the grid. Where it has no nz they hold all plastic strain of both bodies so far,
+        and the stress down to one and a half radii below the spots in contact; 8 at least.
+        """
+        return self.grid.depths(self._layers)
+
+    @property
+    def _layers(self) -> int:
+        return self._core.layers() if self._given_layers is None else self._given_layers
+
+    def _down_to(self, layers: int) -> State:
+        """The same moment, whose volume fields have another number of layers."""
+        if layers == self._layers:
+            return self
+        return State(self._core, self._simulation, self._heat, layers, self._window)
+
+    def _seen_over(self, window: State) -> State:
+        """The same moment over the grid of another state, which is larger."""
+        core = self._core.widened(window._core)
+        return State(core, self._simulation, self._heat, self._given_layers, window._window)
+
+    @property
+    def time(self) -> float:
+        """Time [s] since the start of a simulation with heat of a `history`; 0 otherwise."""
+        return float(self._core.time)
+
+    @property
+    def heat_factor(self) -> tuple[float, float]:
+        """Heat flux over pressure of body 1 and 2 in this increment [m/s]; with a `partition` of
+        the heat its shares [-]."""
+        return self._core.heat_factor1, self._core.heat_factor2
+
+    @property
+    def travel(self) -> tuple[float, float]:
+        """How far the surfaces of body 1 and 2 have moved through the contact, in +x [m]."""
+        first, second = self._core.travel
+        return first * self.grid.dx, second * self.grid.dx
+
+    @property
+    def origin(self) -> float:
+        """Where x = 0 of the contact lies in the grid [m], within half a cell of its middle.
+
+        The cells of the grid are those of the body whose plastic strain it follows (body 2 where
+        it is inelastic), so the contact moves in the grid by what is not a whole cell.
+        """
+        return float(self._core.origin) * self.grid.dx
+
+    def offset(self, body: int = 2) -> float:
+        """How far volume fields of a body lie from the grid's cells, along x [m].
+
+        Within half a cell; not zero only where two inelastic bodies moved differently by parts of
+        a cell.
+        """
+        return -float(self._core.offset[choice("body", body, (1, 2)) - 1]) * self.grid.dx
+
+    def track(self, body: int = 2, margin: int | None = None) -> Track:
+        """What the whole way of the contact left in a body, beyond the grid too.
+
+        Parameters
+        ----------
+        body : {1, 2}
+        margin : int, optional
+            Cells before and behind the plastic strain, >= 0; default a quarter of the grid's.
+
+        Returns
+        -------
+        Track
+            Its fields are computed when asked for; a MemoryError says before what they need.
+        """
+        choice("body", body, (1, 2))
+        cells = self.grid.nx // 4 if margin is None else integer("margin", margin, 0)
+        if cells > MOST_CELLS // 4:
+            raise ValueError(f"margin must be at most {MOST_CELLS // 4} cells, got {cells}")
+        key = body, cells
+        if key not in self._tracks:
+            self._tracks[key] = Track(self._core, self.grid, body, cells, self._layers)
+        return self._tracks[key]
+
+    def zones(self, body: int = 2) -> tuple[Zone, ...]:
+        """Boxes of cells that hold all plastic strain of a body, without common cells.
+
+        Parameters
+        ----------
+        body : {1, 2}
+
+        Returns
+        -------
+        tuple of Zone
+            Those in which the strain was solved for, where they are several (see `Simulation`);
+            else one, or none without plastic strain. Their fields take the memory of the zones
+            instead of that of all layers of the grid.
+        """
+        found = ZoneStress(self._core, choice("body", body, (1, 2)))
+        return tuple(Zone(self.grid, body, number, found) for number in range(len(found.boxes)))
+
+    @property
+    def converged(self) -> bool:
+        """Whether contact and plastic flow are converged to the tolerance."""
+        return bool(self._core.converged)
+
+    @property
+    def iterations(self) -> int:
+        """Evaluations of the plastic fixed point in this increment; 0 if nothing yielded."""
+        return int(self._core.iterations)
+
+    @property
+    def contact_iterations(self) -> int:
+        """Conjugate-gradient iterations in this increment."""
+        return int(self._core.contact_iterations)
+
+    @property
+    def substeps(self) -> int:
+        """Parts into which the increment was divided to converge, 1 if it was not."""
+        return int(self._core.substeps)
+
+    @property
+    def plastic_residual(self) -> float:
+        """Relative change of the plastic strain increment when it was accepted [-]."""
+        return float(self._core.plastic_residual)
+
+    @property
+    def yield_excess(self) -> float:
+        """Largest (von Mises - yield stress)/yield stress when the increment was accepted [-]."""
+        return float(self._core.yield_excess)
+
+    def stress(self, body: int = 2) -> FloatArray:
+        """Total stress [Pa], shape (6, nx, ny, nz)."""
+        return self._field("stress", body)
+
+    def residual_stress(self, body: int = 2) -> FloatArray:
+        """Stress without tractions and heat [Pa], shape (6, nx, ny, nz).
+
+        That of the plastic strain, and `initial_stress`.
+        """
+        return self._field("residual_stress", body)
+
+    def initial_stress(self, body: int = 2) -> FloatArray:
+        """Stress that was there before any contact [Pa], shape (6, nx, ny, nz).
+
+        See `Material.with_residual_stress`; 0 without.
+        """
+        return self._field("initial_stress", body)
+
+    def interface_stress(self, body: int = 2) -> FloatArray:
+        """Total stress on both sides of the interfaces of a layered body [Pa].
+
+        Parameters
+        ----------
+        body : {1, 2}
+
+        Returns
+        -------
+        ndarray, shape (2, 6, nx, ny, m)
+            Above and below each of the m interfaces, see `Layered.interfaces`. What layers pull and
+            shear each other with, zz, yz and xz, is the same on both sides but for what the cells
+            leave; xx, yy and xy jump.
+
+        Raises
+        ------
+        ValueError
+            A body without layers, or one with an `offset`.
+
+        Notes
+        -----
+        That of tractions is exact at its depth, that of plastic strain is continued from three
+        cells of each side (fewer in thinner layers).
+        """
+        return self._field("interface_stress", body, lambda: stress_at_interfaces(self, body))
+
+    def von_mises(self, body: int = 2) -> FloatArray:
+        """Von Mises stress [Pa], shape (nx, ny, nz)."""
+        return self._field("von_mises", body, lambda: von_mises(self.stress(body)))
+
+    def hydrostatic(self, body: int = 2) -> FloatArray:
+        """Mean normal stress [Pa], shape (nx, ny, nz)."""
+        return self._field("hydrostatic", body, lambda: self.stress(body)[:3].mean(axis=0))
+
+    def plastic_cells(self) -> int:
+        """How many cells of both bodies have yielded so far, wherever they lie."""
+        return int(self._core.plastic_cells(0)) + int(self._core.plastic_cells(1))
+
+    def plastic_strain(self, body: int = 2) -> FloatArray:
+        """Plastic strain [-], tensor components, shape (6, nx, ny, nz)."""
+        return self._field("plastic_strain", body)
+
+    def equivalent_plastic_strain(self, body: int = 2) -> FloatArray:
+        """Accumulated equivalent plastic strain [-], shape (nx, ny, nz)."""
+        return self._field("equivalent_plastic_strain", body)
+
+    def backstress(self, body: int = 2) -> FloatArray:
+        """Each backstress of kinematic hardening [Pa], shape (terms, 6, nx, ny, nz).
+
+        Their sum is the centre of the yield surface; no terms without kinematic hardening.
+        """
+        return self._field("backstress", body)
+
+    def max_equivalent_plastic_strain(self, body: int = 2) -> float:
+        """Largest accumulated equivalent plastic strain [-]; 0 for a body that cannot yield."""
+        return float(self._core.max_equivalent_plastic_strain(choice("body", body, (1, 2)) - 1))
+
+    def max_plastic_strain_magnitude(self, body: int = 2) -> float:
+        """Largest magnitude sqrt(2/3 e:e) of the plastic strain e [-]; not cumulative.
+
+        Reversed flow lowers it, whereas it raises the equivalent plastic strain. It is what the
+        theory of small strains limits; 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
+        """
+        return float(self._core.max_plastic_strain_magnitude(choice("body", body, (1, 2)) - 1))
+
+    def relief(self, body: int = 2) -> FloatArray:
+        """Heights of the body's `Relief` where it stands now [m], shape (nx, ny); 0 without."""
+        return self._field("relief", body)
+
+    def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
+        """Permanent print [m], shape (nx, ny): u_z of the plastic strain, positive inwards.
+
+        With axis="x" or "y" the displacement that the plastic strain leaves along the surface, in
+        the directions that both bodies share. Of a periodic surface the body is at rest far below.
+        """
+        number = axis_number(axis)
+        core, index = self._core, choice("body", body, (1, 2)) - 1
+        return self._field(
+            f"residual_displacement along {axis}", body,
+            lambda: core.residual_displacement(index, number),
+        )  # fmt: skip
+
+    def surface_displacement(self, body: int = 2) -> FloatArray:
+        """u_z of the surface under load [m], shape (nx, ny), positive into the body."""
+        return self._field("surface_displacement", body)
+
+    def temperature(self, body: int = 2) -> FloatArray:
+        """Rise of temperature at mid-depth of the layers [K], shape (nx, ny, nz)."""
+        return self._field("temperature", body)
+
+    def surface_temperature(self, body: int = 2) -> FloatArray:
+        """Rise of temperature of the surface (flash temperature) [K], shape (nx, ny)."""
+        return self._field("surface_temperature", body)
+
+    def softening(self, body: int = 2) -> FloatArray:
+        """Factor of the yield stress by thermal softening [-], shape (nx, ny, nz)."""
+        known = self._core.softening(choice("body", body, (1, 2)) - 1)
+        factor = np.ones((*self.grid.surface_shape, self._layers))
+        if known is None:
+            return factor
+        layers = min(self._layers, known.shape[2])
+        factor[:, :, :layers] = known[:, :, :layers]
+        law = (self._simulation.body1, self._simulation.body2)[body - 1].softening
+        if layers < self._layers and law is not None:
+            factor[:, :, layers:] = law(self.temperature(body)[:, :, layers:])
+        return factor
+
+    def _in_own_box(self, name: str, body: int) -> FloatArray | None:
+        """A field where the body's strain was solved for, by the operators of the increment.
+
+        Of name "stress" or "residual_stress" the deviator, or "residual_displacement". None where
+        that is not all: without plastic strain, of several zones, where the body has moved on.
+        """
+        index = choice("body", body, (1, 2)) - 1
+        box = self._core.own_box(index)
+        if box is None:
+            return None
+        needed = memory.ZONE_FIELD * math.prod(box[2:])
+        memory.require(f"the field {name} in the plastic zone", needed)
+        if name == "residual_displacement":
+            field: FloatArray = self._core.residual_displacement_in(index, box, axis_number("z"))
+        else:
+            field = self._core.deviator_in_own_box(index, name == "stress")
+        return field
+
+    def _field(
+        self, name: str, body: int, compute: Callable[[], FloatArray] | None = None
+    ) -> FloatArray:
+        """Of the core, unless it is kept, or computed from others that may be."""
+        index = choice("body", body, (1, 2)) - 1
+        return kept(self, (name, index), compute or (lambda: self._of_core(name, index)))
+
+    def _of_core(self, name: str, index: int) -> FloatArray:
+        if name in _VOLUME:
+            strained = self._core.max_plastic_strain_magnitude(index) > 0
+            exact = strained and self._simulation.residual_stress == "exact"
+            cell = memory.EXACT_RESIDUAL if exact else memory.VOLUME_FIELD
+            what = f"the field {name}"
+            needed = memory.volume(self.grid, cell, self._layers)
+            memory.require_for_grid(what, self.grid, needed)
+            field: FloatArray = getattr(self._core, name)(index, self._layers)
+        else:
+            field = getattr(self._core, name)(index)
+        return field
+
+    def _rows(self) -> Rows:
+        """What costs nothing to tell: no volume field is computed."""
+        rows = [
+            ("load", quantity(self.load, "N")),
+            ("approach", quantity(self.approach, "m")),
+            ("maximum pressure", quantity(float(self.pressure.max()), "Pa")),
+            ("contact area", quantity(self.contact_area, "m²")),
+        ]
+        for body in (1, 2):
+            strain = self.max_equivalent_plastic_strain(body=body)
+            if strain > 0:
+                name = f"maximum equivalent plastic strain, body {body}"
+                rows.append((name, f"{100 * strain:.4g} %"))
+        rows += self._along_rows()
+        if any(self.travel):
+            rows += [(f"travel, body {n}", quantity(self.travel[n - 1], "m")) for n in (1, 2)]
+        if self.time > 0:
+            rows.append(("time", quantity(self.time, "s")))
+        return [
+            *rows,
+            ("plastic iterations", str(self.iterations)),
+            ("plastic residual", quantity(self.plastic_residual)),
+            ("yield excess", quantity(self.yield_excess)),
+            ("converged", "yes" if self.converged else "no"),
+        ]
+
+    def __repr__(self) -> str:
+        return (
+            f"State(load={self.load:.6g} N, approach={self.approach:.6g} m, "
+            f"max_pressure={self.pressure.max():.6g} Pa, iterations={self.iterations})"
+        )

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stress of surface tractions at any points of a half-space, by direct sums."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import kernels
+from .._util.checks import FloatArray, real_array, together
+from ..bodies.layered import Body
+from ..bodies.material import Material
+from ..scene.grid import Grid
+
+_BLOCK = 1 << 18
+"""Pairs of a point and a cell at once: 20 MB."""
+_AT_EDGE = 1e-6
+"""Of a cell: nearer than this, a point lies on its edge."""
+_FARTHEST = 1e75
+"""Coordinates [m], beyond which squares of distances overflow in products."""
+
+IntArray = NDArray[np.intp]
+Tractions = tuple[FloatArray, FloatArray | None, FloatArray | None]
+
+
+def stress_at_points(
+    grid: Grid,
+    tractions: Tractions,
+    nu: float,
+    points: tuple[ArrayLike, ArrayLike, ArrayLike],
+) -> FloatArray:
+    """Stress of pressure, s_x and s_y in the cells of a grid, at points [Pa], shape (6, ...).
+
+    Each loaded cell counts with its closed form (Love 1929; `kernels.pressure_stress` and
+    `kernels.shear_stress`): what the transforms of `ContactSolver.stress` give at the centres of
+    cells. Where loaded cells meet at the surface, the mean half a cell to both sides. Time grows
+    with points times loaded cells, memory does not.
+    """
+    given = {name: _finite(name, values) for name, values in zip("xyz", points, strict=True)}
+    x, y, z = together(**given)
+    if (z < 0).any():
+        raise ValueError(f"z must be >= 0 [m], positive into the body, got {z.min():.6g}")
+    flat = np.stack([np.asarray(values, dtype=np.float64).ravel() for values in (x, y, z)])
+    half = _half_cells(grid, tractions, flat)
+    between = half.any(axis=0)
+    total: FloatArray = np.zeros((6, flat[0].size))
+    total[:, ~between] = _sums(grid, tractions, nu, flat[:, ~between])
+    if between.any():
+        for signs in itertools.product((-1.0, 1.0), repeat=2):
+            step = half[:, between] * np.array([*signs, 0.0])[:, None]
+            total[:, between] += 0.25 * _sums(grid, tractions, nu, flat[:, between] + step)
+    return total.reshape(6, *x.shape)
+
+
+def _half_cells(grid: Grid, tractions: Tractions, points: FloatArray) -> FloatArray:
+    """From points at the surface where loaded cells meet, half a cell [m] across the line; else 0.
+
+    The stress of uniform cells is infinite there, by the logarithm of the distance from the edge of
+    a jump of the traction; the mean of its values half a cell to both sides has no such term.
+    """
+    half = np.zeros_like(points)
+    cells: list[tuple[IntArray, IntArray]] = []
+    for n, (axis, size) in enumerate(((grid.x, grid.dx), (grid.y, grid.dy))):
+        edge = (points[n] - axis[0]) / size + 0.5  # in cells from the border
+        half[n, np.abs(edge - np.rint(edge)) < _AT_EDGE] = 0.5 * size
+        behind, ahead = (
+            np.clip(np.floor(edge + side), -1, len(axis)).astype(np.intp) + 1
+            for side in (-_AT_EDGE, _AT_EDGE)
+        )
+        cells.append((behind, ahead))
+    loaded = np.zeros((grid.nx + 2, grid.ny + 2), dtype=np.bool_)
+    for traction in tractions:
+        if traction is not None:
+            loaded[1:-1, 1:-1] |= traction != 0
+    beside = np.any([loaded[i, j] for i, j in itertools.product(*cells)], axis=0)
+    half[:, ~beside | (points[2] >= _AT_EDGE * min(grid.dx, grid.dy))] = 0.0
+    return half
+
+
+def _sums(grid: Grid, tractions: Tractions, nu: float, points: FloatArray) -> FloatArray:
+    total: FloatArray = np.zeros((6, points.shape[1]))
+    for traction, along in zip(tractions, (None, "x", "y"), strict=True):
+        if traction is not None and np.any(traction):
+            _add(total, grid, traction, along, nu, points)
+    return total
+
+
+def _finite(name: str, values: ArrayLike) -> FloatArray:
+    array = real_array(name, values)
+    if not (np.abs(array) <= _FARTHEST).all():
+        raise ValueError(f"{name} must be finite and at most {_FARTHEST:g} everywhere [m]")
+    return array
+
+
+def _add(
+    total: FloatArray,
+    grid: Grid,
+    traction: FloatArray,
+    along: str | None,
+    nu: float,
+    points: FloatArray,
+) -> None:
+    """One traction, in blocks of points and cells."""
+    i, j = np.nonzero(traction)
+    values, halves = traction[i, j], (0.5 * grid.dx, 0.5 * grid.dy)
+    cells = min(len(values), _BLOCK)
+    count = max(1, _BLOCK // cells)
+    for start in range(0, points.shape[1], count):
+        x, y, z = (p[start : start + count, None] for p in points)
+        for first in range(0, len(values), cells):
+            own = slice(first, first + cells)
+            X, Y = x - grid.x[i[own]], y - grid.y[j[own]]
+            if along is None:
+                unit = kernels.pressure_stress(X, Y, z, *halves, nu)
+            else:
+                unit = kernels.shear_stress(X, Y, z, *halves, nu, along=along)
+            total[:, start : start + count] += unit @ values[own]
+
+
+def require_closed_forms(grid: Grid, material: Body, body: int, *, heated: bool) -> Material:
+    """Raise ValueError for what has no stress at points: the homogeneous material of others."""
+    if not isinstance(material, Material):
+        raise ValueError(
+            f"body{body} must be homogeneous for stress at points, got one of layers: use "
+            "ContactSolver.stress(pressure, z), on the cells of the grid"
+        )
+    if material.is_rigid:
+        raise ValueError(f"body{body} is rigid: it has no stress")
+    if grid.periodic:
+        raise ValueError(
+            f"grid must have no period for stress at points, got periodic={grid.periodic!r}: use "
+            "ContactSolver.stress(pressure, z), on the cells of the grid"
+        )
+    if heated:
+        raise ValueError(
+            f"body{body} is heated, and stress at points is that of tractions alone: use "
+            "ContactSolver.stress(pressure, z), which includes thermal stress"
+        )
+    return material

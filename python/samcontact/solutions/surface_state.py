@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a state knows of the surfaces in contact."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .._util.cached_property import cached_property
+from .._util.checks import FloatArray, choice
+from .._util.display import Rows, quantity
+from ..scene.friction import Coulomb
+from ..scene.grid import Grid
+from ..simulation.checkpoint import Standing
+from .contact_area import contact_area
+from .contact_solution import both
+from .outline import rises_outwards
+from .stress_at_points import require_closed_forms, stress_at_points
+
+
+class SurfaceState:
+    """Tractions, gap, and the rigid motion of one moment."""
+
+    grid: Grid
+    _core: Any
+    _simulation: Standing
+
+    @property
+    def pressure(self) -> FloatArray:
+        """Contact pressure [Pa], shape (nx, ny)."""
+        return self._surface("pressure")
+
+    @property
+    def shear(self) -> FloatArray:
+        """Shear s_x, s_y on body 2 [Pa], shape (2, nx, ny)."""
+        return np.stack([self._surface("shear_x"), self._surface("shear_y")])
+
+    @property
+    def slip(self) -> FloatArray:
+        """Of body 1 over body 2 in the last increment [m], shape (2, nx, ny); 0 where they stick.
+
+        Raises ValueError where friction is a number: gross sliding is not resolved.
+        """
+        self._require_stick_and_slip("slip")
+        shape = (2, *self.grid.surface_shape)
+        field = self._core.slip
+        return np.zeros(shape) if field is None else field.reshape(shape)
+
+    @property
+    def sticking(self) -> NDArray[np.bool_]:
+        """Cells in contact that did not slip in the last increment, shape (nx, ny).
+
+        Raises ValueError where friction is a number.
+        """
+        return (self.pressure > 0) & ~self.slip.any(axis=0)
+
+    @property
+    def tangential_load(self) -> FloatArray:
+        """Force of the shear along x and y on body 2 [N], shape (2,)."""
+        return np.array(self._core.tangential_force()[:2])
+
+    @property
+    def torque(self) -> float:
+        """Moment of the shear on body 2 about z at the origin of the grid [N m]."""
+        return float(self._core.tangential_force()[2])
+
+    @property
+    def shift(self) -> FloatArray:
+        """Rigid motion of body 1 over body 2 along x and y since the start [m], shape (2,).
+
+        The difference of their ways is in it. Raises ValueError where friction is a number.
+        """
+        self._require_stick_and_slip("shift")
+        return np.array(self._core.motion[:2])
+
+    @property
+    def twist(self) -> float:
+        """Turn of body 1 over body 2 about z since the start [rad]; ValueError as `shift`."""
+        self._require_stick_and_slip("twist")
+        return float(self._core.motion[2])
+
+    @property
+    def friction_work(self) -> float:
+        """Turned into heat by slip since the start [J]; ValueError as `shift`."""
+        self._require_stick_and_slip("friction_work")
+        return float(self._core.friction_work)
+
+    def _along_rows(self) -> Rows:
+        """Forces and motions along the surface; none where friction is a number."""
+        if not isinstance(self._simulation.friction, Coulomb):
+            return []
+        touching = int(np.count_nonzero(self.pressure))
+        rows = [
+            ("tangential load", both(self.tangential_load, "N")),
+            ("shift", both(self.shift, "m")),
+            ("friction work", quantity(self.friction_work, "J")),
+            ("cells that stick", f"{np.count_nonzero(self.sticking)} of {touching} in contact"),
+        ]
+        if self.twist != 0.0:
+            turned = [("torque", self.torque, "N m"), ("twist", self.twist, "rad")]
+            rows[2:2] = [(name, quantity(value, unit)) for name, value, unit in turned]
+        return rows
+
+    def _require_stick_and_slip(self, name: str) -> None:
+        if not isinstance(friction := self._simulation.friction, Coulomb):
+            raise ValueError(
+                f"{name} is not solved for where friction is a number, {friction!r}, which is "
+                "gross sliding: make the simulation with friction=samcontact.Coulomb(mu)"
+            )
+
+    def _surface(self, name: str) -> FloatArray:
+        """A field of the surface; 0 where the core has none."""
+        shape = self.grid.surface_shape
+        field = getattr(self._core, name)
+        return np.zeros(shape) if field is None else field.reshape(shape)
+
+    @cached_property
+    def gap(self) -> FloatArray:
+        """Separation [m], shape (nx, ny); under prescribed tractions that for zero approach."""
+        field: FloatArray = self._core.gap()
+        field.flags.writeable = False
+        return field
+
+    @property
+    def load(self) -> float:
+        """Total load [N]."""
+        return float(self._core.load)
+
+    @property
+    def contact_area(self) -> float:
+        """Contact area [m^2], with its edge between the cells; see the theory page.
+
+        Under prescribed tractions that of their pressure.
+        """
+        pressure, grid = self.pressure, self.grid
+        stepped = np.isfinite(self.approach) and rises_outwards(pressure, grid.periodic)
+        gap = self.gap if stepped else None
+        return contact_area(pressure, grid.cell_area, grid.periodic, gap)
+
+    def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: int = 2) -> FloatArray:
+        """Stress of pressure and shear at any points [Pa], shape (6, ...): the elastic part.
+
+        That of plastic strain, and what was there before the contact, is in `residual_stress`.
+        Arguments, errors and method are those of `ContactSolver.stress_at`.
+        """
+        number, run = choice("body", body, (1, 2)), self._simulation
+        heated = (self._core.heat_factor1, self._core.heat_factor2)[number - 1] > 0
+        given = run.body1 if number == 1 else run.body2
+        nu = require_closed_forms(self.grid, given, number, heated=heated).nu
+        s_x, s_y = self.shear if number == 2 else -self.shear
+        return stress_at_points(self.grid, (self.pressure, s_x, s_y), nu, (x, y, z))
+
+    @property
+    def mean_pressure(self) -> float:
+        """Load over contact area [Pa]; 0 without contact."""
+        area = self.contact_area
+        return self.load / area if area > 0 else 0.0
+
+    @property
+    def approach(self) -> float:
+        """Rigid-body approach [m]; NaN under prescribed tractions."""
+        return float(self._core.approach)

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All of the plastic strain that a moving contact left in a body."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._util import memory
+from .._util.checks import FloatArray, axis_number, boolean
+from .._util.field_cache import kept
+from .._util.frozen import Fixed, read_only
+from .._util.quantities import CONTACT, TRACK
+from .._util.tensors import COMPONENTS, von_mises
+from ..scene.grid import Grid
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["Track"]
+
+
+class Track(Fixed):
+    """What is left in one body along its whole track, unloaded, in the frame of the body.
+
+    Made by `State.track`. Fields are read-only, and kept as those of a state. The origin of x is
+    where the contact stood on the body at the start of the simulation.
+    """
+
+    def __init__(self, core: Any, grid: Grid, body: int, margin: int, layers: int) -> None:
+        self.body = body
+        start, rows = core.history_rows(body - 1) or (0, grid.nx)
+        self._first_row = start - margin
+        self.first = self._first_row + core.first_cell[body - 1]
+        """Row of the grid, as it lay at the start, over which its first row lies."""
+        self.grid = Grid(
+            rows + 2 * margin,
+            grid.ny,
+            grid.dx,
+            grid.dy,
+            nz=layers if grid.has_volume else 0,
+            dz=grid.dz,
+        )
+        """The cells of the track; its own x is counted from the middle, see `x`."""
+        # The body's cell number n stood at (n - (nx - 1)/2) dx of the grid at the start.
+        cells = self.first + np.arange(self.grid.nx)
+        self.x: FloatArray = read_only((cells - 0.5 * (grid.nx - 1)) * grid.dx)
+        """Positions of the cells on the body [m]."""
+        self.contact = -core.travel[body - 1] * grid.dx
+        """Where the contact stands on the body now [m]."""
+        self._core = core
+
+    @property
+    def y(self) -> FloatArray:
+        """Cell centres along y [m]."""
+        return self.grid.y
+
+    @property
+    def z(self) -> FloatArray:
+        """Mid-depths of the layers [m]."""
+        return self.grid.z
+
+    def residual_displacement(self, axis: str = "z") -> FloatArray:
+        """Permanent print [m], shape (len(x), ny), positive into the body.
+
+        With axis="x" or "y" the displacement along the surface.
+        """
+        return kept(
+            self, f"residual_displacement along {axis_number(axis)}",
+            lambda: self._of_core("residual_displacement", axis_number(axis)),
+        )  # fmt: skip
+
+    def residual_stress(self) -> FloatArray:
+        """Stress of the plastic strain and `initial_stress` [Pa], shape (6, len(x), ny, nz)."""
+        return self._field("residual_stress")
+
+    def initial_stress(self) -> FloatArray:
+        """Stress that was there before any contact [Pa], shape (6, len(x), ny, nz).
+
+        See `Material.with_residual_stress`; 0 without.
+        """
+        return self._field("initial_stress")
+
+    def yield_factor(self) -> FloatArray:
+        """Factor of the yield stress by its profile over depth [-], shape (len(x), ny, nz)."""
+        return self._field("yield_factor")
+
+    def residual_von_mises(self) -> FloatArray:
+        """Von Mises stress of the residual stress [Pa], shape (len(x), ny, nz)."""
+        return kept(self, "residual_von_mises", lambda: von_mises(self.residual_stress()))
+
+    def residual_hydrostatic(self) -> FloatArray:
+        """Mean normal residual stress [Pa], shape (len(x), ny, nz)."""
+        mean: FloatArray = self.residual_stress()[:3].mean(axis=0)
+        return mean
+
+    def plastic_strain(self) -> FloatArray:
+        """Plastic strain [-], tensor components, shape (6, len(x), ny, nz)."""
+        return self._field("plastic_strain")
+
+    def equivalent_plastic_strain(self) -> FloatArray:
+        """Accumulated equivalent plastic strain [-], shape (len(x), ny, nz)."""
+        return self._field("equivalent_plastic_strain")
+
+    def backstress(self) -> FloatArray:
+        """Each backstress of kinematic hardening [Pa], shape (terms, 6, len(x), ny, nz)."""
+        return self._field("backstress")
+
+    def to_dataset(self, *, volume: bool = True) -> xr.Dataset:
+        """Labelled fields with units, as figures of tracks take them.
+
+        Parameters
+        ----------
+        volume : bool, optional
+            Whether fields of the volume are wanted, where the grid has layers, or the print only.
+
+        Returns
+        -------
+        xarray.Dataset
+            Dimensions x, y and, with a volume, z and component; the variables are the methods
+            above but `backstress`, the attributes the body and the sizes of the cells [m].
+        """
+        import xarray as xr  # importing the package should not load it
+
+        plane, tensor = ("x", "y"), ("component", "x", "y", "z")
+        fields: dict[str, tuple[str, ...]] = {"residual_displacement": plane}
+        coordinates = {"x": TRACK["x"].variable("x", self.x, self.body)}
+        layered = boolean("volume", volume) and self.grid.has_volume
+        if layered:
+            fields |= {
+                "residual_stress": tensor,
+                "residual_von_mises": (*plane, "z"),
+                "residual_hydrostatic": (*plane, "z"),
+                "plastic_strain": tensor,
+                "equivalent_plastic_strain": (*plane, "z"),
+            }
+            coordinates["component"] = xr.Variable("component", list(COMPONENTS))
+        axes = ("y", "z") if layered else ("y",)
+        coordinates |= {axis: CONTACT[axis].variable(axis, getattr(self, axis)) for axis in axes}
+        data = {
+            name: TRACK[name].variable(dims, getattr(self, name)(), self.body)
+            for name, dims in fields.items()
+        }
+        sizes = {f"d{axis}": getattr(self.grid, f"d{axis}") for axis in ("x", *axes)}
+        return xr.Dataset(data, coordinates, {"body": self.body, **sizes})
+
+    def _field(self, name: str) -> FloatArray:
+        return kept(self, name, lambda: self._of_core(name))
+
+    def _of_core(self, name: str, *axis: int) -> FloatArray:
+        cell = memory.FAST_RESIDUAL if name.startswith("residual") else memory.VOLUME_FIELD
+        needed = memory.volume(self.grid, cell)
+        memory.require_for_grid(f"the field {name} of a track", self.grid, needed)
+        method = getattr(self._core, f"{name}_in")
+        box = self._first_row, 0, self.grid.nx, self.grid.ny, self.grid.nz
+        field: FloatArray = method(self.body - 1, box, *axis)
+        return field
+
+    def __repr__(self) -> str:
+        return (
+            f"Track(body={self.body}, x=[{self.x[0]:.6g}, {self.x[-1]:.6g}] m, "
+            f"contact={self.contact:.6g} m)"
+        )
