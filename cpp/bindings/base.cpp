@@ -29,7 +29,7 @@ void check_signals() {
 /// Raises MemoryError when there is less.
 void check_memory(double bytes, const std::string& what) {
   const py::gil_scoped_acquire gil;
-  py::module_::import("samcontact._memory").attr("require")(what, bytes);
+  py::module_::import("samcontact._util.memory").attr("require")(what, bytes);
 }
 
 /// The core works on in a child that was forked between, or during, calls of it.

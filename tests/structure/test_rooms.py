@@ -35,53 +35,52 @@ BELOW = {
     "contact": {"base", "kernels", "fft", "operators"},
     "simulation": {"base", "kernels", "fft", "operators", "plasticity", "contact"},
 }
-# The folders of the package, and which others each may import; modules outside of folders are free
-# to all.
-FOLDERS = {
-    "runs": set(),
-    "fatigue": set(),
-    "hertz": set(),
-    "bearings": {"hertz"},
-    "paths": set(),
-    "measured": set(),
-    "results": {"runs", "hertz"},
-    "plotting": {"hertz", "results", "shakedown"},
-    "asperities": {"runs"},
-    "wear": {"runs", "hertz"},
-    "shakedown": {"runs", "hertz", "fatigue"},
-    "cases": {"hertz", "paths", "measured", "asperities", "wear", "fatigue", "shakedown"},
-    "accuracy": {"runs", "hertz", "cases", "results"},
-    "sweeps": {"runs", "cases", "results", "accuracy"},
-    "report": {"cases", "results", "plotting", "asperities"},
-    "commands": {
-        "runs", "hertz", "cases", "results", "plotting", "asperities", "accuracy", "sweeps",
-        "report",
-    },
-}  # fmt: skip
+# The rooms of the package, folders and public modules, by floors: each imports from floors below it
+# only, types included.
+FLOORS = [
+    {"_util"},
+    {"bodies", "files", "hertz", "paths", "hardness", "kernels", "softening", "surfaces", "units"},
+    {"bearings", "critical", "restart", "heat", "heat_kernels"},
+    {"scene", "flattening"},
+    {"measured", "solutions", "dents", "operators"},
+    {"diagnostics"},
+    {"contact", "fatigue"},
+    {"simulation", "rolling"},
+    {"shakedown", "wear", "energy"},
+    {"asperities"},
+    {"cases"},
+    {"results"},
+    {"accuracy", "plotting"},
+    {"report", "sweeps"},
+    {"commands"},
+]
 # Modules that talk to the core; all others go through them.
 CORE_USERS = {
     "__init__",
-    "_contact_fields",
-    "_expected",
-    "_heating",
-    "_interfaces",
-    "_laws",
-    "_overlap",
-    "_settings",
-    "_window",
-    "_load_core",
-    "contact",
+    "_util.load_core",
+    "_util.version",
+    "accuracy.load_search",
+    "bodies.hardening_laws",
+    "bodies.layered",
+    "commands.errors",
+    "contact.enlargement",
+    "contact.fields",
+    "contact.interpenetration",
+    "contact.solver",
+    "contact.tangential_drive",
+    "diagnostics.hertz_estimate",
     "fatigue.criteria",
-    "find",
-    "friction",
-    "grid",
     "heat_kernels",
     "kernels",
-    "layered",
     "operators",
+    "restart.file",
     "rolling",
-    "runs.file",
-    "simulation",
+    "scene.grid",
+    "scene.heating",
+    "scene.settings",
+    "simulation.engine",
+    "simulation.simulation",
+    "solutions.interface_stress",
 }
 
 
@@ -103,7 +102,6 @@ def test_the_repository_holds_the_whole_package():
     command = ["git", "-C", str(ROOT), "check-ignore", "--no-index", *map(str, MODULES)]
     ignored = subprocess.run(command, capture_output=True, text=True).stdout.splitlines()
     assert ignored == []
-    assert [name for name in FOLDERS if not (PACKAGE / name / "__init__.py").exists()] == []
 
 
 def test_rooms_are_complete():
@@ -254,37 +252,37 @@ def imports(name, nodes):
             yield inner if inner in NAMES or not base else base
 
 
-def all_imports(name):
-    """When it is loaded or used; not what only types name."""
+def all_imports(name, *, types=True):
+    """Modules that a module imports when it is loaded or used, or for its types."""
     tree = ast.parse(NAMES[name].read_text())
-    tree.body = [node for node in tree.body if not (
-        isinstance(node, ast.If) and getattr(node.test, "id", "") == "TYPE_CHECKING")]  # fmt: skip
+    if not types:
+        tree.body = [node for node in tree.body if not (
+            isinstance(node, ast.If) and getattr(node.test, "id", "") == "TYPE_CHECKING")]  # fmt: skip
     return set(imports(name, ast.walk(tree)))
 
 
 def test_modules_have_no_cycle():
-    graph = {
-        name: set(imports(name, ast.parse(file.read_text()).body)) - {"_core"}
-        for name, file in NAMES.items()
-    }
-    assert {name for names in graph.values() for name in names} <= set(graph)
-    graphlib.TopologicalSorter(graph).prepare()
+    graph = {name: all_imports(name) - {"_core"} for name in NAMES if name != "__init__"}
+    assert {name for names in graph.values() for name in names} <= set(NAMES)
+    graphlib.TopologicalSorter(graph).prepare()  # raises CycleError, which names the cycle
 
 
-def test_functions_do_not_import_backwards():
-    graph = {name: all_imports(name) - {"_core"} for name in NAMES}
-    graphlib.TopologicalSorter(graph).prepare()
+def test_rooms_import_from_floors_below_only():
+    floor = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
+    top = {path.stem for path in PACKAGE.iterdir() if path.suffix == ".py" or path.is_dir()}
+    assert top - {"__init__", "__main__", "__pycache__"} == set(floor)
+    wrong = []
+    for name in set(NAMES) - {"__init__", "__main__"}:
+        room = name.split(".")[0]
+        for target in {target.split(".")[0] for target in all_imports(name)} - {room, "_core"}:
+            if floor[target] >= floor[room]:
+                wrong.append(f"{name} imports {target}")
+    assert wrong == []
 
 
-def test_folders_import_those_below_only():
-    folders = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
-    assert folders == set(FOLDERS)
-    found = {folder: set() for folder in folders}
-    for name in NAMES:
-        if (folder := name.split(".")[0]) in folders:
-            found[folder] |= {target.split(".")[0] for target in all_imports(name)} & folders
-    assert {folder: names - {folder} for folder, names in found.items()} == FOLDERS
-    graphlib.TopologicalSorter(FOLDERS).prepare()
+def test_only_public_modules_lie_outside_of_folders():
+    outside = {path.stem for path in PACKAGE.glob("*.py")} - {"__init__", "__main__"}
+    assert outside <= set(sc.__all__)
 
 
 def test_no_test_file_imports_another():
@@ -295,7 +293,7 @@ def test_no_test_file_imports_another():
 
 
 def test_few_modules_talk_to_the_core():
-    assert {name for name in NAMES if "_core" in all_imports(name)} == CORE_USERS
+    assert {name for name in NAMES if "_core" in all_imports(name, types=False)} == CORE_USERS
 
 
 def test_the_package_loads_no_file_or_figure_library():

@@ -27,8 +27,8 @@ class FakeState:
         self.travel, self.heat_factor = (0.0, 0.0), (0.0, 0.0)
         shape = (grid.nx, grid.ny)
         self.shear, self.gap = np.zeros((2, *shape)), np.zeros(shape)
-        self._window = SimpleNamespace(grid=grid, initial_gap=self.gap, reliefs=(None, None))
-        self._simulation = SimpleNamespace(body1=ELASTIC, body2=ELASTIC)
+        self.domain = SimpleNamespace(grid=grid, initial_gap=self.gap, reliefs=(None, None))
+        self.setup = SimpleNamespace(bodies=(ELASTIC, ELASTIC))
         self.converged, self.iterations, self.contact_iterations, self.substeps = True, 3, 20, 1
         self.plastic_residual, self.yield_excess = 1e-8, 2e-9
         if load > 0:

@@ -7,7 +7,7 @@ from contact_scenes import RIGID, STEEL
 
 import samcontact as sc
 from samcontact import plotting, results, surfaces
-from samcontact.simulation.coarsening import coarser
+from samcontact.simulation.repeated import coarsened
 
 SOFT = sc.Material.linear_hardening(210e9, 0.3, 1e9, 10e9)
 E_STAR = 210e9 / (1 - 0.3**2)
@@ -106,7 +106,7 @@ class TestSimulation:
         end = ended(self.grid, self.gap, 24e-6)
         simulation = self.simulation(end)
         states = simulation.run(PATH[:2], progress=False)
-        half = coarser(simulation, sc.Heat(0.0)).initial_gap
+        half = coarsened(simulation, sc.Heat(0.0)).initial_gap
         known = np.isfinite(half)
         assert 0.9 < 4 * known.sum() / np.isfinite(end).sum() < 1.1
         assert np.abs(half[known]).max() <= 1.05 * end[np.isfinite(end)].max()

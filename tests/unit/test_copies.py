@@ -63,8 +63,8 @@ def test_states_travel_between_processes_in_a_list():
 
 def test_what_was_warned_of_is_not_warned_of_again():
     sim = simulation()
-    sim._told.of_strain = True
-    assert copy.deepcopy(sim)._told.of_strain
+    sim.monitor.of_strain = True
+    assert copy.deepcopy(sim).monitor.of_strain
 
 
 def test_a_law_that_cannot_be_pickled_is_told():

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact.simulation import coarsening
+from samcontact.simulation.repeated import coarsened
 
 E, NU, Y = 210e9, 0.3, 1e9
 ELASTIC = sc.Material.elastic(E, NU)
@@ -96,7 +96,7 @@ def test_a_grid_of_half_the_resolution_keeps_it():
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
     relief = sc.Relief(np.zeros((26, 26)), worn=worn)
     sim = sc.Simulation(grid, ELASTIC, BODY, gap, relief2=relief)
-    coarse = coarsening.coarser(sim, sc.Heat(0.0))
+    coarse = coarsened(sim, sc.Heat(0.0))
     found = coarse.step(load=100.0).track(margin=0).yield_factor()
     z = coarse.grid.z + worn.mean()
     middle = tuple(n // 2 for n in found.shape[:2])

@@ -14,6 +14,7 @@ from samcontact import report, results
 from samcontact.cases import parse_case
 from samcontact.scene.moving_topography import heights_over
 from samcontact.simulation import coarsening
+from samcontact.simulation.repeated import coarsened
 
 STEEL = sc.Material.elastic(210e9, 0.3)
 R, LOAD = 7.5e-3, 1500.0
@@ -138,7 +139,7 @@ def test_layers_that_yield_end_between_the_coarser_cells_too(ends, deeper):
     body = sc.Layered([(soft, thickness) for thickness in thicknesses], soft)
     grid = sc.Grid(28, 28, 25e-6, 25e-6, dz=dz)
     run = sc.Simulation(grid, STEEL, body, sc.surfaces.paraboloid(grid, R))
-    assert coarsening.coarser(run, run.heat).grid.dz == pytest.approx(deeper * dz)
+    assert coarsened(run, run.heat).grid.dz == pytest.approx(deeper * dz)
     path = [{"load": 250.0}]
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")

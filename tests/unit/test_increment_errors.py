@@ -27,7 +27,7 @@ from samcontact.simulation.increment_paths import doubled, halved
 
 def silent(sim):
     """Without estimates of its own."""
-    sim._told.looks_at_increments = False
+    sim.monitor.checks_increments = False
     return sim
 
 
@@ -73,7 +73,7 @@ class TestWarning:
     def test_not_of_small_ones(self):
         sim = ball(STEEL, SWIFT, 1000.0, 0.1)
         assert warned(lambda: sim.run(pressed(1000.0, 4), progress=False)) == []
-        assert sim._history.checked == 4  # it was looked at
+        assert sim.engine.history.checked == 4  # it was looked at
 
     def test_of_a_run_that_goes_on(self):
         """The path since the start is judged, whose first part was not path-dependent."""
@@ -103,14 +103,14 @@ def test_what_does_not_depend_on_increments_is_not_solved_again(sim, path, monke
     monkeypatch.setattr(increment_errors, "_compared", None)  # would be called
     made = sim()
     states = made.run(path, progress=False)
-    assert not increment_errors.is_path_dependent(made, states)
+    assert not increment_errors.is_path_dependent(made.engine.setup, states)
 
 
 def test_unknown_past_is_not_estimated():
     sim = ball(RIGID, PERFECT, 2000.0)
     sim.set_plastic_strain(2, np.zeros((6, *sim.grid.surface_shape, 2)))
     assert warned(lambda: sim.step(load=2000.0)) == []
-    assert sim._history.steps is None
+    assert sim.engine.history.steps is None
 
 
 class State:

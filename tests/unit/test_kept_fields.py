@@ -108,11 +108,13 @@ def test_they_go_where_memory_is_short(states, monkeypatch):
     assert states[0].stress(2) is not stress
 
 
-def test_a_bar_gathers_no_track(monkeypatch, states):
+def test_a_bar_gathers_no_track(monkeypatch, tmp_path):
     def gathered(*_):
         raise AssertionError("the whole track of an increment was gathered")
 
     monkeypatch.setattr(sc.State, "track", gathered)
-    simulation = states[0]._simulation
+    file = tmp_path / "case.toml"
+    file.write_text(MINIMAL)
+    simulation, _ = load_case(file).build()
     simulation.run([{"load": 500.0}, {"load": 0.0}], progress=True)
     assert simulation.state.max_equivalent_plastic_strain() > 0

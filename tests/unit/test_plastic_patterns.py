@@ -18,7 +18,7 @@ RIGID = sc.Material.rigid()
 def warned(sim, start, **steps):
     """The texts that begin so, of some steps."""
     ((driver, values),) = steps.items()
-    sim._told.looks_at_increments = False
+    sim.monitor.checks_increments = False
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         for value in values:

@@ -196,7 +196,7 @@ def test_hertz_is_expected_of_smooth_convex_gaps_only():
     turned = 0.5 * ((x + y) ** 2 / 2 / 4e-3 + (x - y) ** 2 / 2 / 9e-3) + 3e-6 + 1e-3 * x
 
     def scene_of(gap):
-        return hertz_estimate.Scene(grid, gap, (STEEL, STEEL))
+        return hertz_estimate.ContactSetup(grid, gap, (STEEL, STEEL))
 
     assert scene_of(turned).radii == pytest.approx((9e-3, 4e-3), rel=1e-9)
     rough = turned + 2e-5 * np.random.default_rng(1).standard_normal(grid.surface_shape)

@@ -32,7 +32,7 @@ from rough_scenes import (
     zones_of,
 )
 from samcontact import _core, operators
-from samcontact.solutions.zone import strained_extent
+from samcontact.solutions.strained_cells import strained_extent
 
 pytestmark = pytest.mark.filterwarnings(
     "ignore::samcontact.GridTooSmallWarning", "ignore::samcontact.PlasticStrainWarning"

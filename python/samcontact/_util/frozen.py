@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 from .checks import FloatArray
 
@@ -49,7 +49,9 @@ class FrozenDict(Mapping[str, Value]):
 
 
 class Fixed:
-    """Public attributes are those of `__init__`, which makes `_core` of them at its end."""
+    """Public attributes are those of `__init__`, which makes `_last` of them at its end."""
+
+    _last: ClassVar[str] = "_core"
 
     def __setattr__(self, name: str, value: Any) -> None:
         known = getattr(type(self), name, None)
@@ -62,6 +64,6 @@ class Fixed:
         self._refuse(name)
 
     def _refuse(self, name: str) -> None:
-        if "_core" in self.__dict__:
+        if self._last in self.__dict__:
             kind = type(self).__name__
             raise AttributeError(f"{name} of a {kind} cannot be set: make a new {kind} instead")

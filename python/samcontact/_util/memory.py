@@ -10,10 +10,7 @@ import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from ..scene.grid import Grid
+from typing import Protocol
 
 GIVING: list[Callable[[], bool]] = []
 """What gives back memory that others need; whether there was some."""
@@ -39,6 +36,19 @@ LIBRARIES, BLAS_BUFFER, HDF5_FILE = 400e6, 45e6, 64e6
 one thread of linear algebra; of each more of them, in a library; of a file while it is written."""
 VOLUME_FIELD = 300.0
 """Of a cell of the volume: a field of a state; where the residual stress is exact, as that."""
+
+
+class Cells(Protocol):
+    """Numbers of cells of a grid along x, y and z."""
+
+    @property
+    def nx(self) -> int: ...
+
+    @property
+    def ny(self) -> int: ...
+
+    @property
+    def nz(self) -> int: ...
 
 
 def require(what: str, needed: float, remedy: str = "take fewer cells") -> None:
@@ -79,7 +89,7 @@ def require_address_space(what: str, needed: float) -> None:
         )
 
 
-def require_for_grid(what: str, grid: Grid, needed: float) -> None:
+def require_for_grid(what: str, grid: Cells, needed: float) -> None:
     """The same with the counts that make it so much."""
     if needed < _SMALL:
         return
@@ -93,12 +103,12 @@ def of_contact(*, coupled: bool, sticks: bool, heated: bool) -> float:
     return max(smooth if coupled else CONTACT, HEATED_CONTACT if heated else 0.0)
 
 
-def surface(grid: Grid, bytes_a_cell: float) -> float:
+def surface(grid: Cells, bytes_a_cell: float) -> float:
     """Of a grid's surface."""
     return bytes_a_cell * grid.nx * grid.ny
 
 
-def volume(grid: Grid, bytes_a_cell: float, layers: int | None = None) -> float:
+def volume(grid: Cells, bytes_a_cell: float, layers: int | None = None) -> float:
     """Of a grid's layers, or of others in their place."""
     return surface(grid, bytes_a_cell) * (grid.nz if layers is None else layers)
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..bodies.layered import Body
-    from ..diagnostics.hertz_estimate import Expected
+    from ..diagnostics.expected_contact import Expected
     from ..simulation.simulation import Simulation
 
 _MARGIN = 3.0
@@ -85,7 +85,7 @@ def _largest(name: str, simulation: Simulation, most: float) -> _Limit | None:
     kind, _, number = first.partition("_body")
     both = simulation.body1, simulation.body2
     bodies = [both[int(number) - 1]] if number and first == name else list(both)
-    expected = simulation._scene.hertz(load=most)
+    expected = simulation.engine.estimate.hertz(load=most)
     found = [
         _of_strain(kind),
         _of_strength(kind, bodies),
@@ -120,7 +120,7 @@ def _of_grid(kind: str, simulation: Simulation) -> _Limit | None:
     if kind in _DEPTHS:
         side = max(grid.nx * grid.dx, grid.ny * grid.dy)
         return _Limit(side, "a depth as large as the grid is wide")
-    if kind == "contact_area" and not simulation._surfaces.are_known:
+    if kind == "contact_area" and not simulation.engine.setup.surfaces.are_known:
         return _Limit(grid.nx * grid.ny * grid.cell_area, "the area of the grid")
     return None
 
@@ -134,7 +134,7 @@ def _of_hertz(kind: str, simulation: Simulation, expected: Expected) -> _Limit |
     weakest = min(body.least_yield_stress for body in bodies)
     crushed = contact.load / weakest  # the area under the yield stress
     a, b = expected.semi_axes
-    radius = math.sqrt(math.prod(simulation._scene.radii or (math.inf, math.inf)))
+    radius = math.sqrt(math.prod(simulation.engine.estimate.radii or (math.inf, math.inf)))
     depth = max(contact.approach, crushed / (2 * math.pi * radius))
     is_stressed = any(body.residual_stress is not None for body in bodies)
     sliding = (1 + coefficient(simulation.friction)) * contact.p0
@@ -150,7 +150,7 @@ def _of_hertz(kind: str, simulation: Simulation, expected: Expected) -> _Limit |
 
 def _least(kind: str, target: float, simulation: Simulation) -> str | None:
     """Why a value is of less than one cell; None where it is not, or nothing is known."""
-    grid, scene = simulation.grid, simulation._scene
+    grid, scene = simulation.grid, simulation.engine.estimate
     if kind == "contact_area" and target < grid.cell_area:
         return f"one cell has {quantity(grid.cell_area, 'm²')}"
     radii = scene.radii

@@ -21,6 +21,7 @@ from ..results.tangential_quantities import ROUNDING, along_surface, not_roundin
 from ..scene.friction import Coulomb
 from ..simulation import coarsening, error_controlled_quantities, increment_errors
 from ..simulation.increment_errors import IncrementErrors
+from ..simulation.repeated import coarsened
 from ..simulation.steps import STEP
 from ..solutions.contact_area import area_doubt
 from ..solutions.peak import peak
@@ -165,7 +166,7 @@ def estimate_errors(
     if isinstance(run, Case):
         run, path = run.build()
         states = []
-        run._run_into(states, list(path), False, None)
+        run.run_into(states, list(path), False, None)
         states = in_one_window(states)
     if not isinstance(run, Simulation):
         raise TypeError(
@@ -178,9 +179,11 @@ def estimate_errors(
     if len(path) != len(states):
         raise ValueError(f"path and states must be as many, got {len(path)} and {len(states)}")
     found = estimated(run, path, states, lambda coarse, steps: coarse.run(steps, progress=False))
-    by_increments = increment_errors.estimated(run, path, states, states[0]._heat, certified=True)
-    if by_increments is not None and run._told.looks_at_increments:
-        run._told.looks_at_increments = not increment_errors.warn_of_errors(
+    by_increments = increment_errors.estimated(
+        run.engine, path, states, states[0].heat, run.repeated, certified=True
+    )
+    if by_increments is not None and run.monitor.checks_increments:
+        run.monitor.checks_increments = not increment_errors.warn_of_errors(
             by_increments, stacklevel=2
         )
     return replace(found, increments=by_increments)
@@ -193,7 +196,7 @@ def estimated(
     solve: Callable[[Simulation, Sequence[Mapping[str, Any]]], list[State]],
 ) -> GridErrors:
     """The same by a solve of the coarser simulation and its path that the caller keeps."""
-    coarse = coarsening.coarser(run, states[0]._heat)
+    coarse = coarsened(run, states[0].heat)
     _warn_of_depth(run.grid, coarse.grid)
     steps, which = coarsening.coarser_path(path, run.grid)
     with warnings.catch_warnings():
@@ -216,7 +219,7 @@ def estimated(
         for name, (value, error) in _of_slip(states, [found[n] for n in which]).items():
             values[name], errors[name] = value, error
     beyond = np.nan
-    if not callable(run._surfaces.gap) and np.isfinite(run.initial_gap).all():
+    if not callable(run.engine.setup.surfaces.gap) and np.isfinite(run.initial_gap).all():
         beyond = coarsening.slope_beyond(run.initial_gap, run.grid.dx, run.grid.dy)
     return GridErrors(values, errors, list(states), beyond)
 

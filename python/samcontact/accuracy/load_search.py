@@ -24,6 +24,7 @@ from ..bodies.material import Material
 from ..restart.identity import identity
 from ..simulation import coarsening, error_controlled_quantities
 from ..simulation.journal import describe
+from ..simulation.repeated import coarsened
 from .attainable_values import require_attainable
 from .grid_errors import estimated
 from .load_search_cases import (
@@ -104,7 +105,7 @@ class Search:
         self.build, self.start, self.most = build, start, most
         self.tolerance, self.progress = tolerance, progress
         self.bodies = simulation.body1, simulation.body2
-        self.solves = Solves(describe(simulation, path=list(path), quantity=self.name))
+        self.solves = Solves(describe(simulation.engine, path=list(path), quantity=self.name))
         require_attainable(self.name, target, simulation, most)
         self.largest = (0.0, 0.0)
         """Value and load."""
@@ -120,7 +121,7 @@ class Search:
         def made() -> Built:
             simulation, path = self._built(load)
             path, _ = coarsening.coarser_path(path, simulation.grid)
-            return coarsening.coarser(simulation, simulation.heat), path
+            return coarsened(simulation, simulation.heat), path
 
         return self._missing(f"coarse_{load!r}", "on cells twice as large", load, made)
 

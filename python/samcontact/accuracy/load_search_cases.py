@@ -13,7 +13,8 @@ from .._util.short_text import in_short
 from .._util.tensors import von_mises
 from ..bodies.layered import Layered
 from ..bodies.material import Material
-from ..simulation import coarsening, error_controlled_quantities
+from ..simulation import error_controlled_quantities
+from ..simulation.repeated import remade
 
 if TYPE_CHECKING:
     from ..cases import Case
@@ -119,7 +120,7 @@ def elastic(simulation: Simulation) -> Simulation:
             made = made if body.thermal is None else made.with_thermal(*body.thermal)
             start = body.residual_stress
             bodies[name] = made if start is None else made.with_residual_stress(*start)
-    return coarsening.remade(simulation, **bodies)
+    return remade(simulation, **bodies)
 
 
 def is_graded(body: Material) -> bool:

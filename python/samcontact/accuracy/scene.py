@@ -20,7 +20,7 @@ from .._util.checks import FloatArray
 from ..bodies.layered import Layered, softest
 from ..restart.identity import Identity, identity
 from ..simulation import error_controlled_quantities
-from ..solutions.zone import strained_extent
+from ..solutions.strained_cells import strained_extent
 from .estimate import RATIO
 from .solves import Solves
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .._util.checks import file_path
+from .._util.version import version
 from ..files.ownership import require_marked
 from ..restart.checkpoint_files import remove_checkpoints
 from ..restart.file import DamagedCheckpointError, read, require_same, write
@@ -45,9 +46,7 @@ class Solves:
     """
 
     def __init__(self, who: Identity) -> None:
-        from .. import __version__
-
-        self.who = who | identity(version=__version__)
+        self.who = who | identity(version=version)
         self.given: dict[str, Tree] = {}
         """What each gave, as `add` was told."""
         self._folder: Path | None = None
@@ -85,9 +84,9 @@ class Solves:
         progress: bool = False,
     ) -> list[State]:
         """The increments of a solve: those that are kept, and others as they are made."""
-        solve = self._solves[name] = _Solve(simulation, describe(simulation, path=path), [])
+        solve = self._solves[name] = _Solve(simulation, describe(simulation.engine, path=path), [])
         folder = None if self._folder is None else self._folder / name
-        simulation._run_into(solve.states, path, progress, folder, leave=False)
+        simulation.run_into(solve.states, path, progress, folder, leave=False)
         return in_one_window(solve.states)
 
     def add(self, name: str, given: Tree) -> None:
@@ -114,7 +113,7 @@ class Solves:
         for name in self.given:
             self._write(folder, name)
         for name, solve in self._solves.items():
-            Journal(folder / name, solve.simulation, solve.who).add_all(solve.states)
+            Journal(folder / name, solve.simulation.engine, solve.who).add_all(solve.states)
 
     def _write(self, folder: Path, name: str) -> None:
         write(folder / f"{name}.h5", _KIND, {"run": self.who, "given": self.given[name]})

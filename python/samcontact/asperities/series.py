@@ -12,6 +12,7 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from .._util.quantities import TUGGING
+from .._util.version import version
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -67,8 +68,6 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Data
     """Everything that is known of each pass, with units."""
     import xarray as xr
 
-    from .. import __version__
-
     data = {name: _table(passes, name) for name in BY_INCREMENT if name != "load_ratio"}
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = data["force_x"] / data["force_z"]
@@ -94,7 +93,7 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Data
         coords={"pass": np.arange(1, len(passes) + 1), "body": [1, 2]},
         attrs={
             "title": "tugging of two spheres",
-            "samcontact_version": __version__,
+            "samcontact_version": version,
             **asdict(collision),
         },
     )

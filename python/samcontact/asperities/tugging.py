@@ -123,14 +123,14 @@ def tug(
     if not (body1.is_plastic or body2.is_plastic):
         settings = {"tol": 1e-8, **settings}  # a net energy of nothing, at a fifth more work
     simulation = Simulation(grid, body1, body2, gap, relief1=relief1, relief2=relief2, **settings)
-    simulation._told.looks_at_steps = False  # the first ones only touch
-    simulation._told.looks_at_increments = False
+    simulation.monitor.checks_steps = False  # the first ones only touch
+    simulation.monitor.checks_increments = False
     way = {"passes": count, "step": step, "back_and_forth": back_and_forth}
     rows: list[list[Row]] = []
     unloaded: list[State] = []
     expected = 2 * whole_steps(collision.half_angle / step) + 1
     with (
-        journal_of(checkpoint, simulation, collision=collision, **way) as journal,
+        journal_of(checkpoint, simulation.engine, collision=collision, **way) as journal,
         progress_bar(count * expected, "increment", shown=progress) as bar,
     ):
         run = Passes(collision, simulation, step, journal, bar)
@@ -146,5 +146,5 @@ def tug(
                 found = Tugging(collision, simulation, to_dataset(collision, done), unloaded)
                 error.result = found  # type: ignore[attr-defined]
             raise
-    resolution.warn_of_run([run.peak, run.state], simulation._scene, stacklevel=2)
+    resolution.warn_of_run([run.peak, run.state], simulation.engine.estimate, stacklevel=2)
     return Tugging(collision, simulation, to_dataset(collision, rows), unloaded)

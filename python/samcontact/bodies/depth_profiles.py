@@ -14,7 +14,7 @@ from .._util.checks import FloatArray, real_array
 from .._util.short_text import in_short
 
 if TYPE_CHECKING:
-    from .material import Material
+    from typing_extensions import Self
 
 Profile = tuple[tuple[float, ...], ...]
 """Depths, and one or more values at each."""
@@ -59,7 +59,7 @@ class Graded:
     yield_profile: Profile | None
     residual_stress: Profile | None
 
-    def with_yield_profile(self, z: ArrayLike, factor: ArrayLike) -> Material:
+    def with_yield_profile(self, z: ArrayLike, factor: ArrayLike) -> Self:
         """The same material with a yield stress that changes with depth, as of a hardened case.
 
         Elastic constants stay as they are, and so does the hardening but for the factor: at depth z
@@ -86,7 +86,8 @@ class Graded:
         TypeError
             One is not a number.
         """
-        return replace(cast("Material", self), yield_profile=profile("yield_profile", (z, factor)))
+        checked = profile("yield_profile", (z, factor))
+        return cast("Self", replace(cast("Any", self), yield_profile=checked))
 
     def with_residual_stress(
         self,
@@ -94,7 +95,7 @@ class Graded:
         sxx: ArrayLike,
         syy: ArrayLike | None = None,
         sxy: ArrayLike | None = None,
-    ) -> Material:
+    ) -> Self:
         """The same material with stress that is there before any contact, as of peening or a case.
 
         It acts along the surface and changes with depth only: so it is in equilibrium, whatever
@@ -130,10 +131,8 @@ class Graded:
         """
         along_y = sxx if syy is None else syy
         shear = np.zeros_like(real_array("sxx", sxx)) if sxy is None else sxy
-        return replace(
-            cast("Material", self),
-            residual_stress=profile("residual_stress", (z, sxx, along_y, shear)),
-        )
+        checked = profile("residual_stress", (z, sxx, along_y, shear))
+        return cast("Self", replace(cast("Any", self), residual_stress=checked))
 
     def yield_factor(self, z: ArrayLike) -> FloatArray:
         """Factor of the yield stress at depths z [m], same shape; 1 without a yield profile.
@@ -152,12 +151,12 @@ class Graded:
         Raises ValueError where z is negative or not finite.
         """
         factor = self.yield_factor(z)
-        return float(cast("Material", self).yield_stress(0.0)) * factor
+        return float(cast("Any", self).yield_stress(0.0)) * factor
 
     @property
     def least_yield_stress(self) -> float:
         """Smallest yield stress of all depths before hardening [Pa]; infinite without yield."""
-        initial = float(cast("Material", self).yield_stress(0.0))
+        initial = float(cast("Any", self).yield_stress(0.0))
         return initial if self.yield_profile is None else initial * min(self.yield_profile[1])
 
     def residual_stress_at(self, z: ArrayLike) -> FloatArray:

@@ -12,19 +12,18 @@ from .sections import CoulombFriction
 
 if TYPE_CHECKING:
     from .bodies import BodySection
-    from .case import Case
-    from .tugging import TuggingCase
 
 
-def require_all_used(case: Case) -> None:
-    """Raise ValueError naming the first field of a contact or of wear that has no effect."""
+def require_all_used(case: Any) -> None:
+    """Raise ValueError naming the first field of a `Case` that has no effect."""
     _require_accuracy(case)
+    bodies = (("body1", case.body1), ("body2", case.body2))
     # a factor of 0 is a source that is off, on purpose
     if case.heat is None and all(segment.heat_factor is None for segment in case.path):
-        _require_cold((("body1", case.body1), ("body2", case.body2)), "give [heat] too")
+        require_cold(bodies, "give [heat] too")
     if case.wear is not None:
-        _require_no_layers(case, "[wear]")
-    _require_image_tol(case.contact)
+        require_no_layers(bodies, "[wear]")
+    require_image_tol(case.contact)
     _require_zones(case)
     _require_law_of_friction(case)
     _require_cycle(case)
@@ -42,7 +41,7 @@ def require_all_used(case: Case) -> None:
         )
 
 
-def _require_cycle(case: Case) -> None:
+def _require_cycle(case: Any) -> None:
     """What [fatigue] needs: stress, and moments."""
     if case.fatigue is None:
         return
@@ -64,7 +63,7 @@ def _require_cycle(case: Case) -> None:
         )
 
 
-def _require_repeatable(case: Case) -> None:
+def _require_repeatable(case: Any) -> None:
     """What [shakedown] needs: a body that can yield, and a path that ends where it began."""
     if case.shakedown is None:
         return
@@ -81,7 +80,7 @@ def _require_repeatable(case: Case) -> None:
         )
 
 
-def _require_law_of_friction(case: Case) -> None:
+def _require_law_of_friction(case: Any) -> None:
     """What drives along the surface, and wear by slip, go with bodies that stick and slip."""
     by_slip = case.wear is not None and case.wear.law != "threshold"
     if isinstance(case.contact.friction, CoulombFriction):
@@ -104,7 +103,7 @@ def _require_law_of_friction(case: Case) -> None:
             )
 
 
-def _require_accuracy(case: Case) -> None:
+def _require_accuracy(case: Any) -> None:
     """What is chosen must not be given, and what is of the choice must not be without it."""
     if case.accuracy is None:
         for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
@@ -121,21 +120,15 @@ def _require_accuracy(case: Case) -> None:
             )
 
 
-def require_all_used_in_tugging(case: TuggingCase) -> None:
-    """The same of two asperities, which know no heat."""
-    bodies = (("body1", case.body1), ("body2", case.body2))
-    _require_cold(bodies, "leave it out, [tugging] knows no heat")
-    _require_no_layers(case, "[tugging]")
-    _require_image_tol(case.contact)
-
-
-def _require_no_layers(case: Case | TuggingCase, section: str) -> None:
-    for name in ("body1", "body2"):
-        if getattr(case, name).coating:
+def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -> None:
+    """Raise ValueError for layers where a section has a use for homogeneous bodies only."""
+    for name, body in bodies:
+        if body.coating:
             raise ValueError(f"{name}.layers: {section} knows homogeneous bodies only")
 
 
-def _require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
+def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
+    """Raise ValueError for thermal data of bodies without frictional heat."""
     for name, body in bodies:
         softening: Any = getattr(body, "softening", None)
         if getattr(body, "thermal", None) is not None:
@@ -147,7 +140,7 @@ def _require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> Non
             )
 
 
-def _require_zones(case: Case) -> None:
+def _require_zones(case: Any) -> None:
     bodies = case.body1, case.body2
     if any(b.coating and b.is_plastic for b in bodies) and changed(case.contact, ["zones"]):
         raise ValueError(
@@ -156,6 +149,7 @@ def _require_zones(case: Case) -> None:
         )
 
 
-def _require_image_tol(contact: Any) -> None:
+def require_image_tol(contact: Any) -> None:
+    """Raise ValueError for a tolerance that "exact" residual stress does not use."""
     if contact.residual_stress == "exact" and changed(contact, ["image_tol"]):
         raise ValueError('contact.image_tol is of residual_stress = "fast": leave it out')

@@ -12,7 +12,7 @@ from ..asperities import Collision, Tugging, tug
 from ..scene.moving_topography import Relief, relief_rows
 from .base import CaseError, CaseFile, Count, Length, OutputPlace, Positive, Section
 from .bodies import BodySection
-from .cross_checks import require_all_used_in_tugging
+from .cross_checks import require_cold, require_image_tol, require_no_layers
 from .motion import ReliefSection
 from .sections import GridSection, settings_section
 
@@ -74,7 +74,10 @@ class TuggingCase(CaseFile):
         if self.grid is not None and self.tugging.grid_arguments():
             given = ", ".join(self.tugging.grid_arguments())
             raise ValueError(f"tugging: {given} make a grid: leave out [grid], or these")
-        require_all_used_in_tugging(self)
+        bodies = (("body1", self.body1), ("body2", self.body2))
+        require_cold(bodies, "leave it out, [tugging] knows no heat")
+        require_no_layers(bodies, "[tugging]")
+        require_image_tol(self.contact)
         return self
 
     def solve(

@@ -86,7 +86,7 @@ def to_try_on(told: str, directory: Path) -> str:
 
 def _told(error: Exception) -> tuple[str, int]:
     """What the user is told of an error, and the exit code; no text for those of this program."""
-    from .. import ConvergenceError
+    from .._core import ConvergenceError
 
     if isinstance(error, ConvergenceError):
         return f"no convergence: {error}", FAILED

@@ -11,6 +11,7 @@ from rich.console import Console
 
 from .. import results
 from .._util.display import quantity
+from .._util.version import version
 from .tables import Sheet
 
 if TYPE_CHECKING:
@@ -23,8 +24,6 @@ def write_fatigue(
     case: Case, states: list[State], directory: Path, console: Console, *, figures: bool
 ) -> list[Path]:
     """A table of the largest values, fatigue.nc, and figures; the files."""
-    from .. import __version__
-
     assert case.fatigue is not None
     body = case.output.body
     with console.status("fatigue"):
@@ -33,7 +32,7 @@ def write_fatigue(
     console.print(_sheet(fields, limits, body))
     dataset = xr.merge([field.to_dataset() for field in fields], combine_attrs="override")
     written = [directory / "fatigue.nc"]
-    told = {"title": case.title, "body": body, "samcontact_version": __version__}
+    told = {"title": case.title, "body": body, "samcontact_version": version}
     results.save(dataset.assign_attrs(told), written[0])
     return written + (_figures(fields, limits, directory) if figures else [])
 

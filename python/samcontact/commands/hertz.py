@@ -9,10 +9,10 @@ import click
 import numpy as np
 
 from .. import hertz as _hertz
-from .._util.check import Verdict
+from .._util.check import Check
 from .._util.checks import exactly_one, poisson_ratio, positive
 from .._util.tensors import von_mises
-from ..diagnostics.hertz_estimate import Expected
+from ..diagnostics.expected_contact import Expected
 from ..diagnostics.plausibility import LARGEST_PART, Contact, Doubt, part_of_radius, warn_of
 from .arguments import Bare, Quantity
 from .errors import short_errors
@@ -99,11 +99,11 @@ def _warn_of_slips(contact: HertzContact, given: dict[str, float | None]) -> Non
         at_least, limit, unit, example = _USUAL[name]
         if isinstance(value, Bare):
             option = "--" + name.replace("_", "-")
-            verdict = Verdict(option, value, limit, at_least, unit)
+            verdict = Check(option, value, limit, at_least, unit)
             remedy = f'A number without a unit is in {unit}: or write {option} "{example}"'
             warn_of(Doubt(verdict, lambda remedy=remedy: remedy), stacklevel=2)  # type: ignore[misc]
     if isinstance(contact, _hertz.LineContact):
-        verdict = Verdict("half-width over the radius", contact.b / contact.R, LARGEST_PART)
+        verdict = Check("half-width over the radius", contact.b / contact.R, LARGEST_PART)
         doubt = Doubt(verdict, lambda: "The bodies are taken as half-spaces")
     else:
         doubt = part_of_radius(Contact(Expected(contact), (0.0, 0.0)))

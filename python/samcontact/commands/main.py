@@ -12,6 +12,7 @@ from typing import Any
 
 import click
 
+from .._util.version import version
 from .doctor import doctor
 from .find import find
 from .hertz import hertz
@@ -25,9 +26,7 @@ from .sweep import sweep
 def _print_version(context: click.Context, _: click.Parameter, value: bool) -> None:
     if not value or context.resilient_parsing:
         return
-    from .. import __version__
-
-    click.echo(f"samcontact {__version__}")
+    click.echo(f"samcontact {version}")
     context.exit()
 
 

@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 
 from .. import hertz, surfaces
-from .._util.check import Verdict
+from .._util.check import Check
+from .._util.version import version
 from ..bodies.material import Material
 from ..scene.grid import Grid
 from ..simulation.simulation import Simulation
@@ -46,12 +47,10 @@ def installation() -> list[tuple[str, str]]:
     list of (str, str)
         Package, Python, machine, compiler, FFTW, SIMD level and threads, then libraries.
     """
-    from .. import __version__
-
     core = Path(_core_file())
     library = ctypes.CDLL(str(core))  # is loaded already: only names are looked up
     return [
-        ("samcontact", __version__),
+        ("samcontact", version),
         ("Python", f"{platform.python_version()} ({platform.python_implementation()})"),
         ("machine", f"{platform.system()} {platform.machine()}"),
         ("compiler", _compiler(core)),
@@ -129,12 +128,12 @@ def _optional() -> Iterator[tuple[str, str]]:
         yield name, _version(name) or missing
 
 
-def self_check() -> Iterator[Verdict]:
+def self_check() -> Iterator[Check]:
     """Solve small contacts and compare.
 
     Yields
     ------
-    Verdict
+    Check
         One after the other, as they are computed. A part that raises gives a failed one with the
         error in its name.
     """
@@ -142,15 +141,15 @@ def self_check() -> Iterator[Verdict]:
         yield from _guarded(part)
 
 
-def _guarded(part: Callable[[], Iterator[Verdict]]) -> Iterator[Verdict]:
+def _guarded(part: Callable[[], Iterator[Check]]) -> Iterator[Check]:
     try:
         yield from part()
     except Exception as error:  # whatever is wrong here has to be told, not to end the list
         text = f"{part.__name__.strip('_')}: {type(error).__name__}: {error}"
-        yield Verdict(text, float("nan"), 0.0)
+        yield Check(text, float("nan"), 0.0)
 
 
-def _hertz() -> Iterator[Verdict]:
+def _hertz() -> Iterator[Check]:
     """An elastic contact with 14 cells per radius against the closed form."""
     steel = Material.elastic(E, NU)
     exact = hertz.point(R, hertz.effective_modulus(steel, steel), load=1000.0)
@@ -159,9 +158,9 @@ def _hertz() -> Iterator[Verdict]:
     state = Simulation(grid, steel, steel, surfaces.paraboloid(grid, R)).step(load=1000.0)
     pressure = abs(float(state.pressure.max()) / exact.p0 - 1.0)
     # discretisation: a few times what the validation finds at this resolution
-    yield Verdict("Hertz: maximum pressure against the closed form", pressure, 5e-3)
+    yield Check("Hertz: maximum pressure against the closed form", pressure, 5e-3)
     approach = abs(state.approach / exact.approach - 1.0)
-    yield Verdict("Hertz: approach against the closed form", approach, 2e-3)
+    yield Check("Hertz: approach against the closed form", approach, 2e-3)
 
 
 def _plastic_simulation() -> Simulation:
@@ -170,19 +169,19 @@ def _plastic_simulation() -> Simulation:
     return Simulation(grid, ball, flat, surfaces.paraboloid(grid, R))
 
 
-def _plastic() -> Iterator[Verdict]:
+def _plastic() -> Iterator[Check]:
     simulation = _plastic_simulation()
     state = simulation.step(load=600.0)
     tol = simulation.tol
     strain = state.max_equivalent_plastic_strain(body=2)
-    yield Verdict("elastic-plastic: largest plastic strain", strain, 1e-5, at_least=True)
-    yield Verdict("elastic-plastic: plastic residual", state.plastic_residual, tol)
-    yield Verdict("elastic-plastic: stress beyond yield", state.yield_excess, tol)
+    yield Check("elastic-plastic: largest plastic strain", strain, 1e-5, at_least=True)
+    yield Check("elastic-plastic: plastic residual", state.plastic_residual, tol)
+    yield Check("elastic-plastic: stress beyond yield", state.yield_excess, tol)
     total = float(state.pressure.sum()) * simulation.grid.cell_area
-    yield Verdict("elastic-plastic: balance of the load", abs(total / 600.0 - 1.0), tol)
+    yield Check("elastic-plastic: balance of the load", abs(total / 600.0 - 1.0), tol)
 
 
-def _checkpoint() -> Iterator[Verdict]:
+def _checkpoint() -> Iterator[Check]:
     """A simulation that is saved, read and continued ends as one that was not."""
     straight = _plastic_simulation()
     straight.step(load=500.0)
@@ -193,4 +192,4 @@ def _checkpoint() -> Iterator[Verdict]:
     states: list[Any] = [simulation.step(load=0.0) for simulation in (straight, resumed)]
     first, second = (state.residual_displacement(body=2) for state in states)
     difference = float(np.max(np.abs(first - second)))
-    yield Verdict("checkpoint: difference of the print [m]", difference, 0.0)
+    yield Check("checkpoint: difference of the print [m]", difference, 0.0)

@@ -10,6 +10,7 @@ import xarray as xr
 from rich.console import Console
 
 from .. import results
+from .._util.version import version
 from .interrupted import Checkpoints
 from .tables import Sheet
 
@@ -46,8 +47,6 @@ def write_shakedown(
 
 
 def _dataset(found: ShakedownResult, title: str) -> xr.Dataset:
-    from .. import __version__
-
     def told(name: str, meaning: str) -> tuple[str, list[float], dict[str, str]]:
         values = [float(getattr(cycle, name)) for cycle in found.cycles]
         return "cycle", values, {"units": "1", "long_name": meaning}
@@ -60,7 +59,7 @@ def _dataset(found: ShakedownResult, title: str) -> xr.Dataset:
         {"cycle": [cycle.number for cycle in found.cycles]},
         {
             "title": title,
-            "samcontact_version": __version__,
+            "samcontact_version": version,
             "verdict": found.verdict,
             "rate": found.rate,
             "yield_strain": found.yield_strain,

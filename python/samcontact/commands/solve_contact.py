@@ -61,7 +61,7 @@ def solve_contact(
             "stick and slip"
         )
     simulation, path = case.build()
-    who = describe(simulation, path=path)
+    who = describe(simulation.engine, path=path)
     # before the computation: a directory that cannot be made must not cost a run
     written = written_names(case, "results", figures, animate)
     with checkpoints_of(directory, case, written) as checkpoints:
@@ -70,13 +70,13 @@ def solve_contact(
         states: list[State] = []
 
         def write(folder: Path) -> None:
-            Journal(folder, simulation, who).add_all(states)
+            Journal(folder, simulation.engine, who).add_all(states)
 
         try:
             with checkpoints.used() if journal else nullcontext() as kept:
                 error = None
                 try:
-                    simulation._run_into(states, path, not console.quiet, kept)
+                    simulation.run_into(states, path, not console.quiet, kept)
                 except Exception as stop:
                     if not states:
                         raise
@@ -165,7 +165,7 @@ class _Run:
             console.print(told, markup=False, highlight=False)
         if errors is not None and (told := said_of_slope(errors.slope_beyond)):
             console.print(told, markup=False, highlight=False)
-        if self.accurate is None and (told := self.simulation._growth()):
+        if self.accurate is None and (told := self.simulation.engine.enlargement):
             console.print(f"{told}: [grid] gives only the first", markup=False, highlight=False)
         peak = peak_of_dataset(dataset)
         load = float(dataset["load"].values[peak])
@@ -205,7 +205,8 @@ class _Run:
     def _errors(self) -> GridErrors | None:
         """Estimated on half the cells; None where it cannot be, which is told."""
         if not self.case.estimate_error:
-            warn_of(self.simulation, self.states, 1, stacklevel=3)
+            run = self.simulation
+            warn_of(run.engine, run.monitor, self.states, 1, run.repeated, stacklevel=3)
             return None
         try:
             with self.console.status("the same on cells twice as large"):

@@ -11,7 +11,7 @@ from .._util.display import quantity
 
 if TYPE_CHECKING:
     from .._util.checks import FloatArray
-    from ..diagnostics.hertz_estimate import Scene
+    from ..diagnostics.hertz_estimate import ContactSetup
 
 GROWS = "the grid grows by itself where the gap is a function of it"
 """What helps where it does not."""
@@ -22,12 +22,12 @@ _REMEDY = ": enlarge "
 _ASK = ', or ask for a warning with on_border="warn"'
 
 
-def told_of_fixed(error: ValueError, scene: Scene) -> None:
+def told_of_fixed(error: ValueError, scene: ContactSetup) -> None:
     """Add to a GridTooSmallError what helps an array as gap: a measured one cannot be enlarged."""
     error.args = (f"{advised(str(error), scene, _ASK)}; {GROWS}",)
 
 
-def advised(text: str, scene: Scene, ask: str = "") -> str:
+def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
     """A complaint of the border with what helps an array as gap.
 
     ask: what helps any, which stands in the complaint already.

@@ -21,7 +21,7 @@ _WIDER, _LEAST = 1.5, 1.25  # a side that the contact touches, and one that need
 def counts_for(
     error: GridTooSmallError,
     first: Grid,
-    scene: hertz_estimate.Scene,
+    scene: hertz_estimate.ContactSetup,
     load: float | None = None,
     approach: float | None = None,
 ) -> list[int]:
@@ -31,7 +31,7 @@ def counts_for(
     needed = [math.ceil(2 * ROOM * half / d) for half, d in halves]
     fits = all(n >= cells for n, cells in zip(shape, needed, strict=True))
     counts = [
-        _even_more(n, max(cells, _WIDER * n if fits and axis in (error.axes or "xy") else n))
+        even_more(n, max(cells, _WIDER * n if fits and axis in (error.axes or "xy") else n))
         for axis, n, cells in zip("xy", shape, needed, strict=True)
     ]
     most = MOST * first.nx * first.ny
@@ -52,7 +52,7 @@ def told_in(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
         raise error from reason
 
 
-def _even_more(n: int, wanted: float) -> int:
+def even_more(n: int, wanted: float) -> int:
     """At least as many cells as wanted, an even number more and a quarter at least, if any."""
     if wanted <= n:
         return n

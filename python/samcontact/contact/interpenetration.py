@@ -27,7 +27,6 @@ SHARE = 1e-3
 
 def require_apart(
     found: ContactSolution | State,
-    cell_area: float,
     bodies: tuple[Body, Body],
     friction: float,
     tol: float,
@@ -36,7 +35,7 @@ def require_apart(
     if not friction > 0 or bodies[0]._core.stack == bodies[1]._core.stack:
         return
     pressed = found.pressure > 0
-    size = math.sqrt(np.count_nonzero(pressed) * cell_area)
+    size = math.sqrt(np.count_nonzero(pressed) * found.grid.cell_area)
     scale = float(found.pressure.max()) * size / hertz.effective_modulus(*map(softest, bodies))
     overlap = -float(found.gap.min())
     if overlap > max(SHARE, 10 * tol) * scale > 0:

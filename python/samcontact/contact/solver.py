@@ -18,11 +18,11 @@ from .._util.errors import GridTooSmallWarning
 from ..bodies.layered import Body, require_bodies
 from ..diagnostics import hertz_estimate, resolution, sharp_edges, yield_check
 from ..heat import Heat
-from ..scene.domain import Surfaces, Window, require_continued
+from ..scene.domain import Domain, SurfaceGeometry, require_continued
 from ..scene.friction import Coulomb
 from ..scene.grid import Grid
 from ..scene.heating import COLD, heating, require_reference
-from ..scene.settings import ContactSettings
+from ..scene.settings import ContactSettings, memory_of_contact
 from ..solutions.contact_solution import ContactSolution, ShearedSolution, fits
 from .border_advice import advised, told_of_fixed
 from .enlargement import counts_for, told_in
@@ -92,7 +92,7 @@ class ContactSolver(ContactFields):
                 )
         require_heat_of(self.friction, self.heat)
         self._heating = heating(self.heat, (body1, body2), grid)
-        cell = self._memory_of_contact(body1, body2, self.heat)
+        cell = memory_of_contact(self.friction, (body1, body2), self.heat)
         memory.require_for_grid("a contact", grid, memory.surface(grid, cell))
         scene = grid._core, body1._core.stack, body2._core.stack
         self._core: _core.ContactSolver | _core.CoulombContact
@@ -212,11 +212,11 @@ class ContactSolver(ContactFields):
             start = finite_array("initial_pressure", initial_pressure, self.grid.surface_shape)
             # numbers that mean nothing beside any load would divide by zero
             start = np.where(start > 1e-75, start, 0.0)
-        surfaces, solver = Surfaces(gap), self
+        surfaces, solver = SurfaceGeometry(gap), self
         if callable(gap) and drive.previous is not None and not fits(drive.previous, self.grid):
             solver = self._over(drive.previous.grid.surface_shape)
         window, bodies = surfaces.over(solver.grid), (self.body1, self.body2)
-        scene = hertz_estimate.Scene(window.grid, window.initial_gap, bodies)
+        scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies)
         doubted = scene.doubted(self.heat, {"load": load, "approach": approach}, stacklevel=3)
         while True:
             try:
@@ -233,7 +233,7 @@ class ContactSolver(ContactFields):
                     solver, before = self._over(counts), window
                     window = surfaces.over(solver.grid)
                     require_continued(window, before)
-                scene = hertz_estimate.Scene(window.grid, window.initial_gap, bodies)
+                scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies)
                 start = None
         if complaint:
             text = complaint if callable(gap) else advised(complaint, scene)
@@ -254,7 +254,7 @@ class ContactSolver(ContactFields):
     def _solved_from(
         self,
         start: FloatArray | None,
-        window: Window,
+        window: Domain,
         driver: str,
         value: float,
         drive: Drive,
@@ -277,7 +277,7 @@ class ContactSolver(ContactFields):
         found = self._core.solve(*contact, start, *settings)
         complaint, bodies = found.pop("border_complaint"), (self.body1, self.body2)
         solution = ContactSolution(grid=self.grid, **found)
-        require_apart(solution, self.grid.cell_area, bodies, self.friction, self.tol)
+        require_apart(solution, bodies, self.friction, self.tol)
         return solution, complaint
 
 

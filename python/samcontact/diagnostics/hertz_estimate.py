@@ -6,7 +6,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,9 +13,10 @@ import numpy as np
 from .. import hertz
 from .._core import ConvergenceError, GridTooSmallError
 from .._util.cached_property import cached_property
-from .._util.display import lengths, quantity
+from .._util.display import lengths
 from ..bodies.layered import Layered, softest
 from . import plausibility
+from .expected_contact import Expected
 
 if TYPE_CHECKING:
     from .._util.checks import FloatArray
@@ -27,42 +27,11 @@ if TYPE_CHECKING:
 
 SMOOTH = 0.03
 """How far a gap may be from a paraboloid, relative to its height: a sphere differs by (r/R)^2/4."""
-SOFTEST = 1e4
-"""Contact modulus below which the unit of E is doubted [Pa]: the softest gels have some 1e3."""
 _POINTS = 17  # a side, to which a paraboloid is fitted
 _ASK = ', or ask for a warning with on_border="warn"'
 
 
-@dataclass(frozen=True)
-class Expected:
-    """Elastic Hertz contact of a smooth scene; as a text its size, pressure and a likely slip."""
-
-    contact: hertz.PointContact | hertz.EllipticContact
-
-    @property
-    def semi_axes(self) -> tuple[float, float]:
-        """Larger and smaller semi-axis of the contact [m]."""
-        return max(self.along_axes), min(self.along_axes)
-
-    @property
-    def along_axes(self) -> tuple[float, float]:
-        """Semi-axes along x and y [m], of one that lies along them."""
-        if isinstance(self.contact, hertz.PointContact):
-            return self.contact.a, self.contact.a
-        return self.contact.a_x, self.contact.a_y
-
-    def __str__(self) -> str:
-        long, short = self.semi_axes
-        size = f"radius {quantity(long, 'm')}"
-        if long != short:
-            size = f"semi-axes {lengths(long, short)}"
-        text = f"Hertz: {size}, largest pressure {quantity(self.contact.p0, 'Pa')}"
-        if self.contact.E_star < SOFTEST:
-            text += f", with E* = {self.contact.E_star:.4g} Pa (E is in pascals: 210 GPa is 210e9)"
-        return text
-
-
-class Scene:
+class ContactSetup:
     """A gap between two bodies, with what Hertz says where the gap is a paraboloid.
 
     relieved: there is something else between the bodies, and Hertz says nothing.

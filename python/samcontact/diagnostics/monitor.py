@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a simulation warns of after its increments, and what it has told already."""
+"""Warnings before and after the increments of a simulation, each issued once."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .._util.errors import GridTooSmallWarning, PlasticStrainWarning
 from ..heat import Heat
 from ..solutions.state import State
 from . import resolution, sharp_edges
-from .hertz_estimate import Scene
+from .hertz_estimate import ContactSetup
 from .plastic_patterns import warn_of_alternation, warn_of_limit
 
 SMALL_STRAIN = 0.05
@@ -22,16 +22,16 @@ SMALL_STRAIN = 0.05
 
 
 @dataclass
-class Told:
-    """Each is told once; a copy of a simulation need not tell it again."""
+class Monitor:
+    """Which warnings a simulation has issued, and which checks are on."""
 
     of_strain: bool = False
     of_pressure: bool = False
     of_limit: bool = False
     of_alternation: bool = False
-    looks_at_increments: bool = True
+    checks_increments: bool = True
     """Whether it is still estimated what more increments would change."""
-    looks_at_steps: bool = True
+    checks_steps: bool = True
     """Whether steps are warned of by themselves; a run looks at its grid as a whole."""
     of_cut: bool = False
     of_scene: bool = False
@@ -42,15 +42,15 @@ class Told:
     @contextmanager
     def as_a_whole(self) -> Iterator[None]:
         """Of several steps, whose grid is looked at afterwards."""
-        looks = self.looks_at_steps, self.looks_at_increments
-        self.looks_at_steps = self.looks_at_increments = False
+        looks = self.checks_steps, self.checks_increments
+        self.checks_steps = self.checks_increments = False
         try:
             yield
         finally:
-            self.looks_at_steps, self.looks_at_increments = looks
+            self.checks_steps, self.checks_increments = looks
 
     def doubt(
-        self, scene: Scene, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
+        self, scene: ContactSetup, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
     ) -> None:
         """Before an increment; what would be found of the same afterwards is told with it."""
         if self.of_scene or not (doubt := scene.doubted(heat, target, stacklevel=stacklevel + 1)):
@@ -58,24 +58,26 @@ class Told:
         self.of_scene = True
         if doubt.of_contact:
             self.of_contact = True
-            self.looks_at_steps = False
+            self.checks_steps = False
 
-    def warn_of_run(self, states: Sequence[State], scene: Scene, *, stacklevel: int) -> None:
+    def warn_of_run(self, states: Sequence[State], scene: ContactSetup, *, stacklevel: int) -> None:
         """After a run, of its grid."""
         if not self.of_contact:
             resolution.warn_of_run(states, scene, stacklevel=stacklevel + 1)
 
-    def warn(self, state: State, scene: Scene, complaints: list[str], *, stacklevel: int) -> None:
+    def warn(
+        self, state: State, scene: ContactSetup, complaints: list[str], *, stacklevel: int
+    ) -> None:
         """After an increment; complaints: of the border of the grid, by the core."""
         for complaint in complaints:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
         if not self.of_cut and (text := _cut_text(state)):
             self.of_cut = True
             warnings.warn(text, GridTooSmallWarning, stacklevel=stacklevel + 1)
-        if self.looks_at_steps and state.load > self.largest_load:
+        if self.checks_steps and state.load > self.largest_load:
             self.largest_load = state.load
             warned = resolution.warn_of_step(state, scene, stacklevel=stacklevel + 1)
-            self.looks_at_steps = not warned
+            self.checks_steps = not warned
         if not self.of_pressure:
             pressure = state.pressure
             self.of_pressure = resolution.warn_of_strain(pressure, scene, stacklevel=stacklevel + 1)

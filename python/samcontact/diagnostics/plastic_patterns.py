@@ -16,7 +16,7 @@ from .resolution import cells_across, spots
 
 if TYPE_CHECKING:
     from ..solutions.state import State
-    from .hertz_estimate import Scene
+    from .hertz_estimate import ContactSetup
 
 LIMIT_PRESSURE = 3.0
 """Mean pressure of a fully plastic contact over the yield stress."""
@@ -25,7 +25,7 @@ _ALTERNATES = 0.15
 """Of the largest strain: zones of four layers stay below, patterns grow to 0.2 and more."""
 
 
-def warn_of_limit(state: State, scene: Scene, *, stacklevel: int) -> bool:
+def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
     """Warn of a mean pressure that a fully plastic body cannot bear; whether it did.
 
     No contact of one spot bears more than about three times the yield stress on a half-space that
@@ -62,7 +62,7 @@ def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
 
     Only the residual stress "exact" allows it: see docs/theory.md, limits of accuracy.
     """
-    if state._simulation.residual_stress != "exact":
+    if state.setup.settings.residual_stress != "exact":
         return False
     for body in (1, 2):
         if state.max_equivalent_plastic_strain(body) == 0:

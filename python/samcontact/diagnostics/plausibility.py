@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
-from .._util.check import Verdict
+from .._util.check import Check
 from .._util.display import quantity
 from .._util.errors import UnitWarning
 from ..bodies.layered import Layered, materials_of, softest
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ..bodies.material import Material
     from ..heat import Heat
     from ..scene.grid import Grid
-    from .hertz_estimate import Expected
+    from .expected_contact import Expected
 
 LARGEST_PART = 0.55
 """Of a contact's half width in its radius: a sphere is 15 % stiffer there than its paraboloid."""
@@ -61,7 +61,7 @@ _SLIPS = {"m": (1e-3, 1e-6, 1e-9), "N": (1e-3, 1e-6, 1e-9), "Pa": (1e3, 1e6, 1e9
 class Doubt(NamedTuple):
     """A number of a scene against what it can be, and what is said where it cannot."""
 
-    verdict: Verdict
+    verdict: Check
     remedy: Callable[[], str]
     """Made where it is said: most scenes are not doubted."""
     of_contact: bool = False
@@ -92,7 +92,7 @@ def doubts_of(
     for number, (whole, body) in enumerate(zip(bodies, solids, strict=True), 1):
         if body.is_plastic:
             name, ratio = f"yield stress over E of body {number}", body.least_yield_stress / body.E
-            verdict = Verdict(name, ratio, SOFTEST_YIELD, at_least=True)
+            verdict = Check(name, ratio, SOFTEST_YIELD, at_least=True)
             yield Doubt(verdict, lambda: "Both are in pascals")
         yield from _failed(_of_body(f"body {number}", whole))
     heated = [
@@ -103,7 +103,7 @@ def doubts_of(
     for number, _, body in heated:
         yield from _of_constants(number, body)
         speed = math.hypot(*heat.velocity[number - 1])
-        verdict = Verdict(f"heat.velocity of body {number}", speed, FASTEST, unit="m/s")
+        verdict = Check(f"heat.velocity of body {number}", speed, FASTEST, unit="m/s")
         yield from _failed([Doubt(verdict, lambda: "Speeds are in m/s")])
     if contact is not None:
         yield from _of_contact(contact, grid, solids)
@@ -145,13 +145,13 @@ def warn_of(doubt: Doubt, *, stacklevel: int) -> None:
 
 def wear_coefficient(name: str, value: float) -> Doubt:
     """Of the work of friction, or of load and way."""
-    verdict = Verdict(name, value, MOST_WEAR, unit="1/Pa")
+    verdict = Check(name, value, MOST_WEAR, unit="1/Pa")
     return Doubt(verdict, lambda: "It is in 1/Pa, m³ per joule: 1e-6 mm³/(N m) are 1e-15 1/Pa")
 
 
 def strength(name: str, value: float) -> Doubt:
     """A fatigue limit, or a yield stress that is given by itself."""
-    verdict = Verdict(name, value, LEAST_LIMIT, at_least=True, unit="Pa")
+    verdict = Check(name, value, LEAST_LIMIT, at_least=True, unit="Pa")
     return Doubt(verdict, lambda: "Stresses are in pascals: 300 MPa are 300e6")
 
 
@@ -161,7 +161,7 @@ def _of_body(name: str, body: Body) -> Iterator[Doubt]:
         return
     for place, (material, thickness) in enumerate(body.layers):
         layer = f"layers[{place}] of {name}"
-        verdict = Verdict(f"thickness of {layer}", thickness, DEEPEST, unit="m")
+        verdict = Check(f"thickness of {layer}", thickness, DEEPEST, unit="m")
         yield Doubt(verdict, lambda: "Thicknesses are in metres")
         yield from _of_material(layer, material)
     yield from _of_material(f"the substrate of {name}", body.substrate)
@@ -171,18 +171,18 @@ def _of_material(name: str, body: Material) -> Iterator[Doubt]:
     for modulus, _ in body.kinematic:
         told = f"modulus of kinematic hardening over E of {name}"
         for limit, least in ((LEAST_STRESS, True), (LARGEST_MODULUS, False)):
-            verdict = Verdict(told, modulus / body.E, limit, least)
+            verdict = Check(told, modulus / body.E, limit, least)
             yield Doubt(verdict, lambda: "Both are in pascals")
     if body.yield_profile is not None:
         most_of_law = max(body.yield_profile[1])
-        verdict = Verdict(f"largest yield factor of {name}", most_of_law, LARGEST_FACTOR)
+        verdict = Check(f"largest yield factor of {name}", most_of_law, LARGEST_FACTOR)
         yield Doubt(verdict, lambda: "It is a ratio: the hardness there over that of the core")
         yield _of_depth(f"depth of the yield profile of {name}", body.yield_profile)
     if body.residual_stress is not None:
         largest = max(abs(v) for values in body.residual_stress[1:] for v in values)
         if largest > 0:
             told = f"largest residual stress over E of {name}"
-            verdict = Verdict(told, largest / body.E, LEAST_STRESS, at_least=True)
+            verdict = Check(told, largest / body.E, LEAST_STRESS, at_least=True)
             yield Doubt(verdict, lambda: "Both are in pascals: -800 MPa are -800e6")
         yield _of_depth(f"depth of the residual stress of {name}", body.residual_stress)
 
@@ -193,7 +193,7 @@ def _of_strength(number: int, body: Material) -> Doubt:
     of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
     largest = max(*of_law, *given.get("stress", ()))
     name = f"largest yield stress over E of body {number}"
-    verdict = Verdict(name, largest / body.E, STRONGEST_YIELD)
+    verdict = Check(name, largest / body.E, STRONGEST_YIELD)
     return Doubt(verdict, lambda: "Both are in pascals: 210 GPa are 210e9")
 
 
@@ -204,16 +204,16 @@ def _of_depth(name: str, profile: Profile) -> Doubt:
     for above, below in pairwise(range(len(z))):
         if any(values[above] != values[below] for values in profile[1:]):
             deepest = z[below]
-    return Doubt(Verdict(name, deepest, DEEPEST, unit="m"), lambda: "Depths are in metres")
+    return Doubt(Check(name, deepest, DEEPEST, unit="m"), lambda: "Depths are in metres")
 
 
 def _of_constants(number: int, body: Material) -> Iterator[Doubt]:
     conductivity, expansion, diffusivity = body.thermal or (1.0, 0.0, 1.0)
     name = f"conductivity over diffusivity of body {number}, the heat that its volume holds,"
     for limit, least in zip(CAPACITIES, (True, False), strict=True):
-        verdict = Verdict(name, conductivity / diffusivity, limit, least, "J/(m³ K)")
+        verdict = Check(name, conductivity / diffusivity, limit, least, "J/(m³ K)")
         yield Doubt(verdict, lambda: f"Solids have 1e6 to 4e6; {_THERMAL}")
-    verdict = Verdict(f"expansion of body {number}", expansion, LARGEST_EXPANSION, unit="1/K")
+    verdict = Check(f"expansion of body {number}", expansion, LARGEST_EXPANSION, unit="1/K")
     yield Doubt(verdict, lambda: "Steel has 1.2e-5 1/K")
 
 
@@ -228,7 +228,7 @@ def _of_rise(contact: Contact, number: int, factor: float, body: Material, heat:
         size = min(size, math.sqrt(diffusivity * size / speed))
     rise = factor * contact.expected.contact.p0 * size / conductivity
     name = f"rise of the temperature of body {number} by frictional heat, about,"
-    verdict = Verdict(name, rise, HOTTEST, unit="K")
+    verdict = Check(name, rise, HOTTEST, unit="K")
     return Doubt(verdict, lambda: f"The factor of heat is in m/s; {_THERMAL}")
 
 
@@ -236,7 +236,7 @@ def part_of_radius(contact: Contact, said: Callable[[], str] | None = None) -> D
     """How large a contact is; said: what is told of it first, default what Hertz expects."""
     first = said or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
-    verdict = Verdict("half width of the Hertz contact over its radius", share, LARGEST_PART)
+    verdict = Check("half width of the Hertz contact over its radius", share, LARGEST_PART)
     taken = "Bodies are taken as half-spaces, and spheres as paraboloids"
     return Doubt(verdict, lambda: f"{first()}. {taken}", True)
 
@@ -253,15 +253,15 @@ def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material])
         for e, n, d in zip(extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     )
     name = "width of the Hertz contact over that of the grid"
-    yield Doubt(Verdict(name, windows, MOST_WINDOWS), said, True)
+    yield Doubt(Check(name, windows, MOST_WINDOWS), said, True)
     wider = max(_flattened(contact, body) for body in bodies)
     cells = wider * min(2 * e / d for e, d in zip(extent, (grid.dx, grid.dy), strict=True))
     name = "width of the Hertz contact in cells"
-    yield Doubt(Verdict(name, cells, FEWEST_CELLS, at_least=True), said, True)
+    yield Doubt(Check(name, cells, FEWEST_CELLS, at_least=True), said, True)
     yields = [b for b in bodies if b.is_plastic and expected.contact.p0 > b.least_yield_stress]
     if grid.dz is not None and yields:
         name = "half width of the Hertz contact in layers"
-        verdict = Verdict(name, wider * expected.semi_axes[1] / grid.dz, MOST_LAYERS)
+        verdict = Check(name, wider * expected.semi_axes[1] / grid.dz, MOST_LAYERS)
         yield Doubt(verdict, lambda: f"dz = {quantity(grid.dz or 0.0, 'm')}, in metres")
 
 

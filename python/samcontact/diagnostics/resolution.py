@@ -19,14 +19,14 @@ from .._util.lazy_scipy import scipy
 from ..bodies.layered import materials_of, softest
 from ..solutions.contact_area import AREA_OF_A_SIDE
 from ..solutions.outline import sides_of
-from ..solutions.zone import strained_extent
+from ..solutions.strained_cells import strained_extent
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..solutions.contact_solution import ContactSolution
     from ..solutions.state import State
-    from .hertz_estimate import Scene
+    from .hertz_estimate import ContactSetup
 
 FEW = 8
 """Cells across a contact, and layers of a plastic zone, below which there is a warning."""
@@ -42,7 +42,7 @@ _CLASSIC_DEPTH = 0.8
 """Depth of the largest von Mises stress over the half width: 0.48 (point) to 0.79 (line)."""
 
 
-def warn_of_strain(pressure: FloatArray, scene: Scene, *, stacklevel: int) -> bool:
+def warn_of_strain(pressure: FloatArray, scene: ContactSetup, *, stacklevel: int) -> bool:
     """Warn of pressures that linear elasticity cannot carry; whether it did."""
     largest = float(pressure.max())
     share = largest / hertz.effective_modulus(*map(softest, scene.bodies))
@@ -186,7 +186,7 @@ def plastic_layers(extent: Sequence[tuple[int, int]]) -> float:
 
 
 def warn_of_contact(
-    solution: ContactSolution | State, scene: Scene, few: int = FEW, *, stacklevel: int
+    solution: ContactSolution | State, scene: ContactSetup, few: int = FEW, *, stacklevel: int
 ) -> bool:
     """Warn when fewer than `few` cells lie across a contact, or its spots; whether it did."""
     pressure, grid = solution.pressure, scene.grid
@@ -218,7 +218,7 @@ def warn_of_contact(
     return True
 
 
-def _remedy(solution: ContactSolution | State, scene: Scene) -> str:
+def _remedy(solution: ContactSolution | State, scene: ContactSetup) -> str:
     expected = scene.hertz(load=solution.load)
     if expected is None:
         return "Take smaller cells; lengths are in metres"
@@ -245,7 +245,7 @@ def warn_of_zone(states: Sequence[State], body: int, few: int = FEW, *, stacklev
 
 
 def warn_of_unseen(
-    peak: State, last: State, scene: Scene, few: int = TOO_FEW, *, stacklevel: int
+    peak: State, last: State, scene: ContactSetup, few: int = TOO_FEW, *, stacklevel: int
 ) -> bool:
     """Warn of layers that cannot show whether a body yields below a contact; whether it did.
 
@@ -273,7 +273,7 @@ def warn_of_unseen(
     return False
 
 
-def warn_of_step(state: State, scene: Scene, *, stacklevel: int) -> bool:
+def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
     """Warn of what no later increment can mend, since this may be the first of many; whether so."""
     if math.isfinite(state.approach):
         if warn_of_contact(state, scene, TOO_FEW, stacklevel=stacklevel + 1):
@@ -289,7 +289,7 @@ def warn_of_step(state: State, scene: Scene, *, stacklevel: int) -> bool:
     return False
 
 
-def warn_of_run(states: Sequence[State], scene: Scene, *, stacklevel: int) -> bool:
+def warn_of_run(states: Sequence[State], scene: ContactSetup, *, stacklevel: int) -> bool:
     """Warn when the grid does not resolve contact and plastic zones of a whole run; whether so."""
     solved = [state for state in states if math.isfinite(state.approach)]
     peak = max(solved, key=lambda state: state.load, default=None)

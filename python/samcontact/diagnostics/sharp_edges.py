@@ -135,9 +135,9 @@ def edge_of(
 
 def edge_of_state(state: State) -> SharpEdge | None:
     """The same of a state; steps of reliefs that the load has closed are not looked for."""
-    run, window = state._simulation, state._window
-    known = all(relief is None for relief in window.reliefs)
-    return edge_of(state, (run.body1, run.body2), window.initial_gap if known else None)
+    domain = state.domain
+    known = all(relief is None for relief in domain.reliefs)
+    return edge_of(state, state.setup.bodies, domain.initial_gap if known else None)
 
 
 def is_singular(name: str) -> bool:

@@ -239,9 +239,7 @@ def _strain_like(given: ArrayLike | None, stress: FloatArray) -> FloatArray | No
 
 
 def _body_of(state: State, body: int) -> Body:
-    owner: Any = state._simulation
-    chosen: Body = (owner.body1, owner.body2)[body - 1]
-    return chosen
+    return state.setup.bodies[body - 1]
 
 
 def _of_states(given: list[Any], body: int) -> Cycle:

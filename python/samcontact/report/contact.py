@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .._util.check import Verdict
+from .._util.check import Check
 from ..results.reading import body_shown
 from ..solutions.peak import peak_of_dataset
 from . import tables
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 NEEDED = ("load", "approach", "pressure", "gap", "initial_gap")
 
 
-def checks(dataset: xr.Dataset) -> list[Verdict]:
+def checks(dataset: xr.Dataset) -> list[Check]:
     return verdicts(dataset, stored_case(dataset))
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from .._util.check import Verdict
+from .._util.check import Check
 from ..files.atomic import replacing
 from ..results.reading import parts_of_a_run
 from . import contact, tables, tugging, wear
@@ -76,7 +76,7 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
 _WORDS = ("stopped_by", "title", "description", "samcontact_version", "created", "case")
 
 
-def checks(dataset: xr.Dataset) -> list[Verdict]:
+def checks(dataset: xr.Dataset) -> list[Check]:
     """Check the results of a run, from its stored fields alone.
 
     Parameters
@@ -87,7 +87,7 @@ def checks(dataset: xr.Dataset) -> list[Verdict]:
 
     Returns
     -------
-    list of Verdict
+    list of Check
         Each with name, value, limit and whether it passed. Of a run that did not reach its end:
         that it did not. Of a contact: balance of the load, complementarity of pressure and gap,
         yield condition, distance from the border of the grid,
@@ -115,12 +115,12 @@ def _kind(dataset: xr.Dataset) -> ModuleType:
     return kind
 
 
-def _end(dataset: xr.Dataset) -> list[Verdict]:
+def _end(dataset: xr.Dataset) -> list[Check]:
     """Whether the run reached its end, of one that did not."""
     if dataset.attrs.get("complete", 1):
         return []
     dim = next(dim for dim in ("pass", "cycle", "increment") if dim in dataset.sizes)
-    return [Verdict(f"{_MANY[dim]}: the whole path (1) or a part (0)", 0.0, 1.0, at_least=True)]
+    return [Check(f"{_MANY[dim]}: the whole path (1) or a part (0)", 0.0, 1.0, at_least=True)]
 
 
 def _content(dataset: xr.Dataset) -> dict[str, Any]:

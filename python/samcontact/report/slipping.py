@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from .._util.check import Verdict
+from .._util.check import Check
 from .._util.checks import FloatArray
 from ..plotting.slip_summary import chosen, slip_figures
 from ..results.reading import cell_size
@@ -25,7 +25,7 @@ ENERGY = 0.05
 """Part of the work that may be found nowhere, as increments have it."""
 
 
-def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Verdict]:
+def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check]:
     """Of Coulomb's law, forces and energy; none of gross sliding."""
     if "friction_work" not in dataset:
         return
@@ -38,17 +38,17 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Verdi
         beyond = np.hypot(*shear[:, solved]) - friction * pressure
         largest = friction * float(pressure.max())
         name = "shear beyond friction times pressure, over the largest of that"
-        yield Verdict(name, float(beyond.max()) / largest if largest > 0 else 0.0, tol)
+        yield Check(name, float(beyond.max()) / largest if largest > 0 else 0.0, tol)
     steps = case.steps() if case is not None else []
     pulled = any("tangential_load" in step for step in steps)
     if pulled and len(steps) == dataset.sizes["increment"] and 0 < most < np.inf:
         name = "forces along the surface: sum of s dA against those given, over the largest"
-        yield Verdict(name, _missed(dataset, shear, steps) / most, tol)
+        yield Check(name, _missed(dataset, shear, steps) / most, tol)
     work = np.diff(dataset["friction_work"].values, prepend=0.0)
-    yield Verdict("least work of friction in an increment", float(work.min()), 0.0, True, "J")
+    yield Check("least work of friction in an increment", float(work.min()), 0.0, True, "J")
     if (balance := balance_of(dataset)) is not None:
         name = "work that is not found as elastic energy, friction or plastic flow, relative"
-        yield Verdict(name, abs(balance.missing), ENERGY)
+        yield Check(name, abs(balance.missing), ENERGY)
 
 
 def _shear(dataset: xr.Dataset) -> FloatArray:

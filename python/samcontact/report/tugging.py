@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import plotting
-from .._util.check import Verdict
+from .._util.check import Check
 from .._util.quantities import TUGGING
 from ..asperities.series import cells_under_load, of_passes
 from ..plotting.parts import counted, finish, new_figure
@@ -44,7 +44,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     }
 
 
-def checks(dataset: xr.Dataset) -> Iterator[Verdict]:
+def checks(dataset: xr.Dataset) -> Iterator[Check]:
     missing = np.abs(dataset["energy_imbalance"].values)
     taken = max(
         float(np.abs(dataset[name]).max())
@@ -52,18 +52,18 @@ def checks(dataset: xr.Dataset) -> Iterator[Verdict]:
     )
     if float(dataset["dissipation"].max()) > 0:  # elastic passes take none
         name = "energy not found as plastic work or residual stress, over the largest of a pass"
-        yield Verdict(name, float(missing.max()) / taken, ENERGY)
+        yield Check(name, float(missing.max()) / taken, ENERGY)
     exchanged = np.nanmax(np.abs(dataset["work"].values), axis=1)
     met = exchanged > 0
     if met.any():
         name = "energy not found in a pass over the largest work within it"
-        yield Verdict(name, float(np.max(missing[met] / exchanged[met])), EXCHANGED)
+        yield Check(name, float(np.max(missing[met] / exchanged[met])), EXCHANGED)
     force = dataset["normal_force"]
     end = np.array([row[np.isfinite(row)][-1] for row in force.values])
     largest = float(force.max())
     if largest > 0:
         name = "normal force at the end of a pass over the largest"
-        yield Verdict(name, float(np.max(end)) / largest, RELEASED)
+        yield Check(name, float(np.max(end)) / largest, RELEASED)
         yield contact_cells(float(cells_under_load(dataset).min()))
     for body in (1, 2):
         yield from plastic_layers(dataset["plastic_layers"].sel(body=body), body)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import plotting
-from .._util.check import Verdict
+from .._util.check import Check
 from .._util.quantities import WEAR
 from ..plotting.parts import new_figure
 from .figures import ReportFigure, embedded
@@ -39,11 +39,11 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     }
 
 
-def checks(dataset: xr.Dataset) -> Iterator[Verdict]:
+def checks(dataset: xr.Dataset) -> Iterator[Check]:
     removed = float(dataset["volume"].max())
     difference = float(np.abs(dataset["volume"] - dataset["lost"]).max())
     name = "volume lost by the surface against that removed, relative"
-    yield Verdict(name, difference / removed if removed > 0 else difference, VOLUME)
+    yield Check(name, difference / removed if removed > 0 else difference, VOLUME)
     # of the surface that the user gave: a worn one touches on its edges
     yield contact_cells(float(dataset["contact_cells"][0]), " of the first cycle")
     for body in dataset["body"].values.tolist() if "plastic_layers" in dataset else ():

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +45,17 @@ class ForeignCheckpointError(CheckpointError):
 def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckpointError:
     """The error of a file whose content cannot be used."""
     return DamagedCheckpointError(f"{os.fspath(path)!r} is damaged: {error}")
+
+
+@contextmanager
+def readable(path: str | os.PathLike[str]) -> Iterator[None]:
+    """Raise DamagedCheckpointError where a part of a file is not what it should be."""
+    try:
+        yield
+    except CheckpointError:
+        raise
+    except DAMAGED as error:
+        raise damaged(path, error) from error
 
 
 def write(path: str | os.PathLike[str], kind: str, tree: Mapping[str, Any]) -> None:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..diagnostics import sharp_edges
 from ..diagnostics.resolution import area_uncertainty, cells_across, plastic_layers, spots
-from ..solutions.zone import strained_extent
+from ..solutions.strained_cells import strained_extent
 from .motion import add
 
 if TYPE_CHECKING:

@@ -13,6 +13,7 @@ import xarray as xr
 from .._util.checks import choice, integer
 from .._util.quantities import CONTACT
 from .._util.tensors import COMPONENTS
+from .._util.version import version
 from ..bodies.depth_profiles import PARTS
 from ..bodies.layered import Body, Layered, materials_of, names_of_materials
 from ..scene.friction import Coulomb, coefficient
@@ -26,7 +27,7 @@ from .zones import add_gathered, is_gathered, max_von_mises
 
 if TYPE_CHECKING:
     from ..cases import Case
-    from ..scene.domain import Window
+    from ..scene.domain import Domain
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
 
@@ -116,12 +117,12 @@ def to_dataset(
         choice("volume", volume, VOLUME_CHOICES)
 
     states = in_one_window(states)
-    window = states[0]._window
-    dataset = xr.Dataset(coords=_coordinates(window))
+    domain = states[0].domain
+    dataset = xr.Dataset(coords=_coordinates(domain))
     _add_scalars(dataset, states)
     _add_surface(dataset, simulation, states)
     add_slipping(dataset, simulation, states, volume != "none")
-    add(dataset, "initial_gap", ("x", "y"), np.asarray(window.initial_gap))
+    add(dataset, "initial_gap", ("x", "y"), np.asarray(domain.initial_gap))
     heated = _add_temperatures(dataset, simulation, states)
     if simulation.grid.has_volume:
         bodies = _stored_bodies(simulation, body)
@@ -143,8 +144,8 @@ def completeness(stopped_by: str) -> dict[str, int | str]:
     return {"complete": 0, "stopped_by": stopped_by} if stopped_by else {"complete": 1}
 
 
-def _coordinates(window: Window) -> dict[str, xr.Variable]:
-    return {n: CONTACT[n].variable(n, np.asarray(getattr(window.grid, n))) for n in "xy"}
+def _coordinates(domain: Domain) -> dict[str, xr.Variable]:
+    return {n: CONTACT[n].variable(n, np.asarray(getattr(domain.grid, n))) for n in "xy"}
 
 
 def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
@@ -269,8 +270,7 @@ def _add_volume(
 
 def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> None:
     """Of a body with layers, where tractions and fields share their cells."""
-    scene = stored[0]._simulation
-    layered = scene.body1 if body == 1 else scene.body2
+    layered = stored[0].setup.bodies[body - 1]
     if not isinstance(layered, Layered) or any(state.offset(body) for state in stored):
         return
     fields = np.stack([state.interface_stress(body=body) for state in stored])
@@ -308,11 +308,9 @@ def _of_body(prefix: str, body: Body) -> dict[str, Any]:
 
 
 def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[str, Any]:
-    from .. import __version__
-
     attributes: dict[str, Any] = {
         "title": case.title if case is not None else "",
-        "samcontact_version": __version__,
+        "samcontact_version": version,
         "created": datetime.now(timezone.utc).isoformat(timespec="seconds"),
         "body": body,
         "dx": float(simulation.grid.dx),

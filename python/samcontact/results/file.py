@@ -13,6 +13,7 @@ import h5py
 import numpy as np
 import xarray as xr
 
+from .._util.version import version
 from ..files.atomic import replacing_hdf5
 from ..files.checksum import check_seal
 from ..restart.file import DAMAGED, require_self_contained
@@ -63,11 +64,9 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
 
 def _history(dataset: xr.Dataset) -> str:
     """What was done when, a line each, oldest first as CF has it."""
-    from .. import __version__
-
     now = datetime.now(timezone.utc).isoformat(timespec="seconds")
     before = dataset.attrs.get("history")
-    return (f"{before}\n" if before else "") + f"{now}: written by samcontact {__version__}"
+    return (f"{before}\n" if before else "") + f"{now}: written by samcontact {version}"
 
 
 def open_results(path: str | Path) -> xr.Dataset:

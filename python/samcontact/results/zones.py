@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from .._util.checks import FloatArray
 from .._util.tensors import von_mises
-from ..solutions.zone import strained_cells
+from ..solutions.strained_cells import strained_cells
 from .motion import add
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ _SAME = 1e-9  # of the heights
 
 
 @dataclass(frozen=True, eq=False)
-class Window:
+class Domain:
     """A grid, and what lies between two bodies over it."""
 
     grid: Grid
@@ -36,7 +36,7 @@ class Window:
 
 
 @dataclass(frozen=True, eq=False)
-class Surfaces:
+class SurfaceGeometry:
     """What lies between two bodies: fields of one grid, or functions of any."""
 
     gap: ArrayLike | Callable[[Grid], ArrayLike]
@@ -49,17 +49,17 @@ class Surfaces:
         reliefs = (self.relief1, self.relief2)
         return callable(self.gap) and all(r is None or callable(r) for r in reliefs)
 
-    def over(self, grid: Grid) -> Window:
+    def over(self, grid: Grid) -> Domain:
         """Checked."""
         gap = self.gap(grid) if callable(self.gap) else self.gap
         reliefs = [r(grid) if callable(r) else r for r in (self.relief1, self.relief2)]
         for number, relief in enumerate(reliefs, 1):
             relief_rows(f"relief{number}", relief, grid)
         checked = np.array(gap_array("gap", gap, grid.surface_shape), order="C")
-        return Window(grid, read_only(checked), *reliefs)
+        return Domain(grid, read_only(checked), *reliefs)
 
 
-def require_continued(larger: Window, window: Window) -> None:
+def require_continued(larger: Domain, window: Domain) -> None:
     """Raise ValueError unless a larger window shows the same surfaces in its middle."""
     i = (larger.grid.nx - window.grid.nx) // 2
     j = (larger.grid.ny - window.grid.ny) // 2

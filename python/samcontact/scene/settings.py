@@ -15,6 +15,8 @@ from .. import _core
 from .._util import memory
 from .._util.checks import choice, in_cells, integer, number
 from .._util.frozen import Fixed
+from ..bodies.layered import Body
+from ..heat import Heat
 from .friction import Coulomb
 
 
@@ -171,10 +173,12 @@ class Configured(Fixed):
         self._settings = settings
         vars(self).update(settings.arguments())
 
-    def _memory_of_contact(self, body1: Any, body2: Any, heat: Any) -> float:
-        """Bytes of a surface cell of an elastic contact of two bodies."""
-        return memory.of_contact(
-            coupled=self.friction != 0 and body1._core.stack != body2._core.stack,
-            sticks=isinstance(self.friction, Coulomb),
-            heated=any(heat.factor),
-        )
+
+def memory_of_contact(friction: float | Coulomb, bodies: tuple[Body, Body], heat: Heat) -> float:
+    """Memory of a surface cell of an elastic contact [bytes]."""
+    body1, body2 = bodies
+    return memory.of_contact(
+        coupled=friction != 0 and body1._core.stack != body2._core.stack,
+        sticks=isinstance(friction, Coulomb),
+        heated=any(heat.factor),
+    )

@@ -13,7 +13,6 @@ from .._util.checks import FloatArray, boolean, in_cells, integer, number, requi
 from .._util.frozen import read_only
 from .._util.progress import progress_bar
 from ..bodies.layered import materials_of
-from ..simulation.checkpoint import stand_at
 from ..simulation.journal import Journal, journal_of
 from ..simulation.simulation import Simulation
 from ..simulation.steps import STEP
@@ -109,7 +108,7 @@ def run(
     repeated = _Repeated(simulation, steps, small, bool(accelerate))
     what = {"path": steps, "shakedown": {"tol": small, "accelerate": bool(accelerate)}}
     with (
-        journal_of(checkpoint, simulation, **what) as journal,
+        journal_of(checkpoint, simulation.engine, **what) as journal,
         progress_bar(count, "cycle", shown=progress) as bar,
     ):
         try:
@@ -209,9 +208,9 @@ class _Repeated:
             return kept
         if not self.cycles:
             self.simulation.run(self.steps, progress=False)
-            self.simulation._told.looks_at_increments = False  # what follows is many cycles
+            self.simulation.monitor.checks_increments = False  # what follows is many cycles
         else:
-            with self.simulation._told.as_a_whole():
+            with self.simulation.monitor.as_a_whole():
                 for step in self.steps:
                     self.simulation.step(**step)
         self.solved += 1
@@ -236,7 +235,7 @@ class _Repeated:
     def take_back(self) -> None:
         """Of a jump that no cycle has confirmed, if there is one."""
         if self._jump is not None:
-            stand_at(self.simulation, self._jump.state)
+            self.simulation.engine.stand_at(self._jump.state)
             self._number -= self._jump.cycles
             self._jump = None
 

@@ -1,174 +1,35 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A simulation as plain data: for its file, and for pickles and copies of it and its states."""
+"""Files of simulations."""
 
 from __future__ import annotations
 
 import os
-import warnings
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, astuple, dataclass, fields, replace
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, astuple, fields
+from typing import TYPE_CHECKING, Any
 
 from .._util.short_text import in_short
 from ..bodies.layered import Body, Layered
 from ..bodies.material import Material
 from ..heat import Heat
 from ..restart.file import (
-    DAMAGED,
     CheckpointError,
-    ForeignCheckpointError,
-    damaged,
-    other_version,
     read,
+    readable,
     write,
 )
 from ..restart.tree import Tree, array
-from ..scene.domain import Surfaces, Window, require_continued
 from ..scene.friction import Coulomb
 from ..scene.grid import Grid
-from ..scene.heating import heating
 from ..scene.moving_topography import Relief
 from ..scene.settings import Settings
 from ..softening import JohnsonCook
+from .snapshot import Snapshot
 
 if TYPE_CHECKING:
-    from ..solutions.state import State
+    pass
 
-_SCENE = ("body1", "body2", *(item.name for item in fields(Settings)))
-"""Arguments of a simulation that are attributes of the same name and kind."""
 KIND = "simulation"
-
-
-class Standing(Protocol):
-    """A simulation, as far as copies and checkpoints know it."""
-
-    grid: Grid
-    body1: Body
-    body2: Body
-    friction: float | Coulomb
-    residual_stress: str
-    _core: Any
-    _heat: Heat
-    _first: Window
-    _window: Window
-    _surfaces: Surfaces
-    _told: Any
-    _history: Any
-
-    @property
-    def state(self) -> State: ...
-
-    @property
-    def counters(self) -> dict[str, int]: ...
-
-    @property
-    def _over(self) -> Callable[[Grid], Window]: ...
-
-    @property
-    def _open(self) -> Callable[[Window, Callable[[Any], object]], None]: ...
-
-
-Made = TypeVar("Made", bound=Standing)
-
-
-class Moment(Protocol):
-    """A state, as far as copies and checkpoints know it."""
-
-    _core: Any
-    _heat: Heat
-    _window: Window
-
-
-@dataclass(frozen=True)
-class Snapshot:
-    """All that makes a simulation again, standing where it stood."""
-
-    arguments: dict[str, Any]
-    """Of Simulation(...)."""
-    state: Tree
-    """Its parts, as the core describes them."""
-    counters: dict[str, int]
-
-
-def arguments(simulation: Standing, window: Window) -> dict[str, Any]:
-    """Of Simulation(...) over a window of it, with the heat of the next increment."""
-    given = {name: getattr(simulation, name) for name in _SCENE} | vars(window)
-    return given | {"gap": given.pop("initial_gap"), "heat": simulation._heat}
-
-
-def snapshot(simulation: Standing, state: Moment | None = None) -> Snapshot:
-    """A simulation as it stands, or as it stood in an earlier state."""
-    moment = simulation.state if state is None else state
-    given = arguments(simulation, moment._window) | {"heat": moment._heat}
-    return Snapshot(given, moment._core.content(), simulation.counters)
-
-
-def resume(simulation: Standing, kept: Snapshot) -> None:
-    """Make a simulation of the same scene stand as a snapshot tells, in its window."""
-    simulation._history.forget()
-    heat, state = kept.arguments["heat"], kept.state
-    given, grid = kept.arguments, kept.arguments["grid"]
-    window = simulation._window if simulation.grid == grid else simulation._over(grid)
-    if not callable(given["gap"]):
-        before = Window(grid, given["gap"], given.get("relief1"), given.get("relief2"))
-        try:
-            require_continued(window, before)
-        except ValueError as error:
-            raise ForeignCheckpointError(f"the checkpoint is of other surfaces: {error}") from error
-    then = heat
-    if heat.partition is None:
-        then = replace(heat, factor=[state["heat_factor1"], state["heat_factor2"]])
-    entries = heating(then, (simulation.body1, simulation.body2), grid)
-    if window is simulation._window:
-        simulation._core.restore(state, kept.counters, entries)
-    else:
-        simulation._open(window, lambda core: core.restore(state, kept.counters, entries))
-    simulation._heat = heat
-
-
-def stand_at(simulation: Standing, state: Moment) -> None:
-    """Take a simulation back to an earlier state of it."""
-    simulation._history.forget()
-    simulation._core.stand_at(state._core)
-    simulation._heat = state._heat
-
-
-def restored(cls: type[Made], kept: Snapshot) -> Made:
-    """A simulation that stands as a snapshot tells."""
-    simulation = cls(**kept.arguments)
-    resume(simulation, kept)
-    return simulation
-
-
-def reduced(simulation: Standing) -> tuple[Any, ...]:
-    """What a pickle or copy of a simulation is made of; functions stay what they are."""
-    kept, surfaces = snapshot(simulation), vars(simulation._surfaces)
-    functions = {name: shape for name, shape in surfaces.items() if callable(shape)}
-    told = {name: getattr(simulation, name) for name in ("_told", "_first")}
-    kept = replace(kept, arguments=kept.arguments | functions)
-    return restored, (type(simulation), kept), told
-
-
-def restored_state(cls: type[Any], kept: Snapshot) -> Any:
-    """The state of it."""
-    return restored(cls, kept).state
-
-
-def loaded(
-    cls: type[Made], path: str | os.PathLike[str], softening: Sequence[Any], gap: Any = None
-) -> Made:
-    """The simulation of a file; gap: a function that is the one in it."""
-    kept, tree = read_checkpoint(path, softening)
-    if told := other_version(path, tree):
-        warnings.warn(f"{told}: further increments may differ in their last digits", stacklevel=3)
-    try:
-        simulation = cls(**kept.arguments | ({} if gap is None else {"gap": gap}))
-        resume(simulation, kept)
-        return simulation
-    except CheckpointError:
-        raise
-    except DAMAGED as error:
-        raise damaged(path, error) from error
 
 
 def write_checkpoint(path: str | os.PathLike[str], kept: Snapshot, **more: Any) -> None:
@@ -188,13 +49,9 @@ def read_checkpoint(
             f"softening must be a pair, (law of body 1, law of body 2), got {in_short(softening)}"
         ) from error
     tree = read(path, KIND)
-    try:
+    with readable(path):
         given = _arguments(tree["scene"], law1, law2)
         return Snapshot(given, tree["state"], tree["counters"]), tree
-    except CheckpointError:
-        raise
-    except DAMAGED as error:
-        raise damaged(path, error) from error
 
 
 def _scene(given: Mapping[str, Any]) -> Tree:

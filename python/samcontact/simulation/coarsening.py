@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A simulation over half as many cells along x, y and z: what its grid has no part in stays."""
+"""A setup over half as many cells along x, y and z: what its grid has no part in stays."""
 
 from __future__ import annotations
 
@@ -14,21 +14,23 @@ from numpy.typing import ArrayLike
 from .._util.checks import FloatArray, finite_array
 from .._util.lazy_scipy import scipy
 from ..bodies.layered import Layered
+from ..diagnostics.hertz_estimate import ContactSetup
+from ..scene.domain import SurfaceGeometry
 from ..scene.moving_topography import Relief
 
 if TYPE_CHECKING:
     from ..bodies.layered import Body
-    from ..heat import Heat
+    from ..scene.domain import Domain
     from ..scene.grid import Grid
-    from .simulation import Simulation
+    from ..scene.setup import SimulationSetup
 
 __all__ = ["coarser", "coarser_grid", "coarser_path", "slope_beyond"]
 
 Path = Sequence[Mapping[str, Any]]
 
 
-def coarser(simulation: Simulation, heat: Heat) -> Simulation:
-    """The same simulation, at its start with this heat, over cells twice as long, wide and deep.
+def coarser(setup: SimulationSetup, domain: Domain) -> tuple[SimulationSetup, Domain]:
+    """The same setup and domain over cells twice as long, wide and deep.
 
     Where layers yield, cells are as deep as fits them: two to three times as deep, or as before.
     Surfaces that are functions of a grid are those of the coarser one; heights that are known on
@@ -40,27 +42,16 @@ def coarser(simulation: Simulation, heat: Heat) -> Simulation:
         A periodic direction whose cells cannot be halved, or a relief that repeats itself after an
         odd number of rows.
     """
-    window = simulation._window
-    bodies = simulation.body1, simulation.body2
-    grid, surfaces = coarser_grid(window.grid, bodies), simulation._surfaces
+    grid, surfaces = coarser_grid(domain.grid, setup.bodies), setup.surfaces
     gap: Any = surfaces.gap
     if not callable(gap):
-        gap = _gap(simulation, grid)
+        gap = _gap(setup, domain, grid)
     reliefs = [
-        given if given is None or callable(given) else _relief(given, window.grid, grid)
+        given if given is None or callable(given) else _relief(given, domain.grid, grid)
         for given in (surfaces.relief1, surfaces.relief2)
     ]
-    return remade(simulation, grid=grid, gap=gap, heat=heat, relief1=reliefs[0], relief2=reliefs[1])
-
-
-def remade(simulation: Simulation, **changes: Any) -> Simulation:
-    """The same simulation at its start, but for some arguments."""
-    surfaces = simulation._surfaces
-    given = {name: getattr(simulation, name) for name in ("grid", "body1", "body2", "heat")}
-    given |= {name: getattr(surfaces, name) for name in ("gap", "relief1", "relief2")}
-    made = type(simulation)(**given | simulation._settings.arguments() | changes)
-    made._told.looks_at_increments = False  # it is for those who judge a simulation
-    return made
+    found = replace(setup, surfaces=SurfaceGeometry(gap, *reliefs))
+    return found, found.surfaces.over(grid)
 
 
 def coarser_grid(grid: Grid, bodies: Sequence[Body] = ()) -> Grid:
@@ -173,19 +164,20 @@ def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
     return float(slopes[short].sum() / slopes.sum())
 
 
-def _gap(simulation: Simulation, grid: Grid) -> FloatArray:
-    window = simulation._window
-    body = np.isfinite(window.initial_gap)
+def _gap(setup: SimulationSetup, domain: Domain, grid: Grid) -> FloatArray:
+    body = np.isfinite(domain.initial_gap)
     if not body.all():  # cells of which most have a body are as high as that
-        share = _averaged(body.astype(np.float64), window.grid, grid)
-        height = _averaged(np.where(body, window.initial_gap, 0.0), window.grid, grid)
+        share = _averaged(body.astype(np.float64), domain.grid, grid)
+        height = _averaged(np.where(body, domain.initial_gap, 0.0), domain.grid, grid)
         kept = share >= 0.5
         return np.where(kept, height / np.where(kept, share, 1.0), np.inf)
-    if simulation._scene.radii is None:
-        return _averaged(window.initial_gap, window.grid, grid)
-    fine = window.grid
+    relieved = any(relief is not None for relief in domain.reliefs)
+    scene = ContactSetup(domain.grid, domain.initial_gap, setup.bodies, relieved)
+    if scene.radii is None:
+        return _averaged(domain.initial_gap, domain.grid, grid)
+    fine = domain.grid
     pads = [max(0, math.ceil(0.5 * (2 * m - n))) + 1 for m, n in _counts(grid, fine)]
-    field = np.pad(window.initial_gap, [(p, p) for p in pads], "reflect", reflect_type="odd")
+    field = np.pad(domain.initial_gap, [(p, p) for p in pads], "reflect", reflect_type="odd")
     axes = [
         (np.arange(n + 2 * p) - 0.5 * (n + 2 * p - 1)) * d
         for n, p, d in zip(fine.surface_shape, pads, (fine.dx, fine.dy), strict=True)

@@ -82,7 +82,7 @@ def parts(state: State, name: str) -> tuple[float, ...]:
 
 
 def _bodies(state: State) -> tuple[Body, Body]:
-    return state._simulation.body1, state._simulation.body2
+    return state.setup.bodies
 
 
 def _fields(state: State, kind: str, body: int) -> list[FloatArray]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import threading
 
 
-class Turn:
+class ExclusiveAccess:
     """Refuses a second thread, or a law of softening, that would change the same simulation."""
 
     def __init__(self) -> None:

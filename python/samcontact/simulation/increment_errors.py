@@ -6,8 +6,8 @@ from __future__ import annotations
 import logging
 import math
 import warnings
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,9 +23,12 @@ from . import coarsening, error_controlled_quantities
 from .increment_paths import cleaned, doubled, halved
 
 if TYPE_CHECKING:
+    from ..diagnostics.monitor import Monitor
     from ..heat import Heat
+    from ..scene.grid import Grid
+    from ..scene.setup import SimulationSetup
     from ..solutions.state import State
-    from .simulation import Simulation
+    from .engine import Engine
 
 __all__ = ["IncrementErrors", "IncrementWarning", "estimated"]
 
@@ -43,6 +46,9 @@ _BETWEEN = 2.0, 1.5
 single cells may have; calibrated, see docs/theory.md."""
 
 _logger = logging.getLogger("samcontact")
+
+Repeat = Callable[["SimulationSetup", "Grid", "Heat", Sequence[Mapping[str, Any]]], list["State"]]
+"""Runs another setup on a grid, from a heat on, along a path."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,48 +97,29 @@ def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
     return True
 
 
-@dataclass
-class History:
-    """The increments of a simulation since its start, as far as they are known."""
-
-    heat: Heat
-    """Of the first increment."""
-    steps: list[dict[str, Any]] | None = field(default_factory=list)
-    """Arguments of `Simulation.step`; None where the start is not that of undeformed bodies."""
-    checked: int = 0
-    """The number of increments at the last estimate."""
-
-    def add(self, given: Mapping[str, Any]) -> None:
-        """Add an increment; prescribed tractions are not kept, nor what follows them."""
-        if given.get("pressure") is not None:
-            self.forget()
-        if self.steps is not None:
-            self.steps.append(cleaned(given))
-
-    def forget(self) -> None:
-        """Forget all, after a state that the increments do not lead to."""
-        self.steps = None
-
-    def is_due(self, factor: int) -> bool:
-        """Whether there are so many times as many increments as at the last estimate."""
-        return bool(self.steps) and len(self.steps or ()) >= factor * self.checked
-
-
-def is_path_dependent(simulation: Simulation, states: Sequence[State]) -> bool:
+def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
     """Whether the number of increments has a part in some states.
 
     It has where a body has yielded, unless `increment_tol` controls it, or where shear sticks.
     """
     last = states[-1]
-    if isinstance(simulation.friction, Coulomb):
+    if isinstance(setup.friction, Coulomb):
         if any(state.shear.any() for state in states):
             return True
-    elif simulation.increment_tol is not None:
+    elif setup.settings.increment_tol is not None:
         return False
     return any(last.max_equivalent_plastic_strain(body) > 0 for body in (1, 2))
 
 
-def warn_of(simulation: Simulation, states: Sequence[State], factor: int, stacklevel: int) -> None:
+def warn_of(
+    engine: Engine,
+    monitor: Monitor,
+    states: Sequence[State],
+    factor: int,
+    repeat: Repeat,
+    *,
+    stacklevel: int,
+) -> None:
     """Warn, once in a simulation, of increments that are too large.
 
     Nothing is estimated where a filter ignores the warning.
@@ -140,16 +127,16 @@ def warn_of(simulation: Simulation, states: Sequence[State], factor: int, stackl
     states: the last ones. factor: how many times as many increments as at the last estimate there
     must be, which bounds the time of all estimates.
     """
-    told, history = simulation._told, simulation._history
-    if not told.looks_at_increments or not states or not history.is_due(factor):
+    history = engine.history
+    if not monitor.checks_increments or not states or not history.is_due(factor):
         return
     if _is_ignored(IncrementWarning):
         return
     steps = history.steps or []
-    found = estimated(simulation, steps, states, history.heat)
+    found = estimated(engine, steps, states, history.heat, repeat)
     if found is not None:
         history.checked = len(steps)
-        told.looks_at_increments = not warn_of_errors(found, stacklevel=stacklevel + 1)
+        monitor.checks_increments = not warn_of_errors(found, stacklevel=stacklevel + 1)
 
 
 def _is_ignored(category: type[Warning]) -> bool:
@@ -161,10 +148,11 @@ def _is_ignored(category: type[Warning]) -> bool:
 
 
 def estimated(
-    simulation: Simulation,
+    engine: Engine,
     path: Sequence[Mapping[str, Any]],
     states: Sequence[State],
     heat: Heat,
+    repeat: Repeat,
     *,
     certified: bool = False,
 ) -> IncrementErrors | None:
@@ -175,14 +163,16 @@ def estimated(
 
     Parameters
     ----------
-    simulation : Simulation
-        That made the run; it stays as it is.
+    engine : Engine
+        The solver of the run; it stays as it is.
     path : sequence of dict
         All increments since the start.
     states : sequence of State
         Of all increments or the last ones.
     heat : Heat
-        Of the first increment.
+        Heat of the first increment.
+    repeat : callable
+        Runs another setup on a grid, from a heat on, along a path, and returns its states.
     certified : bool, optional
         Whether `IncrementErrors.values` are wanted.
 
@@ -193,55 +183,56 @@ def estimated(
         "samcontact" tells why).
     """
     path = [cleaned(step) for step in path]
-    if not is_path_dependent(simulation, states) or any("pressure" in step for step in path):
+    if not is_path_dependent(engine.setup, states) or any("pressure" in step for step in path):
         return None
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of another path on another grid than the user's
-            return _compared(simulation, path, states, heat, certified)
+            return _compared(engine, path, states, heat, repeat, certified)
     except Exception as error:
         _logger.info("the error by the number of increments is not estimated: %s", error)
         return None
 
 
 def _compared(
-    simulation: Simulation,
+    engine: Engine,
     path: Sequence[Mapping[str, Any]],
     states: Sequence[State],
     heat: Heat,
+    repeat: Repeat,
     certified: bool,
 ) -> IncrementErrors:
-    base = simulation
+    setup, domain = engine.setup, engine.domain
     steps: Sequence[Mapping[str, Any]] = path
     level = 0
-    for level in range(1, _level(simulation, states) + 1):
+    for level in range(1, _level(states) + 1):
         try:
-            base, steps = (
-                coarsening.coarser(base, heat),
-                coarsening.coarser_path(steps, base.grid)[0],
-            )
+            coarse = coarsening.coarser(setup, domain)
+            steps = coarsening.coarser_path(steps, domain.grid)[0]
+            setup, domain = coarse
         except ValueError:  # a periodic direction that cannot be halved further
             level -= 1
             break
+    grid = domain.grid
     first = list(states)
     if level > 0 or len(states) != len(path):
-        first = coarsening.remade(base, heat=heat).run(steps, progress=False)
-    start = float(base.initial_gap.min())
+        first = repeat(setup, grid, heat, steps)
+    start = float(domain.initial_gap.min())
     halves = halved(steps, first, start)
-    joined, ends = halves or doubled(steps, first, start, base.grid.dx, heat)
+    joined, ends = halves or doubled(steps, first, start, grid.dx, heat)
     compared = f"{'half' if halves else 'twice'} as many increments"
     # What moves by single cells has fewer increments on larger ones.
     factors = [f * len(steps) / len(path) for f in (_BETWEEN if halves else _FIRST_ORDER)]
-    second = coarsening.remade(base, heat=heat).run(joined, progress=False)
+    second = repeat(setup, grid, heat, joined)
     if level > 0:
         compared += f", both on cells {2**level} times as large"
     pairs = [(first[one], second[other]) for one, other in ends]
     loads = [one.load for one, _ in pairs]
     top = peak(None, [float(one.pressure.max()) for one, _ in pairs], loads)
     marks = [pairs[n] for n in sorted({top, len(pairs) - 1})]
-    values = _of_values(simulation, marks) if certified else {}
+    values = _of_values(setup, grid, marks) if certified else {}
     return IncrementErrors(
-        _scaled(_of_fields(simulation, pairs, marks), factors), _scaled(values, factors), compared
+        _scaled(_of_fields(setup, pairs, marks), factors), _scaled(values, factors), compared
     )
 
 
@@ -252,7 +243,7 @@ def _scaled(differences: Mapping[str, float], factors: Sequence[float]) -> dict[
     }
 
 
-def _level(simulation: Simulation, states: Sequence[State]) -> int:
+def _level(states: Sequence[State]) -> int:
     """How many times the cells are doubled."""
     top = max(states, key=lambda state: float(state.pressure.max()))
     periodic = top.grid.periodic
@@ -266,14 +257,14 @@ def _level(simulation: Simulation, states: Sequence[State]) -> int:
 Pairs = Sequence[tuple["State", "State"]]
 
 
-def _of_fields(simulation: Simulation, pairs: Pairs, marks: Pairs) -> dict[str, float]:
+def _of_fields(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, float]:
     """Largest differences of fields over largest values."""
-    names = ["pressure", "shear"] if isinstance(simulation.friction, Coulomb) else ["pressure"]
+    names = ["pressure", "shear"] if isinstance(setup.friction, Coulomb) else ["pressure"]
     found = {}
     for name in names:
         both = [(getattr(one, name), getattr(other, name)) for one, other in pairs]
         found[name] = _difference(both, 0.0)
-    for number, body in enumerate((simulation.body1, simulation.body2), 1):
+    for number, body in enumerate(setup.bodies, 1):
         if marks[-1][0].max_equivalent_plastic_strain(number) > 0:
             both = [
                 (one.equivalent_plastic_strain(number), other.equivalent_plastic_strain(number))
@@ -308,11 +299,9 @@ def _common(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]
     return cut[0], cut[1]
 
 
-def _of_values(simulation: Simulation, marks: Pairs) -> dict[str, float]:
+def _of_values(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict[str, float]:
     """Largest differences of the certified quantities over the larger of both values."""
-    names = error_controlled_quantities.names(
-        (simulation.body1, simulation.body2), volume=simulation.grid.has_volume
-    )
+    names = error_controlled_quantities.names(setup.bodies, volume=grid.has_volume)
     one, other = (
         [error_controlled_quantities.values(pair[which], names) for pair in marks]
         for which in (0, 1)

@@ -9,48 +9,32 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from .._util.checks import file_path
 from ..bodies.material import Material
 from ..files.ownership import require_marked
 from ..restart.file import (
-    DAMAGED,
-    CheckpointError,
     DamagedCheckpointError,
-    damaged,
     read,
+    readable,
     require_same,
 )
 from ..restart.identity import Identity, identity, require_identified
 from ..restart.lock import locked
-from .checkpoint import (
-    KIND,
-    Standing,
-    arguments,
-    read_checkpoint,
-    resume,
-    snapshot,
-    write_checkpoint,
-)
+from .checkpoint import KIND, read_checkpoint, write_checkpoint
+from .engine import Engine
 
 if TYPE_CHECKING:
     from ..solutions.state import State
 
 
-class Resumed(Standing, Protocol):
-    """A simulation, as far as a journal knows it."""
-
-    @property
-    def state(self) -> State: ...
-
-
-def describe(simulation: Standing, **what: Any) -> Identity:
+def describe(engine: Engine, **what: Any) -> Identity:
     """Identify a run that is about to begin: its scene, and what is done with it, e.g. its path.
 
     Softening laws are parts of their own, so that messages name them.
     """
-    scene = arguments(simulation, simulation._first)
+    scene = engine.setup.on_domain(engine.first, engine.heat)
     for number in (1, 2):
         body = scene[f"body{number}"]
         if isinstance(body, Material) and body.softening is not None:
@@ -61,14 +45,14 @@ def describe(simulation: Standing, **what: Any) -> Identity:
 
 @contextmanager
 def journal_of(
-    folder: str | os.PathLike[str] | None, simulation: Resumed, **what: Any
+    folder: str | os.PathLike[str] | None, engine: Engine, **what: Any
 ) -> Iterator[Journal | None]:
     """The journal of a run, in a folder that is its own meanwhile; None without a folder."""
     if folder is None:
         yield None
         return
     with locked(file_path("checkpoint", folder)):
-        yield Journal(folder, simulation, describe(simulation, **what))
+        yield Journal(folder, engine, describe(engine, **what))
 
 
 class Journal:
@@ -80,8 +64,8 @@ class Journal:
     ----------
     folder : path
         Made when it is missing.
-    simulation : Simulation
-        That makes the increments.
+    engine : Engine
+        The solver of the increments.
     who : Identity
         From `describe`, before the first increment: it tells this run from others, whose
         checkpoints are refused.
@@ -93,8 +77,8 @@ class Journal:
         cannot be identified, because a law has state that Python cannot read.
     """
 
-    def __init__(self, folder: str | os.PathLike[str], simulation: Resumed, who: Identity) -> None:
-        self.folder, self.simulation = file_path("checkpoint", folder), simulation
+    def __init__(self, folder: str | os.PathLike[str], engine: Engine, who: Identity) -> None:
+        self.folder, self.engine = file_path("checkpoint", folder), engine
         require_identified(who)
         self.who = who
         self.count = 0
@@ -123,22 +107,18 @@ class Journal:
             warnings.warn(text, stacklevel=3)
             return None
         self.count += 1
-        return self.simulation.state
+        return self.engine.state
 
     def _restore(self, file: Path) -> None:
-        bodies = self.simulation.body1, self.simulation.body2
+        bodies = self.engine.setup.bodies
         kept, tree = read_checkpoint(file, [body.softening for body in bodies])
         require_same(self.folder, self.who, tree)
-        try:
-            resume(self.simulation, kept)
-        except CheckpointError:
-            raise
-        except DAMAGED as error:
-            raise damaged(file, error) from error
+        with readable(file):
+            self.engine.restore(kept)
 
     def add(self, state: State | None = None) -> None:
         """Keep the simulation after a new increment: as it stands, or an earlier state of it."""
-        kept = snapshot(self.simulation, state)
+        kept = self.engine.snapshot(state)
         write_checkpoint(self._file(self.count + 1), kept, run=self.who)
         self.count += 1
 

@@ -4,39 +4,42 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+import warnings
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from numpy.typing import ArrayLike
 
-from .. import _core
 from .._core import ConvergenceError
-from .._util.checks import FloatArray, choice, require_fast, require_type
+from .._util.checks import FloatArray, boolean, choice, require_fast, require_type, step_list
 from .._util.display import Shown
 from ..bodies.layered import Body, backstresses_of, require_bodies
 from ..contact.border_advice import advised
 from ..contact.interpenetration import require_apart
 from ..contact.tangential_drive import require_heat_of
-from ..diagnostics.monitor import Told
+from ..diagnostics.monitor import Monitor
 from ..heat import Heat
+from ..restart.file import other_version, readable
 from ..scene.cell_layers import require_servable_flow
-from ..scene.domain import Surfaces, Window
+from ..scene.domain import Domain, SurfaceGeometry
 from ..scene.friction import Coulomb
 from ..scene.grid import Grid
-from ..scene.heating import COLD, core_law, heating
-from ..scene.moving_topography import Relief, relief_rows
-from ..scene.settings import Settings
-from ..solutions.state import State
-from .checkpoint import loaded, reduced, snapshot, stand_at, write_checkpoint
+from ..scene.heating import COLD, heating
+from ..scene.moving_topography import Relief
+from ..scene.settings import Configured, Settings
+from ..scene.setup import SimulationSetup
+from ..solutions.state import State, in_one_window
+from .checkpoint import read_checkpoint, write_checkpoint
 from .display import simulation_rows
-from .domain import Windowed
-from .exclusive_access import Turn
-from .increment_errors import History, warn_of
-from .run import Running
-from .steps import plastic_fields
+from .engine import Engine
+from .increment_errors import warn_of
+from .run import run_into
+from .snapshot import Snapshot
+from .steps import STEP, largest_cold_load, largest_target, plastic_fields
 
 
-class Simulation(Running, Windowed, Shown):
+class Simulation(Configured, Shown):
     """Elastic-plastic contact of two bodies, increment after increment.
 
     Each increment solves, implicitly, contact and plastic flow together: the plastic strain
@@ -111,6 +114,8 @@ class Simulation(Running, Windowed, Shown):
     periodic, heat with a history, and bodies that soften keep their grid.
     """
 
+    _last = "engine"
+
     increment_tol: float | None
     residual_stress: str
     image_tol: float
@@ -141,52 +146,51 @@ class Simulation(Running, Windowed, Shown):
         require_bodies(body1, body2)
         layered = require_servable_flow(grid, residual_stress, body1, body2)
         self.body1, self.body2 = body1, body2
-        self._configure(
-            Settings(
-                friction=friction,
-                tol=tol,
-                increment_tol=increment_tol,
-                on_border=on_border,
-                max_iterations=max_iterations,
-                residual_stress=residual_stress,
-                image_tol=image_tol,
-                zones="one" if layered else zones,
-                reach=grid.nx * grid.dx if reach is None else reach,
-            )
+        settings = Settings(
+            friction=friction,
+            tol=tol,
+            increment_tol=increment_tol,
+            on_border=on_border,
+            max_iterations=max_iterations,
+            residual_stress=residual_stress,
+            image_tol=image_tol,
+            zones="one" if layered else zones,
+            reach=grid.nx * grid.dx if reach is None else reach,
         )
+        self._configure(settings)
         require_fast("residual_stress", self.residual_stress, grid.periodic)
-        self._heat = COLD if heat is None else heat
-        require_type("heat", self._heat, Heat)
-        heating(self._heat, (body1, body2), grid)  # checks it against the bodies
-        require_heat_of(self.friction, self._heat)
-        self._told, self._turn = Told(), Turn()
-        self._history = History(self._heat)
-        self._surfaces = Surfaces(gap, relief1, relief2)
-        self._laws = [core_law(body) for body in (body1, body2)]  # the core does not own them
-        self._open(self._over(grid))
-        self._first = self._window
+        heat = COLD if heat is None else heat
+        require_type("heat", heat, Heat)
+        heating(heat, (body1, body2), grid)  # checks it against the bodies
+        require_heat_of(self.friction, heat)
+        self.monitor = Monitor()
+        surfaces = SurfaceGeometry(gap, relief1, relief2)
+        self.engine = Engine(SimulationSetup(body1, body2, surfaces, settings), grid, heat)
 
-    def _made(self, window: Window) -> Any:
-        grid = window.grid
-        reliefs = [relief_rows(f"relief{n}", r, grid) for n, r in enumerate(window.reliefs, 1)]
-        sticks = isinstance(self.friction, Coulomb)
-        return _core.Simulation(
-            grid=grid._core,
-            body1=self.body1._core,
-            body2=self.body2._core,
-            gap=window.initial_gap,
-            friction=self.friction.coefficient if sticks else self.friction,
-            sticks=sticks,
-            settings=self._settings.to_core(grid.dx),
-            march=self._heat.history or (0.0, 0.0),
-            softening=self._laws,
-            reliefs=reliefs,
-        )
+    @property
+    def grid(self) -> Grid:
+        """Present grid, which may have been enlarged."""
+        return self.engine.domain.grid
+
+    @property
+    def initial_gap(self) -> FloatArray:
+        """Separation of the undeformed bodies over the grid [m], shape (nx, ny)."""
+        return self.engine.domain.initial_gap
+
+    @property
+    def relief1(self) -> Relief | None:
+        """Relief of body 1 over the grid."""
+        return self.engine.domain.relief1
+
+    @property
+    def relief2(self) -> Relief | None:
+        """Relief of body 2 over the grid."""
+        return self.engine.domain.relief2
 
     @property
     def heat(self) -> Heat:
-        """Of the next increment; `step` can change its factor."""
-        return self._heat
+        """Heat of the next increment; `step` can change its factor."""
+        return self.engine.heat
 
     def step(
         self,
@@ -256,66 +260,128 @@ class Simulation(Running, Windowed, Shown):
 
         Warns
         -----
-        ElasticStrainWarning
-            Once in a simulation, when the largest pressure passes half the contact modulus.
-        SingularPressureWarning
-            The same, when the pressure rises to a sharp edge, where elastic bodies have no limit.
-        UnitWarning
-            The same, before the increment: a quantity is likely in another unit.
-        PlasticStrainWarning
-            The same, when the largest accumulated equivalent plastic strain passes 5 %, unless
-            most of it is reversed flow.
-        GridTooSmallWarning
-            With on_border="warn", where there would be a GridTooSmallError. Once in a simulation,
-            where plastic strain lies below nz dz or beside the grid, where fields do not show it.
-        ResolutionWarning
-            Once in a simulation, when the contact is fewer than 4 cells across, the area of spots
-            uncertain by 20 %, or a plastic zone fewer than 4 layers high; `run`: 8 and 10 %.
-        IncrementWarning
-            Once in a simulation, when more increments would change pressure, shear or equivalent
-            plastic strain by more than 5 % of the largest. Estimated as in `run`, after the first
-            increment in which a body yields or shear acts, and whenever there are four times as
-            many.
+        ElasticStrainWarning, SingularPressureWarning, UnitWarning, PlasticStrainWarning, \
+        GridTooSmallWarning, ResolutionWarning, IncrementWarning
+            Each at most once in a simulation; docs/conventions.md tells when. With
+            on_border="warn" a GridTooSmallWarning takes the place of a GridTooSmallError.
         """
         given: dict[str, Any] = {"load": load, "approach": approach, "pressure": pressure}
         given |= {"shear": shear, "advance": advance, "heat_factor": heat_factor}
         given |= {"shift": shift, "tangential_load": tangential_load}
         given |= {"twist": twist, "torque": torque}
         given |= {"duration": duration}
-        with self._turn:
-            step, before, core = self._solved(given)
-        state = State(core, self, step.heat)
-        if step.target:
-            bodies = (self.body1, self.body2)
+        engine = self.engine
+        step, before, core = engine.solve(given, self.monitor)
+        state = engine.state_of(core, step.heat)
+        if step.target and not isinstance(self.friction, Coulomb):
             try:
-                if not isinstance(self.friction, Coulomb):
-                    require_apart(state, self.grid.cell_area, bodies, self.friction, self.tol)
+                require_apart(state, engine.setup.bodies, self.friction, self.tol)
             except ConvergenceError:
-                steps = self._history.steps
-                stand_at(self, before)
-                self._history.steps = steps
+                steps = engine.history.steps
+                engine.stand_at(before)
+                engine.history.steps = steps
                 raise
-        self._heat = step.heat
-        if step.target and self._hold_strain():
+        engine.heat = step.heat
+        if step.target and engine.hold_strain():
             state = self.state
-        self._history.add(given)
+        engine.history.add(given)
         complaints = core.warnings
-        if not callable(self._surfaces.gap):
-            complaints = [advised(text, self._scene) for text in complaints]
-        self._told.warn(state, self._scene, complaints, stacklevel=2)
-        warn_of(self, [state], 4, stacklevel=2)
+        if not callable(engine.setup.surfaces.gap):
+            complaints = [advised(text, engine.estimate) for text in complaints]
+        self.monitor.warn(state, engine.estimate, complaints, stacklevel=2)
+        warn_of(engine, self.monitor, [state], 4, self.repeated, stacklevel=2)
         return state
+
+    def run(
+        self,
+        path: Iterable[Mapping[str, Any]],
+        *,
+        progress: bool = True,
+        checkpoint: str | os.PathLike[str] | None = None,
+    ) -> list[State]:
+        """Run a list of step() arguments, e.g. ``[{"load": 300.0}, {"load": 0.0}]``.
+
+        Parameters
+        ----------
+        path : iterable of dict
+            See `samcontact.paths` for helpers.
+        progress : bool, optional
+            Show a progress bar; where there is no terminal, ten lines at most.
+        checkpoint : path, optional
+            Folder in which to keep each increment. The same call of a new simulation goes on from
+            it, with the same bits. Remove it when it is no longer needed.
+
+        Returns
+        -------
+        list of State
+            One per increment. When an increment fails or is interrupted (Ctrl-C), the error is
+            raised with those before it in the attribute `states`, and the simulation stands at the
+            last good one. The logger "samcontact" tells each (INFO) and its iterations (DEBUG).
+
+        Raises
+        ------
+        ValueError
+            `checkpoint` holds those of another run or of another version of this package, or a
+            softening law has no identity (see `Material.with_softening`); and as `step`. A contact
+            that does not fit into the grid by far is refused before the first increment.
+
+        Warns
+        -----
+        UnitWarning, ResolutionWarning
+            Before the first increment; at the end, of the largest load: a contact fewer than 8
+            cells across, an area of spots uncertain by 10 %, a plastic zone fewer than 8 layers
+            high or layers too thick to see.
+        IncrementWarning
+            At the end: more increments would change pressure, shear or equivalent plastic strain by
+            more than 5 % of the largest; docs/theory.md, "Errors by the increments".
+        """
+        boolean("progress", progress)
+        states: list[State] = []
+        try:
+            self.run_into(states, step_list("path", path, STEP), progress, checkpoint)
+            moments = in_one_window(states)
+            warn_of(self.engine, self.monitor, moments, 2, self.repeated, stacklevel=2)
+        except BaseException as error:  # Ctrl-C too
+            error.states = states  # type: ignore[attr-defined]
+            raise
+        return moments
+
+    def run_into(
+        self,
+        states: list[State],
+        steps: Sequence[Mapping[str, Any]],
+        progress: bool,
+        checkpoint: str | os.PathLike[str] | None,
+        *,
+        leave: bool = True,
+    ) -> None:
+        """Run a path as `run` does, and append the state of each increment once it is done."""
+        engine, monitor = self.engine, self.monitor
+        monitor.doubt(engine.estimate, engine.heat, largest_target(steps), stacklevel=3)
+        if not any(engine.heat.shares) and (load := largest_cold_load(steps)) is not None:
+            engine.make_room(load)
+        with monitor.as_a_whole():
+            run_into(states, engine, self.step, steps, progress, checkpoint, leave=leave)
+        monitor.warn_of_run(states, engine.estimate, stacklevel=3)
+
+    def repeated(
+        self, setup: SimulationSetup, grid: Grid, heat: Heat, path: Sequence[Mapping[str, Any]]
+    ) -> list[State]:
+        """The states of another setup along a path, without an estimate of their errors."""
+        again = type(self)(**setup.on_grid(grid, heat))
+        again.monitor.checks_increments = False
+        return again.run(path, progress=False)
 
     @property
     def state(self) -> State:
         """The present state."""
-        return State(self._core.state, self, self._heat)
+        return self.engine.state
 
     @property
     def counters(self) -> dict[str, int]:
         """Work done so far, as contact_solves, contact_iterations, yield_checks, plastic_solves,
         plastic_iterations, halvings, and volume_bytes (memory of plastic state and kernels)."""
-        return dict(self._core.counters)
+        return dict(self.engine.core.counters)
 
     def set_plastic_strain(
         self,
@@ -351,9 +417,9 @@ class Simulation(Running, Windowed, Shown):
         index = choice("body", body, (1, 2)) - 1
         terms = backstresses_of((self.body1, self.body2)[index])
         fields = plastic_fields(self.grid, strain, equivalent, backstress, terms, first)
-        with self._turn:
-            self._core.set_plastic_state(index, first or 0, *fields)
-        self._history.forget()
+        with self.engine.access:
+            self.engine.core.set_plastic_state(index, first or 0, *fields)
+        self.engine.history.forget()
 
     _rows = simulation_rows
 
@@ -362,11 +428,14 @@ class Simulation(Running, Windowed, Shown):
         return f"Simulation({scene}, heat={self.heat!r})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return reduced(self)
+        kept, surfaces = self.engine.snapshot(), vars(self.engine.setup.surfaces)
+        functions = {name: shape for name, shape in surfaces.items() if callable(shape)}
+        kept = replace(kept, arguments=kept.arguments | functions)
+        return _restored, (type(self), kept, self.engine.first), {"monitor": self.monitor}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a checkpoint (HDF5), replacing an old one only when the new one is complete."""
-        write_checkpoint(path, snapshot(self))
+        write_checkpoint(path, self.engine.snapshot())
 
     @classmethod
     def load(
@@ -383,4 +452,20 @@ class Simulation(Running, Windowed, Shown):
         Raises CheckpointError (a ValueError) for a file that is no checkpoint or is damaged, and
         where gap is another surface.
         """
-        return loaded(cls, path, softening, gap)
+        kept, tree = read_checkpoint(path, softening)
+        if told := other_version(path, tree):
+            text = f"{told}: further increments may differ in their last digits"
+            warnings.warn(text, stacklevel=2)
+        if gap is not None:
+            kept = replace(kept, arguments=kept.arguments | {"gap": gap})
+        with readable(path):
+            return _restored(cls, kept)
+
+
+def _restored(cls: type[Simulation], kept: Snapshot, first: Domain | None = None) -> Simulation:
+    """A simulation that stands as a snapshot tells."""
+    simulation = cls(**kept.arguments)
+    simulation.engine.restore(kept)
+    if first is not None:
+        simulation.engine.first = first
+    return simulation

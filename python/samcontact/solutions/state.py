@@ -17,9 +17,15 @@ from .._util.field_cache import kept
 from .._util.frozen import Fixed
 from .._util.tensors import von_mises
 from ..heat import Heat
-from ..scene.domain import Window
-from ..simulation.checkpoint import Standing, restored_state, snapshot
-from .interface_stress import stress_at_interfaces
+from ..scene.domain import Domain
+from ..scene.setup import SimulationSetup
+from .interface_stress import (
+    cells_to_faces,
+    continued_to_faces,
+    interface_cells,
+    layered_body,
+    stress_of_tractions,
+)
 from .surface_state import SurfaceState
 from .track import Track
 from .zone import Zone, ZoneStress
@@ -51,21 +57,26 @@ class State(SurfaceState, Fixed, Shown):
     def __init__(
         self,
         core: Any,
-        simulation: Standing,
+        setup: SimulationSetup,
+        domain: Domain,
         heat: Heat,
+        counters: Callable[[], dict[str, int]],
         layers: int | None = None,
-        window: Window | None = None,
     ) -> None:
-        self._window = simulation._window if window is None else window
-        self.grid = self._window.grid
+        self.setup, self.domain = setup, domain
+        self.grid = domain.grid
+        self.heat = heat
+        """Heat of the next increment."""
+        self.counters = counters
+        """Work of the simulation so far, when it is asked for."""
         self._given_layers = layers
         self._tracks: dict[tuple[int, int], Track] = {}
         self._core = core
-        self._simulation = simulation
-        self._heat = heat  # of the next increment
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return restored_state, (type(self._simulation), snapshot(self._simulation, self))
+    def content(self) -> dict[str, Any]:
+        """All parts of the state, as the core describes them."""
+        parts: dict[str, Any] = self._core.content()
+        return parts
 
     @cached_property
     def depths(self) -> FloatArray:
@@ -84,12 +95,12 @@ class State(SurfaceState, Fixed, Shown):
         """The same moment, whose volume fields have another number of layers."""
         if layers == self._layers:
             return self
-        return State(self._core, self._simulation, self._heat, layers, self._window)
+        return State(self._core, self.setup, self.domain, self.heat, self.counters, layers)
 
     def _seen_over(self, window: State) -> State:
         """The same moment over the grid of another state, which is larger."""
-        core = self._core.widened(window._core)
-        return State(core, self._simulation, self._heat, self._given_layers, window._window)
+        core, layers = self._core.widened(window._core), self._given_layers
+        return State(core, self.setup, window.domain, self.heat, self.counters, layers)
 
     @property
     def time(self) -> float:
@@ -237,7 +248,19 @@ class State(SurfaceState, Fixed, Shown):
         That of tractions is exact at its depth, that of plastic strain is continued from three
         cells of each side (fewer in thinner layers).
         """
-        return self._field("interface_stress", body, lambda: stress_at_interfaces(self, body))
+        return self._field("interface_stress", body, lambda: self._at_interfaces(body))
+
+    def _at_interfaces(self, body: int) -> FloatArray:
+        layered = layered_body(self.setup.bodies, body, self.offset(body))
+        shear = self.shear if body == 2 else -self.shear
+        found = stress_of_tractions(self.grid, layered, self.pressure, shear)
+        dz = self.grid.dz
+        if dz is not None and self.max_plastic_strain_magnitude(body) > 0:
+            cuts = interface_cells(layered, dz)
+            deep = self._down_to(cells_to_faces(cuts))
+            cells = deep.residual_stress(body) - deep.initial_stress(body)
+            found += continued_to_faces(cells, cuts)
+        return found
 
     def von_mises(self, body: int = 2) -> FloatArray:
         """Von Mises stress [Pa], shape (nx, ny, nz)."""
@@ -315,7 +338,7 @@ class State(SurfaceState, Fixed, Shown):
             return factor
         layers = min(self._layers, known.shape[2])
         factor[:, :, :layers] = known[:, :, :layers]
-        law = (self._simulation.body1, self._simulation.body2)[body - 1].softening
+        law = self.setup.bodies[body - 1].softening
         if layers < self._layers and law is not None:
             factor[:, :, layers:] = law(self.temperature(body)[:, :, layers:])
         return factor
@@ -348,7 +371,7 @@ class State(SurfaceState, Fixed, Shown):
     def _of_core(self, name: str, index: int) -> FloatArray:
         if name in _VOLUME:
             strained = self._core.max_plastic_strain_magnitude(index) > 0
-            exact = strained and self._simulation.residual_stress == "exact"
+            exact = strained and self.setup.settings.residual_stress == "exact"
             cell = memory.EXACT_RESIDUAL if exact else memory.VOLUME_FIELD
             what = f"the field {name}"
             needed = memory.volume(self.grid, cell, self._layers)

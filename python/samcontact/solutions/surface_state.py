@@ -13,7 +13,7 @@ from .._util.checks import FloatArray, choice
 from .._util.display import Rows, quantity
 from ..scene.friction import Coulomb
 from ..scene.grid import Grid
-from ..simulation.checkpoint import Standing
+from ..scene.setup import SimulationSetup
 from .contact_area import contact_area
 from .contact_solution import both
 from .outline import rises_outwards
@@ -25,7 +25,7 @@ class SurfaceState:
 
     grid: Grid
     _core: Any
-    _simulation: Standing
+    setup: SimulationSetup
 
     @property
     def pressure(self) -> FloatArray:
@@ -89,7 +89,7 @@ class SurfaceState:
 
     def _along_rows(self) -> Rows:
         """Forces and motions along the surface; none where friction is a number."""
-        if not isinstance(self._simulation.friction, Coulomb):
+        if not isinstance(self.setup.friction, Coulomb):
             return []
         touching = int(np.count_nonzero(self.pressure))
         rows = [
@@ -104,7 +104,7 @@ class SurfaceState:
         return rows
 
     def _require_stick_and_slip(self, name: str) -> None:
-        if not isinstance(friction := self._simulation.friction, Coulomb):
+        if not isinstance(friction := self.setup.friction, Coulomb):
             raise ValueError(
                 f"{name} is not solved for where friction is a number, {friction!r}, which is "
                 "gross sliding: make the simulation with friction=samcontact.Coulomb(mu)"
@@ -145,9 +145,9 @@ class SurfaceState:
         That of plastic strain, and what was there before the contact, is in `residual_stress`.
         Arguments, errors and method are those of `ContactSolver.stress_at`.
         """
-        number, run = choice("body", body, (1, 2)), self._simulation
+        number = choice("body", body, (1, 2))
         heated = (self._core.heat_factor1, self._core.heat_factor2)[number - 1] > 0
-        given = run.body1 if number == 1 else run.body2
+        given = self.setup.bodies[number - 1]
         nu = require_closed_forms(self.grid, given, number, heated=heated).nu
         s_x, s_y = self.shear if number == 2 else -self.shear
         return stress_at_points(self.grid, (self.pressure, s_x, s_y), nu, (x, y, z))

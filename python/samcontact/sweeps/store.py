@@ -13,6 +13,7 @@ import numpy as np
 import xarray as xr
 
 from .._util.quantities import CONTACT, TUGGING, Quantity
+from .._util.version import version
 from ..files.ownership import require_marked
 from ..restart.file import DAMAGED, read, require_same, write
 
@@ -145,10 +146,8 @@ def _combined(plan: Plan, inner: Mapping[str, int], fields: Sequence[Any]) -> xr
 
 
 def _attributes(base: CaseFile) -> dict[str, str]:
-    from .. import __version__
-
     text = base.text or json.dumps(base.model_dump(exclude_unset=True))
     attributes = {"title": "", "description": ""} | base.model_dump(
         include={"title", "description"}
     )
-    return attributes | {"case": text, "samcontact_version": __version__}
+    return attributes | {"case": text, "samcontact_version": version}

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .._util.errors import ResolutionWarning
+from .._util.version import version
 from ..restart.identity import digest, identity
 
 if TYPE_CHECKING:
@@ -96,8 +97,6 @@ def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
     CaseError
         A file of heights cannot be read.
     """
-    from .. import __version__
-
     unimportant: Any = {
         "title": True,
         "description": True,
@@ -106,7 +105,7 @@ def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
     }
     fields = case.model_dump(exclude=unimportant)
     heights = [_digest(case, name, digests) for name in ("surface", "relief1", "relief2")]
-    return digest(identity(version=__version__, heights=heights, **fields))
+    return digest(identity(version=version, heights=heights, **fields))
 
 
 def _digest(case: CaseFile, name: str, digests: dict[Path, str]) -> str | None:

@@ -16,7 +16,7 @@ from .. import hertz
 from .._util.checks import FloatArray, boolean, integer
 from ..bodies.material import Material
 from ..diagnostics import resolution
-from ..scene.domain import Surfaces
+from ..scene.domain import SurfaceGeometry
 from ..scene.friction import Coulomb
 from ..scene.grid import Grid
 from ..scene.moving_topography import Relief
@@ -109,7 +109,7 @@ def fretting(
     scene = make_scene(
         grid,
         (body1, body2),
-        Surfaces(gap, relief1, relief2),
+        SurfaceGeometry(gap, relief1, relief2),
         cycle,
         friction,
         energy,
@@ -147,8 +147,8 @@ def _gone_through(scene: FrettingScene, heights: Mapping[int, list[FloatArray]])
         relief2=relief2,
         **scene.settings,
     )
-    simulation._told.looks_at_steps = False
-    simulation._told.looks_at_increments = False  # of the many that follow
+    simulation.monitor.checks_steps = False
+    simulation.monitor.checks_increments = False  # of the many that follow
     states = _closed(simulation, scene)
     ways = np.array([np.hypot(*state.slip) for state in states])
     work = np.sum([(state.shear * state.slip).sum(axis=0) for state in states], axis=0)

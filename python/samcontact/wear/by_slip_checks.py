@@ -22,7 +22,7 @@ from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
 from ..contact.tangential_drive import GivenAlong
 from ..diagnostics.plausibility import warn_of, wear_coefficient
-from ..scene.domain import Surfaces
+from ..scene.domain import SurfaceGeometry
 from ..scene.friction import Coulomb
 from ..scene.grid import Grid
 from ..scene.moving_topography import Relief
@@ -65,7 +65,7 @@ class FrettingScene:
 def make_scene(
     grid: Grid,
     bodies: tuple[Material, Material],
-    given: Surfaces,
+    given: SurfaceGeometry,
     cycle: Iterable[Mapping[str, Any]],
     friction: Coulomb,
     energy: float | Sequence[float] | None,

@@ -26,7 +26,7 @@ from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
 from ..contact.solver import ContactSolver
 from ..diagnostics.monitor import SMALL_STRAIN
-from ..scene.domain import Surfaces
+from ..scene.domain import SurfaceGeometry
 from ..scene.grid import Grid
 from ..scene.moving_topography import Relief, heights_over
 from ..simulation.steps import STEP
@@ -78,7 +78,7 @@ class Scene:
 def make_scene(
     grid: Grid,
     bodies: tuple[Material, Material],
-    given: Surfaces,
+    given: SurfaceGeometry,
     cycle: Iterable[Mapping[str, Any]],
     threshold: float,
     worn: Sequence[int],

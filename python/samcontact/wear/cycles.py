@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from .._util.checks import FloatArray, boolean, integer
 from ..bodies.material import Material
 from ..diagnostics import resolution
-from ..scene.domain import Surfaces
+from ..scene.domain import SurfaceGeometry
 from ..scene.grid import Grid
 from ..scene.moving_topography import Relief
 from ..simulation.simulation import Simulation
@@ -108,7 +108,7 @@ def run(
     scene = make_scene(
         grid,
         (body1, body2),
-        Surfaces(gap, relief1, relief2),
+        SurfaceGeometry(gap, relief1, relief2),
         cycle,
         threshold,
         worn,
@@ -141,8 +141,8 @@ def _solve(scene: Scene, standing: Standing) -> Moments:
         relief2=relief2,
         **scene.settings,
     )
-    simulation._told.looks_at_steps = False
-    simulation._told.looks_at_increments = False  # of the many that follow
+    simulation.monitor.checks_steps = False
+    simulation.monitor.checks_increments = False  # of the many that follow
     for body, kept in standing.strains.items():
         simulation.set_plastic_strain(
             body, kept.strain, kept.equivalent, kept.backstress, first=kept.first

@@ -64,7 +64,9 @@ def _repeat(
                     error.result = _result(kind, scene, advance, standing, False, first, last)  # type: ignore[attr-defined]
                 raise
             first = moments if not standing.cycles else first
-            surface = hertz_estimate.Scene(scene.grid, scene.gap, scene.bodies, relieved=True)
+            surface = hertz_estimate.ContactSetup(
+                scene.grid, scene.gap, scene.bodies, relieved=True
+            )
             coarse = coarse or resolution.warn_of_run(moments, surface, stacklevel=4)
             standing, last = after, moments
             stopped = not any(standing.cycles[-1].volume)

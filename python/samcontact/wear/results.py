@@ -13,6 +13,7 @@ from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, choice, integer
 from .._util.display import Brief
 from .._util.quantities import WEAR
+from .._util.version import version
 from ..scene.grid import Grid
 from ..scene.moving_topography import Relief
 from ..solutions.state import State
@@ -154,8 +155,6 @@ class AnyResult(Brief):
         """
         import xarray as xr  # here, since importing the package should not load it
 
-        from .. import __version__
-
         numbers = [cycle.number for cycle in self.cycles]
         coordinates = {
             "cycle": numbers,
@@ -177,7 +176,7 @@ class AnyResult(Brief):
             dataset[f"heights_body{body}"] = WEAR["heights"].variable(
                 ("state", x, "y"), self.heights[body], body
             )
-        dataset.attrs = {"samcontact_version": __version__, "stopped": int(self.stopped)}
+        dataset.attrs = {"samcontact_version": version, "stopped": int(self.stopped)}
         return dataset
 
 

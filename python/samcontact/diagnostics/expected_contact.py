@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Elastic Hertz contact that is expected of a smooth scene."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from .. import hertz
+from .._util.display import lengths, quantity
+
+if TYPE_CHECKING:
+    pass
+
+
+SOFTEST = 1e4
+"""Contact modulus below which the unit of E is doubted [Pa]: the softest gels have some 1e3."""
+
+
+@dataclass(frozen=True)
+class Expected:
+    """Elastic Hertz contact of a smooth scene; as a text its size, pressure and a likely slip."""
+
+    contact: hertz.PointContact | hertz.EllipticContact
+
+    @property
+    def semi_axes(self) -> tuple[float, float]:
+        """Larger and smaller semi-axis of the contact [m]."""
+        return max(self.along_axes), min(self.along_axes)
+
+    @property
+    def along_axes(self) -> tuple[float, float]:
+        """Semi-axes along x and y [m], of one that lies along them."""
+        if isinstance(self.contact, hertz.PointContact):
+            return self.contact.a, self.contact.a
+        return self.contact.a_x, self.contact.a_y
+
+    def __str__(self) -> str:
+        long, short = self.semi_axes
+        size = f"radius {quantity(long, 'm')}"
+        if long != short:
+            size = f"semi-axes {lengths(long, short)}"
+        text = f"Hertz: {size}, largest pressure {quantity(self.contact.p0, 'Pa')}"
+        if self.contact.E_star < SOFTEST:
+            text += f", with E* = {self.contact.E_star:.4g} Pa (E is in pascals: 210 GPa is 210e9)"
+        return text

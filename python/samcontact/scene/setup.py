@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a simulation is made of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from .settings import Settings
+
+if TYPE_CHECKING:
+    from ..bodies.layered import Body
+    from ..heat import Heat
+    from .domain import Domain, SurfaceGeometry
+    from .grid import Grid
+
+
+@dataclass(frozen=True, eq=False)
+class SimulationSetup:
+    """Arguments of a simulation, but for its grid and heat, which may change."""
+
+    body1: Body
+    body2: Body
+    surfaces: SurfaceGeometry
+    settings: Settings
+
+    @property
+    def bodies(self) -> tuple[Body, Body]:
+        """Upper and lower body."""
+        return self.body1, self.body2
+
+    @property
+    def friction(self) -> Any:
+        """Coefficient of gross sliding, or friction law."""
+        return self.settings.friction
+
+    def on_grid(self, grid: Grid, heat: Heat) -> dict[str, Any]:
+        """Arguments of `Simulation`, with the surfaces as they were given."""
+        surfaces = {name: getattr(self.surfaces, name) for name in ("gap", "relief1", "relief2")}
+        return self._others(heat) | {"grid": grid} | surfaces
+
+    def on_domain(self, domain: Domain, heat: Heat) -> dict[str, Any]:
+        """Arguments of `Simulation`, with the surfaces as arrays over a domain."""
+        given = vars(domain) | self._others(heat)
+        return given | {"gap": given.pop("initial_gap")}
+
+    def _others(self, heat: Heat) -> dict[str, Any]:
+        bodies = {"body1": self.body1, "body2": self.body2}
+        return bodies | self.settings.arguments() | {"heat": heat}

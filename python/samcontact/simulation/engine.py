@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The solver of a simulation: increments over a computational domain that may be enlarged."""
+
+from __future__ import annotations
+
+import copyreg
+import logging
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from .. import _core
+from .._core import GridTooSmallError
+from .._util import memory
+from ..contact.border_advice import GROWS, told_of_fixed
+from ..contact.enlargement import counts_for, even_more, told_in
+from ..diagnostics.hertz_estimate import ContactSetup
+from ..diagnostics.monitor import Monitor
+from ..heat import Heat
+from ..restart.file import ForeignCheckpointError
+from ..scene.domain import Domain, require_continued
+from ..scene.friction import Coulomb
+from ..scene.grid import Grid
+from ..scene.heating import core_law, heating
+from ..scene.moving_topography import relief_rows
+from ..scene.settings import memory_of_contact
+from ..scene.setup import SimulationSetup
+from ..solutions.state import State
+from .exclusive_access import ExclusiveAccess
+from .history import History
+from .snapshot import Snapshot
+from .steps import Step, checked_step
+
+_logger = logging.getLogger("samcontact")
+
+
+class Engine:
+    """Solves increments of a simulation, over a domain that is enlarged where surfaces are known.
+
+    With on_border="warn" the domain stays.
+    """
+
+    def __init__(self, setup: SimulationSetup, grid: Grid, heat: Heat) -> None:
+        self.setup = setup
+        self.heat = heat
+        """Heat of the next increment."""
+        self.history = History(heat)
+        self.access = ExclusiveAccess()
+        self._laws = [core_law(body) for body in setup.bodies]  # the core does not own them
+        self._open(self._checked_domain(grid))
+        self.first = self.domain
+        """The domain before any enlargement."""
+
+    def _open(self, domain: Domain, stand: Callable[[Any], object] | None = None) -> None:
+        """Go on over another domain, where `stand` makes the core stand: else at the start.
+
+        An error or interrupt leaves all as it was.
+        """
+        core = self._core_over(domain)
+        if stand is not None:
+            stand(core)
+        relieved = any(relief is not None for relief in domain.reliefs)
+        self.estimate = ContactSetup(domain.grid, domain.initial_gap, self.setup.bodies, relieved)
+        self.domain, self.core = domain, core
+
+    def _core_over(self, domain: Domain) -> Any:
+        grid, setup = domain.grid, self.setup
+        reliefs = [relief_rows(f"relief{n}", r, grid) for n, r in enumerate(domain.reliefs, 1)]
+        sticks = isinstance(setup.friction, Coulomb)
+        return _core.Simulation(
+            grid=grid._core,
+            body1=setup.body1._core,
+            body2=setup.body2._core,
+            gap=domain.initial_gap,
+            friction=setup.friction.coefficient if sticks else setup.friction,
+            sticks=sticks,
+            settings=setup.settings.to_core(grid.dx),
+            march=self.heat.history or (0.0, 0.0),
+            softening=self._laws,
+            reliefs=reliefs,
+        )
+
+    def _checked_domain(self, grid: Grid, beside: Domain | None = None) -> Domain:
+        """The domain of a grid, with the surfaces of another one in its middle, or around it."""
+        setup = self.setup
+        scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
+        sticks = isinstance(setup.friction, Coulomb)
+        cell = memory_of_contact(setup.friction, setup.bodies, self.heat)
+        cell += memory.STICK_SLIP_SIMULATION if sticks else memory.SIMULATION
+        cell += memory.YIELD_SCAN if scanned else 0.0
+        memory.require_for_grid("a simulation", grid, memory.surface(grid, cell))
+        domain = setup.surfaces.over(grid)
+        if beside is not None:
+            larger, smaller = sorted((domain, beside), key=lambda d: d.cells, reverse=True)
+            require_continued(larger, smaller)
+        return domain
+
+    @property
+    def state(self) -> State:
+        """The present state."""
+        return self.state_of(self.core.state, self.heat)
+
+    def state_of(self, core: Any, heat: Heat) -> State:
+        """A state of the core, with the heat of the increment after it."""
+        return State(core, self.setup, self.domain, heat, lambda: dict(self.core.counters))
+
+    def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, State, Any]:
+        """Solve an increment: it, the state before, and the core's after it."""
+        setup = self.setup
+        with self.access:
+            while True:
+                grid, heat = self.domain.grid, self.heat
+                step = checked_step(grid, setup.bodies, heat, setup.friction, **given)
+                if monitor.checks_steps:
+                    monitor.doubt(self.estimate, step.heat, step.target, stacklevel=4)
+                if not any(step.heat.shares):
+                    self.make_room(**step.target)
+                before = self.state
+                try:
+                    with self.estimate.beside(**step.target):
+                        return step, before, self.core.step(**step.to_core())
+                except GridTooSmallError as error:
+                    self._enlarge(error, **step.target)
+
+    def make_room(self, load: float | None = None, approach: float | None = None) -> None:
+        """Make room for the Hertz contact, where nothing else shapes the gap.
+
+        Raises GridTooSmallError for what does not fit into a domain that stays.
+        """
+        strained = any(self.core.state.max_plastic_strain_magnitude(body) for body in (0, 1))
+        if self.setup.settings.on_border != "error" or strained:
+            return
+        try:
+            self.estimate.require_room(load, approach)
+        except GridTooSmallError as error:
+            self._enlarge(error, load, approach)
+
+    def hold_strain(self) -> bool:
+        """Make room for all that has flowed where it is, so that fields show it; whether so."""
+        shape = self.domain.grid.surface_shape
+        needed = list(shape)
+        for body in (0, 1):
+            box = self.core.state.strain_beyond(body)
+            if box is None:
+                continue
+            for axis, (n, first, cells) in enumerate(zip(shape, box[:2], box[2:4], strict=True)):
+                beside = max(-first, first + cells - n, 0)
+                needed[axis] = max(needed[axis], n + 2 * beside)
+        counts = [even_more(n, m) for n, m in zip(shape, needed, strict=True)]
+        if self._stays or tuple(counts) == shape:
+            return False
+        try:
+            self._go_on_over(counts)
+        except (ValueError, MemoryError):  # the increment is done; a warning tells of it
+            return False
+        return True
+
+    @property
+    def _stays(self) -> str:
+        """Why the domain is not enlarged; nothing where it is."""
+        setup = self.setup
+        if setup.settings.on_border != "error" or self.domain.grid.periodic:
+            return "it stays"
+        if self.heat.history is not None or setup.body1.softening or setup.body2.softening:
+            return "the grid stays, with heat of a history or bodies that soften"
+        if not setup.surfaces.are_known:
+            return GROWS
+        return ""
+
+    def _enlarge(
+        self, error: GridTooSmallError, load: float | None = None, approach: float | None = None
+    ) -> None:
+        """Go on over a larger domain; raise the error where there is none."""
+        if why := self._stays:
+            if why == GROWS and not callable(self.setup.surfaces.gap):
+                told_of_fixed(error, self.estimate)
+            elif why != "it stays":
+                error.args = (f"{error}; {why}",)
+            raise error
+        with told_in(error, self.domain.grid):
+            counts = counts_for(error, self.first.grid, self.estimate, load, approach)
+            self._go_on_over(counts)
+
+    def _go_on_over(self, counts: Sequence[int]) -> None:
+        """Go on over a larger domain, from the same moment."""
+        grid = replace(self.domain.grid, nx=counts[0], ny=counts[1])
+        domain, smaller = self._checked_domain(grid, self.domain), self.core
+        self._open(domain, lambda core: core.take_over(smaller))
+        _logger.info("%s", self.enlargement)
+
+    @property
+    def enlargement(self) -> str:
+        """What has become of the first domain, in words; nothing where it is as it was."""
+        (a, b), (c, d) = self.first.grid.surface_shape, self.domain.grid.surface_shape
+        return f"the window has grown from {a} x {b} to {c} x {d} cells" if (a, b) != (c, d) else ""
+
+    def snapshot(self, state: State | None = None) -> Snapshot:
+        """The simulation as it stands, or as it stood in an earlier state."""
+        return Snapshot.of(self.state if state is None else state)
+
+    def restore(self, kept: Snapshot) -> None:
+        """Stand as a snapshot of the same scene tells, in its domain.
+
+        Raises ForeignCheckpointError for one of other surfaces.
+        """
+        self.history.forget()
+        heat, state = kept.arguments["heat"], kept.state
+        given, grid = kept.arguments, kept.arguments["grid"]
+        same = self.domain.grid == grid
+        domain = self.domain if same else self._checked_domain(grid, self.domain)
+        if not callable(given["gap"]):
+            before = Domain(grid, given["gap"], given.get("relief1"), given.get("relief2"))
+            try:
+                require_continued(domain, before)
+            except ValueError as error:
+                told = f"the checkpoint is of other surfaces: {error}"
+                raise ForeignCheckpointError(told) from error
+        then = heat
+        if heat.partition is None:
+            then = replace(heat, factor=[state["heat_factor1"], state["heat_factor2"]])
+        entries = heating(then, self.setup.bodies, grid)
+        if same:
+            self.core.restore(state, kept.counters, entries)
+        else:
+            self._open(domain, lambda core: core.restore(state, kept.counters, entries))
+        self.heat = heat
+
+    def stand_at(self, state: State) -> None:
+        """Go back to an earlier state over the same domain."""
+        self.history.forget()
+        self.core.stand_at(state._core)
+        self.heat = state.heat
+
+
+def _state_of(kept: Snapshot) -> State:
+    """The state of a snapshot, with an engine of its own."""
+    engine = Engine(*kept.setup())
+    engine.restore(kept)
+    return engine.state
+
+
+copyreg.pickle(State, lambda state: (_state_of, (Snapshot.of(state),)))
