@@ -31,6 +31,15 @@ from ._util.checks import FloatArray, finite, non_negative, number, positive, re
 from ._util.short_text import in_short
 from .kernels import _constants, _depths, _points, _sizes
 
+__all__ = [
+    "displacement",
+    "steady_displacement",
+    "steady_stress",
+    "steady_temperature",
+    "stress",
+    "temperature",
+]
+
 Velocity = tuple[float, float]
 
 
@@ -120,6 +129,8 @@ def temperature(
         offsets >= 0 tell everything.
     z : float
         Depth [m], >= 0.
+    a, b : float
+        Sides of the uniformly heated rectangle along x and y [m].
     time : float
         [s] since the source was switched on; inf, the default, is the steady state.
     tol : float

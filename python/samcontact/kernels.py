@@ -13,6 +13,15 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._util.checks import FloatArray, axis_number, choice, number, positive, together
 
+__all__ = [
+    "eigenstrain_displacement",
+    "eigenstrain_stress",
+    "pressure_displacement",
+    "pressure_stress",
+    "shear_displacement",
+    "shear_stress",
+]
+
 _PRESSURE = 2  # tractions are named by the axis they act along
 
 

@@ -24,6 +24,8 @@ from .scene.cell_fields import depth_major, depths_of, shear_components
 from .scene.grid import Grid
 from .scene.settings import Settings
 
+__all__ = ["residual_displacement", "residual_stress", "surface_displacement", "surface_stress"]
+
 
 def _require_volume(grid: Grid) -> None:
     require_type("grid", grid, Grid)
@@ -44,6 +46,7 @@ def surface_displacement(
 
     Parameters
     ----------
+    grid : Grid
     pressure : array_like, shape (nx, ny)
         [Pa], positive in compression.
     E, nu : float
@@ -76,6 +79,7 @@ def surface_stress(
 
     Parameters
     ----------
+    grid : Grid
     pressure : array_like, shape (nx, ny)
         [Pa].
     z : array_like, shape (m,) or scalar
@@ -115,6 +119,8 @@ def residual_stress(
 
     Parameters
     ----------
+    grid : Grid
+        With layers (dz).
     strain : array_like, shape (6, nx, ny, nz)
         Any symmetric strain, tensor components xx, yy, zz, yz, xz, xy, uniform in each cell.
     E, nu : float
@@ -147,6 +153,8 @@ def residual_displacement(
 
     Parameters
     ----------
+    grid : Grid
+        With layers (dz).
     strain : array_like, shape (6, nx, ny, nz)
         As in `residual_stress`.
     nu : float

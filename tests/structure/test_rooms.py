@@ -256,8 +256,11 @@ def all_imports(name, *, types=True):
     """Modules that a module imports when it is loaded or used, or for its types."""
     tree = ast.parse(NAMES[name].read_text())
     if not types:
-        tree.body = [node for node in tree.body if not (
-            isinstance(node, ast.If) and getattr(node.test, "id", "") == "TYPE_CHECKING")]  # fmt: skip
+        tree.body = [
+            node
+            for node in tree.body
+            if getattr(getattr(node, "test", 0), "id", 0) != "TYPE_CHECKING"
+        ]
     return set(imports(name, ast.walk(tree)))
 
 

@@ -101,9 +101,21 @@ class TestWarning:
 )
 def test_what_does_not_depend_on_increments_is_not_solved_again(sim, path, monkeypatch):
     monkeypatch.setattr(increment_errors, "_compared", None)  # would be called
-    made = sim()
-    states = made.run(path, progress=False)
+    made, states = sim(), []
+    assert warned(lambda: states.extend(made.run(path, progress=False))) == []
     assert not increment_errors.is_path_dependent(made.engine.setup, states)
+
+
+def test_nothing_is_estimated_where_the_warning_is_ignored(monkeypatch):
+    asked = []
+    monkeypatch.setattr(increment_errors, "_compared", lambda *given: asked.append(given))
+    for action in ("ignore", "always"):
+        with warnings.catch_warnings():
+            warnings.simplefilter("always")
+            warnings.filterwarnings("ignore", "a text", sc.IncrementWarning)  # not all of them
+            warnings.filterwarnings(action, category=sc.IncrementWarning)
+            ball(RIGID, PERFECT, 2000.0).run(pressed(2000.0, 1), progress=False)
+        assert len(asked) == (action == "always")
 
 
 def test_unknown_past_is_not_estimated():

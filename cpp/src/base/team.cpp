@@ -47,6 +47,7 @@ int own_id() { return gettid(); }
 /// began; none where the system does not tell.
 std::optional<Span> waited(int thread) {
   const std::string path = "/proc/self/task/" + std::to_string(thread) + "/schedstat";
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): a call of the system
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return std::nullopt;
   char text[96];  // nanoseconds that it ran, nanoseconds that it waited, turns

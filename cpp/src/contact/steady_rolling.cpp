@@ -109,6 +109,7 @@ Field SteadyRolling::solved(Field right) {
 /// Adds to a change of the shear what goes with the motions that bring the forces to their values.
 void SteadyRolling::meet_forces(Field& change) {
   std::vector<Field> shears;
+  shears.reserve(modes_);
   Eigen::MatrixXd slopes(modes_, modes_);
   Eigen::VectorXd missing(modes_);
   for (int k = 0; k < modes_; ++k) shears.push_back(solved(mode(k).direction));

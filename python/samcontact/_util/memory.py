@@ -42,13 +42,16 @@ class Cells(Protocol):
     """Numbers of cells of a grid along x, y and z."""
 
     @property
-    def nx(self) -> int: ...
+    def nx(self) -> int:
+        """Number of cells along x."""
 
     @property
-    def ny(self) -> int: ...
+    def ny(self) -> int:
+        """Number of cells along y."""
 
     @property
-    def nz(self) -> int: ...
+    def nz(self) -> int:
+        """Number of cells along z."""
 
 
 def require(what: str, needed: float, remedy: str = "take fewer cells") -> None:

@@ -17,7 +17,6 @@ from .._util.quantities import described
 from .._util.short_text import in_short
 from ..diagnostics import sharp_edges
 from ..diagnostics.resolution import ROUND_SPOT, area_uncertainty
-from ..results.tangential_quantities import ROUNDING, along_surface, not_rounding
 from ..scene.friction import Coulomb
 from ..simulation import coarsening, error_controlled_quantities, increment_errors
 from ..simulation.increment_errors import IncrementErrors
@@ -26,6 +25,7 @@ from ..simulation.steps import STEP
 from ..solutions.contact_area import area_doubt
 from ..solutions.peak import peak
 from ..solutions.state import in_one_window
+from ..solutions.tangential_quantities import ROUNDING, along_surface, not_rounding
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -158,15 +158,14 @@ class Search:
         reached = self.solves.given[name]["reached"]
         if name not in self._told:
             self._told.add(name)
-            tried = f"tried {quantity(load, 'N', 6)} {where}"
-            tell(f"{tried}: {self._shown(reached)}", shown=self.progress)
+            text = f"tried {quantity(load, 'N', 6)} {where}: {self._shown(reached)}"
+            tell(text, shown=self.progress)
         self.largest = max(self.largest, (reached, load))
         return float(reached / self.target - 1.0)
 
     def _shown(self, reached: float) -> str:
         label, unit = label_and_unit(self.name)
-        wanted = quantity(self.target, unit)
-        return f"{label} {quantity(reached, unit)}, of {wanted} that are asked for"
+        return f"{label} {quantity(reached, unit)}, of {quantity(self.target, unit)} asked for"
 
     def _reached(self, state: State) -> float:
         if self.name == YIELD:

@@ -21,14 +21,14 @@ from ..heat import Heat
 from ..scene.domain import Domain, SurfaceGeometry, require_continued
 from ..scene.friction import Coulomb
 from ..scene.grid import Grid
-from ..scene.heating import COLD, heating, require_reference
+from ..scene.heating import COLD, heating, require_heat_of, require_reference
 from ..scene.settings import ContactSettings, memory_of_contact
 from ..solutions.contact_solution import ContactSolution, ShearedSolution, fits
 from .border_advice import advised, told_of_fixed
 from .enlargement import counts_for, told_in
 from .fields import ContactFields
 from .interpenetration import require_apart
-from .tangential_drive import Drive, Pressing, require_heat_of, tangential_drive
+from .tangential_drive import Drive, Pressing, tangential_drive
 
 
 class ContactSolver(ContactFields):

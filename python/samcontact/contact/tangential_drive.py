@@ -12,7 +12,6 @@ import numpy as np
 from .. import _core
 from .._util.checks import FloatArray, finite, finite_array, in_cells, require_type
 from .._util.short_text import in_short
-from ..heat import Heat
 from ..scene.friction import Coulomb
 from ..scene.grid import Grid
 from ..solutions.contact_solution import (
@@ -29,21 +28,6 @@ Pressing = tuple[FloatArray, bool, float]
 """Initial gap, whether the load is given, and the load or approach."""
 Settings = tuple[float, int, bool]
 """Tolerance, iterations at most, whether the border is an error."""
-
-
-def require_heat_of(friction: float | Coulomb, heat: Heat) -> None:
-    """Raise ValueError for heat of another kind than the friction's."""
-    sticks = isinstance(friction, Coulomb)
-    if sticks and any(heat.factor):
-        raise ValueError(
-            f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: bodies that "
-            "stick and slip are heated by their slip; give heat.partition to a Simulation"
-        )
-    if not sticks and heat.partition is not None:
-        raise ValueError(
-            f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: "
-            "where all slides the heat goes with the pressure; give heat.factor, see heat.factors"
-        )
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from .._util.quantities import CONTACT
 from ..results.slipping import moved_along
-from ..results.tangential_quantities import ROUNDING
+from ..solutions.tangential_quantities import ROUNDING
 from .parts import new_figure
 from .scene import Scene
 from .slipping import (

@@ -13,8 +13,8 @@ from .. import energy
 from .._util.checks import FloatArray
 from .._util.quantities import CONTACT
 from ..scene.friction import Coulomb
+from ..solutions.tangential_quantities import ALONG, ROUNDING, along_surface, not_rounding
 from .motion import add
-from .tangential_quantities import ALONG, ROUNDING, along_surface, not_rounding
 
 if TYPE_CHECKING:
     from ..simulation.simulation import Simulation

@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 
 from .. import _core
-from .._util.checks import FloatArray, finite_array
+from .._util.checks import FloatArray, finite_array, require_type
 from ..bodies.layered import Body, Layered
 from ..heat import Heat
+from .friction import Coulomb
 from .grid import Grid
 
 COLD = Heat(0.0)
@@ -24,6 +25,15 @@ LEAST_DIFFUSED = 0.02
 the march have no bounds."""
 
 Bodies = tuple[Body, Body]
+
+
+def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: float | Coulomb) -> Heat:
+    """Heat that bodies, kernels and friction allow; default none. Raises ValueError, TypeError."""
+    checked = COLD if heat is None else heat
+    require_type("heat", checked, Heat)
+    heating(checked, bodies, grid)
+    require_heat_of(friction, checked)
+    return checked
 
 
 def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = None) -> list[Any]:
@@ -127,4 +137,19 @@ def require_reference(heat: Heat) -> None:
         raise ValueError(
             "heat.reference must be given with an approach: the displacement of a steady source at "
             "rest has no limit far away, it is zero at this distance [m] of a point source"
+        )
+
+
+def require_heat_of(friction: float | Coulomb, heat: Heat) -> None:
+    """Raise ValueError for heat of another kind than the friction's."""
+    sticks = isinstance(friction, Coulomb)
+    if sticks and any(heat.factor):
+        raise ValueError(
+            f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: bodies that "
+            "stick and slip are heated by their slip; give heat.partition to a Simulation"
+        )
+    if not sticks and heat.partition is not None:
+        raise ValueError(
+            f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: "
+            "where all slides the heat goes with the pressure; give heat.factor, see heat.factors"
         )

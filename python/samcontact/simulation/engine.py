@@ -10,10 +10,11 @@ from dataclasses import replace
 from typing import Any
 
 from .. import _core
-from .._core import GridTooSmallError
+from .._core import ConvergenceError, GridTooSmallError
 from .._util import memory
-from ..contact.border_advice import GROWS, told_of_fixed
+from ..contact.border_advice import GROWS, advised, told_of_fixed
 from ..contact.enlargement import counts_for, even_more, told_in
+from ..contact.interpenetration import require_apart
 from ..diagnostics.hertz_estimate import ContactSetup
 from ..diagnostics.monitor import Monitor
 from ..heat import Heat
@@ -112,7 +113,7 @@ class Engine:
                 grid, heat = self.domain.grid, self.heat
                 step = checked_step(grid, setup.bodies, heat, setup.friction, **given)
                 if monitor.checks_steps:
-                    monitor.doubt(self.estimate, step.heat, step.target, stacklevel=4)
+                    monitor.doubt(self.estimate, step.heat, step.target, stacklevel=5)
                 if not any(step.heat.shares):
                     self.make_room(**step.target)
                 before = self.state
@@ -121,6 +122,28 @@ class Engine:
                         return step, before, self.core.step(**step.to_core())
                 except GridTooSmallError as error:
                     self._enlarge(error, **step.target)
+
+    def advance(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[State, list[str]]:
+        """Go on by an increment: its state, and complaints of the border of the grid."""
+        setup = self.setup
+        step, before, core = self.solve(given, monitor)
+        state = self.state_of(core, step.heat)
+        if step.target and not isinstance(setup.friction, Coulomb):
+            try:
+                require_apart(state, setup.bodies, setup.friction, setup.settings.tol)
+            except ConvergenceError:
+                steps = self.history.steps
+                self.stand_at(before)
+                self.history.steps = steps
+                raise
+        self.heat = step.heat
+        if step.target and self.hold_strain():
+            state = self.state
+        self.history.add(given)
+        complaints: list[str] = core.warnings
+        if not callable(setup.surfaces.gap):
+            complaints = [advised(text, self.estimate) for text in complaints]
+        return state, complaints
 
     def make_room(self, load: float | None = None, approach: float | None = None) -> None:
         """Make room for the Hertz contact, where nothing else shapes the gap.

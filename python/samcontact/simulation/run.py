@@ -9,9 +9,11 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from .._util.progress import progress_bar
+from ..diagnostics.monitor import Monitor
 from ..solutions.state import State
 from .engine import Engine
 from .journal import journal_of
+from .steps import largest_cold_load, largest_target
 
 _logger = logging.getLogger("samcontact")
 
@@ -33,6 +35,7 @@ def _log(state: State, number: int, count: int) -> None:
 def run_into(
     states: list[State],
     engine: Engine,
+    monitor: Monitor,
     step: Callable[..., State],
     steps: Sequence[Mapping[str, Any]],
     progress: bool,
@@ -41,7 +44,11 @@ def run_into(
     leave: bool,
 ) -> None:
     """Append the state of each increment as soon as it is done; leave: the progress when it is."""
+    monitor.doubt(engine.estimate, engine.heat, largest_target(steps), stacklevel=4)
+    if not any(engine.heat.shares) and (load := largest_cold_load(steps)) is not None:
+        engine.make_room(load)
     with (
+        monitor.as_a_whole(),
         journal_of(checkpoint, engine, path=steps) as journal,
         progress_bar(len(steps), "increment", shown=progress, leave=leave) as bar,
     ):
@@ -61,3 +68,4 @@ def run_into(
             if progress:
                 strain = max(map(states[-1].max_equivalent_plastic_strain, (1, 2)))
                 bar.set_postfix(iterations=states[-1].iterations, plastic_strain=f"{strain:.3g}")
+    monitor.warn_of_run(states, engine.estimate, stacklevel=4)

@@ -23,12 +23,12 @@ from .._util.checks import (
     tractions,
 )
 from .._util.short_text import in_short
-from ..contact.tangential_drive import GivenAlong, given_along, require_heat_of
+from ..contact.tangential_drive import GivenAlong, given_along
 from ..heat import Heat
 from ..scene.cell_fields import shear_components
 from ..scene.friction import Coulomb
 from ..scene.grid import Grid
-from ..scene.heating import Bodies, heating, require_reference
+from ..scene.heating import Bodies, heating, require_heat_of, require_reference
 
 STEP = (
     "load", "approach", "pressure", "shear", "advance", "shift", "tangential_load", "twist",

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -31,10 +31,18 @@ def layered_body(bodies: tuple[Body, Body], body: int, offset: float) -> Layered
     return found
 
 
-def stress_of_tractions(
-    grid: Grid, layered: Layered, pressure: FloatArray, shear: FloatArray
+def stress_at_interfaces(
+    grid: Grid,
+    layered: Layered,
+    tractions: tuple[FloatArray, FloatArray],
+    of_strain: Callable[[int], FloatArray] | None,
 ) -> FloatArray:
-    """Stress of tractions on a body, and that of the start, above and below its interfaces."""
+    """See `State.interface_stress`.
+
+    tractions: pressure and shear on the body; of_strain: the stress of its plastic strain in so
+    many layers of cells.
+    """
+    pressure, shear = tractions
     depths = layered.interfaces
     sides = np.stack([np.nextafter(depths, 0.0), depths])
     needed = memory.volume(grid, memory.STRESS_OF_TRACTIONS, sides.size)
@@ -46,22 +54,14 @@ def stress_of_tractions(
     found = np.stack(np.split(stress, len(SIDES), axis=-1))
     for component, initial in zip((0, 1, 5), layered.residual_stress_at(sides), strict=True):
         found[:, component] += initial[:, None, None, :]
+    if of_strain is not None and grid.dz is not None:
+        cuts = np.rint(depths / grid.dz).astype(int).tolist()
+        found += _continued(of_strain(cuts[-1] + len(_TO_FACE)), cuts)
     return found
 
 
-def interface_cells(layered: Layered, dz: float) -> list[int]:
-    """Layers of cells above each interface."""
-    cells: list[int] = np.rint(layered.interfaces / dz).astype(int).tolist()
-    return cells
-
-
-def cells_to_faces(cuts: Sequence[int]) -> int:
-    """Layers of cells that `continued_to_faces` needs."""
-    return cuts[-1] + len(_TO_FACE)
-
-
-def continued_to_faces(cells: FloatArray, cuts: Sequence[int]) -> FloatArray:
-    """Stress in layers of cells, continued to the interfaces from cells of each side."""
+def _continued(cells: FloatArray, cuts: Sequence[int]) -> FloatArray:
+    """Stress in layers of cells, continued to the interfaces from each side."""
     faces = []
     for above, at, below in zip([0, *cuts], cuts, [*cuts[1:], cells.shape[-1]], strict=False):
         upper, lower = cells[..., above:at][..., ::-1], cells[..., at:below]

@@ -19,13 +19,7 @@ from .._util.tensors import von_mises
 from ..heat import Heat
 from ..scene.domain import Domain
 from ..scene.setup import SimulationSetup
-from .interface_stress import (
-    cells_to_faces,
-    continued_to_faces,
-    interface_cells,
-    layered_body,
-    stress_of_tractions,
-)
+from .interface_stress import layered_body, stress_at_interfaces
 from .surface_state import SurfaceState
 from .track import Track
 from .zone import Zone, ZoneStress
@@ -227,40 +221,24 @@ class State(SurfaceState, Fixed, Shown):
     def interface_stress(self, body: int = 2) -> FloatArray:
         """Total stress on both sides of the interfaces of a layered body [Pa].
 
-        Parameters
-        ----------
-        body : {1, 2}
-
-        Returns
-        -------
-        ndarray, shape (2, 6, nx, ny, m)
-            Above and below each of the m interfaces, see `Layered.interfaces`. What layers pull and
-            shear each other with, zz, yz and xz, is the same on both sides but for what the cells
-            leave; xx, yy and xy jump.
-
-        Raises
-        ------
-        ValueError
-            A body without layers, or one with an `offset`.
-
-        Notes
-        -----
-        That of tractions is exact at its depth, that of plastic strain is continued from three
-        cells of each side (fewer in thinner layers).
+        Shape (2, 6, nx, ny, m): above and below each of the m interfaces, see `Layered.interfaces`.
+        The tractions between layers, zz, yz and xz, are continuous but for the error of the cells;
+        xx, yy and xy jump. Stress due to tractions is exact at its depth, that due to plastic
+        strain is continued from three cells of each side (fewer in thinner layers). Raises
+        ValueError for a body without layers, or one with an `offset`.
         """
         return self._field("interface_stress", body, lambda: self._at_interfaces(body))
 
     def _at_interfaces(self, body: int) -> FloatArray:
         layered = layered_body(self.setup.bodies, body, self.offset(body))
-        shear = self.shear if body == 2 else -self.shear
-        found = stress_of_tractions(self.grid, layered, self.pressure, shear)
-        dz = self.grid.dz
-        if dz is not None and self.max_plastic_strain_magnitude(body) > 0:
-            cuts = interface_cells(layered, dz)
-            deep = self._down_to(cells_to_faces(cuts))
-            cells = deep.residual_stress(body) - deep.initial_stress(body)
-            found += continued_to_faces(cells, cuts)
-        return found
+        tractions = self.pressure, self.shear if body == 2 else -self.shear
+
+        def of_strain(layers: int) -> FloatArray:
+            deep = self._down_to(layers)
+            return deep.residual_stress(body) - deep.initial_stress(body)
+
+        strained = self.max_plastic_strain_magnitude(body) > 0
+        return stress_at_interfaces(self.grid, layered, tractions, of_strain if strained else None)
 
     def von_mises(self, body: int = 2) -> FloatArray:
         """Von Mises stress [Pa], shape (nx, ny, nz)."""

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Simulations made again from snapshots: of pickles, of copies and of checkpoint files."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from ..restart.file import other_version, readable
+from .checkpoint import read_checkpoint
+from .snapshot import Snapshot
+
+if TYPE_CHECKING:
+    from ..diagnostics.monitor import Monitor
+    from ..scene.domain import Domain
+    from .engine import Engine
+
+
+def restored(cls: type[Any], kept: Snapshot, first: Domain | None = None) -> Any:
+    """The simulation, of class `cls`, of a snapshot; first: its domain before any enlargement."""
+    simulation = cls(**kept.arguments)
+    simulation.engine.restore(kept)
+    if first is not None:
+        simulation.engine.first = first
+    return simulation
+
+
+def reduced(cls: type[Any], engine: Engine, monitor: Monitor) -> tuple[Any, ...]:
+    """What a pickle or copy of a simulation is made of; functions stay what they are."""
+    kept, surfaces = engine.snapshot(), vars(engine.setup.surfaces)
+    functions = {name: shape for name, shape in surfaces.items() if callable(shape)}
+    kept = replace(kept, arguments=kept.arguments | functions)
+    return restored, (cls, kept, engine.first), {"monitor": monitor}
+
+
+def loaded(
+    cls: type[Any], path: str | os.PathLike[str], softening: Sequence[Any], gap: Any = None
+) -> Any:
+    """The simulation of a checkpoint file; gap: a function that is the one in it."""
+    kept, tree = read_checkpoint(path, softening)
+    if told := other_version(path, tree):
+        warnings.warn(f"{told}: further increments may differ in their last digits", stacklevel=3)
+    if gap is not None:
+        kept = replace(kept, arguments=kept.arguments | {"gap": gap})
+    with readable(path):
+        return restored(cls, kept)
