@@ -4,7 +4,6 @@
 import numpy as np
 
 import samcontact as sc
-from samcontact.simulation.checkpoint import snapshot
 
 E, NU = 210e9, 0.3
 RIGID = sc.Material.rigid()
@@ -51,7 +50,7 @@ def rolling(body1, body2, **options):
 
 def zones_of(sim, body):
     """The boxes that a body was last solved in, [box][i0, j0, nx, ny, nz]."""
-    return snapshot(sim).state.get(f"flow_boxes{body}", np.zeros((0, 5), np.int64))
+    return sim.engine.snapshot().state.get(f"flow_boxes{body}", np.zeros((0, 5), np.int64))
 
 
 def zone_counts(sim):

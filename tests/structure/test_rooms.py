@@ -79,7 +79,6 @@ CORE_USERS = {
     "scene.heating",
     "scene.settings",
     "simulation.engine",
-    "simulation.simulation",
     "solutions.interface_stress",
 }
 

@@ -51,7 +51,7 @@ def test_goes_on_with_the_same_bits(path, body1, body2, settings):
 
     assert other.grid == sim.grid
     assert (other.body1, other.body2) == (sim.body1, sim.body2)
-    assert describe(other) == describe(sim)
+    assert describe(other.engine) == describe(sim.engine)
     assert repr(other) == repr(sim)
     for name in ("friction", "tol", "increment_tol", "on_border", "max_iterations"):
         assert getattr(other, name) == getattr(sim, name)

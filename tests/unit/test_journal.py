@@ -61,9 +61,9 @@ def test_states_that_are_kept_later_go_on_with_their_own_heat(tmp_path):
 
     path = [{"load": LOAD}, {"load": 0.5 * LOAD}, {"load": LOAD, "heat_factor": 0.0}]
     sim = scene()
-    who = describe(sim, path=path)
+    who = describe(sim.engine, path=path)
     expected = sim.run(path, progress=False)
-    journal = Journal(tmp_path, sim, who)
+    journal = Journal(tmp_path, sim.engine, who)
     journal.add(expected[0])  # the run was interrupted here
     again = scene().run(path, progress=False, checkpoint=tmp_path)
     for one, other in zip(again, expected, strict=True):

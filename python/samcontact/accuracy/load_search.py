@@ -48,8 +48,7 @@ if TYPE_CHECKING:
 
 __all__ = ["FoundLoad", "find_load"]
 
-_MOST = 100.0  # times the largest load of a case
-_LEAST = 1e-9  # times the first load that is tried
+_MOST, _LEAST = 100.0, 1e-9  # times the largest load of a case, and the first that is tried
 _COARSE = 1e-2  # relative tolerance of the load on the coarser grid
 _TRIES = 12  # on the grid itself
 
@@ -165,7 +164,8 @@ class Search:
 
     def _shown(self, reached: float) -> str:
         label, unit = label_and_unit(self.name)
-        return f"{label} {quantity(reached, unit)}, of {quantity(self.target, unit)} asked for"
+        wanted = quantity(self.target, unit)
+        return f"{label} {quantity(reached, unit)}, of {wanted} that are asked for"
 
     def _reached(self, state: State) -> float:
         if self.name == YIELD:

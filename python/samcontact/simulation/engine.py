@@ -113,7 +113,7 @@ class Engine:
                 grid, heat = self.domain.grid, self.heat
                 step = checked_step(grid, setup.bodies, heat, setup.friction, **given)
                 if monitor.checks_steps:
-                    monitor.doubt(self.estimate, step.heat, step.target, stacklevel=5)
+                    monitor.doubt(self.estimate, step.heat, step.target, stacklevel=4)
                 if not any(step.heat.shares):
                     self.make_room(**step.target)
                 before = self.state

@@ -7,7 +7,7 @@ import os
 import warnings
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..restart.file import other_version, readable
 from .checkpoint import read_checkpoint
@@ -18,13 +18,21 @@ if TYPE_CHECKING:
     from ..scene.domain import Domain
     from .engine import Engine
 
+Made = TypeVar("Made")
+"""A class of simulations."""
 
-def restored(cls: type[Any], kept: Snapshot, first: Domain | None = None) -> Any:
-    """The simulation, of class `cls`, of a snapshot; first: its domain before any enlargement."""
-    simulation = cls(**kept.arguments)
-    simulation.engine.restore(kept)
+
+def restored(cls: type[Made], kept: Snapshot, first: Domain | None = None, gap: Any = None) -> Made:
+    """The simulation, of class `cls`, of a snapshot.
+
+    first: its domain before any enlargement; gap: a function that is the one in it.
+    """
+    changes = {} if gap is None else {"gap": gap}
+    simulation = cls(**kept.arguments | changes)
+    engine: Engine = simulation.engine  # type: ignore[attr-defined]
+    engine.restore(kept)
     if first is not None:
-        simulation.engine.first = first
+        engine.first = first
     return simulation
 
 
@@ -37,13 +45,11 @@ def reduced(cls: type[Any], engine: Engine, monitor: Monitor) -> tuple[Any, ...]
 
 
 def loaded(
-    cls: type[Any], path: str | os.PathLike[str], softening: Sequence[Any], gap: Any = None
-) -> Any:
+    cls: type[Made], path: str | os.PathLike[str], softening: Sequence[Any], gap: Any = None
+) -> Made:
     """The simulation of a checkpoint file; gap: a function that is the one in it."""
     kept, tree = read_checkpoint(path, softening)
     if told := other_version(path, tree):
         warnings.warn(f"{told}: further increments may differ in their last digits", stacklevel=3)
-    if gap is not None:
-        kept = replace(kept, arguments=kept.arguments | {"gap": gap})
     with readable(path):
-        return restored(cls, kept)
+        return restored(cls, kept, gap=gap)
