@@ -111,7 +111,9 @@ def steady(
         on_border=on_border,
         max_iterations=max_iterations,
     )
-    solution = solver._driven(gap, load, approach, _Rolling(given, friction.coefficient, start))
+    solution = solver.solve_driven(
+        gap, load, approach, _Rolling(given, friction.coefficient, start)
+    )
     assert isinstance(solution, RollingSolution)
     return solution
 

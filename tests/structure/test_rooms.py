@@ -287,6 +287,47 @@ def test_only_public_modules_lie_outside_of_folders():
     assert outside <= set(sc.__all__)
 
 
+def own_private_names(tree):
+    """Private names that a module defines: functions, methods, attributes."""
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            yield node.name
+        elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
+            if getattr(node.value, "id", "") == "self":
+                yield node.attr
+        elif isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+            yield node.target.id
+
+
+def reached_into(tree):
+    """Private attributes of other objects that a module uses, which it does not define."""
+    modules = {
+        alias.asname or alias.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Import)
+        for alias in node.names
+    }
+    own = {*own_private_names(tree), "_core", "_replace"}  # the compiled part, tuples with names
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Attribute) or not re.match("_[a-z]", node.attr):
+            continue
+        value = node.value
+        is_super = isinstance(value, ast.Call) and getattr(value.func, "id", "") == "super"
+        if is_super or getattr(value, "id", "") in {"self", "cls", *modules} or node.attr in own:
+            continue
+        yield ast.unparse(node)
+
+
+def test_no_module_reaches_into_the_privates_of_another():
+    trees = {name: ast.parse(file.read_text()) for name, file in NAMES.items()}
+    found = {name: list(reached_into(tree)) for name, tree in trees.items()}
+    assert {name: uses for name, uses in found.items() if uses} == {}
+    sample = (
+        "class A:\n    def f(self, b):\n        return self._x, b._y, b._z\n    def _z(self): ..."
+    )
+    assert list(reached_into(ast.parse(sample))) == ["b._y"]
+
+
 def test_no_test_file_imports_another():
     """What several share is a module."""
     pattern = re.compile(r"^\s*(?:from|import) test_\w+", re.MULTILINE)

@@ -43,7 +43,7 @@ class FakeState:
     def depths(self):
         return self.grid.z
 
-    def _down_to(self, layers):
+    def at_layers(self, layers):
         assert layers == self.grid.nz
         return self
 

@@ -70,7 +70,7 @@ def test_fields_of_the_plastic_zone_hold_the_largest_of_the_grid(shift):
         beside = np.s_[max(i, 0) : i + nx, max(j, 0) : j + ny]
         inside = np.s_[max(-i, 0) : grid.nx - i, max(-j, 0) : grid.ny - j]
         for name in ("stress", "residual_stress", "residual_displacement"):
-            whole, own = getattr(state, name)(2), state._in_own_box(name, 2)
+            whole, own = getattr(state, name)(2), state.in_own_box(name, 2)
             if whole.ndim == 2:
                 assert own[inside] == pytest.approx(whole[beside], rel=1e-9)
             else:

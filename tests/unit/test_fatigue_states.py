@@ -86,7 +86,7 @@ def test_plastic_strain_counts_where_strain_does():
     found = fatemi_socie(states, k=0.5)
     assert found.parameters["yield_stress"] == 1e9
     stress, strain = (
-        np.stack([getattr(s._down_to(6), name)(2) for s in states])
+        np.stack([getattr(s.at_layers(6), name)(2) for s in states])
         for name in ("stress", "plastic_strain")
     )
     given = cycle(stress, plastic_strain=strain)

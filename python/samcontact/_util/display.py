@@ -106,6 +106,11 @@ class Brief:
         return f"{type(self).__name__}({listed})"
 
 
+def rows_of(shown: Shown) -> Rows:
+    """Rows of the table that notebooks show of an object."""
+    return shown._rows()
+
+
 class Shown:
     """Something that notebooks show as a table; dataclasses of numbers need nothing more."""
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from .._util.checks import FloatArray, require_list, step_list
-from .._util.display import Rows, Shown, percent, quantity
+from .._util.display import Rows, Shown, percent, quantity, rows_of
 from .._util.errors import ResolutionWarning
 from .._util.quantities import described
 from .._util.short_text import in_short
@@ -84,7 +84,7 @@ class GridErrors(Shown):
         found = _largest_of(self.values, self.errors, {}, {})
         rows = [(row.label, row.with_error) for row in found]
         if self.increments is not None:
-            rows += [(f"{name}, by increments", share) for name, share in self.increments._rows()]
+            rows += [(f"{name}, by increments", share) for name, share in rows_of(self.increments)]
         return rows
 
     def __repr__(self) -> str:

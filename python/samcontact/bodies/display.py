@@ -5,14 +5,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from .._util.display import Rows, quantity
+from .._util.display import Rows, quantity, rows_of
 from .hardening_laws import LAWS
 
 
 def material_rows(material: Any) -> Rows:
     """Law and constants of a material."""
     if material.law not in LAWS:  # layers of materials
-        return list(material._rows())
+        return list(rows_of(material))
     constants = LAWS[material.law].constants
     rows = [("law", material.law.replace("_", " "))]
     for name, value in material.parameters.items():

@@ -138,6 +138,11 @@ class CaseFile(Section):
     _source: Path = PrivateAttr(default=Path("case.toml"))
     _text: str = PrivateAttr(default="")
 
+    def written_in(self, source: Path, text: str = "") -> Self:
+        """The same case, as the content of a file."""
+        self._source, self._text = source, text
+        return self
+
     def __repr_args__(self) -> list[tuple[str | None, Any]]:
         """Of its repr, which would be the whole file."""
         return [("title", self.title[:60]), ("source", str(self._source))]

@@ -333,8 +333,7 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCas
         raise CaseError(f"{source}: not valid TOML: {error}") from error
     except RecursionError:
         raise CaseError(f"{source}: lists or tables are nested too deeply") from None
-    case._source, case._text = source, text
-    return case
+    return case.written_in(source, text)
 
 
 def validated(content: Mapping[str, Any], source: Path) -> Case | TuggingCase:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from .._util.display import rows_of
 from .._util.short_text import in_short
 from .arguments import FilePath, Quantity
 from .errors import short_errors
@@ -49,7 +50,7 @@ def find(
             click.echo(repr(found.load))
             return
         sheet = Sheet(case.title)
-        labels, shown = zip(*found._rows(), strict=True)
+        labels, shown = zip(*rows_of(found), strict=True)
         sheet.add("", labels)
         sheet.add("found", shown)
         new_console().print(sheet)

@@ -10,6 +10,7 @@ import xarray as xr
 from rich.console import Console
 
 from .. import results
+from .._util.display import rows_of
 from .._util.version import version
 from .interrupted import Checkpoints
 from .tables import Sheet
@@ -30,7 +31,7 @@ def write_shakedown(
     kept = checkpoints.remember() / "shakedown"
     found = case.shakedown.solve(*case.build(), not console.quiet, kept)
     directory = checkpoints.directory
-    rows = found._rows()
+    rows = rows_of(found)
     sheet = Sheet("The path, repeated")
     sheet.add("", [label for label, _ in rows])
     sheet.add("", [value for _, value in rows])

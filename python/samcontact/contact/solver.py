@@ -193,9 +193,9 @@ class ContactSolver(ContactFields):
         drive = tangential_drive(
             self.friction, shift, tangential_load, twist, torque, previous, advance, self.grid
         )
-        return self._driven(gap, load, approach, drive, initial_pressure)
+        return self.solve_driven(gap, load, approach, drive, initial_pressure)
 
-    def _driven(  # warnings name the caller's caller
+    def solve_driven(  # warnings name the caller's caller
         self,
         gap: ArrayLike | Callable[[Grid], ArrayLike],
         load: float | None,
@@ -203,6 +203,7 @@ class ContactSolver(ContactFields):
         drive: Drive,
         initial_pressure: ArrayLike | None = None,
     ) -> ContactSolution:
+        """Solve the contact for a load or an approach, with what drives it along the surface."""
         driver = exactly_one(load=load, approach=approach)
         value = number(driver, load if approach is None else approach)
         if driver == "approach":

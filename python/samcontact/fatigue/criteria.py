@@ -165,7 +165,7 @@ def findley(
     number = _slope("k", k)
 
     def at(cycle: Cycle, block: slice) -> tuple[FloatArray, FloatArray]:
-        return _core.fatigue.findley(cycle._stress(block), number)
+        return _core.fatigue.findley(cycle.stress(block), number)
 
     return _over_blocks("findley", {"k": number}, "Pa", _as_cycle(states, body), 1, at)
 
@@ -215,12 +215,12 @@ def fatemi_socie(
     moduli, limit = _elasticity(given, material), _yield_stress(given, material, yield_stress)
 
     def at(cycle: Cycle, block: slice) -> tuple[FloatArray, FloatArray]:
-        stress = cycle._stress(block)
+        stress = cycle.stress(block)
         layers = block.stop - block.start
         halved = 0.5 / np.broadcast_to(moduli, cycle.points_shape[-1:])[block]
         shear = stress * np.repeat(halved, stress.shape[2] // layers)
-        if cycle._strained:
-            shear += cycle._plastic_strain(block)
+        if cycle.has_plastic_strain:
+            shear += cycle.plastic_strain(block)
         return _core.fatigue.fatemi_socie(shear, stress, number / limit)
 
     parameters = {"k": number, "yield_stress": limit}
@@ -259,7 +259,7 @@ def _scalar(
     of_stress: Callable[[FloatArray], FloatArray],
 ) -> FatigueField:
     def at(cycle: Cycle, block: slice) -> tuple[FloatArray, None]:
-        return of_stress(cycle._stress(block)), None
+        return of_stress(cycle.stress(block)), None
 
     return _over_blocks(criterion, parameters, "Pa", _as_cycle(states, body), 1, at)
 
@@ -275,7 +275,7 @@ def _over_blocks(
     """The field, put together of blocks; `fields`: how many of them lie in memory at once."""
     values = np.empty(given.points_shape)
     normals: FloatArray | None = None
-    for block in given._blocks(fields):
+    for block in given.blocks(fields):
         found, planes = at(given, block)
         shape = (block.stop - block.start, *given.points_shape[:-1])
         values[..., block] = np.moveaxis(found.reshape(shape), 0, -1)
@@ -301,7 +301,7 @@ def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
         require_type("material", material, Material)
         if material.is_rigid:
             raise ValueError("material must not be rigid: a rigid body has no strain")
-    body = material if material is not None else given._body
+    body = material if material is not None else given.body
     if body is None:
         raise TypeError("material must be given with an array of stress: whose strain is meant?")
     if isinstance(body, Layered):
@@ -317,7 +317,7 @@ def _yield_stress(given: Cycle, material: Material | None, told: float | None) -
         given_stress = positive("yield_stress", told)
         warn_of(strength("yield_stress", given_stress), stacklevel=4)
         return given_stress
-    body = material if material is not None else given._body
+    body = material if material is not None else given.body
     assert body is not None  # _elasticity has asked
     if not body.is_plastic:
         raise ValueError("yield_stress must be given [Pa]: the body's material has none")

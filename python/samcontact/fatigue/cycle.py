@@ -60,12 +60,18 @@ class Cycle(Shown):
         """
         return self._places
 
+    @property
+    def body(self) -> Body | None:
+        """Body of the points; None of an array of stress."""
+        return self._body
+
     @cached_property
-    def _strained(self) -> bool:
+    def has_plastic_strain(self) -> bool:
+        """Whether a point has plastic strain at some moment."""
         return self._paths.has_plastic_strain
 
-    def _blocks(self, fields: int) -> Iterator[slice]:
-        """Along the last axis, as many as fit at once."""
+    def blocks(self, fields: int) -> Iterator[slice]:
+        """Blocks of points along the last axis, of which so many fields fit into memory at once."""
         last = self.points_shape[-1]
         one = 48.0 * self.moments * math.prod(self.points_shape[:-1]) * fields
         there = memory.available()
@@ -76,8 +82,8 @@ class Cycle(Shown):
         for first in range(0, last, size):
             yield slice(first, min(first + size, last))
 
-    def _stress(self, block: slice) -> FloatArray:
-        """Shape (moments, 6, points of a block), the last axis of a field slowest."""
+    def stress(self, block: slice) -> FloatArray:
+        """Stress [Pa], shape (moments, 6, points of a block), the last axis of a field slowest."""
         known: dict[str, FloatArray] = self.__dict__.setdefault("_known", {})
         if "stress" in known:
             each = math.prod(self.points_shape[:-1])
@@ -87,7 +93,8 @@ class Cycle(Shown):
             known["stress"] = read_only(stress)
         return stress
 
-    def _plastic_strain(self, block: slice) -> FloatArray:
+    def plastic_strain(self, block: slice) -> FloatArray:
+        """Plastic strain [-], of the same shape as the stress."""
         return self._paths.plastic_strain(block).reshape(self.moments, 6, -1)
 
     def __repr__(self) -> str:
@@ -269,7 +276,7 @@ def _of_states(given: list[Any], body: int) -> Cycle:
     paths = StatePaths.of(states, body)
     cells = paths.first + np.arange(paths.shape[0])
     x = read_only(np.asarray((cells - 0.5 * (grid.nx - 1)) * grid.dx, dtype=np.float64))
-    deepest = max(states, key=lambda s: s._layers)
+    deepest = max(states, key=lambda s: s.layers)
     return Cycle(
         paths, _body_of(given[0], body), FrozenDict({"x": x, "y": grid.y, "z": deepest.depths})
     )

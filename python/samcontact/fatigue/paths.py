@@ -81,7 +81,7 @@ class StatePaths:
                 f"than the grid is long, {grid.nx * grid.dx:.6g} m; take a longer grid, or "
                 "samcontact.fatigue.passing(state) of one steady state"
             )
-        layers = max(state._layers for state in states)
+        layers = max(state.layers for state in states)
         return cls(states, body, max(firsts), (rows, grid.ny, layers))
 
     @property
@@ -104,7 +104,7 @@ class StatePaths:
         for n, state in enumerate(self.states):
             ahead = self.first - state._core.first_cell[self.body - 1]
             # all layers, whatever the block: the last digits depend on their number
-            values = field(state._down_to(layers))[:, ahead : ahead + rows, :, block]
+            values = field(state.at_layers(layers))[:, ahead : ahead + rows, :, block]
             out[n] = values.transpose(0, 3, 1, 2)
         return out
 
@@ -121,7 +121,7 @@ class Passing:
 
     @classmethod
     def of(cls, state: State, body: int, axis: int, at_rest: bool) -> Passing:
-        return cls(state, body, axis, at_rest, (state.grid.surface_shape[1 - axis], state._layers))
+        return cls(state, body, axis, at_rest, (state.grid.surface_shape[1 - axis], state.layers))
 
     @property
     def moments(self) -> int:

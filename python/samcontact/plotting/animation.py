@@ -68,7 +68,7 @@ def rolling_animation(
     require_volume(grid)
     assert grid.dz is not None
     depths = max((state.depths for state in states), key=len)
-    states = [state._down_to(len(depths)) for state in states]
+    states = [state.at_layers(len(depths)) for state in states]
     row = nearest(grid.y, 0.0)
 
     windows = [positions_on_body(state, body) for state in states]

@@ -151,7 +151,7 @@ def _coordinates(domain: Domain) -> dict[str, xr.Variable]:
 def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
     """As deep as the deepest of those with stored fields, and as the last, whose track is."""
     layers = max(len(state.depths) for state in (*stored, states[-1]))
-    return [state._down_to(layers) for state in states]
+    return [state.at_layers(layers) for state in states]
 
 
 def _add_scalars(dataset: xr.Dataset, states: Sequence[State]) -> None:

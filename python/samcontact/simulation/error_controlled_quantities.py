@@ -67,7 +67,7 @@ def parts(state: State, name: str) -> tuple[float, ...]:
         return (state.contact_area,)
     kind, body = name[: -len("_body1")], int(name[-1])
     if kind == "print_depth":
-        own = state._in_own_box("residual_displacement", body)
+        own = state.in_own_box("residual_displacement", body)
         return (peak_value(state.residual_displacement(body) if own is None else own),)
     ranges = _ranges(_bodies(state)[body - 1], state.grid)
     largest = np.zeros(_count(len(ranges)))
@@ -94,7 +94,7 @@ def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
     if len(zones) > 1:
         found = [getattr(zone, name)() for zone in zones]
     else:
-        own = None if name == "equivalent_plastic_strain" else state._in_own_box(name, body)
+        own = None if name == "equivalent_plastic_strain" else state.in_own_box(name, body)
         found = [getattr(state, name)(body) if own is None else own]
     return [field if field.ndim == 3 else von_mises(field) for field in found]
 

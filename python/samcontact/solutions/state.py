@@ -79,15 +79,16 @@ class State(SurfaceState, Fixed, Shown):
         Those of the grid. Where it has no nz they hold all plastic strain of both bodies so far,
         and the stress down to one and a half radii below the spots in contact; 8 at least.
         """
-        return self.grid.depths(self._layers)
+        return self.grid.depths(self.layers)
 
     @property
-    def _layers(self) -> int:
+    def layers(self) -> int:
+        """Number of layers of volume fields."""
         return self._core.layers() if self._given_layers is None else self._given_layers
 
-    def _down_to(self, layers: int) -> State:
+    def at_layers(self, layers: int) -> State:
         """The same moment, whose volume fields have another number of layers."""
-        if layers == self._layers:
+        if layers == self.layers:
             return self
         return State(self._core, self.setup, self.domain, self.heat, self.counters, layers)
 
@@ -150,7 +151,7 @@ class State(SurfaceState, Fixed, Shown):
             raise ValueError(f"margin must be at most {MOST_CELLS // 4} cells, got {cells}")
         key = body, cells
         if key not in self._tracks:
-            self._tracks[key] = Track(self._core, self.grid, body, cells, self._layers)
+            self._tracks[key] = Track(self._core, self.grid, body, cells, self.layers)
         return self._tracks[key]
 
     def zones(self, body: int = 2) -> tuple[Zone, ...]:
@@ -234,7 +235,7 @@ class State(SurfaceState, Fixed, Shown):
         tractions = self.pressure, self.shear if body == 2 else -self.shear
 
         def of_strain(layers: int) -> FloatArray:
-            deep = self._down_to(layers)
+            deep = self.at_layers(layers)
             return deep.residual_stress(body) - deep.initial_stress(body)
 
         strained = self.max_plastic_strain_magnitude(body) > 0
@@ -311,17 +312,17 @@ class State(SurfaceState, Fixed, Shown):
     def softening(self, body: int = 2) -> FloatArray:
         """Factor of the yield stress by thermal softening [-], shape (nx, ny, nz)."""
         known = self._core.softening(choice("body", body, (1, 2)) - 1)
-        factor = np.ones((*self.grid.surface_shape, self._layers))
+        factor = np.ones((*self.grid.surface_shape, self.layers))
         if known is None:
             return factor
-        layers = min(self._layers, known.shape[2])
+        layers = min(self.layers, known.shape[2])
         factor[:, :, :layers] = known[:, :, :layers]
         law = self.setup.bodies[body - 1].softening
-        if layers < self._layers and law is not None:
+        if layers < self.layers and law is not None:
             factor[:, :, layers:] = law(self.temperature(body)[:, :, layers:])
         return factor
 
-    def _in_own_box(self, name: str, body: int) -> FloatArray | None:
+    def in_own_box(self, name: str, body: int) -> FloatArray | None:
         """A field where the body's strain was solved for, by the operators of the increment.
 
         Of name "stress" or "residual_stress" the deviator, or "residual_displacement". None where
@@ -352,9 +353,9 @@ class State(SurfaceState, Fixed, Shown):
             exact = strained and self.setup.settings.residual_stress == "exact"
             cell = memory.EXACT_RESIDUAL if exact else memory.VOLUME_FIELD
             what = f"the field {name}"
-            needed = memory.volume(self.grid, cell, self._layers)
+            needed = memory.volume(self.grid, cell, self.layers)
             memory.require_for_grid(what, self.grid, needed)
-            field: FloatArray = getattr(self._core, name)(index, self._layers)
+            field: FloatArray = getattr(self._core, name)(index, self.layers)
         else:
             field = getattr(self._core, name)(index)
         return field

@@ -171,8 +171,7 @@ def _validated(
                     f"{case.source}: [shakedown] is not for a sweep, which solves the path once: "
                     "leave it out, or call samcontact.shakedown.run for each value"
                 )
-            made._source, made._text = case.source, case.text
-            cases.append(made)
+            cases.append(made.written_in(case.source, case.text))
             continue
         where = ", ".join(f"{n} = {in_short(v)}" for n, v in zip(keys, values, strict=True))
         for line in lines:

@@ -43,8 +43,8 @@ def solve_case(content: Mapping[str, Any], source: str) -> Outcome:
     from ..cases import Case, TuggingCase
 
     try:
-        case = (TuggingCase if "tugging" in content else Case).model_validate(content)
-        case._source = Path(source)
+        kind = TuggingCase if "tugging" in content else Case
+        case = kind.model_validate(content).written_in(Path(source))
         if isinstance(case, TuggingCase):
             return {"variables": _plain(case.solve(progress=False).series)}
         return {"variables": _solve(case)}
