@@ -11,6 +11,8 @@ import samcontact as sc
 from samcontact import report, results
 from samcontact.accuracy import run as accuracy_run
 from samcontact.diagnostics import sharp_edges
+from samcontact.solutions import outline
+from samcontact.solutions.outline import away_from_border, has_ridge, sides_between, sides_of
 
 STEEL, RIGID = sc.Material.elastic(210e9, 0.3), sc.Material.rigid()
 E_STAR = sc.hertz.effective_modulus(STEEL, STEEL)
@@ -153,3 +155,22 @@ def test_a_search_for_an_accuracy_ends_where_nothing_converges():
     search._leave_out_singular(Told)
     assert search.wanted.tolist() == [math.inf, 0.01]
     assert "do not converge" in search.needs
+
+
+@pytest.mark.parametrize("periodic", ["", "x", "y", "xy"])
+def test_a_contact_without_a_ridge_rises_nowhere(periodic):
+    """What is looked at first, for speed, misses none."""
+    rng = np.random.default_rng(5)
+    found = 0
+    for _ in range(300):
+        shape = tuple(rng.integers(1, 9, 2))
+        pressure = np.where(rng.random(shape) < 0.6, rng.random(shape), 0.0)
+        inside = pressure > 0
+        looked_at = [*sides_of(inside, periodic), *sides_between(inside, inside, periodic)]
+        rising = any(
+            (outline._rising(away_from_border(sides, shape, periodic), pressure)).any()
+            for sides in looked_at
+        )
+        found += rising
+        assert has_ridge(pressure, periodic) or not rising
+    assert found > 100

@@ -31,6 +31,9 @@ _POINTS = 17  # a side, to which a paraboloid is fitted
 _ASK = ', or ask for a warning with on_border="warn"'
 
 
+Doubts = tuple[plausibility.Doubt, ...]
+
+
 class ContactSetup:
     """A gap between two bodies, with what Hertz says where the gap is a paraboloid.
 
@@ -47,8 +50,10 @@ class ContactSetup:
         self.grid, self.gap, self.bodies = grid, gap, bodies
         # the neighbours of a contact that repeats itself press as well
         self.relieved = relieved or bool(grid.periodic)
+        self._known: dict[tuple[float | None, float | None], Expected | None] = {}
+        self._looked_at: tuple[Heat, Doubts, Doubts] | None = None
 
-    @property
+    @cached_property
     def _solids(self) -> tuple[Material, Material]:
         """Bodies, or what is most compliant of their layers."""
         return softest(self.bodies[0]), softest(self.bodies[1])
@@ -99,8 +104,18 @@ class ContactSetup:
         s = math.sqrt(max(0.0, 1.0 - c * c))
         return math.hypot(a * c, b * s), math.hypot(a * s, b * c)
 
+    @cached_property
+    def _E_star(self) -> float:
+        return hertz.effective_modulus(*self._solids)
+
     def hertz(self, load: float | None = None, approach: float | None = None) -> Expected | None:
         """Hertz contact under a load [N] or an approach [m]; None where there is none."""
+        drive = load, approach
+        if drive not in self._known:
+            self._known = {drive: self._hertz(load, approach)}  # the same is asked several times
+        return self._known[drive]
+
+    def _hertz(self, load: float | None, approach: float | None) -> Expected | None:
         if approach is not None:
             approach -= float(self.gap.min())
         drive = load if approach is None else approach
@@ -109,24 +124,31 @@ class ContactSetup:
         if any(isinstance(body, Layered) for body in self.bodies):
             return None
         try:
-            E_star = hertz.effective_modulus(*self._solids)
             if math.isclose(*self.radii, rel_tol=1e-6):
-                return Expected(hertz.point(self.radii[0], E_star, load=load, approach=approach))
-            return Expected(hertz.elliptic(*self.radii, E_star, load=load, approach=approach))
+                found = hertz.point(self.radii[0], self._E_star, load=load, approach=approach)
+                return Expected(found)
+            return Expected(hertz.elliptic(*self.radii, self._E_star, load=load, approach=approach))
         except (ValueError, ArithmeticError):  # beyond the range of numbers
             return None
 
     def doubted(
         self, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
     ) -> plausibility.Doubt | None:
-        """Warn of what cannot be meant, before it is solved; that."""
-        expected, contact = self.hertz(**target), None
+        """Warn of the first quantity that is likely in another unit, before it is solved; that."""
+        if self._looked_at is None or self._looked_at[0] is not heat:
+            self._looked_at = heat, *plausibility.failed_of_bodies(self.bodies, heat)
+        _, before, after = self._looked_at
+        expected = self.hertz(**target)
+        of_contact: list[plausibility.Doubt] = []
         if expected is not None:
             driver = "approach" if target.get("load") is None else "load"
             contact = plausibility.Contact(expected, self.extent(**target), driver)
-        return plausibility.warn_of_doubts(
-            contact, self.grid, self.bodies, heat, stacklevel=stacklevel + 1
-        )
+            found = plausibility.doubts_of_contact(contact, self.grid, self.bodies, heat)
+            of_contact = [doubt for doubt in found if not doubt.verdict.passed]
+        for doubt in (*before, *of_contact, *after):
+            plausibility.warn_of(doubt, stacklevel=stacklevel + 1)
+            return doubt
+        return None
 
     def require_room(self, load: float | None = None, approach: float | None = None) -> None:
         """Raise GridTooSmallError when the Hertz contact does not fit.

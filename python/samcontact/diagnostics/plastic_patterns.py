@@ -42,6 +42,8 @@ def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool
         and not (body.kinematic or body.yield_profile or body.residual_stress)
     ]  # fmt: skip
     stress, number = min(found, default=(math.inf, 0))
+    if state.pressure.max() <= _MOST_OVER * LIMIT_PRESSURE * stress:  # so is the mean
+        return False
     mean = state.mean_pressure / stress
     if mean <= _MOST_OVER * LIMIT_PRESSURE or spots(state.pressure) > 1:
         return False

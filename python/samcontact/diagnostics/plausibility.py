@@ -88,51 +88,60 @@ def doubts_of(
     contact: Contact | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> Iterator[Doubt]:
     """All that a scene is looked at for, before it is solved; grid: the one that was given."""
-    solids = softest(bodies[0]), softest(bodies[1])
-    for number, (whole, body) in enumerate(zip(bodies, solids, strict=True), 1):
+    yield from _of_bodies(bodies, heat)
+    if contact is not None:
+        yield from doubts_of_contact(contact, grid, bodies, heat)
+    yield from _of_strengths(bodies)
+
+
+def failed_of_bodies(
+    bodies: tuple[Body, Body], heat: Heat
+) -> tuple[tuple[Doubt, ...], tuple[Doubt, ...]]:
+    """Failed checks of bodies and heat: those before and those after the checks of a contact."""
+    return tuple(_failed(_of_bodies(bodies, heat))), tuple(_of_strengths(bodies))
+
+
+def _of_bodies(bodies: tuple[Body, Body], heat: Heat) -> Iterator[Doubt]:
+    for number, (whole, body) in enumerate(zip(bodies, map(softest, bodies), strict=True), 1):
         if body.is_plastic:
             name, ratio = f"yield stress over E of body {number}", body.least_yield_stress / body.E
             verdict = Check(name, ratio, SOFTEST_YIELD, at_least=True)
             yield Doubt(verdict, lambda: "Both are in pascals")
         yield from _failed(_of_body(f"body {number}", whole))
-    heated = [
-        (number, heat.factor[number - 1], body)
-        for number, body in enumerate(solids, 1)
-        if heat.shares[number - 1] > 0 and body.thermal is not None
-    ]
-    for number, _, body in heated:
+    for number, body in _heated(bodies, heat):
         yield from _of_constants(number, body)
         speed = math.hypot(*heat.velocity[number - 1])
         verdict = Check(f"heat.velocity of body {number}", speed, FASTEST, unit="m/s")
         yield from _failed([Doubt(verdict, lambda: "Speeds are in m/s")])
-    if contact is not None:
-        yield from _of_contact(contact, grid, solids)
-        for number, factor, body in heated:
-            yield _of_rise(contact, number, factor, body, heat)
-    for number, whole in enumerate(bodies, 1):  # of what a contact may have told better
+
+
+def _of_strengths(bodies: tuple[Body, Body]) -> Iterator[Doubt]:
+    """Failed checks of what a contact may have told better."""
+    for number, whole in enumerate(bodies, 1):
         plastic = [material for material in materials_of(whole) if material.is_plastic]
         yield from _failed(_of_strength(number, material) for material in plastic)
+
+
+def doubts_of_contact(
+    contact: Contact, grid: Grid, bodies: tuple[Body, Body], heat: Heat
+) -> Iterator[Doubt]:
+    """Checks of a Hertz contact, and of the temperature rise in it."""
+    yield from _of_contact(contact, grid, (softest(bodies[0]), softest(bodies[1])))
+    for number, body in _heated(bodies, heat):
+        yield _of_rise(contact, number, heat.factor[number - 1], body, heat)
+
+
+def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, Material]]:
+    return [
+        (number, body)
+        for number, body in enumerate(map(softest, bodies), 1)
+        if heat.shares[number - 1] > 0 and body.thermal is not None
+    ]
 
 
 def _failed(doubts: Iterable[Doubt]) -> Iterator[Doubt]:
     """Those that a report need not list where they pass: most materials have none of them."""
     return (doubt for doubt in doubts if not doubt.verdict.passed)
-
-
-def warn_of_doubts(
-    contact: Contact | None,
-    grid: Grid,
-    bodies: tuple[Body, Body],
-    heat: Heat,
-    *,
-    stacklevel: int,
-) -> Doubt | None:
-    """Warn of what cannot be meant of a scene, the first of it; that."""
-    found = [d for d in doubts_of(contact, grid, bodies, heat) if not d.verdict.passed]
-    if not found:
-        return None
-    warn_of(found[0], stacklevel=stacklevel + 1)
-    return found[0]
 
 
 def warn_of(doubt: Doubt, *, stacklevel: int) -> None:

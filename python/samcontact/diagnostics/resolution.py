@@ -251,8 +251,11 @@ def warn_of_unseen(
 
     Where the contact presses hard enough and there are fewer than `few` layers in its half width.
     """
-    spot, grid = main_spot(peak.pressure, peak.grid.periodic), peak.grid
-    if spot is None or grid.dz is None:
+    grid = peak.grid
+    if grid.dz is None:
+        return False
+    spot = main_spot(peak.pressure, grid.periodic)
+    if spot is None:
         return False
     sizes, hardest = (grid.dx, grid.dy), float(peak.pressure.max())
     half = 0.5 * min((s.stop - s.start) * d for s, d in zip(spot, sizes, strict=True))

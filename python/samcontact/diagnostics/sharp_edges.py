@@ -19,6 +19,7 @@ from ..solutions.outline import (
     _rising,
     around,
     away_from_border,
+    has_ridge,
     rises_outwards,
     sides_between,
     sides_of,
@@ -89,6 +90,8 @@ def sharp_edge(
     whole = np.zeros(p.shape, dtype=np.bool_)
     window = around(p > 0, periodic)
     p, heights = p[window], heights[window]
+    if not has_ridge(p, periodic):
+        return None
     found, inside = whole[window], p > 0
     looked_at = [(sides, heights) for sides in sides_of(inside, periodic)]
     if initial_gap is not None:

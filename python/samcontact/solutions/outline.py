@@ -114,10 +114,32 @@ def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArr
     return found
 
 
+def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
+    """Whether the pressure of some cell is above that of both neighbours along an axis by `RISE`.
+
+    So it is at every edge to which the pressure rises; a smooth contact has none.
+    """
+    for axis, name in enumerate("xy"):
+        p = pressure if axis == 0 else pressure.T
+        if len(p) == 1:
+            continue
+        neighbours = np.maximum(p[:-2], p[2:])
+        if ((neighbours > 0) & (p[1:-1] > RISE * neighbours)).any():
+            return True
+        ends = ((p[0], p[1], p[-1]), (p[-1], p[-2], p[0]))
+        for own, inner, around_the_end in ends:
+            others = np.maximum(inner, around_the_end) if name in periodic else inner
+            if ((others > 0) & (own > RISE * others)).any():
+                return True
+    return False
+
+
 def rises_outwards(pressure: FloatArray, periodic: str = "") -> bool:
     """Whether the pressure rises to the edge of the contact somewhere; costs little."""
     field = pressure[around(pressure > 0, periodic)]
-    return any(_rising(sides, field).any() for sides in sides_of(field > 0, periodic))
+    return has_ridge(field, periodic) and any(
+        _rising(sides, field).any() for sides in sides_of(field > 0, periodic)
+    )
 
 
 def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:
