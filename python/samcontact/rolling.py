@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._util.checks import FloatArray, require_type
 from .bodies.material import Material
-from .contact.solver import ContactSolver
+from .contact.solver import ContactSolver, solve_driven
 from .contact.tangential_drive import GivenAlong, Pressing, Settings
 from .scene.friction import Coulomb
 from .scene.grid import Grid
@@ -111,8 +111,8 @@ def steady(
         on_border=on_border,
         max_iterations=max_iterations,
     )
-    solution = solver.solve_driven(
-        gap, load, approach, _Rolling(given, friction.coefficient, start)
+    solution = solve_driven(
+        solver, gap, load, approach, _Rolling(given, friction.coefficient, start)
     )
     assert isinstance(solution, RollingSolution)
     return solution

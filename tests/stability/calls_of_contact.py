@@ -231,6 +231,7 @@ CALLS = [
     ("fatigue.passing", sc.fatigue.passing, {"state": STATE, "body": 2}),
     ("fatigue.FatigueField.over_depth", FATIGUE.over_depth, {}),
     ("fatigue.FatigueField.to_dataset", FATIGUE.to_dataset, {}),
+    ("State.at_layers", STATE.at_layers, {"layers": 3}),
     ("State.track", STATE.track, {"body": 2, "margin": 1}),
     ("State.plastic_cells", STATE.plastic_cells, {}),
     *((f"State.{name}", getattr(STATE, name), {"body": 2}) for name in BODY_FIELDS),

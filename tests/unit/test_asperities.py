@@ -212,7 +212,7 @@ def test_rough_spheres_touch_earlier():
 SCRIPT = """
 import os, signal, sys
 import samcontact as sc
-from samcontact.restart import journal
+from samcontact.simulation import journal
 from samcontact.asperities import Collision, tug
 add = journal.Journal.add
 def counted(self):

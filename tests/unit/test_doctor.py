@@ -56,7 +56,10 @@ def test_versions():
 
 
 def test_threads_are_those_of_the_environment():
-    code = "from samcontact import doctor; print(dict(self_check.installation())['threads'])"
+    code = (
+        "from samcontact.commands import self_check\n"
+        "print(dict(self_check.installation())['threads'])"
+    )
     found = subprocess.run(
         [sys.executable, "-c", code],
         env=os.environ | {"OMP_NUM_THREADS": "3"},
@@ -71,7 +74,7 @@ def test_threads_are_never_thousands():
     """They would only wait for each other, and no run would end."""
     code = """
 import os, samcontact as sc
-from samcontact.commands import self_check as doctor
+from samcontact.commands import self_check
 grid = sc.Grid(200, 200, 1e-5, 1e-5)
 steel = sc.Material.elastic(210e9, 0.3)
 sc.ContactSolver(grid, steel, steel).solve(sc.surfaces.paraboloid(grid, 7.5e-3), load=300.0)

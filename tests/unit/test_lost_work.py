@@ -55,7 +55,7 @@ def fails(error):
 
 # Where the user presses Ctrl-C, once the last increment is done.
 PLACES = {
-    "after the last increment": (sc.Simulation, "_run_into", None),
+    "after the last increment": (solve_contact, "run_into", None),
     "before the dataset": (results, "to_dataset", pressed),
     "before saving": (results, "save", pressed),
     "after saving": (results, "save", None),

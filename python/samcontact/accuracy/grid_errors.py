@@ -21,6 +21,8 @@ from ..scene.friction import Coulomb
 from ..simulation import coarsening, error_controlled_quantities, increment_errors
 from ..simulation.increment_errors import IncrementErrors
 from ..simulation.repeated import coarsened
+from ..simulation.restoring import repeat_with
+from ..simulation.run import run_into
 from ..simulation.steps import STEP
 from ..solutions.contact_area import area_doubt
 from ..solutions.peak import peak
@@ -166,7 +168,7 @@ def estimate_errors(
     if isinstance(run, Case):
         run, path = run.build()
         states = []
-        run.run_into(states, list(path), False, None)
+        run_into(states, run.engine, run.monitor, run.step, list(path), False, None)
         states = in_one_window(states)
     if not isinstance(run, Simulation):
         raise TypeError(
@@ -180,7 +182,7 @@ def estimate_errors(
         raise ValueError(f"path and states must be as many, got {len(path)} and {len(states)}")
     found = estimated(run, path, states, lambda coarse, steps: coarse.run(steps, progress=False))
     by_increments = increment_errors.estimated(
-        run.engine, path, states, states[0].heat, run.repeated, certified=True
+        run.engine, path, states, states[0].heat, repeat_with(type(run)), certified=True
     )
     if by_increments is not None and run.monitor.checks_increments:
         run.monitor.checks_increments = not increment_errors.warn_of_errors(

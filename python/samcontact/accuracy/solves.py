@@ -19,6 +19,7 @@ from ..restart.identity import Identity, identity, require_identified
 from ..restart.lock import locked
 from ..restart.tree import Tree
 from ..simulation.journal import Journal, describe
+from ..simulation.run import run_into
 from ..solutions.state import in_one_window
 
 if TYPE_CHECKING:
@@ -86,7 +87,8 @@ class Solves:
         """The increments of a solve: those that are kept, and others as they are made."""
         solve = self._solves[name] = _Solve(simulation, describe(simulation.engine, path=path), [])
         folder = None if self._folder is None else self._folder / name
-        simulation.run_into(solve.states, path, progress, folder, leave=False)
+        engine, monitor, step = simulation.engine, simulation.monitor, simulation.step
+        run_into(solve.states, engine, monitor, step, path, progress, folder, leave=False)
         return in_one_window(solve.states)
 
     def add(self, name: str, given: Tree) -> None:

@@ -28,6 +28,8 @@ from ..results.dataset import completeness
 from ..results.slipping import moved_along, without_rounding
 from ..simulation.increment_errors import warn_of
 from ..simulation.journal import Journal, describe
+from ..simulation.restoring import repeat_with
+from ..simulation.run import run_into
 from ..solutions.peak import peak_of_dataset
 from ..solutions.state import in_one_window
 from .errors import StoppedEarlyError, tell_partial, to_try_on
@@ -76,7 +78,8 @@ def solve_contact(
             with checkpoints.used() if journal else nullcontext() as kept:
                 error = None
                 try:
-                    simulation.run_into(states, path, not console.quiet, kept)
+                    engine, monitor, step = simulation.engine, simulation.monitor, simulation.step
+                    run_into(states, engine, monitor, step, path, not console.quiet, kept)
                 except Exception as stop:
                     if not states:
                         raise
@@ -206,7 +209,8 @@ class _Run:
         """Estimated on half the cells; None where it cannot be, which is told."""
         if not self.case.estimate_error:
             run = self.simulation
-            warn_of(run.engine, run.monitor, self.states, 1, run.repeated, stacklevel=3)
+            repeat = repeat_with(type(run))
+            warn_of(run.engine, run.monitor, self.states, 1, repeat, stacklevel=3)
             return None
         try:
             with self.console.status("the same on cells twice as large"):

@@ -193,59 +193,7 @@ class ContactSolver(ContactFields):
         drive = tangential_drive(
             self.friction, shift, tangential_load, twist, torque, previous, advance, self.grid
         )
-        return self.solve_driven(gap, load, approach, drive, initial_pressure)
-
-    def solve_driven(  # warnings name the caller's caller
-        self,
-        gap: ArrayLike | Callable[[Grid], ArrayLike],
-        load: float | None,
-        approach: float | None,
-        drive: Drive,
-        initial_pressure: ArrayLike | None = None,
-    ) -> ContactSolution:
-        """Solve the contact for a load or an approach, with what drives it along the surface."""
-        driver = exactly_one(load=load, approach=approach)
-        value = number(driver, load if approach is None else approach)
-        if driver == "approach":
-            require_reference(self.heat)
-        start = None
-        if initial_pressure is not None:
-            start = finite_array("initial_pressure", initial_pressure, self.grid.surface_shape)
-            # numbers that mean nothing beside any load would divide by zero
-            start = np.where(start > 1e-75, start, 0.0)
-        surfaces, solver = SurfaceGeometry(gap), self
-        if callable(gap) and drive.previous is not None and not fits(drive.previous, self.grid):
-            solver = self._over(drive.previous.grid.surface_shape)
-        window, bodies = surfaces.over(solver.grid), (self.body1, self.body2)
-        scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies)
-        doubted = scene.doubted(self.heat, {"load": load, "approach": approach}, stacklevel=3)
-        while True:
-            try:
-                with scene.beside(load=load, approach=approach):
-                    solution, complaint = solver._solved_from(start, window, driver, value, drive)
-                break
-            except _core.GridTooSmallError as error:
-                if not callable(gap) and not self.grid.periodic:
-                    told_of_fixed(error, scene)
-                if not callable(gap) or self.grid.periodic:
-                    raise
-                with told_in(error, window.grid):
-                    counts = counts_for(error, self.grid, scene, load, approach)
-                    solver, before = self._over(counts), window
-                    window = surfaces.over(solver.grid)
-                    require_continued(window, before)
-                scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies)
-                start = None
-        if complaint:
-            text = complaint if callable(gap) else advised(complaint, scene)
-            warnings.warn(text, GridTooSmallWarning, stacklevel=3)
-        if doubted is None or not doubted.of_contact:
-            resolution.warn_of_contact(solution, scene, stacklevel=3)
-        resolution.warn_of_strain(solution.pressure, scene, stacklevel=3)
-        yield_check.warn_of_yield(solution, bodies, self.friction, stacklevel=3)
-        edge = sharp_edges.edge_of(solution, bodies, window.initial_gap)
-        sharp_edges.warn_of_edge(solution, edge, stacklevel=3)
-        return solution
+        return solve_driven(self, gap, load, approach, drive, initial_pressure)
 
     def _over(self, counts: Sequence[int]) -> ContactSolver:
         """The same on a grid of other counts."""
@@ -286,3 +234,56 @@ def _made(
     grid: Grid, body1: Body, body2: Body, settings: dict[str, Any], heat: Heat
 ) -> ContactSolver:
     return ContactSolver(grid, body1, body2, heat=heat, **settings)
+
+
+def solve_driven(  # warnings name the caller's caller
+    asked: ContactSolver,
+    gap: ArrayLike | Callable[[Grid], ArrayLike],
+    load: float | None,
+    approach: float | None,
+    drive: Drive,
+    initial_pressure: ArrayLike | None = None,
+) -> ContactSolution:
+    """Solve the contact for a load or an approach, with what drives it along the surface."""
+    driver = exactly_one(load=load, approach=approach)
+    value = number(driver, load if approach is None else approach)
+    if driver == "approach":
+        require_reference(asked.heat)
+    start = None
+    if initial_pressure is not None:
+        start = finite_array("initial_pressure", initial_pressure, asked.grid.surface_shape)
+        # numbers that mean nothing beside any load would divide by zero
+        start = np.where(start > 1e-75, start, 0.0)
+    surfaces, solver = SurfaceGeometry(gap), asked
+    if callable(gap) and drive.previous is not None and not fits(drive.previous, asked.grid):
+        solver = asked._over(drive.previous.grid.surface_shape)
+    window, bodies = surfaces.over(solver.grid), (asked.body1, asked.body2)
+    scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies)
+    doubted = scene.doubted(asked.heat, {"load": load, "approach": approach}, stacklevel=3)
+    while True:
+        try:
+            with scene.beside(load=load, approach=approach):
+                solution, complaint = solver._solved_from(start, window, driver, value, drive)
+            break
+        except _core.GridTooSmallError as error:
+            if not callable(gap) and not asked.grid.periodic:
+                told_of_fixed(error, scene)
+            if not callable(gap) or asked.grid.periodic:
+                raise
+            with told_in(error, window.grid):
+                counts = counts_for(error, asked.grid, scene, load, approach)
+                solver, before = asked._over(counts), window
+                window = surfaces.over(solver.grid)
+                require_continued(window, before)
+            scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies)
+            start = None
+    if complaint:
+        text = complaint if callable(gap) else advised(complaint, scene)
+        warnings.warn(text, GridTooSmallWarning, stacklevel=3)
+    if doubted is None or not doubted.of_contact:
+        resolution.warn_of_contact(solution, scene, stacklevel=3)
+    resolution.warn_of_strain(solution.pressure, scene, stacklevel=3)
+    yield_check.warn_of_yield(solution, bodies, asked.friction, stacklevel=3)
+    edge = sharp_edges.edge_of(solution, bodies, window.initial_gap)
+    sharp_edges.warn_of_edge(solution, edge, stacklevel=3)
+    return solution

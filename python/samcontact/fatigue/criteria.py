@@ -17,7 +17,7 @@ from ..bodies.layered import Layered
 from ..bodies.material import Material
 from ..diagnostics.plausibility import strength, warn_of
 from ..solutions.state import State
-from .cycle import Cycle, cycle
+from .cycle import Cycle, blocks, cycle, has_plastic_strain, plastic_strain_in, stress_in
 from .field import FatigueField
 
 __all__ = ["crossland", "dang_van", "fatemi_socie", "findley", "orthogonal_shear"]
@@ -165,7 +165,7 @@ def findley(
     number = _slope("k", k)
 
     def at(cycle: Cycle, block: slice) -> tuple[FloatArray, FloatArray]:
-        return _core.fatigue.findley(cycle.stress(block), number)
+        return _core.fatigue.findley(stress_in(cycle, block), number)
 
     return _over_blocks("findley", {"k": number}, "Pa", _as_cycle(states, body), 1, at)
 
@@ -215,12 +215,12 @@ def fatemi_socie(
     moduli, limit = _elasticity(given, material), _yield_stress(given, material, yield_stress)
 
     def at(cycle: Cycle, block: slice) -> tuple[FloatArray, FloatArray]:
-        stress = cycle.stress(block)
+        stress = stress_in(cycle, block)
         layers = block.stop - block.start
         halved = 0.5 / np.broadcast_to(moduli, cycle.points_shape[-1:])[block]
         shear = stress * np.repeat(halved, stress.shape[2] // layers)
-        if cycle.has_plastic_strain:
-            shear += cycle.plastic_strain(block)
+        if has_plastic_strain(cycle):
+            shear += plastic_strain_in(cycle, block)
         return _core.fatigue.fatemi_socie(shear, stress, number / limit)
 
     parameters = {"k": number, "yield_stress": limit}
@@ -259,7 +259,7 @@ def _scalar(
     of_stress: Callable[[FloatArray], FloatArray],
 ) -> FatigueField:
     def at(cycle: Cycle, block: slice) -> tuple[FloatArray, None]:
-        return of_stress(cycle.stress(block)), None
+        return of_stress(stress_in(cycle, block)), None
 
     return _over_blocks(criterion, parameters, "Pa", _as_cycle(states, body), 1, at)
 
@@ -275,7 +275,7 @@ def _over_blocks(
     """The field, put together of blocks; `fields`: how many of them lie in memory at once."""
     values = np.empty(given.points_shape)
     normals: FloatArray | None = None
-    for block in given.blocks(fields):
+    for block in blocks(given, fields):
         found, planes = at(given, block)
         shape = (block.stop - block.start, *given.points_shape[:-1])
         values[..., block] = np.moveaxis(found.reshape(shape), 0, -1)

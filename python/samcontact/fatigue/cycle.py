@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._util import memory
-from .._util.cached_property import cached_property
 from .._util.checks import MOST_STRESS, FloatArray, choice, real_array
 from .._util.display import Rows, Shown, counts, lengths
 from .._util.frozen import FrozenDict, read_only
@@ -65,38 +64,6 @@ class Cycle(Shown):
         """Body of the points; None of an array of stress."""
         return self._body
 
-    @cached_property
-    def has_plastic_strain(self) -> bool:
-        """Whether a point has plastic strain at some moment."""
-        return self._paths.has_plastic_strain
-
-    def blocks(self, fields: int) -> Iterator[slice]:
-        """Blocks of points along the last axis, of which so many fields fit into memory at once."""
-        last = self.points_shape[-1]
-        one = 48.0 * self.moments * math.prod(self.points_shape[:-1]) * fields
-        there = memory.available()
-        fit = last if there is None else int(_PART * there / (_COPIES * one))
-        if fit < 1:
-            memory.require("one layer of a cycle", _COPIES * one / _PART, "take fewer moments")
-        size = max(min(fit, last), 1)
-        for first in range(0, last, size):
-            yield slice(first, min(first + size, last))
-
-    def stress(self, block: slice) -> FloatArray:
-        """Stress [Pa], shape (moments, 6, points of a block), the last axis of a field slowest."""
-        known: dict[str, FloatArray] = self.__dict__.setdefault("_known", {})
-        if "stress" in known:
-            each = math.prod(self.points_shape[:-1])
-            return known["stress"][:, :, block.start * each : block.stop * each]
-        stress = self._paths.stress(block).reshape(self.moments, 6, -1)
-        if block == slice(0, self.points_shape[-1]):
-            known["stress"] = read_only(stress)
-        return stress
-
-    def plastic_strain(self, block: slice) -> FloatArray:
-        """Plastic strain [-], of the same shape as the stress."""
-        return self._paths.plastic_strain(block).reshape(self.moments, 6, -1)
-
     def __repr__(self) -> str:
         return f"Cycle(moments={self.moments}, points_shape={self.points_shape})"
 
@@ -105,6 +72,41 @@ class Cycle(Shown):
         for axis, values in self.places.items():
             rows.append((axis, f"{lengths(values[0])} to {lengths(values[-1])}"))
         return rows
+
+
+def has_plastic_strain(of: Cycle) -> bool:
+    """Whether a point of a cycle has plastic strain at some moment."""
+    return of._paths.has_plastic_strain
+
+
+def blocks(of: Cycle, fields: int) -> Iterator[slice]:
+    """Blocks of points along the last axis, of which so many fields fit into memory at once."""
+    last = of.points_shape[-1]
+    one = 48.0 * of.moments * math.prod(of.points_shape[:-1]) * fields
+    there = memory.available()
+    fit = last if there is None else int(_PART * there / (_COPIES * one))
+    if fit < 1:
+        memory.require("one layer of a cycle", _COPIES * one / _PART, "take fewer moments")
+    size = max(min(fit, last), 1)
+    for first in range(0, last, size):
+        yield slice(first, min(first + size, last))
+
+
+def stress_in(of: Cycle, block: slice) -> FloatArray:
+    """Stress [Pa], shape (moments, 6, points of a block), the last axis of a field slowest."""
+    known: dict[str, FloatArray] = of.__dict__.setdefault("_known", {})
+    if "stress" in known:
+        each = math.prod(of.points_shape[:-1])
+        return known["stress"][:, :, block.start * each : block.stop * each]
+    stress = of._paths.stress(block).reshape(of.moments, 6, -1)
+    if block == slice(0, of.points_shape[-1]):
+        known["stress"] = read_only(stress)
+    return stress
+
+
+def plastic_strain_in(of: Cycle, block: slice) -> FloatArray:
+    """Plastic strain [-], of the same shape as the stress."""
+    return of._paths.plastic_strain(block).reshape(of.moments, 6, -1)
 
 
 def cycle(

@@ -7,13 +7,15 @@ finer it jumps far less than the largest cell does, as does `contact_area` than 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._util.checks import FloatArray
+from .._util import memory
+from .._util.checks import FloatArray, axis_number
 from .._util.tensors import von_mises
 from ..bodies.layered import Body, materials_of
 from ..bodies.material import Material
@@ -67,7 +69,7 @@ def parts(state: State, name: str) -> tuple[float, ...]:
         return (state.contact_area,)
     kind, body = name[: -len("_body1")], int(name[-1])
     if kind == "print_depth":
-        own = state.in_own_box("residual_displacement", body)
+        own = in_own_box(state, "residual_displacement", body)
         return (peak_value(state.residual_displacement(body) if own is None else own),)
     ranges = _ranges(_bodies(state)[body - 1], state.grid)
     largest = np.zeros(_count(len(ranges)))
@@ -85,6 +87,25 @@ def _bodies(state: State) -> tuple[Body, Body]:
     return state.setup.bodies
 
 
+def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
+    """A field where the body's strain was solved for, by the operators of the increment.
+
+    Of name "stress" or "residual_stress" the deviator, or "residual_displacement". None where that
+    is not all: without plastic strain, of several zones, where the body has moved on.
+    """
+    index, core = body - 1, state._core
+    box = core.own_box(index)
+    if box is None:
+        return None
+    needed = memory.ZONE_FIELD * math.prod(box[2:])
+    memory.require(f"the field {name} in the plastic zone", needed)
+    if name == "residual_displacement":
+        field: FloatArray = core.residual_displacement_in(index, box, axis_number("z"))
+    else:
+        field = core.deviator_in_own_box(index, name == "stress")
+    return field
+
+
 def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
     """Scalar fields that together have the largest value of a quantity of the volume."""
     zones = state.zones(body)
@@ -94,7 +115,7 @@ def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
     if len(zones) > 1:
         found = [getattr(zone, name)() for zone in zones]
     else:
-        own = None if name == "equivalent_plastic_strain" else state.in_own_box(name, body)
+        own = None if name == "equivalent_plastic_strain" else in_own_box(state, name, body)
         found = [getattr(state, name)(body) if own is None else own]
     return [field if field.ndim == 3 else von_mises(field) for field in found]
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Simulations made again from snapshots: of pickles, of copies and of checkpoint files."""
+"""Simulations made again: from snapshots of pickles, copies and files, and with other setups."""
 
 from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -15,8 +15,13 @@ from .snapshot import Snapshot
 
 if TYPE_CHECKING:
     from ..diagnostics.monitor import Monitor
+    from ..heat import Heat
     from ..scene.domain import Domain
+    from ..scene.grid import Grid
+    from ..scene.setup import SimulationSetup
+    from ..solutions.state import State
     from .engine import Engine
+    from .increment_errors import Repeat
 
 Made = TypeVar("Made")
 """A class of simulations."""
@@ -53,3 +58,17 @@ def loaded(
         warnings.warn(f"{told}: further increments may differ in their last digits", stacklevel=3)
     with readable(path):
         return restored(cls, kept, gap=gap)
+
+
+def repeat_with(cls: type[Any]) -> Repeat:
+    """How a class of simulations repeats a path with another setup, without estimates of errors."""
+
+    def repeated(
+        setup: SimulationSetup, grid: Grid, heat: Heat, path: Sequence[Mapping[str, Any]]
+    ) -> list[State]:
+        again = cls(**setup.on_grid(grid, heat))
+        again.monitor.checks_increments = False
+        found: list[State] = again.run(path, progress=False)
+        return found
+
+    return repeated

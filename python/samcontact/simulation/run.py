@@ -41,10 +41,10 @@ def run_into(
     progress: bool,
     checkpoint: str | os.PathLike[str] | None,
     *,
-    leave: bool,
+    leave: bool = True,
 ) -> None:
     """Append the state of each increment as soon as it is done; leave: the progress when it is."""
-    monitor.doubt(engine.estimate, engine.heat, largest_target(steps), stacklevel=4)
+    monitor.doubt(engine.estimate, engine.heat, largest_target(steps), stacklevel=3)
     if not any(engine.heat.shares) and (load := largest_cold_load(steps)) is not None:
         engine.make_room(load)
     with (
@@ -68,4 +68,4 @@ def run_into(
             if progress:
                 strain = max(map(states[-1].max_equivalent_plastic_strain, (1, 2)))
                 bar.set_postfix(iterations=states[-1].iterations, plastic_strain=f"{strain:.3g}")
-    monitor.warn_of_run(states, engine.estimate, stacklevel=4)
+    monitor.warn_of_run(states, engine.estimate, stacklevel=3)

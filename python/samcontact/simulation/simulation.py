@@ -27,7 +27,7 @@ from .checkpoint import write_checkpoint
 from .display import simulation_rows
 from .engine import Engine
 from .increment_errors import warn_of
-from .restoring import loaded, reduced
+from .restoring import loaded, reduced, repeat_with
 from .run import run_into
 from .steps import STEP, plastic_fields
 
@@ -251,7 +251,7 @@ class Simulation(Configured, Shown):
         given |= {"twist": twist, "torque": torque, "duration": duration}
         state, complaints = self.engine.advance(given, self.monitor)
         self.monitor.warn(state, self.engine.estimate, complaints, stacklevel=2)
-        warn_of(self.engine, self.monitor, [state], 4, self.repeated, stacklevel=2)
+        warn_of(self.engine, self.monitor, [state], 4, repeat_with(type(self)), stacklevel=2)
         return state
 
     def run(
@@ -294,35 +294,14 @@ class Simulation(Configured, Shown):
         boolean("progress", progress)
         states: list[State] = []
         try:
-            self.run_into(states, step_list("path", path, STEP), progress, checkpoint)
+            steps = step_list("path", path, STEP)
+            run_into(states, self.engine, self.monitor, self.step, steps, progress, checkpoint)
             found = in_one_window(states)
-            warn_of(self.engine, self.monitor, found, 2, self.repeated, stacklevel=2)
+            warn_of(self.engine, self.monitor, found, 2, repeat_with(type(self)), stacklevel=2)
         except BaseException as error:  # Ctrl-C too
             error.states = states  # type: ignore[attr-defined]
             raise
         return found
-
-    def run_into(
-        self,
-        states: list[State],
-        steps: Sequence[Mapping[str, Any]],
-        progress: bool,
-        checkpoint: str | os.PathLike[str] | None,
-        *,
-        leave: bool = True,
-    ) -> None:
-        """Run a path, and append the state of each increment once it is done."""
-        run_into(
-            states, self.engine, self.monitor, self.step, steps, progress, checkpoint, leave=leave
-        )
-
-    def repeated(
-        self, setup: SimulationSetup, grid: Grid, heat: Heat, path: Sequence[Mapping[str, Any]]
-    ) -> list[State]:
-        """Run another setup along a path, without an estimate of its errors."""
-        again = type(self)(**setup.on_grid(grid, heat))
-        again.monitor.checks_increments = False
-        return again.run(path, progress=False)
 
     @property
     def state(self) -> State:
@@ -331,8 +310,8 @@ class Simulation(Configured, Shown):
 
     @property
     def counters(self) -> dict[str, int]:
-        """Work so far: contact_solves, contact_iterations, yield_checks, plastic_solves,
-        plastic_iterations, halvings; volume_bytes, memory of plastic state and kernels."""
+        """Work done so far, as contact_solves, contact_iterations, yield_checks, plastic_solves,
+        plastic_iterations, halvings; volume_bytes is memory of plastic state and kernels."""
         return dict(self.engine.core.counters)
 
     def set_plastic_strain(

@@ -31,7 +31,7 @@ class Snapshot:
     def of(cls, state: State) -> Snapshot:
         """A simulation as it stood in a state."""
         given = state.setup.on_domain(state.domain, state.heat)
-        return cls(given, state.content(), state.counters())
+        return cls(given, state._core.content(), state.counters())
 
     def setup(self) -> tuple[SimulationSetup, Grid, Heat]:
         """Setup, grid and heat of the simulation."""

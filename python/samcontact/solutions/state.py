@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -67,11 +66,6 @@ class State(SurfaceState, Fixed, Shown):
         self._tracks: dict[tuple[int, int], Track] = {}
         self._core = core
 
-    def content(self) -> dict[str, Any]:
-        """All parts of the state, as the core describes them."""
-        parts: dict[str, Any] = self._core.content()
-        return parts
-
     @cached_property
     def depths(self) -> FloatArray:
         """Mid-depths of the layers that volume fields have [m], shape (nz,).
@@ -87,7 +81,8 @@ class State(SurfaceState, Fixed, Shown):
         return self._core.layers() if self._given_layers is None else self._given_layers
 
     def at_layers(self, layers: int) -> State:
-        """The same moment, whose volume fields have another number of layers."""
+        """The same moment, whose volume fields have another number of layers, >= 1."""
+        integer("layers", layers, 1)
         if layers == self.layers:
             return self
         return State(self._core, self.setup, self.domain, self.heat, self.counters, layers)
@@ -321,24 +316,6 @@ class State(SurfaceState, Fixed, Shown):
         if layers < self.layers and law is not None:
             factor[:, :, layers:] = law(self.temperature(body)[:, :, layers:])
         return factor
-
-    def in_own_box(self, name: str, body: int) -> FloatArray | None:
-        """A field where the body's strain was solved for, by the operators of the increment.
-
-        Of name "stress" or "residual_stress" the deviator, or "residual_displacement". None where
-        that is not all: without plastic strain, of several zones, where the body has moved on.
-        """
-        index = choice("body", body, (1, 2)) - 1
-        box = self._core.own_box(index)
-        if box is None:
-            return None
-        needed = memory.ZONE_FIELD * math.prod(box[2:])
-        memory.require(f"the field {name} in the plastic zone", needed)
-        if name == "residual_displacement":
-            field: FloatArray = self._core.residual_displacement_in(index, box, axis_number("z"))
-        else:
-            field = self._core.deviator_in_own_box(index, name == "stress")
-        return field
 
     def _field(
         self, name: str, body: int, compute: Callable[[], FloatArray] | None = None
