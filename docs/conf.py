@@ -78,9 +78,13 @@ def _no_fields_of_cases(app, what, name, obj, options, signature, returns):
 
 def _bases(app, name, obj, options, bases):
     """Only those that users can name."""
-    bases[:] = [base for base in bases if not base.__module__.startswith("samcontact._")] or [
-        object
-    ]
+    bases[:] = [base for base in bases if _is_public(base)] or [object]
+
+
+def _is_public(base):
+    package, _, path = base.__module__.partition(".")
+    names = samcontact.__all__
+    return package != "samcontact" or base.__name__ in names or path.partition(".")[0] in names
 
 
 def _whole_formulas(app, doctree):
