@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of arguments, display, memory and other tools that know nothing of contact."""
+"""Argument checks, display, memory estimates and other tools independent of contact."""

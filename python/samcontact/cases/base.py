@@ -139,7 +139,7 @@ class CaseFile(Section):
     _text: str = PrivateAttr(default="")
 
     def written_in(self, source: Path, text: str = "") -> Self:
-        """The same case, as the content of a file."""
+        """Record the file that the case was read from, and return the case."""
         self._source, self._text = source, text
         return self
 

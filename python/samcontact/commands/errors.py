@@ -113,7 +113,7 @@ _REMEDIES = {
 
 
 def _of_system(error: OSError) -> str:
-    """What an operating system refuses, without its number: the file, why, and a remedy."""
+    """Message of an operating-system error: file, reason and remedy, without the errno."""
     parts = [error.filename, error.strerror or str(error), _REMEDIES.get(error.errno or 0)]
     return ": ".join(str(part) for part in parts if part)
 

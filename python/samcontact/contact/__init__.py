@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact of elastic bodies, solved once."""
+"""Solver for a single elastic contact."""

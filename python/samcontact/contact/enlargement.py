@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Larger grids for contacts that touch the border."""
+"""Enlargement of the grid of a contact that reaches its edge."""
 
 from __future__ import annotations
 

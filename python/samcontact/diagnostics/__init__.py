@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Warnings: likely unit mistakes, under-resolved contacts, limits of the theory."""
+"""Warnings: probable unit mistakes, under-resolved contacts, limits of the theory."""

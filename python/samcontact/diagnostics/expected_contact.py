@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic Hertz contact that is expected of a smooth scene."""
+"""Hertz contact expected for smooth surfaces."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ _POINTS = 17  # a side, to which a paraboloid is fitted
 _ASK = ', or ask for a warning with on_border="warn"'
 
 
-Doubts = tuple[plausibility.Doubt, ...]
+FailedChecks = tuple[plausibility.Doubt, ...]
 
 
 class ContactSetup:
@@ -51,7 +51,7 @@ class ContactSetup:
         # the neighbours of a contact that repeats itself press as well
         self.relieved = relieved or bool(grid.periodic)
         self._known: dict[tuple[float | None, float | None], Expected | None] = {}
-        self._looked_at: tuple[Heat, Doubts, Doubts] | None = None
+        self._of_bodies: tuple[Heat, FailedChecks, FailedChecks] | None = None
 
     @cached_property
     def _solids(self) -> tuple[Material, Material]:
@@ -134,10 +134,10 @@ class ContactSetup:
     def doubted(
         self, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
     ) -> plausibility.Doubt | None:
-        """Warn of the first quantity that is likely in another unit, before it is solved; that."""
-        if self._looked_at is None or self._looked_at[0] is not heat:
-            self._looked_at = heat, *plausibility.failed_of_bodies(self.bodies, heat)
-        _, before, after = self._looked_at
+        """Warn of the first quantity that is probably in a wrong unit, and return its check."""
+        if self._of_bodies is None or self._of_bodies[0] is not heat:
+            self._of_bodies = heat, *plausibility.failed_of_bodies(self.bodies, heat)
+        _, before, after = self._of_bodies
         expected = self.hertz(**target)
         of_contact: list[plausibility.Doubt] = []
         if expected is not None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields over the cells of a grid as the core takes them."""
+"""Conversion of fields to the memory layout of the core."""
 
 from __future__ import annotations
 

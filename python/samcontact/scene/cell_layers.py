@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether layers of materials fit the layers of cells."""
+"""Consistency of material layers with the layers of cells."""
 
 from __future__ import annotations
 

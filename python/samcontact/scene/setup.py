@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a simulation is made of."""
+"""Bodies, surfaces and settings of a simulation."""
 
 from __future__ import annotations
 

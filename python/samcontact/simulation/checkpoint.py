@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of simulations."""
+"""Checkpoint files of simulations."""
 
 from __future__ import annotations
 

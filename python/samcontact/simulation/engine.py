@@ -36,9 +36,10 @@ _logger = logging.getLogger("samcontact")
 
 
 class Engine:
-    """Solves increments of a simulation, over a domain that is enlarged where surfaces are known.
+    """Solver of the increments of a simulation, on a computational domain that may be enlarged.
 
-    With on_border="warn" the domain stays.
+    The domain is enlarged if the contact reaches its edge and the surfaces are known beyond it,
+    except with on_border="warn".
     """
 
     def __init__(self, setup: SimulationSetup, grid: Grid, heat: Heat) -> None:
@@ -53,9 +54,9 @@ class Engine:
         """The domain before any enlargement."""
 
     def _open(self, domain: Domain, stand: Callable[[Any], object] | None = None) -> None:
-        """Go on over another domain, where `stand` makes the core stand: else at the start.
+        """Switch to another domain; `stand` sets the state of the new core, by default the start.
 
-        An error or interrupt leaves all as it was.
+        After an error or interrupt the old domain and core remain in use.
         """
         core = self._core_over(domain)
         if stand is not None:
@@ -82,7 +83,7 @@ class Engine:
         )
 
     def _checked_domain(self, grid: Grid, beside: Domain | None = None) -> Domain:
-        """The domain of a grid, with the surfaces of another one in its middle, or around it."""
+        """Return the domain of a grid; its surfaces must agree with those of domain `beside`."""
         setup = self.setup
         scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
         sticks = isinstance(setup.friction, Coulomb)
@@ -98,15 +99,15 @@ class Engine:
 
     @property
     def state(self) -> State:
-        """The present state."""
+        """Current state."""
         return self.state_of(self.core.state, self.heat)
 
     def state_of(self, core: Any, heat: Heat) -> State:
-        """A state of the core, with the heat of the increment after it."""
+        """Return the state of a core state, with the heating of the next increment."""
         return State(core, self.setup, self.domain, heat, lambda: dict(self.core.counters))
 
     def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, State, Any]:
-        """Solve an increment: it, the state before, and the core's after it."""
+        """Solve an increment; return its arguments, the state before and the new core state."""
         setup = self.setup
         with self.access:
             while True:
@@ -124,7 +125,7 @@ class Engine:
                     self._enlarge(error, **step.target)
 
     def advance(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[State, list[str]]:
-        """Go on by an increment: its state, and complaints of the border of the grid."""
+        """Advance by one increment; return its state and warnings about the edge of the grid."""
         setup = self.setup
         step, before, core = self.solve(given, monitor)
         state = self.state_of(core, step.heat)
@@ -146,9 +147,9 @@ class Engine:
         return state, complaints
 
     def make_room(self, load: float | None = None, approach: float | None = None) -> None:
-        """Make room for the Hertz contact, where nothing else shapes the gap.
+        """Enlarge the domain to contain the expected Hertz contact, if there is one.
 
-        Raises GridTooSmallError for what does not fit into a domain that stays.
+        Raises GridTooSmallError if the domain cannot be enlarged.
         """
         strained = any(self.core.state.max_plastic_strain_magnitude(body) for body in (0, 1))
         if self.setup.settings.on_border != "error" or strained:
@@ -159,7 +160,7 @@ class Engine:
             self._enlarge(error, load, approach)
 
     def hold_strain(self) -> bool:
-        """Make room for all that has flowed where it is, so that fields show it; whether so."""
+        """Enlarge the domain to include all plastic strain; return whether it was enlarged."""
         shape = self.domain.grid.surface_shape
         needed = list(shape)
         for body in (0, 1):
@@ -180,7 +181,7 @@ class Engine:
 
     @property
     def _stays(self) -> str:
-        """Why the domain is not enlarged; nothing where it is."""
+        """Reason why the domain cannot be enlarged; empty if it can."""
         setup = self.setup
         if setup.settings.on_border != "error" or self.domain.grid.periodic:
             return "it stays"
@@ -193,7 +194,7 @@ class Engine:
     def _enlarge(
         self, error: GridTooSmallError, load: float | None = None, approach: float | None = None
     ) -> None:
-        """Go on over a larger domain; raise the error where there is none."""
+        """Switch to a larger domain; raise the error if there is none."""
         if why := self._stays:
             if why == GROWS and not callable(self.setup.surfaces.gap):
                 told_of_fixed(error, self.estimate)
@@ -205,7 +206,7 @@ class Engine:
             self._go_on_over(counts)
 
     def _go_on_over(self, counts: Sequence[int]) -> None:
-        """Go on over a larger domain, from the same moment."""
+        """Switch to a larger domain at the same state."""
         grid = replace(self.domain.grid, nx=counts[0], ny=counts[1])
         domain, smaller = self._checked_domain(grid, self.domain), self.core
         self._open(domain, lambda core: core.take_over(smaller))
@@ -213,18 +214,18 @@ class Engine:
 
     @property
     def enlargement(self) -> str:
-        """What has become of the first domain, in words; nothing where it is as it was."""
+        """Text about the enlargement of the domain; empty without one."""
         (a, b), (c, d) = self.first.grid.surface_shape, self.domain.grid.surface_shape
         return f"the window has grown from {a} x {b} to {c} x {d} cells" if (a, b) != (c, d) else ""
 
     def snapshot(self, state: State | None = None) -> Snapshot:
-        """The simulation as it stands, or as it stood in an earlier state."""
+        """Return a snapshot of the current state, or of an earlier one."""
         return Snapshot.of(self.state if state is None else state)
 
     def restore(self, kept: Snapshot) -> None:
-        """Stand as a snapshot of the same scene tells, in its domain.
+        """Restore the state and domain of a snapshot of the same setup.
 
-        Raises ForeignCheckpointError for one of other surfaces.
+        Raises ForeignCheckpointError if its surfaces differ.
         """
         self.history.forget()
         heat, state = kept.arguments["heat"], kept.state
@@ -249,14 +250,14 @@ class Engine:
         self.heat = heat
 
     def stand_at(self, state: State) -> None:
-        """Go back to an earlier state over the same domain."""
+        """Return to an earlier state on the same domain."""
         self.history.forget()
         self.core.stand_at(state._core)
         self.heat = state.heat
 
 
 def _state_of(kept: Snapshot) -> State:
-    """The state of a snapshot, with an engine of its own."""
+    """Return the state of a snapshot, with its own engine."""
     engine = Engine(*kept.setup())
     engine.restore(kept)
     return engine.state

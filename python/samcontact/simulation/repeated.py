@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The same simulation again, from its start, with other arguments or on coarser cells."""
+"""Repetition of a simulation from its start, with other arguments or on a coarsened grid."""
 
 from __future__ import annotations
 
@@ -7,25 +7,24 @@ from typing import Any
 
 from ..heat import Heat
 from .coarsening import coarser
+from .restoring import without_estimates
 from .simulation import Simulation
 
 
 def remade(simulation: Simulation, **changes: Any) -> Simulation:
-    """The same simulation at its start, but for some arguments."""
+    """Return the simulation at its start, with some arguments changed."""
     setup = simulation.engine.setup
-    return _silent(simulation, setup.on_grid(simulation.grid, simulation.heat) | changes)
+    arguments = setup.on_grid(simulation.grid, simulation.heat) | changes
+    found: Simulation = without_estimates(type(simulation), arguments)
+    return found
 
 
 def coarsened(simulation: Simulation, heat: Heat) -> Simulation:
-    """The same simulation at its start with this heat, over cells twice as long, wide and deep.
+    """Return the simulation at its start, on a grid coarsened by 2 along x, y and z.
 
     Raises ValueError where the grid cannot be halved, see `coarser`.
     """
     setup, domain = coarser(simulation.engine.setup, simulation.engine.domain)
-    return _silent(simulation, setup.on_grid(domain.grid, heat))
-
-
-def _silent(simulation: Simulation, arguments: dict[str, Any]) -> Simulation:
-    made = type(simulation)(**arguments)
-    made.monitor.checks_increments = False  # it is for those who judge a simulation
-    return made
+    arguments = setup.on_grid(domain.grid, heat)
+    found: Simulation = without_estimates(type(simulation), arguments)
+    return found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Simulations made again: from snapshots of pickles, copies and files, and with other setups."""
+"""Creation of simulations from snapshots (pickles, copies, files) and from other setups."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import os
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from ..restart.file import other_version, readable
 from .checkpoint import read_checkpoint
@@ -34,7 +34,7 @@ def restored(cls: type[Made], kept: Snapshot, first: Domain | None = None, gap: 
     """
     changes = {} if gap is None else {"gap": gap}
     simulation = cls(**kept.arguments | changes)
-    engine: Engine = simulation.engine  # type: ignore[attr-defined]
+    engine: Engine = cast("Any", simulation).engine
     engine.restore(kept)
     if first is not None:
         engine.first = first
@@ -60,14 +60,20 @@ def loaded(
         return restored(cls, kept, gap=gap)
 
 
+def without_estimates(cls: type[Any], arguments: Mapping[str, Any]) -> Any:
+    """Make a simulation of class `cls` that does not estimate errors by its increments."""
+    simulation = cls(**arguments)
+    simulation.monitor.checks_increments = False
+    return simulation
+
+
 def repeat_with(cls: type[Any]) -> Repeat:
-    """How a class of simulations repeats a path with another setup, without estimates of errors."""
+    """Return a function that runs another setup along a path, without estimates of its errors."""
 
     def repeated(
         setup: SimulationSetup, grid: Grid, heat: Heat, path: Sequence[Mapping[str, Any]]
     ) -> list[State]:
-        again = cls(**setup.on_grid(grid, heat))
-        again.monitor.checks_increments = False
+        again = without_estimates(cls, setup.on_grid(grid, heat))
         found: list[State] = again.run(path, progress=False)
         return found
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A simulation as plain data: for its file, and for pickles and copies of it and its states."""
+"""Plain data of a simulation, for its checkpoint file, pickles and copies."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Snapshot:
-    """All that makes a simulation again, standing where it stood."""
+    """Complete data of a simulation at the end of an increment."""
 
     arguments: dict[str, Any]
     """Arguments of `Simulation`."""
     state: Tree
-    """Parts of its state, as the core describes them."""
+    """Components of its state, as the core stores them."""
     counters: dict[str, int]
 
     @classmethod
     def of(cls, state: State) -> Snapshot:
-        """A simulation as it stood in a state."""
+        """Return the snapshot of the simulation at a state."""
         given = state.setup.on_domain(state.domain, state.heat)
         return cls(given, state._core.content(), state.counters())
 
