@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Errors by the increments as they are stated and as they are, for the table in docs/theory.md.
 
-The scenes serve tests/unit/test_increment_errors.py too.
+The scenes serve tests/unit/simulation/test_increment_errors.py too.
 """
 
 from __future__ import annotations

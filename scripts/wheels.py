@@ -100,7 +100,7 @@ def quick_tests() -> list[str]:
     """Arguments of pytest that `./test quick` has."""
     lines = "eval \"$(sed -n '/^LONG=(/,/)$/p' test)\"; printf '%s\\n' \"${LONG[@]}\""
     long = call("bash", "-c", lines, cwd=ROOT).split()
-    ignored = [f"--ignore-glob=tests/unit/test_{name}" for name in long]
+    ignored = [f"--ignore-glob=tests/unit/*/test_{name}" for name in long]
     return ["-q", "-m", "not slow", "tests/unit", "-p", "no:cacheprovider", *ignored]
 
 

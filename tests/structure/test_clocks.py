@@ -36,10 +36,10 @@ NO_LIMIT = re.compile(
 EXCEPTIONS = {
     "tests/faults/faulting.py": "moments to kill a process at; one too late is tried again earlier",
     "tests/faults/test_interrupted.py": "moments of Ctrl-C; one too late is tried again earlier",
-    "tests/unit/test_interrupt.py": "looks now and then whether the step has begun",
-    "tests/unit/test_fatigue_threads.py": "the signal comes in the minute that the call takes",
-    "tests/unit/test_heat_kernels_limits.py": "the signal comes in the hours that the call takes",
-    "tests/unit/test_sweep_cli.py": "looks now and then whether a case is done",
+    "tests/unit/simulation/test_interrupt.py": "looks now and then whether the step has begun",
+    "tests/unit/fatigue/test_fatigue_threads.py": "the signal comes while the call computes",
+    "tests/unit/heat_kernels/test_heat_kernels_limits.py": "the call takes hours",
+    "tests/unit/sweeps/test_sweep_cli.py": "looks now and then whether a case is done",
 }
 
 

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The frame of the gallery: what holds, what the table says, what is written."""
+
+import re
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+from matplotlib.figure import Figure
+
+from gallery import moves, page, parts
+from gallery.__main__ import main
+
+PAGES = Path(__file__).parents[3] / "docs" / "gallery"
+NEAR = page.Number("depth", 100.0, 104.0, "nm", "coarse")
+FAR = page.Number("depth", 100.0, 106.0, "nm", "coarse", remark="why")
+SAID = page.Statement("curves", "coincide", "to 1 %", True, "fine")
+
+
+def test_a_number_holds_within_its_tolerance():
+    assert NEAR.holds
+    assert not FAR.holds
+    assert FAR.difference == pytest.approx(0.06)
+
+
+def test_a_mesh_study_replaces_the_thesis_in_the_judgement_only():
+    number = page.Number("ratio", 6.0, 5.0, "", "fine", converged=5.1)
+    assert number.holds
+    assert number.difference == pytest.approx(-1 / 6)
+    assert not page.Number("ratio", 6.0, 6.0, "", "fine", converged=5.1).holds
+
+
+def test_table():
+    text = page.table([NEAR, FAR, SAID, page.Number("cells", 23188, 23188, "", "")], {})
+    assert "| depth | 100 nm | 104 nm | +4.0 % | coarse |" in text
+    assert "| depth [1] | 100 nm | 106 nm | +6.0 % | coarse |" in text
+    assert "| curves | coincide | to 1 % | agrees | fine |" in text
+    assert "| cells | 23188 | 23188 | 0.0 % |  |" in text
+    assert text.endswith("\n1. why\n")
+
+
+def test_a_table_says_how_much_values_move_with_the_mesh():
+    moved = [moves.Moves("depth", [104.0], {"cells": moves.Move(2.345, own=False)})]
+    text = page.table([NEAR, SAID], moved)
+    assert "| depth | 100 nm | 104 nm | +4.0 % | coarse | 2.3 % |" in text
+    assert "| curves | coincide | to 1 % | agrees | fine |  |" in text
+    assert moves.COARSE in text
+
+
+def test_moves_are_those_of_the_page_where_they_were_computed(tmp_path):
+    table = tmp_path / "moves.csv"
+    table.write_text(
+        "part,mesh,quantity,values,cells [%],layers [%],increments [%],window [%]\n"
+        'one,page,"load, k = 1, 2","[1.0, 2.0]",,3.0,,\n'
+        "one,page,width,[],,0.1,,\n"
+        'one,coarse,"load, k = 1","[1.5]",5.0,50.0,120.0,\n'
+        "one,coarse,width,[],,7.0,,\n"
+        "other,coarse,width,[],9.0,,,\n"
+    )
+    load, width = moves.of_part("one", table)
+    assert load.values == [1.0, 2.0]
+    coarse = {"cells": moves.Move(5.0, own=False), "increments": moves.Move(120.0, own=False)}
+    assert load.by == coarse | {"layers": moves.Move(3.0, own=True)}
+    assert moves.column([load, width]) == {"loadk": "(> 100 %)", "width": "0.1 %"}
+    assert moves.note([load, width]) == moves.BOTH
+    assert moves.note([width]) == moves.OWN
+
+
+@pytest.mark.parametrize("name", parts.PARTS)
+def test_the_column_of_a_page_is_that_of_the_kept_table(name):
+    """Otherwise the page was written before the table, or quantities have other words."""
+    found = moves.of_part(name)
+    rows = (PAGES / f"{name}.md").read_text().splitlines()
+    shown = {row.split(" | ")[-1].rstrip(" |") for row in rows if row.startswith("| ")}
+    assert shown - {"", "moves"} == set(moves.column(found).values())
+
+
+def test_a_page_has_its_table_and_figures(tmp_path):
+    part = SimpleNamespace(
+        TITLE="Title",
+        INTRODUCTION="\nIntroduction.\n",
+        stated=lambda results: [NEAR, results],
+        figures=lambda results: [page.Picture("name", "Caption.", Figure())],
+    )
+    assert page.write("part", part, SAID, tmp_path / "new") == [NEAR, SAID]
+    text = (tmp_path / "new" / "part.md").read_text()
+    assert "# Title\n\nIntroduction.\n\n| quantity" in text
+    assert "![Caption.](name.png)\n\nCaption.\n" in text
+    assert (tmp_path / "new" / "name.png").stat().st_size > 0
+
+
+def test_parts_by_name_and_by_figure():
+    assert parts.part_of("friction") == "friction"
+    assert parts.part_of("2.12") == "flattening"
+    assert parts.part_of("3.8") == "rolling"
+    assert parts.part_of("2.14") == "nano_indentation"
+    for name, text in (
+        ("frction", "unknown part 'frction' of the gallery: did you mean friction"),
+        ("zzz", "choose from nano_indentation"),
+        ("1.1", "figure 1.1 is not in the gallery"),
+    ):
+        with pytest.raises(ValueError, match=text):
+            parts.part_of(name)
+
+
+def test_the_command_makes_a_part(tmp_path, capsys, undrawn):
+    assert main(["2.14", "--quick", "--output", str(tmp_path)]) == 0
+    assert "nano_indentation: " in capsys.readouterr().out
+    assert "# Nano" in (tmp_path / "nano_indentation.md").read_text()
+    assert list(tmp_path.glob("*.png"))
+
+
+def test_the_command_lists_parts_and_refuses_others(capsys):
+    assert main(["--list"]) == 0
+    assert re.search(r"^tugging +4\.7 to 4\.11$", capsys.readouterr().out, re.MULTILINE)
+    with pytest.raises(SystemExit, match="2"):
+        main(["frction"])
+    assert "did you mean friction" in capsys.readouterr().err
+
+
+def test_the_command_fails_when_a_value_differs(tmp_path, monkeypatch):
+    part = SimpleNamespace(
+        TITLE="Title",
+        INTRODUCTION="",
+        compute=lambda quick: NEAR if quick else FAR,
+        stated=lambda results: [results],
+        figures=lambda results: [],
+    )
+    monkeypatch.setitem(sys.modules, "gallery.tugging", part)
+    given = ["tugging", "--output", str(tmp_path)]
+    assert [main(given), main([*given, "--quick"])] == [1, 0]
+
+
+def test_every_part_says_its_figures_on_the_first_page():
+    text = (Path(__file__).parents[3] / "docs" / "gallery.md").read_text()
+    for name in parts.PARTS:
+        assert re.search(rf"\(gallery/{name}\.md\) \| {parts.figures_of(name)} ", text), name

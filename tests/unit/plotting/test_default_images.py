@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every figure that a run writes by default looks as it was stored after it had been looked at.
+
+`python tests/unit/plotting/test_default_images.py` stores them anew: look at each before
+it is kept.
+"""
+
+import sys
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from PIL import Image
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
+from matplotlib.figure import Figure
+from overlapping_texts import overlaps
+
+from case_texts import BODIES, GRID, MOVING, TUGGING, WEAR
+from samcontact.commands.folder import _FIGURES
+from samcontact.commands.main import main
+
+STORED = Path(__file__).parents[2] / "images"
+WIDTH = 280
+"""Pixels of what is stored."""
+LIMIT = 0.06
+"""Matplotlib 3.10 and 3.11 differ by 0.051, a line that is missing by 0.118."""
+THERMAL = "[body2.thermal]\nconductivity = 50.2\nexpansion = 11.7e-6\ndiffusivity = 1.4e-5\n"
+SURFACE = "[grid]\nnx = 27\nny = 25\ndx = 25e-6\ndy = 25e-6\n"
+ELASTIC = 'law = "elastic"\nE = 210e9\nnu = 0.3\n'
+PRESSED = "[[path]]\nload = 300.0\nincrements = 1\n[[path]]\nload = 300.0\n"
+BALLS = (
+    f'{SURFACE}[body1]\n{ELASTIC}[body2]\n{ELASTIC}[surface]\nshape = "paraboloid"\nRx = 7.5e-3\n'
+)
+CASES = {
+    "heated": f"""title = "heated"
+{GRID}
+{BODIES.replace("[surface]", THERMAL + "[surface]")}
+[heat]
+factor = 0.05
+history = [1e-3, 1.0]
+[[path]]
+load = 700.0
+increments = 3
+duration = 10e-3
+[[path]]
+load = 0.0
+increments = 1
+duration = 10e-3
+""",
+    "rolling": MOVING,
+    "tugging": TUGGING,
+    "wear": WEAR.replace("figures = false", "figures = true"),
+    "long": f"""title = "long contact"
+[grid]
+nx = 17
+ny = 17
+dx = 55e-6
+dy = 500e-6
+nz = 6
+dz = 55e-6
+[body1]
+{ELASTIC}[body2]
+{ELASTIC}[[body2.layers]]
+law = "elastic"
+E = 300e9
+nu = 0.25
+thickness = 110e-6
+[surface]
+shape = "paraboloid"
+Rx = 5.1e-3
+Ry = 165e-3
+[[path]]
+load = 11000.0
+increments = 1
+""",
+    "fretting": f"""title = "fretting"
+{BALLS}[contact]
+friction = {{coulomb = 0.3}}
+{PRESSED}increments = 5
+fret = {{tangential_load_x = 60.0, cycles = 1}}
+""",
+    "traction": f"""title = "rolling with creepage"
+{BALLS}[contact]
+friction = {{coulomb = 0.4}}
+{PRESSED}increments = 6
+advance = [-150.15e-6, -149.85e-6]
+[[path]]
+load = 300.0
+increments = 6
+advance = [-150.4e-6, -149.6e-6]
+""",
+    "fatigue": f"""title = "fatigue"
+{GRID}
+{BODIES}
+[fatigue]
+dang_van = 0.3
+fatemi_socie = 1.0
+[shakedown]
+cycles = 4
+[[path]]
+load = 700.0
+increments = 3
+[[path]]
+load = 0.0
+increments = 3
+""",
+    "scar": f"""title = "fretting wear"
+{BALLS}[contact]
+friction = {{coulomb = 0.3}}
+{PRESSED}increments = 2
+fret = {{tangential_load_x = 60.0, cycles = 1}}
+[wear]
+energy = 1e-14
+repeats = 50000
+cycles = 2
+""",
+}
+
+
+ALIKE = {("wear", "last_cycle_body2"): "wear/first_cycle_body2"}
+"""Figures that look as others, which are stored."""
+FIRST_IN_OTHERS = {
+    "long": ("axis_stress", "load_approach", "pressure", "sections"),
+    "fretting": ("gap_map", "pressure", "pressure_map"),
+    "fatigue": (
+        "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "print",
+        "print_map", "residual", "sections",
+    ),
+}  # fmt: skip
+"""Figures that other cases have stored; once is enough."""
+OLD_TICKS = {"shakedown"} if matplotlib.__version_info__ < (3, 11) else set()
+"""Figures whose decades this matplotlib labels otherwise than that of those stored."""
+
+
+def drawn(case, folder):
+    """The figures of a case, small, of which no text lies over another."""
+    file = folder / f"{case}.toml"
+    file.write_text(CASES[case])
+    hidden, save = {}, Figure.savefig
+
+    def look_and_save(figure, target, **options):
+        hidden[target] = overlaps(figure)
+        save(figure, target, **options)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Figure, "savefig", look_and_save)
+        outcome = CliRunner().invoke(
+            main, ["run", str(file), "--output", str(folder / case), "--quiet"]
+        )
+    assert outcome.exit_code == 0, outcome.output
+    assert hidden
+    assert not any(hidden.values()), hidden
+    found = {}
+    for path in sorted((folder / case).glob("*.png")):
+        with Image.open(path) as image:
+            height = round(WIDTH * image.height / image.width)
+            found[path.stem] = image.convert("RGB").resize((WIDTH, height), Image.Resampling.BOX)
+    return found
+
+
+def difference(image, other):
+    """Of two images, 0 to 1: the largest of means over squares of 10 pixels.
+
+    Each square of one is compared where it is and up to a pixel beside, and the nearest counts:
+    fonts, and with them the room of panels, differ between versions of matplotlib, and a frame that
+    moves by a pixel is no flaw. A line that is missing or elsewhere changes more.
+    """
+    assert abs(image.height - other.height) <= 0.04 * other.height
+    image = image.resize(other.size)
+    beside = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
+    moved = [np.abs(squares(image, *by) - squares(other)).max(axis=2) for by in beside]
+    return float(np.min(moved, axis=0).max()) / 255
+
+
+def squares(image, x=0, y=0):
+    """Means over squares of about 10 pixels of an image without its edge, moved by x, y."""
+    box = (1 + x, 1 + y, image.width - 1 + x, image.height - 1 + y)
+    size = image.width // 10, image.height // 10
+    return np.asarray(image.resize(size, Image.Resampling.BOX, box), dtype=float)
+
+
+def stored(case):
+    own = {path.stem: path for path in (STORED / case).glob("*.jpg")}
+    others = {name: STORED / f"{path}.jpg" for (of, name), path in ALIKE.items() if of == case}
+    return dict(sorted((own | others).items()))
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_figures_look_as_those_stored(case, tmp_path):
+    found, expected = drawn(case, tmp_path), stored(case)
+    assert set(expected) <= set(found)
+    assert set(found) <= {name for other in CASES for name in stored(other)}
+    for name in expected.keys() - OLD_TICKS:
+        with Image.open(expected[name]) as image:
+            assert difference(found[name], image.convert("RGB")) < LIMIT, name
+
+
+def test_every_figure_of_a_run_is_stored():
+    names = {name.replace("[12]", body) for name in _FIGURES for body in "12"}
+    there = {name for case in CASES for name in stored(case)}
+    of_body_1 = {name for name in names if name.endswith("body1")}  # drawn as those of body 2
+    assert there | of_body_1 == names | (there & of_body_1)
+
+
+def test_a_flaw_is_seen():
+    """A line less, or cells instead of what is smooth, are more than fonts make."""
+    with Image.open(STORED / "heated" / "pressure.jpg") as image:
+        shown = image.convert("RGB")
+    without = np.array(shown)
+    without[np.ptp(without.astype(int), axis=2) > 40] = 255  # what has colour
+    assert difference(Image.fromarray(without), shown) > 1.5 * LIMIT
+    with Image.open(STORED / "heated" / "sections.jpg") as image:
+        shown = image.convert("RGB")
+    coarse = shown.resize((14, shown.height // 20), Image.Resampling.BOX)
+    assert difference(coarse.resize(shown.size, Image.Resampling.NEAREST), shown) > 1.5 * LIMIT
+
+
+if __name__ == "__main__":
+    import tempfile
+
+    for case in CASES:
+        (STORED / case).mkdir(parents=True, exist_ok=True)
+        for old in (STORED / case).glob("*.jpg"):
+            old.unlink()
+        with tempfile.TemporaryDirectory() as folder:
+            for name, image in drawn(case, Path(folder)).items():
+                if (case, name) not in ALIKE and name not in FIRST_IN_OTHERS.get(case, ()):
+                    image.save(STORED / case / f"{name}.jpg", quality=90, optimize=True)

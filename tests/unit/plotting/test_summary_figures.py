@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The standard figures of a run: which there are, what they show, and that they can be read."""
+
+import itertools
+
+import matplotlib.image
+import numpy as np
+import pytest
+from drawn_fields import shows
+from overlapping_texts import overlaps, texts
+
+import samcontact as sc
+from core_fakes import ELASTIC, SWIFT, FakeState, make_grid, make_simulation
+from samcontact import plotting
+from samcontact.plotting import parts, summary
+from samcontact.results import to_dataset
+
+WARM = SWIFT.with_thermal(50.0, 1e-5, 1e-5)
+SURFACE = ["pressure.png", "pressure_map.png", "gap_map.png"]
+
+
+@pytest.fixture
+def drawn(monkeypatch):
+    """The figures by name, as they are written."""
+    figures = {}
+
+    def keep(figure, path):
+        figures[path.stem] = figure
+        figure.set_dpi(50)
+        return parts.save(figure, path)
+
+    monkeypatch.setattr(summary, "save", keep)
+    return figures
+
+
+def longest_blank(image):
+    """The longest run of white rows or columns over all of them."""
+    white = image[..., :3].min(axis=2) > 0.99
+    longest = 0.0
+    for axis in (0, 1):
+        lines = white.all(axis=axis)
+        runs = (len(list(run)) for blank, run in itertools.groupby(lines) if blank)
+        longest = max(longest, max(runs, default=0) / lines.size)
+    return longest
+
+
+# cells along x and y, layers: flat, deep, long
+@pytest.mark.parametrize("cells", [(41, 9, 3), (11, 9, 20), (9, 41, 10)])
+def test_what_is_written_can_be_read(cells, tmp_path, drawn):
+    simulation = make_simulation(body2=WARM)
+    grid = simulation.grid = make_grid(nx=cells[0], ny=cells[1], nz=cells[2], dz=1e-4)
+    simulation.initial_gap = np.zeros(cells[:2])
+    states = [FakeState(grid, load) for load in (1500.0, 0.0)]
+    for state in states:
+        state.gap = 1e-3 * np.abs(grid.x)[:, None] + 1e-3 * np.abs(grid.y)
+    dataset = to_dataset(simulation, states)
+    written = plotting.summary_figures(dataset, tmp_path / "new" / "folder")
+    assert [path.name for path in written] == [
+        *SURFACE,
+        "axis_stress.png",
+        "sections.png",
+        "load_approach.png",
+        "flash_temperature.png",
+        "temperature.png",
+        "print.png",
+        "print_map.png",
+        "residual.png",
+    ]
+    for path in written:
+        image = matplotlib.image.imread(path)
+        assert min(image.shape[:2]) > 40
+        assert image[..., :3].std() > 0.01  # something is drawn
+        assert longest_blank(image) < 0.2, path.name
+        assert overlaps(drawn[path.stem]) == [], path.name
+
+
+def test_without_a_volume(tmp_path, undrawn):
+    surface = make_simulation(nz=0, body2=ELASTIC.with_thermal(50.0, 1e-5, 1e-5))
+    states = [FakeState(surface.grid, 1500.0)]
+    written = plotting.summary_figures(to_dataset(surface, states), tmp_path)
+    names = [*SURFACE, "load_approach.png", "flash_temperature.png"]
+    assert [path.name for path in written] == names
+
+
+def test_profiles_run_where_there_is_something(tmp_path, drawn, undrawn):
+    """On a rough surface nothing may touch in the middle."""
+    simulation = make_simulation()
+    grid = simulation.grid
+    state = FakeState(grid, 1500.0)
+    state.pressure = np.roll(state.pressure, 3, axis=1)
+    plotting.summary_figures(to_dataset(simulation, [state]), tmp_path)
+    row = int(np.argmax(state.pressure.max(axis=0)))
+    ax = drawn["pressure"].axes[0]
+    np.testing.assert_allclose(ax.get_lines()[0].get_ydata(), state.pressure[:, row] * 1e-9)
+    assert ax.get_title() == f"load 1500 N, y = {grid.y[row] * 1e6:.4g} µm"
+
+
+def test_of_what_moved_all_of_the_track_is_shown(tmp_path, drawn):
+    step = 60e-6
+    grid = sc.Grid(15, 13, step, step, 12, step)
+    simulation = sc.Simulation(grid, ELASTIC, SWIFT, sc.surfaces.paraboloid(grid, 7.5e-3))
+    move = {"load": 700.0, "advance": (-2 * step, -2 * step)}
+    states = simulation.run([{"load": 700.0}, *[move] * 5, {"load": 0.0}], progress=False)
+    plotting.summary_figures(to_dataset(simulation, states), tmp_path)
+    track = states[-1].track(2)
+    depth = track.residual_displacement()
+    ax = drawn["print"].axes[0]
+    (line,) = ax.get_lines()
+    deepest = track.x[int(np.argmax(depth[:, 6]))] * 1e6
+    assert line.get_ydata().max() == pytest.approx(depth.max() * 1e6)
+    left, right = ax.get_xlim()
+    assert left < deepest < right
+    assert left < 0.0 < 10 * step * 1e6 < right  # all of the way
+    factors = {"y": 1e6, "z": 1e-6}
+    for name, shown in (("print_map", depth), ("residual", track.residual_von_mises()[:, 6])):
+        rows = "y" if name == "print_map" else "z"
+        along = getattr(grid, rows)
+        assert shows(drawn[name].axes[0], track.x, along, shown * factors[rows], within=0.1)
+    for name, figure in drawn.items():
+        assert overlaps(figure) == [], name
+
+
+def test_the_increments_that_are_shown(tmp_path, undrawn):
+    simulation = make_simulation(body2=WARM)
+    states = [FakeState(simulation.grid, load) for load in (1500.0, 700.0, 100.0)]
+    states[1].pressure = 3.0 * states[0].pressure  # warmest where the stress is not largest
+    stored = to_dataset(simulation, states)
+    shown = summary.increments_shown(stored, 2)
+    assert shown == {1, 2, 3}
+    assert stored["volume_increment"].values.tolist() == [1, 3]
+    assert "temperature" not in {path.stem for path in plotting.summary_figures(stored, tmp_path)}
+    whole = to_dataset(simulation, states, volume=sorted(shown))
+    assert whole["volume_increment"].values.tolist() == [1, 2, 3]
+    assert "temperature" in {path.stem for path in plotting.summary_figures(whole, tmp_path)}
+
+
+def test_bad_input_is_named(tmp_path):
+    simulation = make_simulation()
+    states = [FakeState(simulation.grid, 1.0)]
+    with pytest.raises(ValueError, match="body must be one of 1, 2, got 3"):
+        plotting.summary_figures(to_dataset(simulation, states), tmp_path, body=3)
+    with pytest.raises(ValueError, match=r"volume .* got 2"):
+        to_dataset(simulation, states, volume=[2])
+    with pytest.raises(ValueError, match="format must be one of 'png', 'pdf', 'svg', got 'jpg'"):
+        plotting.summary_figures(to_dataset(simulation, states), tmp_path, format="jpg")
+    with (
+        pytest.raises(ValueError, match="width must be one of 'single', 'double', 'screen'"),
+        plotting.column("wide"),
+    ):
+        pass
+
+
+@pytest.mark.parametrize(("width", "mm"), [("single", 88.0), ("double", 180.0)])
+def test_figures_as_wide_as_a_column(width, mm, tmp_path, drawn):
+    """Nothing is cut off, nothing overlaps, and letters are those of print."""
+    simulation = make_simulation(body2=WARM)
+    grid = simulation.grid = make_grid(nx=21, ny=15, nz=8, dz=1e-4)
+    simulation.initial_gap = np.zeros((21, 15))
+    states = [FakeState(grid, load) for load in (1500.0, 0.0)]
+    dataset = to_dataset(simulation, states)
+    with plotting.column(width):
+        written = plotting.summary_figures(dataset, tmp_path)
+        for path in written:
+            figure = drawn[path.stem]
+            image = matplotlib.image.imread(path)
+            assert image.shape[1] == pytest.approx(mm / 25.4 * 200, abs=1.1)
+            border = np.concatenate([image[0], image[-1], image[:, 0], image[:, -1]])
+            assert border[:, :3].min() == 1.0, path.name  # white: nothing goes beyond
+            assert overlaps(figure) == [], path.name
+            sizes = {text.get_fontsize() for ax in figure.axes for text in texts(ax)}
+            assert min(sizes) >= 5.5
+            assert max(sizes) <= 8.0
+    assert matplotlib.rcParams["font.size"] == 10.0
+
+
+@pytest.mark.parametrize("ending", ["pdf", "svg"])
+def test_vectors_are_the_same_again(ending, tmp_path):
+    """With letters that stay letters in a PDF, and pixels for the colours of a field only."""
+    simulation = make_simulation()
+    state = FakeState(simulation.grid, 1500.0)
+    state.gap = 1e-3 * np.abs(simulation.grid.x)[:, None] + 1e-3 * np.abs(simulation.grid.y)
+    dataset = to_dataset(simulation, [state])
+    for folder in "ab":
+        written = plotting.summary_figures(dataset, tmp_path / folder, format=ending)
+        assert {path.suffix for path in written} == {f".{ending}"}
+    for path in written:
+        found = path.read_bytes()
+        assert found == (tmp_path / "a" / path.name).read_bytes()
+        colours = b"/Subtype /Image" if ending == "pdf" else b"<image"
+        fields = ("pressure_map", "gap_map", "sections", "print_map", "residual")
+        assert (colours in found) == (path.stem in fields), path.name
+        if ending == "pdf":
+            assert b"/Type0" in found  # TrueType, as journals ask

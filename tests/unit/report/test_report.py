@@ -1,0 +1,371 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reports: what a browser shows equals the dataset, and checks fail when results are spoilt."""
+
+import re
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from selenium.webdriver.common.by import By
+
+import samcontact as sc
+from browser import chromium, served
+from case_texts import MINIMAL
+from core_fakes import ELASTIC, SWIFT, FakeState, make_simulation
+from samcontact import report, results
+from samcontact.cases import parse_case
+from samcontact.commands.main import main
+from samcontact.report.tables import parameters
+
+MARGINS = ("contact_margin", "plastic_margin_body2")
+
+
+# with layers that resolve the plastic zone
+CASE = MINIMAL.replace("nz = 12\ndz = 60e-6", "nz = 36\ndz = 20e-6")
+
+
+@pytest.fixture(scope="module")
+def data():
+    """A real run of a case."""
+    case = parse_case(CASE + "\n[output]\nbody = 2\n")
+    case._text = CASE
+    simulation, path = case.build()
+    return results.to_dataset(simulation, simulation.run(path, progress=False), case)
+
+
+@pytest.fixture(scope="module")
+def folder(data, tmp_path_factory):
+    """As the command leaves it."""
+    folder = tmp_path_factory.mktemp("run")
+    results.save(data, folder / "results.nc")
+    outcome = CliRunner().invoke(main, ["report", str(folder)])
+    assert outcome.exit_code == 0, outcome.output
+    assert outcome.stdout == f"{folder / 'report.html'}\n"
+    assert outcome.stderr == ""
+    return folder
+
+
+@pytest.fixture(scope="module")
+def page(folder):
+    """The report in a browser, and what the browser asked for."""
+    with served(folder) as (address, asked), chromium() as driver:
+        driver.get(f"{address}/report.html")
+        yield SimpleNamespace(driver=driver, asked=asked)
+
+
+def cells(page, table):
+    """Text of the cells of a table, row by row, the heading first."""
+    rows = page.driver.find_elements(By.CSS_SELECTOR, f"#{table} tr")
+    return [[cell.text for cell in row.find_elements(By.CSS_SELECTOR, "th, td")] for row in rows]
+
+
+def exact(page, table):
+    """The numbers behind a table's text, in SI units; None where a cell has none."""
+    script = """return [...document.querySelectorAll('#' + arguments[0] + ' tbody tr')].map(
+        row => [...row.querySelectorAll('td')].map(
+            cell => cell.querySelector('data') && cell.querySelector('data').value))"""
+    return page.driver.execute_script(script, table)
+
+
+def test_the_browser_shows_every_figure(page):
+    script = "return [...document.images].map(i => [i.complete, i.naturalWidth, i.alt])"
+    images = page.driver.execute_script(script)
+    captions = [e.text for e in page.driver.find_elements(By.TAG_NAME, "figcaption")]
+    assert len(images) == len(captions) == 13
+    for complete, width, description in images:
+        assert complete
+        assert width > 300
+        assert len(description) > 20
+    assert "Pressure along x, increment 2, 600 N" in captions
+    assert "Print, increment 3, 0 N" in captions
+    assert captions[-1] == "Convergence"
+
+
+def test_the_page_needs_nothing_else(page):
+    assert set(page.asked) <= {"/report.html", "/favicon.ico"}
+    assert [e for e in page.driver.get_log("browser") if "favicon" not in e["message"]] == []
+
+
+def test_title_and_parameters(page):
+    assert page.driver.title == "two balls"
+    assert page.driver.find_element(By.TAG_NAME, "h1").text == "two balls"
+    rows = cells(page, "parameters-table")
+    assert ["grid", "dx", "60 µm"] in rows
+    assert ["body2", "B", "945 MPa"] in rows
+    assert ["body2", "C", "20 microstrain"] in rows
+    assert ["surface", "Rx", "7.5 mm"] in rows
+    assert ["path, part 1", "load", "600 N"] in rows
+    assert CASE.strip() in page.driver.find_element(By.TAG_NAME, "pre").text
+
+
+def test_increments_equal_the_dataset(page, data):
+    (_, *headings), *rows = cells(page, "increments-table")
+    columns = {
+        "load [N]": ("load", 1.0),
+        "approach [µm]": ("approach", 1e6),
+        "maximum pressure [MPa]": ("max_pressure", 1e-6),
+        "contact area [mm²]": ("contact_area", 1e6),
+        "maximum von Mises stress, body 2 [MPa]": ("max_von_mises_body2", 1e-6),
+        "maximum equivalent plastic strain, body 2 [%]": (
+            "max_equivalent_plastic_strain_body2",
+            1e2,
+        ),
+        "print depth in the grid, body 2 [µm]": ("print_depth_body2", 1e6),
+    }
+    assert headings == list(columns)
+    assert [row[0] for row in rows] == ["1", "2", "3"]
+    behind = np.array(exact(page, "increments-table"), dtype=float)
+    for index, (variable, factor) in enumerate(columns.values()):
+        np.testing.assert_array_equal(behind[:, index], data[variable])
+        shown = [float(row[index + 1]) for row in rows]
+        np.testing.assert_allclose(shown, data[variable] * factor, rtol=1e-5)
+
+
+def test_convergence_equals_the_dataset(page, data):
+    headings, *rows = cells(page, "convergence-table")
+    assert headings[1:4] == ["plastic iterations", "plastic residual", "yield excess"]
+    names = ["iterations", "plastic_residual", "yield_excess", "contact_iterations", "substeps"]
+    behind = exact(page, "convergence-table")
+    for index, name in enumerate(names):
+        found = np.array([row[index] for row in behind], dtype=float)
+        np.testing.assert_array_equal(found, data[name])
+    assert rows[-1][6:8] == ["none", "none"]  # unloaded: there is no contact
+    names = ["contact_margin", "contact_cells", "plastic_layers_body2", "plastic_margin_body2"]
+    assert [float(value) for value in behind[1][5:]] == [float(data[name][1]) for name in names]
+
+
+def test_hertz_table(page, data):
+    assert "600 N" in page.driver.find_element(By.CSS_SELECTOR, "#hertz-table caption").text
+    rows = {name: values for name, *values in cells(page, "hertz-table")[1:]}
+    contact = sc.hertz.point(7.5e-3, 210e9 / (2 * (1 - 0.3**2)), load=600.0)
+    here = float(data["max_pressure"][1])
+    exact_text, here_text, difference = rows["maximum pressure"]
+    assert exact_text == f"{contact.p0 * 1e-9:.6g} GPa"
+    assert here_text == f"{here * 1e-9:.6g} GPa"
+    assert float(difference.removesuffix(" %")) == pytest.approx(
+        100 * (here / contact.p0 - 1), abs=0.01
+    )
+    assert set(rows) == {
+        "maximum pressure", "approach", "contact area", "maximum von Mises stress"
+    }  # fmt: skip
+
+
+def test_checks_in_the_browser(page, data):
+    verdicts = report.checks(data)
+    assert all(verdict.passed for verdict in verdicts)
+    assert page.driver.find_element(By.ID, "verdict").text == "16 of 16 checks passed"
+    rows = cells(page, "checks-table")[1:]
+    expected = [[v.name, v.shown, v.condition, "✓ passed"] for v in verdicts]
+    assert rows == expected
+    behind = [row[0] for row in exact(page, "checks-table")]
+    np.testing.assert_array_equal(np.array(behind, dtype=float), [v.value for v in verdicts])
+
+
+def test_the_page_is_fit_for_screen_readers_and_paper(page):
+    driver = page.driver
+    assert driver.find_element(By.TAG_NAME, "html").get_attribute("lang") == "en"
+    unscoped = "return document.querySelectorAll('th:not([scope])').length"
+    assert driver.execute_script(unscoped) == 0
+    # nothing sticks out sideways, on a narrow screen too
+    wider = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
+    assert driver.execute_script(wider) <= 0
+    assert len(driver.print_page()) > 50_000  # a PDF with the figures, base64
+
+
+@pytest.mark.parametrize("width", [390, 800, 1280])
+def test_no_number_is_broken(page, width):
+    """Every cell with a number is one line, on a phone too."""
+    size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
+    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    script = """const cells = document.querySelectorAll('td.number, .numbers tbody th, td.passed');
+    return [...cells].filter(cell => {
+        const range = document.createRange();
+        range.selectNodeContents(cell);
+        const tops = [...range.getClientRects()].map(box => Math.round(box.top));
+        return Math.max(...tops) - Math.min(...tops) > 4;
+    }).map(cell => cell.textContent)"""
+    try:
+        assert page.driver.execute_script("return document.querySelectorAll('td.number').length")
+        assert page.driver.execute_script(script) == []
+        wider = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
+        assert page.driver.execute_script(wider) <= 0
+        moved = """return [...document.querySelectorAll('.wide')].filter(
+            box => box.scrollWidth > box.clientWidth).map(box => box.firstElementChild.id)"""
+        long = {"increments-table", "convergence-table"} if width < 1280 else set()
+        assert set(page.driver.execute_script(moved)) <= long
+    finally:
+        page.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def named(verdicts, start):
+    (found,) = [v for v in verdicts if v.name.startswith(start)]
+    return found
+
+
+def find(dataset, start):
+    return named(report.checks(dataset), start)
+
+
+@pytest.fixture(scope="module")
+def sound(data):
+    return report.checks(data)
+
+
+def spoilt(data, name, change):
+    copy = data.copy(deep=True)
+    copy[name] = change(copy[name])
+    return copy
+
+
+def one_cell(value):
+    def change(field):
+        field[1, 0, 0] = value
+        return field
+
+    return change
+
+
+SPOILERS = [
+    ("load balance", "pressure", lambda p: 1.00001 * p, 1e-5),
+    ("least pressure", "pressure", one_cell(-5.0), -5.0),
+    ("least gap", "gap", one_cell(-1e-9), None),
+    ("complementarity", "pressure", one_cell(1e9), None),
+    ("stress beyond", "yield_excess", lambda x: x + 2e-6, None),
+    ("last change", "plastic_residual", lambda x: x * 0 + 1e-3, 1e-3),
+    ("cells between contact", "contact_margin", lambda x: x * 0, 0.0),
+    ("cells between plastic", "plastic_margin_body2", lambda x: x * 0, 0.0),
+    ("cells across", "contact_cells", lambda x: x * 0 + 3, 3.0),
+    ("layers of the plastic zone", "plastic_layers_body2", lambda x: x * 0 + 3, 3.0),
+    (
+        "largest plastic strain magnitude",
+        "max_plastic_strain_magnitude_body2",
+        lambda x: x * 0 + 0.06,
+        0.06,
+    ),
+]
+
+
+@pytest.mark.parametrize(("start", "name", "change", "value"), SPOILERS)
+def test_every_check_can_fail(data, sound, start, name, change, value):
+    bad = spoilt(data, name, change)
+    verdict = find(bad, start)
+    assert not verdict.passed
+    if value is not None:
+        assert verdict.value == pytest.approx(value, rel=1e-6)
+    assert named(sound, start).passed
+
+
+def test_a_failed_check_is_told(data, tmp_path, undrawn):
+    results.save(spoilt(data, "contact_margin", lambda x: x * 0), tmp_path / "bad.nc")
+    outcome = CliRunner().invoke(main, ["report", str(tmp_path / "bad.nc")])
+    assert outcome.exit_code == 0
+    assert "check failed: cells between contact and border of the grid: 0" in outcome.stderr
+    text = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "15 of 16 checks passed" in text
+    assert text.count("✗ failed") == 1
+
+
+def test_load_is_compared_with_what_the_case_asks_for(data):
+    other = data.copy(deep=True)
+    other["load"] = other["load"] * 0.9
+    other["pressure"] = other["pressure"] * 0.9  # consistent, but not the case's load
+    assert find(other, "load balance").value == pytest.approx(0.1, rel=1e-6)
+
+
+def test_border_is_seen_in_a_real_run():
+    grid = sc.Grid(13, 13, 40e-6, 40e-6, 6, 40e-6)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    simulation = sc.Simulation(grid, ELASTIC, SWIFT, gap, on_border="warn")
+    with pytest.warns(sc.GridTooSmallWarning):
+        states = simulation.run([{"load": 500.0}], progress=False)
+    dataset = results.to_dataset(simulation, states)
+    for name in MARGINS:
+        assert float(dataset[name][0]) == 0.0
+    assert not find(dataset, "cells between contact").passed
+
+
+def written(dataset, tmp_path):
+    return report.write(dataset, tmp_path / "report.html").read_text(encoding="utf-8")
+
+
+def test_elastic_surface_run_without_case(tmp_path, undrawn):
+    grid = sc.Grid(16, 16, 40e-6, 40e-6)
+    simulation = sc.Simulation(grid, ELASTIC, ELASTIC, sc.surfaces.paraboloid(grid, 7.5e-3))
+    states = simulation.run([{"load": 300.0}], progress=False)
+    text = written(results.to_dataset(simulation, states), tmp_path)
+    assert "<h1>Contact</h1>" in text
+    assert "6 of 6 checks passed" in text
+    assert "40 µm × 40 µm" in text
+    assert 'id="hertz-table"' not in text
+    assert "Case file" not in text
+    # only what was computed is drawn
+    captions = re.findall(r"<figcaption>(.*?)</figcaption>", text)
+    assert captions == [
+        "Pressure along x, increment 1, 300 N",
+        "Pressure along y, increment 1, 300 N",
+        "Map of the pressure, increment 1, 300 N",
+        "Map of the gap, increment 1, 300 N",
+        "Load against approach",
+        "Convergence",
+    ]
+
+
+def test_moving_contact_has_a_track(tmp_path, undrawn):
+    grid = sc.Grid(15, 13, 60e-6, 60e-6, 12, 60e-6)
+    simulation = sc.Simulation(grid, ELASTIC, SWIFT, sc.surfaces.paraboloid(grid, 7.5e-3))
+    move = {"load": 600.0, "advance": (-60e-6, -60e-6)}
+    states = simulation.run([{"load": 600.0}, move, move, {"load": 0.0}], progress=False)
+    dataset = results.to_dataset(simulation, states)
+    text = written(dataset, tmp_path)
+    for caption in ("Print", "Map of the print", "Residual von Mises stress"):
+        assert f"{caption} of the track, body 2, unloaded" in text
+    assert "Print, increment" not in text  # a corner of it
+    assert "travel, body 2 [µm]" in text
+    # what the contact leaves behind may leave the grid, too
+    assert all(verdict.passed for verdict in report.checks(dataset))
+
+
+def test_prescribed_tractions_have_no_complementarity(tmp_path, undrawn):
+    grid = sc.Grid(8, 8, 60e-6, 60e-6)
+    simulation = sc.Simulation(grid, ELASTIC, ELASTIC, np.zeros((8, 8)))
+    pressure = np.zeros((8, 8))
+    pressure[3:5, 3:5] = 1e9
+    dataset = results.to_dataset(simulation, [simulation.step(pressure=pressure)])
+    names = [verdict.name for verdict in report.checks(dataset)]
+    assert not any("gap" in name or "least" in name for name in names)
+    assert "Load against approach" not in written(dataset, tmp_path)
+
+
+def test_heated_body_of_interest(tmp_path, undrawn):
+    thermal = SWIFT.with_thermal(50.2, 11.7e-6, 1.37e-5)
+    simulation = make_simulation(body1=thermal, body2=ELASTIC)
+    states = [FakeState(simulation.grid, load) for load in (100.0, 300.0)]
+    dataset = results.to_dataset(simulation, states, body=1)
+    text = written(dataset, tmp_path)
+    assert "Flash temperature, body 1, increment 2, 300 N" in text
+    assert "Von Mises stress, body 1, increment 2, 300 N" in text
+
+
+def test_texts_are_escaped_and_old_cases_do_no_harm(data, tmp_path, undrawn):
+    other = data.copy()
+    other.attrs = data.attrs | {"title": "<script>1</script>", "case": "[grid]\nunknown = 1\n"}
+    text = written(other, tmp_path)
+    assert "<script" not in text
+    assert "&lt;script&gt;" in text
+    assert 'id="hertz-table"' not in text
+
+
+def test_refuses_what_is_no_run(data, tmp_path):
+    with pytest.raises(ValueError, match="must be that of a run, but has no pressure"):
+        report.write(data.drop_vars("pressure"), tmp_path / "report.html")
+    outcome = CliRunner().invoke(main, ["report", str(tmp_path / "results.nc")])
+    assert outcome.exit_code == 1
+    assert "no results file at" in outcome.stderr
+
+
+def test_parameters_of_nested_sections():
+    text = MINIMAL + "\n[body2.kinematic]\nmodulus = [2e9, 1e9]\nrecovery = 30\n"
+    rows = parameters(SimpleNamespace(attrs={"case": text}))
+    assert ("body2, kinematic", "modulus", "2 GPa, 1 GPa") in rows
+    assert ("body2, kinematic", "recovery", "30") in rows

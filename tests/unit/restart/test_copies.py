@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Simulations and states that are pickled or copied stand for themselves, with the same bits."""
+
+import copy
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+from checkpoint_scenes import GAP, GRID, LOAD, MATERIALS, assert_same, halved, simulation
+
+CASES = Path(__file__).parents[3] / "cases"
+WAYS = {
+    "pickle": lambda thing: pickle.loads(pickle.dumps(thing)),
+    "deepcopy": copy.deepcopy,
+    "copy": copy.copy,
+}
+
+
+def moving():
+    """Two inelastic bodies with roughness, friction, heat in time, and a law that no file holds."""
+    steel = MATERIALS["swift"].with_thermal(50.0, 1e-5, 1.4e-5).with_softening(halved)
+    velocity = [[0.0, 0.0], [GRID.dx / 1e-3, 0.0]]
+    heat = sc.Heat([0.0, 1e-4], velocity, history=(1e-3, 0.1))
+    dent = sc.dents.spherical(GRID, 1e-7, 3 * GRID.dx)
+    return sc.Simulation(
+        GRID, MATERIALS["linear"], steel, GAP, 0.1, heat=heat, relief2=dent,
+        on_border="warn",
+    )  # fmt: skip
+
+
+STEP = {"load": 0.5 * LOAD, "advance": (0.0, GRID.dx), "duration": 1e-3}
+
+
+@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
+@pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
+def test_of_all_that_a_simulation_can_be(way):
+    sim = moving()
+    first = sim.step(**STEP)
+    second = sim.step(**STEP | {"heat_factor": 0.0})
+    assert second.plastic_cells() > 0
+    other = way(sim)
+    assert repr(other) == repr(sim)
+    assert_same(other.state, second)
+    for state in (first, second):  # the first, although the simulation has gone on
+        again = way(state)
+        assert_same(again, state)
+        assert again.heat_factor == state.heat_factor
+        np.testing.assert_array_equal(again.temperature(2), state.temperature(2))
+    one, alone = other.step(**STEP), copy.deepcopy(sim).step(**STEP)
+    assert_same(one, alone)
+    assert_same(sim.state, second)  # no copy moves what it was made of
+
+
+def test_states_travel_between_processes_in_a_list():
+    sim = simulation()
+    states = sim.run([{"load": 0.5 * LOAD}, {"load": LOAD}, {"load": 0.0}], progress=False)
+    for one, other in zip(pickle.loads(pickle.dumps(states)), states, strict=True):
+        assert_same(one, other)
+
+
+def test_what_was_warned_of_is_not_warned_of_again():
+    sim = simulation()
+    sim.monitor.of_strain = True
+    assert copy.deepcopy(sim).monitor.of_strain
+
+
+def test_a_law_that_cannot_be_pickled_is_told():
+    steel = MATERIALS["linear"].with_thermal(50.0, 1e-5, 1.4e-5).with_softening(lambda rise: 1.0)
+    sim = sc.Simulation(GRID, MATERIALS["elastic"], steel, GAP)
+    with pytest.raises((pickle.PicklingError, AttributeError), match="lambda"):
+        pickle.dumps(sim)
+
+
+@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
+@pytest.mark.parametrize("friction", [0.2, sc.Coulomb(0.3)])
+def test_solvers_stand_for_themselves(way, friction):
+    coated = sc.Layered([(MATERIALS["elastic"], 2 * GRID.dx)], sc.Material.elastic(70e9, 0.2))
+    solver = sc.ContactSolver(GRID, MATERIALS["elastic"], coated, friction, tol=1e-6)
+    other = way(solver)
+    assert repr(other) == repr(solver)
+    solved = [one.solve(GAP, load=0.5 * LOAD).pressure for one in (solver, other)]
+    np.testing.assert_array_equal(*solved)
+
+
+@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
+def test_cases_stand_for_themselves(way):
+    for file in sorted(CASES.glob("*.toml")):
+        case = sc.cases.load_case(file)
+        assert way(case) == case
+
+
+@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
+def test_results_of_wear_stand_for_themselves(way):
+    path = [{"load": LOAD}, {"load": 0.0}]
+    bodies = MATERIALS["elastic"], MATERIALS["linear"]
+    found = sc.wear.run(
+        GRID, *bodies, GAP, cycle=path, threshold=1e-4, window=3, cycles=1, progress=False
+    )
+    other = way(found)
+    np.testing.assert_array_equal(other.heights[2], found.heights[2])
+    assert_same(other.first[-1], found.first[-1])
