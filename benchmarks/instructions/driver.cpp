@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "samcontact/operators/layer_residual_stress.hpp"
-#include "samcontact/operators/volume_spectrum.hpp"
+#include "samcontact/operators/convolution/volume_spectrum.hpp"
+#include "samcontact/operators/residual/layer_residual_stress.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
 
 using namespace samcontact;

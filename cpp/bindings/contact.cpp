@@ -12,7 +12,7 @@
 #include "rooms.hpp"
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/contact/coulomb_contact.hpp"
-#include "samcontact/operators/layered_half_space.hpp"
+#include "samcontact/operators/medium/layered_half_space.hpp"
 
 namespace samcontact::bindings {
 

@@ -14,7 +14,7 @@
 #include "samcontact/kernels/heat_steady.hpp"
 #include "samcontact/kernels/heat_stress.hpp"
 #include "samcontact/kernels/heat_temperature.hpp"
-#include "samcontact/operators/cell_influence.hpp"
+#include "samcontact/operators/periodic/cell_influence.hpp"
 
 namespace samcontact::bindings {
 

@@ -6,12 +6,12 @@
 #include "arrays.hpp"
 #include "long_work.hpp"
 #include "rooms.hpp"
-#include "samcontact/operators/half_space.hpp"
-#include "samcontact/operators/layered_half_space.hpp"
-#include "samcontact/operators/surface_displacement.hpp"
-#include "samcontact/operators/temperature.hpp"
-#include "samcontact/operators/volume_operators.hpp"
-#include "samcontact/operators/zone_operators.hpp"
+#include "samcontact/operators/heat/temperature.hpp"
+#include "samcontact/operators/medium/half_space.hpp"
+#include "samcontact/operators/medium/layered_half_space.hpp"
+#include "samcontact/operators/surface/surface_displacement.hpp"
+#include "samcontact/operators/volume/volume_operators.hpp"
+#include "samcontact/operators/zones/zone_operators.hpp"
 
 namespace samcontact::bindings {
 
@@ -184,7 +184,7 @@ void bind_heat_history(py::module_& m) {
                        double shortest, double longest, double tolerance, bool in_depth) {
              const LongWork work;
              return BoundHistory{grid,
-                                 operators::half_space(elastic)->heat_history(
+                                 operators::heated_half_space(elastic)->history(
                                      grid, heating, {shortest, longest, tolerance, in_depth})};
            }),
            py::arg("grid"), py::arg("heating"), py::arg("elastic"), py::arg("shortest"),

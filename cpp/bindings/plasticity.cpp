@@ -8,7 +8,7 @@
 #include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/base/stack.hpp"
-#include "samcontact/operators/layered_half_space.hpp"
+#include "samcontact/operators/medium/layered_half_space.hpp"
 #include "samcontact/plasticity/body.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
 

@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "samcontact/contact/contact_solver.hpp"
-#include "samcontact/operators/half_space.hpp"
+#include "samcontact/operators/medium/half_space.hpp"
 #include "samcontact/simulation/simulation.hpp"
 
 using namespace samcontact;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "samcontact/operators/stress_bound.hpp"
-#include "samcontact/operators/volume_operators.hpp"
+#include "samcontact/operators/volume/volume_operators.hpp"
+#include "samcontact/operators/zones/stress_bound.hpp"
 
 namespace samcontact::operators {
 

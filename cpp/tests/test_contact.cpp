@@ -7,12 +7,12 @@
 #include <tuple>
 #include <utility>
 
-#include "samcontact/contact/coarsening.hpp"
-#include "samcontact/contact/multilevel.hpp"
-#include "samcontact/contact/polonsky_keer.hpp"
-#include "samcontact/contact/preconditioner.hpp"
-#include "samcontact/contact/window.hpp"
-#include "samcontact/operators/half_space.hpp"
+#include "samcontact/contact/normal/coarsening.hpp"
+#include "samcontact/contact/normal/multilevel.hpp"
+#include "samcontact/contact/normal/polonsky_keer.hpp"
+#include "samcontact/contact/normal/preconditioner.hpp"
+#include "samcontact/contact/normal/window.hpp"
+#include "samcontact/operators/medium/half_space.hpp"
 
 using namespace samcontact;
 

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "samcontact/contact/gmres.hpp"
-#include "samcontact/contact/steady_rolling.hpp"
-#include "samcontact/contact/stick_slip.hpp"
-#include "samcontact/operators/half_space.hpp"
+#include "samcontact/contact/iteration/gmres.hpp"
+#include "samcontact/contact/tangential/steady_rolling.hpp"
+#include "samcontact/contact/tangential/stick_slip.hpp"
+#include "samcontact/operators/medium/half_space.hpp"
 
 using namespace samcontact;
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "samcontact/operators/half_space.hpp"
-#include "samcontact/operators/zone_operators.hpp"
+#include "samcontact/operators/medium/half_space.hpp"
+#include "samcontact/operators/zones/zone_operators.hpp"
 #include "stress_above.hpp"
 
 using namespace samcontact;

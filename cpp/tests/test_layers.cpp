@@ -11,10 +11,10 @@
 
 #include "samcontact/kernels/gauss.hpp"
 #include "samcontact/kernels/layered_wave.hpp"
-#include "samcontact/operators/half_space.hpp"
-#include "samcontact/operators/layer_residual_stress.hpp"
-#include "samcontact/operators/layered_half_space.hpp"
-#include "samcontact/operators/layered_influence.hpp"
+#include "samcontact/operators/medium/half_space.hpp"
+#include "samcontact/operators/medium/layered_half_space.hpp"
+#include "samcontact/operators/medium/layered_influence.hpp"
+#include "samcontact/operators/residual/layer_residual_stress.hpp"
 
 using namespace samcontact;
 using namespace samcontact::operators;

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "samcontact/contact/polonsky_keer.hpp"
+#include "samcontact/contact/normal/polonsky_keer.hpp"
 #include "samcontact/kernels/gauss.hpp"
-#include "samcontact/operators/half_space.hpp"
-#include "samcontact/operators/surface_influence.hpp"
+#include "samcontact/operators/medium/half_space.hpp"
+#include "samcontact/operators/surface/surface_influence.hpp"
 
 using namespace samcontact;
 using namespace samcontact::operators;

@@ -9,7 +9,7 @@
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
-#include "samcontact/contact/anderson.hpp"
+#include "samcontact/contact/iteration/anderson.hpp"
 #include "samcontact/simulation/motion.hpp"
 #include "samcontact/simulation/simulation.hpp"
 

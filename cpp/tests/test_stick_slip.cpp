@@ -6,11 +6,11 @@
 #include <cmath>
 #include <vector>
 
-#include "samcontact/contact/projected_gradient.hpp"
-#include "samcontact/contact/shear_solver.hpp"
-#include "samcontact/contact/stick_slip.hpp"
-#include "samcontact/operators/half_space.hpp"
-#include "samcontact/operators/near_tangential.hpp"
+#include "samcontact/contact/tangential/projected_gradient.hpp"
+#include "samcontact/contact/tangential/shear_solver.hpp"
+#include "samcontact/contact/tangential/stick_slip.hpp"
+#include "samcontact/operators/medium/half_space.hpp"
+#include "samcontact/operators/surface/near_tangential.hpp"
 
 using namespace samcontact;
 using contact::Given;

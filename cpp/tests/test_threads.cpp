@@ -12,7 +12,7 @@
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/fft/padded_transform.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
-#include "samcontact/operators/half_space.hpp"
+#include "samcontact/operators/medium/half_space.hpp"
 #include "samcontact/simulation/simulation.hpp"
 
 using namespace samcontact;

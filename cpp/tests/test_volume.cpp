@@ -11,8 +11,8 @@
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
-#include "samcontact/operators/half_space.hpp"
-#include "samcontact/operators/volume_operators.hpp"
+#include "samcontact/operators/medium/half_space.hpp"
+#include "samcontact/operators/volume/volume_operators.hpp"
 
 using namespace samcontact;
 using namespace samcontact::operators;

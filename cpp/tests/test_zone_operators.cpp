@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "samcontact/operators/half_space.hpp"
-#include "samcontact/operators/smooth_continuation.hpp"
-#include "samcontact/operators/zone_operators.hpp"
+#include "samcontact/operators/medium/half_space.hpp"
+#include "samcontact/operators/zones/smooth_continuation.hpp"
+#include "samcontact/operators/zones/zone_operators.hpp"
 #include "stress_above.hpp"
 
 using namespace samcontact;
@@ -202,7 +202,7 @@ TEST_CASE("heat that goes with the pressure does in zones what it does in the wh
     const auto tables =
         std::make_shared<const ZoneTables>(grid, medium, tensor, 1e-5, BandSplit{}, heating);
     ZoneOperators operators(tables, zones);
-    const auto heat = std::make_shared<const HeatStress>(grid, medium, heating);
+    const auto heat = std::make_shared<const HeatStress>(grid, heat_of(*medium), heating);
     const VolumeOperators whole(grid, medium,
                                 {tensor, Symmetry::none, ResidualMethod::fast, 1e-5, heat});
     const VolumeOperators cold(grid, medium,
@@ -261,8 +261,9 @@ TEST_CASE("the von Mises stress of tractions is within its bound") {
   const auto medium = half_space(steel);
   for (const auto& [friction, heating] :
        {std::pair{0.3, Heating{}}, {0.0, at_rest}, {0.3, moving}}) {
-    const auto heat =
-        heating.is_on() ? std::make_shared<const HeatStress>(grid, medium, heating) : nullptr;
+    const auto heat = heating.is_on()
+                          ? std::make_shared<const HeatStress>(grid, heat_of(*medium), heating)
+                          : nullptr;
     const VolumeOperators whole(
         grid, medium, {Tensor::deviator, Symmetry::none, ResidualMethod::fast, 1e-5, heat});
     const StressBound bound(std::make_shared<const ZoneTables>(grid, medium, Tensor::deviator, 1e-5,

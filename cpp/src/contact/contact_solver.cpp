@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "samcontact/base/reduce.hpp"
-#include "samcontact/contact/anderson.hpp"
+#include "samcontact/contact/iteration/anderson.hpp"
 
 namespace samcontact::contact {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "samcontact/contact/anderson.hpp"
-#include "samcontact/contact/first_touch.hpp"
-#include "samcontact/contact/held_forces.hpp"
+#include "samcontact/contact/iteration/anderson.hpp"
+#include "samcontact/contact/normal/first_touch.hpp"
+#include "samcontact/contact/tangential/held_forces.hpp"
 
 namespace samcontact::contact {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "samcontact/base/errors.hpp"
-#include "samcontact/contact/shear_problem.hpp"
+#include "samcontact/contact/tangential/shear_problem.hpp"
 #include "samcontact/simulation/fixed_point.hpp"
 
 namespace samcontact::simulation {

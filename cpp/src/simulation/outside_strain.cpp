@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "samcontact/operators/zone_operators.hpp"
+#include "samcontact/operators/zones/zone_operators.hpp"
 #include "samcontact/simulation/zone_choice.hpp"
 
 namespace samcontact::simulation {

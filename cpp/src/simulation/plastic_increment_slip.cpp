@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "samcontact/operators/surface_displacement.hpp"
+#include "samcontact/operators/surface/surface_displacement.hpp"
 
 namespace samcontact::simulation {
 namespace {

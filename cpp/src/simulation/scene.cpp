@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "samcontact/base/cells_over.hpp"
-#include "samcontact/operators/layered_half_space.hpp"
+#include "samcontact/operators/medium/layered_half_space.hpp"
 #include "samcontact/simulation/yield_scan.hpp"
 
 namespace samcontact::simulation {
@@ -181,9 +181,10 @@ std::shared_ptr<const operators::HeatStress> Scene::heat_stress(
   if (!heating.is_on()) return nullptr;
   const std::lock_guard lock(heat_mutex_);
   for (const auto& kept : heat_stress_) {
-    if (kept && kept->heating() == heating && kept->medium() == media[body]) return kept;
+    if (kept && kept->heating() == heating && kept->body() == media[body]->heat()) return kept;
   }
-  heat_stress_[body] = std::make_shared<const operators::HeatStress>(grid, media[body], heating);
+  heat_stress_[body] =
+      std::make_shared<const operators::HeatStress>(grid, heat_of(*media[body]), heating);
   return heat_stress_[body];
 }
 
@@ -193,15 +194,16 @@ std::shared_ptr<const operators::FluxHeat> Scene::flux_heat(
   const std::lock_guard lock(heat_mutex_);
   auto& kept = flux_heat_[body];
   if (!kept || kept->heating() != of_power) {
-    kept = std::make_shared<const operators::FluxHeat>(grid, media[body], of_power);
+    kept = std::make_shared<const operators::FluxHeat>(grid, heat_of(*media[body]), of_power);
   }
   return kept;
 }
 
 operators::HeatHistory Scene::heat_history(int body, const operators::Heating& heating) const {
-  return media[body]->heat_history(
-      grid, heating,
-      {.shortest = march.shortest, .longest = march.longest, .in_depth = grid.has_volume()});
+  return heat_of(*media[body])
+      ->history(
+          grid, heating,
+          {.shortest = march.shortest, .longest = march.longest, .in_depth = grid.has_volume()});
 }
 
 Box Scene::volume_below(const Field& pressure) const {

@@ -9,8 +9,8 @@
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/reduce.hpp"
-#include "samcontact/contact/anderson.hpp"
-#include "samcontact/contact/shear_problem.hpp"
+#include "samcontact/contact/iteration/anderson.hpp"
+#include "samcontact/contact/tangential/shear_problem.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
 #include "samcontact/simulation/description.hpp"
 #include "samcontact/simulation/division.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "samcontact/operators/surface_displacement.hpp"
-#include "samcontact/operators/temperature.hpp"
+#include "samcontact/operators/heat/temperature.hpp"
+#include "samcontact/operators/surface/surface_displacement.hpp"
 #include "samcontact/simulation/outside_strain.hpp"
 #include "samcontact/simulation/tensor_fields.hpp"
 

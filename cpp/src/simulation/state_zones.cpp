@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "samcontact/operators/zone_operators.hpp"
+#include "samcontact/operators/zones/zone_operators.hpp"
 #include "samcontact/simulation/box_choice.hpp"
 #include "samcontact/simulation/outside_strain.hpp"
 #include "samcontact/simulation/tensor_fields.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "samcontact/fft/plan.hpp"
-#include "samcontact/operators/zone_tables.hpp"
+#include "samcontact/operators/zones/zone_tables.hpp"
 #include "samcontact/simulation/zones.hpp"
 
 namespace samcontact::simulation {

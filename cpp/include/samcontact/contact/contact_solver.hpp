@@ -6,10 +6,10 @@
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/grid.hpp"
-#include "samcontact/contact/complementarity.hpp"
-#include "samcontact/contact/gross_sliding.hpp"
-#include "samcontact/contact/multilevel.hpp"
-#include "samcontact/operators/surface_influence.hpp"
+#include "samcontact/contact/laws/gross_sliding.hpp"
+#include "samcontact/contact/normal/complementarity.hpp"
+#include "samcontact/contact/normal/multilevel.hpp"
+#include "samcontact/operators/surface/surface_influence.hpp"
 
 namespace samcontact::contact {
 

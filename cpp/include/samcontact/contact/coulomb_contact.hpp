@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "samcontact/contact/contact_solver.hpp"
-#include "samcontact/contact/shear_solver.hpp"
+#include "samcontact/contact/tangential/shear_solver.hpp"
 
 namespace samcontact::contact {
 

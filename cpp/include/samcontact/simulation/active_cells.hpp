@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "samcontact/base/aligned.hpp"
-#include "samcontact/operators/volume_spectrum.hpp"
+#include "samcontact/operators/convolution/volume_spectrum.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
 #include "samcontact/simulation/zones.hpp"
 

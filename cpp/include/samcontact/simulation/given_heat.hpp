@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "samcontact/operators/flux_heat.hpp"
+#include "samcontact/operators/heat/flux_heat.hpp"
 #include "samcontact/simulation/scene.hpp"
 
 namespace samcontact::simulation {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "samcontact/base/box.hpp"
-#include "samcontact/contact/shear_solver.hpp"
-#include "samcontact/operators/heating.hpp"
-#include "samcontact/operators/volume_operators.hpp"
+#include "samcontact/contact/tangential/shear_solver.hpp"
+#include "samcontact/operators/heat/heating.hpp"
+#include "samcontact/operators/volume/volume_operators.hpp"
 
 namespace samcontact::simulation {
 

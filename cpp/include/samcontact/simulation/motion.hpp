@@ -5,7 +5,7 @@
 #include <array>
 
 #include "samcontact/base/grid.hpp"
-#include "samcontact/operators/volume_operators.hpp"
+#include "samcontact/operators/volume/volume_operators.hpp"
 
 namespace samcontact::simulation {
 

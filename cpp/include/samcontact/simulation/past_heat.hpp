@@ -5,8 +5,8 @@
 #include <array>
 #include <memory>
 
-#include "samcontact/operators/heat_history.hpp"
-#include "samcontact/operators/heating.hpp"
+#include "samcontact/operators/heat/heat_history.hpp"
+#include "samcontact/operators/heat/heating.hpp"
 
 namespace samcontact::simulation {
 

@@ -9,7 +9,7 @@
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/base/grid.hpp"
-#include "samcontact/operators/volume_spectrum.hpp"
+#include "samcontact/operators/convolution/volume_spectrum.hpp"
 #include "samcontact/simulation/mirror.hpp"
 #include "samcontact/simulation/zones.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/box.hpp"
-#include "samcontact/operators/volume_spectrum.hpp"
+#include "samcontact/operators/convolution/volume_spectrum.hpp"
 
 namespace samcontact::simulation {
 

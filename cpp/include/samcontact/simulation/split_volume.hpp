@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "samcontact/operators/zone_operators.hpp"
+#include "samcontact/operators/zones/zone_operators.hpp"
 #include "samcontact/simulation/zone_volume.hpp"
 #include "samcontact/simulation/zones.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "samcontact/base/box.hpp"
-#include "samcontact/operators/volume_spectrum.hpp"
+#include "samcontact/operators/convolution/volume_spectrum.hpp"
 #include "samcontact/plasticity/body.hpp"
 #include "samcontact/simulation/motion.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/box.hpp"
-#include "samcontact/operators/volume_spectrum.hpp"
+#include "samcontact/operators/convolution/volume_spectrum.hpp"
 #include "samcontact/simulation/mirror.hpp"
 
 namespace samcontact::simulation {

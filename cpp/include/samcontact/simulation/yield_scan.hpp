@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "samcontact/operators/stress_bound.hpp"
+#include "samcontact/operators/zones/stress_bound.hpp"
 #include "samcontact/simulation/scene.hpp"
 #include "samcontact/simulation/strength.hpp"
 #include "samcontact/simulation/zone_choice.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "samcontact/base/box.hpp"
-#include "samcontact/operators/band_split.hpp"
+#include "samcontact/operators/zones/band_split.hpp"
 
 namespace samcontact::simulation {
 

@@ -8,7 +8,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/box.hpp"
-#include "samcontact/operators/tractions.hpp"
+#include "samcontact/operators/influence/tractions.hpp"
 
 namespace samcontact::simulation {
 

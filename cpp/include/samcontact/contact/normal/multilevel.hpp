@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The elastic contact solver: a start from coarser grids, the active-set iteration with a cheap
+// operator, and the exact operator around it, which corrects and judges.
+#pragma once
+
+#include <memory>
+
+#include "samcontact/base/grid.hpp"
+#include "samcontact/contact/normal/complementarity.hpp"
+#include "samcontact/operators/surface/surface_displacement.hpp"
+
+namespace samcontact::contact {
+
+/// Solves p >= 0, g >= 0, p g = 0 on one grid, as often as wanted. Keeps the operators of the grid
+/// and, made when first needed, of coarser grids and the cheap one. Thread-safe.
+class Multilevel {
+ public:
+  Multilevel(const Grid& grid, const operators::SurfaceInfluence& influence);
+  ~Multilevel();
+  Multilevel(Multilevel&&) noexcept;
+  Multilevel& operator=(Multilevel&&) noexcept;
+  Multilevel(const Multilevel&) = delete;
+  Multilevel& operator=(const Multilevel&) = delete;
+
+  /// The exact operator of the grid.
+  const operators::SurfaceDisplacement& displacement() const;
+
+  /// Starts from `pressure`, or from a coarser grid if that is zero everywhere. Returns converged =
+  /// false after max_iterations. Cells of infinite gap, where there is no body, stay out of
+  /// contact.
+  Solution solve(const Field& initial_gap, Given normal, Field pressure, double tol,
+                 int max_iterations) const;
+
+ private:
+  class Level;
+
+  Solution solve_beside_ends(const Field& initial_gap, Given normal, Field pressure, double tol,
+                             int max_iterations) const;
+
+  std::unique_ptr<Level> finest_;
+};
+
+}  // namespace samcontact::contact

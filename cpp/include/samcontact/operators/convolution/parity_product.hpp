@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Product of a spectrum with the real quarter spectrum of a kernel of known parity.
+#pragma once
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
+#include "samcontact/operators/convolution/volume_transform.hpp"
+
+namespace samcontact::operators {
+
+/// out += scale (-i)^(odd_x + odd_y) quarter in over one column ky of length mx; quarter holds kx =
+/// 0..mx/2, negative kx follow from the parity in x.
+void add_parity_product(const double* quarter, kernels::Parity parity, double scale,
+                        const Complex* in, Complex* out, int mx);
+
+/// The same on one row of a VolumeTransform's spectra: parity is that of the kernel; both spectra
+/// are stored with their own factor (-i) for each mirrored direction in which the field is odd. The
+/// scale has mirror_sign() in it.
+void add_parity_product(const double* quarter, kernels::Parity parity, double scale,
+                        const double* in, double* out, const VolumeTransform& transform);
+
+/// -1 for each mirrored direction in which both kernel and input are odd.
+double mirror_sign(Symmetry symmetry, kernels::Parity kernel, kernels::Parity input);
+
+/// Puts spectra of kernels [..][layer][kx], of hx wavenumbers each, into those of more layers.
+void copy_layers(const Field& from, int from_layers, Field& to, int to_layers, int hx);
+
+}  // namespace samcontact::operators

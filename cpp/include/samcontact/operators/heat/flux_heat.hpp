@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What heat of any flux into a body does to it: temperature, displacement and stress.
+#pragma once
+
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "samcontact/operators/heat/heat_stress.hpp"
+#include "samcontact/operators/heat/temperature.hpp"
+
+namespace samcontact::operators {
+
+/// Fields [i][j] over a grid of a flux there, times the factor of a heating. Keeps the kernels that
+/// it was asked for. Thread-safe.
+class FluxHeat {
+ public:
+  FluxHeat(const Grid& grid, SharedHeatMedium body, const Heating& heating);
+
+  const Heating& heating() const { return temperature_.heating(); }
+  /// Rise [depth][i][j] [K] by a flux [i][j] [W/m^2].
+  Field temperature(const Field& flux, std::span<const double> depths) const {
+    return temperature_.rise(flux.data(), depths);
+  }
+  /// u_z of the surface [i][j] [m], positive into the body.
+  Field displacement(const Field& flux) const;
+  /// [component][depth][i][j] [Pa], components xx, yy, zz, yz, xz, xy.
+  Field stress(const Field& flux, std::span<const double> depths) const;
+
+ private:
+  Grid grid_;
+  SharedHeatMedium body_;
+  Temperature temperature_;
+  HeatStress stress_;
+  SurfaceConvolution convolution_;
+  mutable std::mutex mutex_;
+  mutable std::vector<ParityKernel> displacement_;  // when it was asked for
+};
+
+}  // namespace samcontact::operators

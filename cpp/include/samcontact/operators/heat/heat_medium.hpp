@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What heat that enters a body does to it, where that is known: apart from the medium of elastic
+// fields, so that a body without kernels of heat has none of these functions.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "samcontact/base/elastic.hpp"
+#include "samcontact/operators/heat/heat_history.hpp"
+#include "samcontact/operators/heat/heating.hpp"
+
+namespace samcontact::operators {
+
+/// Thermal stress of a unit pressure on one cell of dx x dy, see heating.hpp. Immutable and
+/// thread-safe.
+class ThermalStress {
+ public:
+  virtual ~ThermalStress() = default;
+  /// At a depth z >= 0 [m], components xx, yy, zz, yz, xz, xy [-].
+  virtual std::array<ParityParts, 6> stress(const Heating& heating, double dx, double dy, double z,
+                                            const Offsets& offsets) const = 0;
+
+ protected:
+  ThermalStress() = default;
+  ThermalStress(const ThermalStress&) = default;
+  ThermalStress& operator=(const ThermalStress&) = default;
+};
+using SharedThermalStress = std::shared_ptr<const ThermalStress>;
+
+/// All coefficients of heat of one body.
+class HeatMedium : public ThermalStress {
+ public:
+  /// Normal displacement of the surface, positive into the body, per unit pressure on a cell
+  /// [m/Pa].
+  virtual ParityParts displacement(const Heating& heating, double dx, double dy,
+                                   const Offsets& offsets) const = 0;
+  /// An empty history of heat that enters as `heating` says.
+  virtual HeatHistory history(const Grid& grid, const Heating& heating,
+                              const HeatHistorySettings& settings) const = 0;
+};
+using SharedHeatMedium = std::shared_ptr<const HeatMedium>;
+
+/// Closed forms of the homogeneous half-space.
+SharedHeatMedium heated_half_space(const Elastic& elastic);
+
+}  // namespace samcontact::operators

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all copies of a history of heat share: modes, near fields and tables.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "samcontact/base/elastic.hpp"
+#include "samcontact/base/grid.hpp"
+#include "samcontact/base/thermal.hpp"
+#include "samcontact/operators/heat/heat_history.hpp"
+#include "samcontact/operators/heat/heat_modes.hpp"
+#include "samcontact/operators/heat/heat_near.hpp"
+
+namespace samcontact::operators {
+
+struct HeatPlan {
+  HeatPlan(const Grid& grid_, const Thermal& thermal_, const Elastic& elastic_, double vx,
+           double vy, const HeatHistorySettings& settings_)
+      : grid(grid_),
+        thermal(thermal_),
+        elastic(elastic_),
+        speed_x(vx),
+        speed_y(vy),
+        settings(settings_),
+        modes(grid, vx * grid.dx / thermal.diffusivity, vy * grid.dx / thermal.diffusivity,
+              {aged(settings.shortest), aged(settings.longest), settings.tolerance,
+               settings.in_depth}),
+        near(modes) {}
+
+  Grid grid;
+  Thermal thermal;
+  Elastic elastic;
+  double speed_x, speed_y;
+  HeatHistorySettings settings;
+  HeatModes modes;
+  NearHeat near;
+
+  /// Of the modes' dimensionless amplitudes.
+  double scale(HeatQuantity quantity) const {
+    const double nu = elastic.nu, k = thermal.conductivity, alpha = thermal.expansion;
+    switch (quantity) {
+      case HeatQuantity::temperature:
+        return grid.dx / k;
+      case HeatQuantity::displacement:
+        return -2 * alpha * (1 + nu) / k * grid.dx * grid.dx;
+      default:
+        return elastic.E * alpha / (1 - nu) / k * grid.dx;
+    }
+  }
+  double aged(double time) const { return thermal.diffusivity * time / (grid.dx * grid.dx); }
+
+  /// Tables of a depth (over dx), kept: a simulation asks for the same depths at every step.
+  std::shared_ptr<const NearTables> tables(HeatQuantity quantity, double z) const {
+    const std::lock_guard lock(mutex);
+    const std::pair key(static_cast<int>(quantity), z);
+    if (const auto found = kept.find(key); found != kept.end()) return found->second;
+    constexpr std::size_t most = 128;
+    if (kept.size() >= most) kept.clear();
+    auto made = std::make_shared<const NearTables>(
+        quantity == HeatQuantity::temperature    ? near.temperature(z)
+        : quantity == HeatQuantity::displacement ? near.displacement()
+                                                 : near.stress(z, elastic.nu));
+    return kept[key] = std::move(made);
+  }
+
+ private:
+  mutable std::mutex mutex;
+  mutable std::map<std::pair<int, double>, std::shared_ptr<const NearTables>> kept;
+};
+
+}  // namespace samcontact::operators

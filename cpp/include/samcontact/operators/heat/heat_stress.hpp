@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stress influence of one heated cell, kept by depth for all grids of the same cells: the tables of
+// a moving source take longer than all else that is built for a box.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "samcontact/base/grid.hpp"
+#include "samcontact/operators/convolution/surface_convolution.hpp"
+#include "samcontact/operators/convolution/volume_spectrum.hpp"
+#include "samcontact/operators/heat/heat_medium.hpp"
+
+namespace samcontact::operators {
+
+/// The components of a tensor from all six.
+std::vector<ParityParts> parts_of(std::array<ParityParts, 6> stress, Tensor tensor);
+
+/// Thread-safe.
+class HeatStress {
+ public:
+  using Tables = std::array<ParityParts, 6>;  // components xx, yy, zz, yz, xz, xy
+
+  /// For boxes of cells of `widest`.
+  HeatStress(const Grid& widest, SharedThermalStress body, const Heating& heating);
+  /// Keeps no table.
+  HeatStress(SharedThermalStress body, const Heating& heating);
+
+  const Heating& heating() const { return heating_; }
+  const SharedThermalStress& body() const { return body_; }
+  /// At a depth, on offsets of the cells of a grid; of others than the widest one's if need be.
+  Tables at(double z, const Grid& grid, const KernelOffsets& offsets) const;
+  std::size_t bytes() const;
+
+ private:
+  Tables compute(double z, const Grid& grid, const KernelOffsets& offsets) const;
+
+  SharedThermalStress body_;
+  Heating heating_;
+  std::optional<Grid> widest_;  // none: no table is kept
+  mutable std::mutex mutex_;
+  mutable std::map<double, std::shared_ptr<const Tables>> kept_;
+};
+
+}  // namespace samcontact::operators

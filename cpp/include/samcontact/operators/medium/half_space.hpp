@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The homogeneous half-space: a medium with closed forms for all coefficients.
+#pragma once
+
+#include "samcontact/base/elastic.hpp"
+#include "samcontact/operators/medium/medium.hpp"
+
+namespace samcontact::operators {
+
+/// Of E = infinity: a rigid body, whose compliance is 0 and which has no other fields.
+SharedMedium half_space(const Elastic& elastic);
+
+}  // namespace samcontact::operators

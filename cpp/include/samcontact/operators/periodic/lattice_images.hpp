@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The smooth part of a lattice sum: what images do that are too many and too far to be added one by
+// one, at any offsets.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/kernels/eigenstrain.hpp"
+#include "samcontact/operators/periodic/lattice_modes.hpp"
+
+namespace samcontact::operators {
+
+class LatticeImages {
+ public:
+  using Wave = std::function<void(double kx, double ky, double* components)>;
+
+  /// Of cells, y periodic; without a period along x, waves that are uniform along y are left out.
+  /// like: of another grid, whose factors are taken where they are the same.
+  static LatticeImages of_cells(const LatticeAxis& x, const LatticeAxis& y,
+                                const LatticeImages* like = nullptr);
+  /// Of strips that are uniform along y, x periodic. One row of offsets.
+  static LatticeImages of_strips(const LatticeAxis& x);
+
+  /// Adds the images to a table [component][j][i], even components to a constant.
+  void add(const Wave& wave, const std::vector<kernels::Parity>& parities, Field& table) const;
+
+ private:
+  /// Values at points along an axis from those at its Chebyshev points > 0, by parity.
+  struct Points {
+    std::vector<double> nodes;
+    Eigen::MatrixXd even, odd;  // offset x node
+    /// ratio: by which the error falls with each point on both sides.
+    Points(const LatticeAxis& axis, double ratio);
+  };
+  /// Factors of even and odd components at the nodes: node x mode.
+  struct Factors {
+    Eigen::MatrixXd even, odd;
+    Factors(const std::vector<double>& nodes, const std::vector<double>& wavenumbers,
+            double subtracted);
+  };
+  LatticeImages(LatticeModes modes, Points x, Points y, double subtracted,
+                const LatticeImages* like = nullptr);
+
+  LatticeModes modes_;
+  Points x_, y_;
+  std::shared_ptr<const Factors> along_x_, along_y_;
+};
+
+}  // namespace samcontact::operators

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables of influence coefficients on periodic grids, for any offsets: folded into one period, and
+// with x and y exchanged where the tables ask for it.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "samcontact/operators/influence/offsets.hpp"
+#include "samcontact/operators/influence/tractions.hpp"
+#include "samcontact/operators/periodic/periodic_table.hpp"
+
+namespace samcontact::operators {
+
+/// With x and y exchanged.
+Traction exchanged(Traction traction);
+Axis exchanged(Axis axis);
+Grid exchanged(const Grid& grid);
+/// Where the components xx, yy, zz, yz, xz, xy then are.
+inline constexpr std::array<int, 6> exchanged_components{1, 0, 2, 4, 3, 5};
+
+/// Thread-safe. Keeps what the last grids needed, and the sums of those that have a name.
+class PeriodicSums {
+ public:
+  /// The influence of one cell of a grid, of the grid's own axes or of the exchanged ones.
+  using Make = std::function<CellInfluence(const Grid& grid, bool exchanged)>;
+
+  /// Tables [component][j][i] on a periodic grid. order: of the components once exchanged. name: of
+  /// an influence that is asked for again, not negative. step: by which the grid is coarser than
+  /// the cell; uniform loads are then those of a cell at each of its places alone.
+  Field sum(const Grid& grid, const CellOffsets& offsets, const Make& make,
+            std::span<const int> order, int name = -1, int step = 1) const;
+
+ private:
+  struct Named {
+    int name;
+    std::shared_ptr<const PeriodicTable> table;
+    std::shared_ptr<const Field> sums;
+  };
+  std::shared_ptr<const PeriodicTable> table(const Grid& grid, int cells_x, int step) const;
+  std::shared_ptr<const Field> sums(const std::shared_ptr<const PeriodicTable>& table,
+                                    const CellInfluence& influence, int name) const;
+
+  mutable std::mutex mutex_, named_mutex_;
+  mutable std::list<std::shared_ptr<const PeriodicTable>> tables_;  // the latest first
+  mutable std::list<Named> named_;
+};
+
+}  // namespace samcontact::operators

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stress at given depths due to pressure, the heat that goes with it, and shear on the surface:
+// exact coefficients by DC-FFT.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "samcontact/base/grid.hpp"
+#include "samcontact/operators/convolution/volume_spectrum.hpp"
+#include "samcontact/operators/heat/heat_stress.hpp"
+#include "samcontact/operators/medium/medium.hpp"
+
+namespace samcontact::operators {
+
+/// Quarter spectra per component and depth of each part of the stress, built when they are first
+/// needed. Thread-safe.
+class TractionStress {
+ public:
+  /// heat: that goes with the pressure; null: none.
+  TractionStress(const Grid& grid, const VolumeTransform& transform, SharedMedium medium,
+                 std::shared_ptr<const HeatStress> heat, std::vector<double> depths, Tensor tensor);
+
+  /// out += stress of tractions [i][j], their shear multiplied by shear_sign, on the first out.nz
+  /// depths; in mirrors they are those of a vector (vector_parity()). All layers of `out` then
+  /// count as used. shallower: the same of the first depths, whose spectra are taken where they are
+  /// there; null: none.
+  void add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
+           const TractionStress* shallower = nullptr) const;
+  /// Of one traction, as its transform is.
+  void add(Traction kind, const Field& spectrum, double shear_sign, VolumeSpectrum& out,
+           const TractionStress* shallower) const;
+
+  int layers() const { return static_cast<int>(depths_.size()); }
+  std::size_t bytes() const;
+
+ private:
+  /// What has spectra of its own. Heat at rest is in those of the pressure; that of a moving source
+  /// has further parts, which are odd in x where those are even (and the reverse), in y, in both.
+  enum class Part { pressure, heat_x, heat_y, heat_xy, shear_x, shear_y };
+  static constexpr int part_count = 6;
+  static kernels::Parity parity(Part part, int component);
+  std::vector<Part> parts(Traction traction) const;
+
+  /// Kernel tables of heat at one depth, by component of tensor_.
+  void prepare(Traction traction, const TractionStress* shallower) const;
+  /// heat: by depth, empty without. first: depths before it are those of `known`.
+  Field build(Part part, const std::vector<std::vector<ParityParts>>& heat, int first,
+              const Field& known) const;
+  /// Of depth k, whose heat this is.
+  void build(Part part, int k, const std::vector<ParityParts>& heat,
+             const fft::ParitySpectrum& spectrum, Field& built) const;
+  /// Of a traction's spectrum, whose plane is even or odd as told in mirrored directions.
+  void add(Part part, kernels::Parity input, const Field& traction, double scale,
+           VolumeSpectrum& out) const;
+
+  Grid grid_;
+  const VolumeTransform* transform_;
+  SharedMedium medium_;
+  std::shared_ptr<const HeatStress> heat_;
+  std::vector<double> depths_;
+  Tensor tensor_;
+  mutable std::mutex mutex_;
+  mutable std::array<Field, part_count> spectra_;  // [ky][component][layer][kx <= mx/2]
+};
+
+/// Stress [component][depth][i][j] of tractions at any depths.
+Field traction_stress(const Grid& grid, const SharedMedium& medium, const Heating& heating,
+                      std::span<const double> depths, const Tractions& tractions);
+
+}  // namespace samcontact::operators

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/iteration/anderson.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <utility>
+
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
+
+namespace samcontact::contact {
+
+double norm(const Field& v) { return std::sqrt(ordered_dot(v.data(), v.data(), v.size())); }
+
+void Anderson::reset() {
+  last_f_ = {};
+  last_dx_ = {};
+  steps_.clear();
+  gram_.resize(0, 0);
+}
+
+void Anderson::remember(const Field& f) {
+  const std::size_t n = f.size();
+  last_f_.resize(n, 0.0);
+  for (Step& step : steps_) {
+    step.dx.resize(n, 0.0F);
+    step.df.resize(n, 0.0F);
+  }
+  Eigen::Index m = gram_.rows();
+  Step step{std::move(last_dx_), {}};
+  while (static_cast<int>(steps_.size()) >= depth_) {
+    step.df = std::move(steps_.front().df);
+    last_dx_ = std::move(steps_.front().dx);
+    steps_.pop_front();
+    gram_ = gram_.bottomRightCorner(m - 1, m - 1).eval();
+    --m;
+  }
+  step.dx.resize(n, 0.0F);
+  step.df.resize(n);
+  for_each_cell(std::ssize(f),
+                [&](std::ptrdiff_t i) { step.df[i] = static_cast<float>(f[i] - last_f_[i]); });
+  steps_.push_back(std::move(step));
+  gram_.conservativeResize(m + 1, m + 1);
+  const auto& df = steps_.back().df;
+  for (Eigen::Index a = 0; a <= m; ++a) {
+    gram_(a, m) = gram_(m, a) = ordered_dot(steps_[a].df.data(), df.data(), n);
+  }
+}
+
+void Anderson::next(Field& x, Field f) {
+  if (!last_f_.empty()) remember(f);
+  last_f_ = std::move(f);
+  advance(x);
+}
+
+Field Anderson::last_x(const Field& x) const {
+  Field last(x);
+  for (std::size_t i = 0; i < last_dx_.size(); ++i) last[i] -= last_dx_[i];
+  return last;
+}
+
+void Anderson::advance(Field& x) {
+  const Field& f = last_f_;
+  const int m = static_cast<int>(steps_.size());
+  const std::size_t n = x.size();
+  Eigen::VectorXd gamma(m);
+  if (m > 0) {
+    for (int a = 0; a < m; ++a) gamma(a) = ordered_dot(steps_[a].df.data(), f.data(), n);
+    // Columns shrink as the iteration converges: scale them, then drop near-dependent directions.
+    const Eigen::VectorXd scale = gram_.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+    solver.setThreshold(1e-10);
+    solver.compute(scale.asDiagonal() * gram_ * scale.asDiagonal());
+    gamma = scale.asDiagonal() * solver.solve(Eigen::VectorXd(scale.asDiagonal() * gamma));
+  }
+  last_dx_.resize(n);
+  for_each_cell(std::ssize(x), [&](std::ptrdiff_t i) {
+    double next = x[i] + f[i];
+    for (int a = 0; a < m; ++a) {
+      next -= gamma(a) * (static_cast<double>(steps_[a].dx[i]) + steps_[a].df[i]);
+    }
+    last_dx_[i] = static_cast<float>(next - x[i]);
+    x[i] = next;
+  });
+}
+
+}  // namespace samcontact::contact

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/normal/active_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/threads.hpp"
+#include "samcontact/contact/normal/survey.hpp"
+#include "samcontact/contact/normal/working_set.hpp"
+
+namespace samcontact::contact {
+namespace {
+
+/// Steps on one working set go on until tension or penetration outweighs the residual this often;
+/// less patience changes the set more often, each time for the price of one more application.
+constexpr double initial_patience = 3.0;
+constexpr double patience_loss = 0.3;
+constexpr int most_steps_on_a_set = 10;
+/// So many steps that do not halve the residual have met rounding.
+constexpr int most_steps_in_vain = 20;
+/// Cells are released only when the last change dropped a smaller share: releasing while many drop
+/// can cycle.
+constexpr double calm_share = 0.01;
+
+class ActiveSet {
+ public:
+  ActiveSet(const NearProblem& problem, Field pressure, Field displacement)
+      : problem_(problem),
+        n_(pressure.size()),
+        load_driven_(problem.normal.is_force()),
+        p_(std::move(pressure)),
+        r_(n_),
+        z_(n_),
+        t_(n_),
+        rest_(std::move(displacement)),
+        states_(n_) {
+    add_gap();
+  }
+
+  ActiveSetResult run(bool trim, double tol, int max_iterations) {
+    for (;; trim = false) {
+      check_interrupt();
+      const Totals all = totals(p_, rest_, problem_.gap);
+      watch_energy(all);
+      const double hold = trim ? 1.0 / problem_.self_influence : 0.0;
+      const Survey cells = survey(p_, rest_, approach_, hold, all, states_);
+      if (cells.error <= tol || iterations_ >= max_iterations) break;
+      if (choose_working_set(cells) == 0) break;
+      const bool descends = minimise(tol, max_iterations);
+      drop_tension();
+      if (!descends) break;
+    }
+    ActiveSetResult result;
+    result.pressure = std::move(p_);
+    result.iterations = iterations_;
+    result.negative_curvature = negative_curvature_;
+    result.operations = operator_count_ * problem_.operators.displacement.cost() +
+                        preconditioner_count_ * problem_.operators.preconditioner.cost();
+    return result;
+  }
+
+ private:
+  void apply(const Field& pressure, Field& displacement) {
+    problem_.operators.displacement.apply(pressure.data(), displacement.data(), work_);
+    ++operator_count_;
+  }
+
+  /// Where the rigid bodies stand: under load, at the mean of gap and displacement.
+  double position() const {
+    return load_driven_ ? set_.sums(rest_, rest_).plain / set_.size() : approach_;
+  }
+
+  /// Approach and scales; a change of the set that raised the energy was premature.
+  void watch_energy(const Totals& all) {
+    approach_ = problem_.normal.value;
+    if (load_driven_) approach_ = all.contacts > 0 ? all.rest_in_contact / all.contacts : 0.0;
+    const double energy = all.energy - (load_driven_ ? 0.0 : approach_ * all.pressure);
+    if (energy > energy_) patience_ *= patience_loss;
+    energy_ = energy;
+    take_scales(all);
+  }
+
+  /// Scales of pressure and displacement, which hardly change on a set.
+  void take_scales(const Totals& all) {
+    p_scale_ = all.largest_pressure;
+    u_scale_ = all.largest_displacement;
+  }
+
+  /// Cells with pressure and, once few cells drop, those with penetration. Returns their number.
+  std::size_t choose_working_set(const Survey& cells) {
+    const bool release = dropped_ <= calm_share * cells.working;
+    for_each_cell(std::ssize(states_), [&](std::ptrdiff_t i) {
+      states_[i] = states_[i] == working || (release && states_[i] != idle);
+    });
+    if (cells.dropped > 0 && cells.working + (release ? cells.penetrating : 0) > 0) {
+      for_each_cell(std::ssize(p_), [&](std::ptrdiff_t i) { p_[i] = states_[i] ? p_[i] : 0.0; });
+      settle();
+      take_scales(totals(p_, rest_, problem_.gap));
+    }
+    set_.assign(states_, true);
+    others_.assign(states_, false);
+    return set_.size();
+  }
+
+  /// Displacement of a pressure that was changed by hand, scaled to the load.
+  void settle() {
+    if (load_driven_) scale_to_sum(p_, problem_.normal.value / problem_.cell_area);
+    apply(p_, rest_);
+    add_gap();
+  }
+
+  void add_gap() {
+    for_each_cell(std::ssize(rest_), [&](std::ptrdiff_t i) { rest_[i] += problem_.gap[i]; });
+  }
+
+  /// r = gap on the working set, under load relative to its mean there.
+  void update_residual(double lowest_p, double lowest_gap, double stand) {
+    const double u_scale = u_scale_ > 0 ? u_scale_ : 1.0;
+    residual_ = set_.subtract(rest_, stand, r_) / u_scale;
+    violation_ = std::max(p_scale_ > 0 ? -lowest_p / p_scale_ : 0.0, -lowest_gap / u_scale);
+  }
+
+  /// Conjugate gradient on the working set, where the pressure may become negative. False when
+  /// rounding leaves no descent.
+  bool minimise(double tol, int max_iterations) {
+    for_each_cell(std::ssize(r_), [&](std::ptrdiff_t i) { r_[i] = t_[i] = 0.0; });
+    double stand = position();
+    update_residual(set_.lowest(p_, 0.0), others_.lowest(rest_, stand), stand);
+    double zr_old = 0.0, lowest_residual = residual_;
+    int in_vain = 0;
+    for (int step = 1;; ++step) {
+      check_interrupt();
+      ++iterations_;
+      // z = P M r with P the projection on the working set and, under load, on zero sum. There r
+      // has no sum, so that z r is that of M r.
+      problem_.operators.preconditioner.apply(r_.data(), z_.data(), work_);
+      ++preconditioner_count_;
+      const Sums zr = set_.sums(z_, r_);
+      const double beta = step > 1 ? zr.product / zr_old : 0.0;
+      zr_old = zr.product;
+      set_.turn(beta, z_, load_driven_ ? zr.plain / set_.size() : 0.0, t_);
+      apply(t_, z_);  // z is free until the next step
+      const Sums zt = set_.sums(z_, t_);
+      const double curvature = zt.product;
+      // A working set that is already solved has no descent: then only the set has to change.
+      if (zr.product > 0 && curvature < 0) negative_curvature_ = true;
+      if (!(zr.product > 0) || !(curvature > 0)) {
+        return step == 1 && violation_ > 0 && zr.product == 0;
+      }
+      const double length = zr.product / curvature;
+      const double lowest_p = set_.add(length, t_, p_, 0.0);
+      set_.add(length, z_, rest_, 0.0);
+      if (load_driven_) stand += length * zt.plain / set_.size();
+      const double lowest_gap = others_.add(length, z_, rest_, stand);
+      if (u_scale_ == 0) take_scales(totals(p_, rest_, problem_.gap));  // the first pressure
+      update_residual(lowest_p, lowest_gap, stand);
+      in_vain = residual_ < 0.5 * lowest_residual ? 0 : in_vain + 1;
+      if (in_vain == 0) lowest_residual = residual_;
+      const bool violated = violation_ > 0.5 * tol;
+      if (residual_ < 0.5 * tol || iterations_ >= max_iterations ||
+          (violated && (violation_ > patience_ * residual_ || step >= most_steps_on_a_set))) {
+        return true;
+      }
+      if (in_vain == most_steps_in_vain) return false;
+    }
+  }
+
+  void drop_tension() {
+    dropped_ = 0;
+    const std::ptrdiff_t n = std::ssize(p_);
+#pragma omp parallel for schedule(static) reduction(+ : dropped_) if (n >= worth_threads_cells)
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+      dropped_ += p_[i] < 0;
+      p_[i] = std::max(p_[i], 0.0);
+    }
+    if (dropped_ > 0) settle();
+  }
+
+  const NearProblem& problem_;
+  const std::size_t n_;
+  const bool load_driven_;
+  Field p_, r_, z_, t_;
+  Field rest_;                         // gap + displacement: the gap but for the approach
+  std::vector<unsigned char> states_;  // of CellState
+  CellRuns set_, others_;
+  ComplexField work_;
+  double approach_ = 0.0, energy_ = INFINITY, patience_ = initial_patience;
+  double p_scale_ = 0.0, u_scale_ = 0.0, residual_ = 0.0, violation_ = 0.0;
+  std::size_t dropped_ = 0;
+  bool negative_curvature_ = false;
+  int iterations_ = 0, operator_count_ = 0, preconditioner_count_ = 0;
+};
+
+}  // namespace
+
+ActiveSetResult solve_active_set(const NearProblem& problem, Field pressure, Field displacement,
+                                 bool trim, double tol, int max_iterations) {
+  return ActiveSet(problem, std::move(pressure), std::move(displacement))
+      .run(trim, tol, max_iterations);
+}
+
+}  // namespace samcontact::contact

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/normal/complementarity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
+
+namespace samcontact::contact {
+
+bool all_finite(const Field& field) {
+  return std::all_of(field.begin(), field.end(), [](double v) { return std::isfinite(v); });
+}
+
+bool is_finite(const Solution& solution) {
+  const auto is_gap = [](double g) { return std::isfinite(g) || g == INFINITY; };
+  return all_finite(solution.tractions.pressure) &&
+         std::all_of(solution.gap.begin(), solution.gap.end(), is_gap) &&
+         std::isfinite(solution.load);
+}
+
+double contact_mean(const Field& pressure, const Field& field) {
+  const std::size_t n = field.size();
+  const double cells = ordered_sum(n, [&](std::size_t i) { return pressure[i] > 0 ? 1.0 : 0.0; });
+  const double sum =
+      ordered_sum(n, [&](std::size_t i) { return pressure[i] > 0 ? field[i] : 0.0; });
+  return cells > 0 ? sum / cells : 0.0;
+}
+
+double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap,
+                             double rounding) {
+  return complementarity_error(
+      pressure, [&](std::size_t i) { return displacement[i]; },
+      [&](std::size_t i) { return std::fabs(gap[i]) > rounding ? gap[i] : 0.0; });
+}
+
+double scale_to_sum(Field& pressure, double sum) {
+  const std::size_t n = pressure.size();
+  const double present = ordered_sum(n, [&](std::size_t i) { return pressure[i]; });
+  if (!(present > 0)) {
+    std::fill(pressure.begin(), pressure.end(), sum / n);
+    return 0.0;
+  }
+  const double scale = sum / present;
+  for_each_cell(std::ssize(pressure), [&](std::ptrdiff_t i) { pressure[i] *= scale; });
+  return scale;
+}
+
+double close_gap(const Field& initial_gap, const Field& displacement, const Field& pressure,
+                 Given normal, Field& gap) {
+  const std::ptrdiff_t n = initial_gap.size();
+  for_each_cell(n, [&](std::ptrdiff_t i) { gap[i] = initial_gap[i] + displacement[i]; });
+  const double approach = normal.is_force() ? contact_mean(pressure, gap) : normal.value;
+  for_each_cell(n, [&](std::ptrdiff_t i) { gap[i] -= approach; });
+  return approach;
+}
+
+}  // namespace samcontact::contact

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/normal/multilevel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <mutex>
+#include <numbers>
+#include <utility>
+
+#include "samcontact/base/errors.hpp"
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/normal/active_set.hpp"
+#include "samcontact/contact/normal/coarsening.hpp"
+#include "samcontact/contact/normal/polonsky_keer.hpp"
+#include "samcontact/contact/normal/window.hpp"
+
+namespace samcontact::contact {
+namespace {
+
+/// Grids are halved while their shorter side has this many cells.
+constexpr int coarsest_side = 64;
+/// A start needs no more: finer roughness changes the contact anyway.
+constexpr double coarse_tol = 1e-3;
+/// What the cheap operator is asked to gain on the error in one round: the first time much, since
+/// a start is wrong at short wavelengths, which the cheap operator resolves; then as much as the
+/// exact operator is expected to confirm.
+constexpr double first_gain = 1e-3, gain = 1e-2;
+/// The last round aims below tol, so that the exact operator agrees.
+constexpr double safety = 0.5;
+constexpr int most_steps_a_round = 300;
+/// Rounds in a row that fail to halve the error before the plain iteration takes over.
+constexpr int patience = 2;
+/// Of the load: what rounding adds up to in the steps of a round. Where displacement has no mean,
+/// nothing holds the mean pressure against it, and steps along what is nearly solved are long.
+constexpr double most_off = 1e-12;
+/// Of a gap, and of a displacement relative to that of the longest wave.
+constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
+
+/// A gap of cells without a body is so many times what could close; more in each further try.
+constexpr double far_off = 4, further_off = 64;
+constexpr int most_tries = 4;
+
+bool is_zero(const Field& field) {
+  return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
+}
+
+}  // namespace
+
+class Multilevel::Level {
+ public:
+  Level(const Grid& grid, operators::SurfaceInfluence influence)
+      : grid_(grid), influence_(std::move(influence)), displacement_(grid, influence_) {}
+
+  /// The work of the solution is counted in the unit of fft::filter_cost. is_start: only its
+  /// pressure is wanted, to start from.
+  Solution solve(const Field& initial_gap, Given normal, Field pressure, double tol,
+                 int max_iterations, bool is_start = false) const;
+
+  const Grid& grid() const { return grid_; }
+  const operators::SurfaceDisplacement& displacement() const { return displacement_; }
+  std::shared_ptr<const NearOperators> near(int nx, int ny) const;
+
+ private:
+  Field coarse_start(const Field& gap, Given normal, int max_iterations, double& work) const;
+  /// What gaps under a load are off by where a displacement has no mean [m]; elsewhere it is small
+  /// against that.
+  double rounding(const Field& gap, double lowest, Given normal) const;
+
+  Grid grid_;
+  operators::SurfaceInfluence influence_;
+  operators::SurfaceDisplacement displacement_;
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const NearOperators> near_;  // of the box size used last
+  mutable std::unique_ptr<Level> coarser_;
+};
+
+namespace {
+
+/// One solve on one grid: rounds of the active-set iteration between exact evaluations.
+class Rounds {
+ public:
+  using Near = std::function<std::shared_ptr<const NearOperators>(int nx, int ny)>;
+
+  Rounds(const Grid& grid, const operators::NormalDisplacement& displacement, Near near,
+         const Field& initial_gap, Given normal, Field pressure, bool warm, double rounding)
+      : grid_(grid),
+        displacement_(displacement),
+        near_(std::move(near)),
+        initial_gap_(initial_gap),
+        normal_(normal),
+        warm_(warm),
+        box_{},
+        u_(initial_gap.size()) {
+    solution_.tractions.pressure = std::move(pressure);
+    solution_.gap.resize(initial_gap.size());
+    solution_.rounding = rounding;
+    if (normal.is_force())
+      scale_to_sum(solution_.tractions.pressure, normal.value / grid.cell_area());
+  }
+
+  /// One round, unjudged: what the next finer grid starts from.
+  Solution start(double tol, int max_iterations) {
+    evaluate();
+    if (solution_.error > tol) {
+      choose_box();
+      round(true, tol, std::min(max_iterations, most_steps_a_round));
+    }
+    return std::move(solution_);
+  }
+
+  Solution run(double tol, int max_iterations) {
+    double last_error = INFINITY;
+    for (int stalled = 0;; last_error = solution_.error) {
+      evaluate();
+      solution_.converged = solution_.error <= tol;
+      if (solution_.converged || solution_.iterations >= max_iterations) {
+        return std::move(solution_);
+      }
+      const bool grown = choose_box();
+      stalled = grown || solution_.error < 0.5 * last_error ? 0 : stalled + 1;
+      if (stalled == patience) break;
+      round(std::isinf(last_error), tol,
+            std::min(max_iterations - solution_.iterations, most_steps_a_round));
+    }
+    return plain(tol, max_iterations);
+  }
+
+ private:
+  void evaluate() {
+    check_interrupt();
+    keep_load();
+    displacement_.apply(solution_.tractions.pressure.data(), u_.data(), work_);
+    ++solution_.operator_applications;
+    solution_.work += displacement_.cost();
+    solution_.motion.approach =
+        close_gap(initial_gap_, u_, solution_.tractions.pressure, normal_, solution_.gap);
+    solution_.error =
+        complementarity_error(solution_.tractions.pressure, u_, solution_.gap, solution_.rounding);
+  }
+
+  void keep_load() {
+    if (!normal_.is_force()) return;
+    Field& p = solution_.tractions.pressure;
+    const double sum = normal_.value / grid_.cell_area();
+    const double present = ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
+    if (std::fabs(present - sum) > most_off * sum) scale_to_sum(p, sum);
+  }
+
+  /// A surface field over the box.
+  Field part(const Field& field) const {
+    Field over(box_.surface_size());
+    extract(field.data(), Box::surface(grid_), over.data(), box_);
+    return over;
+  }
+
+  /// True when contact has become possible outside the box.
+  bool choose_box() {
+    const Box box = possible_contact(grid_, solution_.tractions.pressure, solution_.gap);
+    if (box_.contains(box)) return false;
+    box_ = with_margin(grid_, box, box_);
+    return true;
+  }
+
+  void round(bool first, double tol, int max_iterations) {
+    const auto near = near_(box_.nx, box_.ny);
+    const bool exact = near->displacement.is_exact();
+    NearProblem problem{*near, part(initial_gap_), normal_, grid_.cell_area(),
+                        displacement_.self_influence()};
+    Field pressure = part(solution_.tractions.pressure);
+    Field displacement = part(u_);
+    if (!exact) {
+      Field cheap(displacement.size());
+      near->displacement.apply(pressure.data(), cheap.data(), work_);
+      solution_.work += near->displacement.cost();
+      for (std::size_t i = 0; i < cheap.size(); ++i) problem.gap[i] += displacement[i] - cheap[i];
+      std::swap(displacement, cheap);
+    }
+    const double asked = exact ? 0.0 : solution_.error * (first ? first_gain : gain);
+    const auto result =
+        solve_active_set(problem, std::move(pressure), std::move(displacement), first && !warm_,
+                         std::max(asked, safety * tol), max_iterations);
+    std::fill(solution_.tractions.pressure.begin(), solution_.tractions.pressure.end(), 0.0);
+    insert(result.pressure.data(), box_, solution_.tractions.pressure.data(), Box::surface(grid_));
+    solution_.iterations += result.iterations;
+    solution_.negative_curvatures += result.negative_curvature;
+    solution_.work += result.operations;
+  }
+
+  Solution plain(double tol, int max_iterations) {
+    Solution end = polonsky_keer(displacement_, initial_gap_, grid_.cell_area(), normal_,
+                                 std::move(solution_.tractions.pressure), tol,
+                                 max_iterations - solution_.iterations, solution_.rounding);
+    end.iterations += solution_.iterations;
+    end.negative_curvatures += solution_.negative_curvatures;
+    end.work = end.work * displacement_.cost() + solution_.work;
+    end.operator_applications += solution_.operator_applications;
+    return end;
+  }
+
+  const Grid& grid_;
+  const operators::NormalDisplacement& displacement_;
+  const Near near_;
+  const Field& initial_gap_;
+  const Given normal_;
+  const bool warm_;
+  Box box_;
+  Field u_;
+  ComplexField work_;
+  Solution solution_;
+};
+
+}  // namespace
+
+std::shared_ptr<const NearOperators> Multilevel::Level::near(int nx, int ny) const {
+  const std::lock_guard lock(mutex_);
+  if (!near_ || near_->displacement.nx() != nx || near_->displacement.ny() != ny) {
+    near_ = std::make_shared<const NearOperators>(Box{0, 0, nx, ny, 0}.grid(grid_), influence_);
+  }
+  return near_;
+}
+
+Field Multilevel::Level::coarse_start(const Field& gap, Given normal, int max_iterations,
+                                      double& work) const {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!coarser_) coarser_ = std::make_unique<Level>(coarsened(grid_), influence_);
+  }
+  const Grid& coarse = coarser_->grid();
+  const Solution start =
+      coarser_->solve(coarsened(grid_, gap), normal, Field(coarse.surface_size(), 0.0), coarse_tol,
+                      max_iterations, true);
+  work += start.work;
+  return refined(grid_, start.tractions.pressure);
+}
+
+double Multilevel::Level::rounding(const Field& gap, double lowest, Given normal) const {
+  if (!normal.is_force() || !(grid_.period.x > 0 && grid_.period.y > 0)) return 0.0;
+  const double longest = std::max(grid_.nx * grid_.dx, grid_.ny * grid_.dy);
+  const double area = grid_.cell_area() * static_cast<double>(grid_.surface_size());
+  const double of_wave = last_digits * normal.value / area *
+                         influence_.wave_compliance(2 * std::numbers::pi / longest);
+  // Of surfaces so flat that their distance leaves no digits for their heights.
+  const double of_gap = last_digits * std::fabs(lowest);
+  const double heights = *std::max_element(gap.begin(), gap.end()) - lowest;
+  return heights > of_gap ? of_wave : std::max(of_wave, of_gap);
+}
+
+Solution Multilevel::Level::solve(const Field& initial_gap, Given normal, Field pressure,
+                                  double tol, int max_iterations, bool is_start) const {
+  const double lowest = *std::min_element(initial_gap.begin(), initial_gap.end());
+  if (normal.is_force() ? normal.value == 0 : normal.value <= lowest) {
+    // Apart, or just touching: nothing to solve.
+    Solution solution;
+    solution.motion.approach = normal.is_force() ? lowest : normal.value;
+    solution.tractions.pressure.assign(initial_gap.size(), 0.0);
+    solution.gap = initial_gap;
+    for (double& g : solution.gap) g -= solution.motion.approach;
+    return solution;
+  }
+  double work = 0.0;
+  const bool warm = !is_zero(pressure);
+  if (!warm && std::min(grid_.nx, grid_.ny) >= coarsest_side && grid_.can_be_coarsened()) {
+    pressure = coarse_start(initial_gap, normal, max_iterations, work);
+  }
+  const auto near_of = [this](int nx, int ny) { return near(nx, ny); };
+  Rounds rounds(grid_, displacement_, near_of, initial_gap, normal, std::move(pressure), warm,
+                rounding(initial_gap, lowest, normal));
+  Solution solution =
+      is_start ? rounds.start(tol, max_iterations) : rounds.run(tol, max_iterations);
+  solution.work += work;
+  return solution;
+}
+
+Multilevel::Multilevel(const Grid& grid, const operators::SurfaceInfluence& influence)
+    : finest_(std::make_unique<Level>(grid, influence)) {}
+Multilevel::~Multilevel() = default;
+Multilevel::Multilevel(Multilevel&&) noexcept = default;
+Multilevel& Multilevel::operator=(Multilevel&&) noexcept = default;
+
+Solution Multilevel::solve_beside_ends(const Field& initial_gap, Given normal, Field pressure,
+                                       double tol, int max_iterations) const {
+  double lowest = INFINITY, highest = -INFINITY;
+  for (std::size_t i = 0; i < initial_gap.size(); ++i) {
+    if (std::isinf(initial_gap[i])) {
+      pressure[i] = 0.0;
+      continue;
+    }
+    lowest = std::min(lowest, initial_gap[i]);
+    highest = std::max(highest, initial_gap[i]);
+  }
+  // No displacement is larger than that of all the load on one cell.
+  const double closed = normal.is_force() ? std::fabs(displacement().self_influence()) *
+                                                normal.value / finest_->grid().cell_area()
+                                          : std::max(0.0, normal.value - lowest);
+  double beyond = far_off * (closed + (highest - lowest));
+  for (int n = 0; n < most_tries; ++n, beyond *= further_off) {
+    Field gap = initial_gap;
+    for (double& g : gap) g = std::isinf(g) ? highest + beyond : g;
+    Solution solution = finest_->solve(gap, normal, pressure, tol, max_iterations);
+    bool touches = false;
+    for (std::size_t i = 0; i < gap.size(); ++i) {
+      if (!std::isinf(initial_gap[i])) continue;
+      touches = touches || solution.tractions.pressure[i] > 0;
+      solution.gap[i] = initial_gap[i];
+    }
+    if (!touches) return solution;
+  }
+  throw ConvergenceError("the contact reaches into cells without a body, where the gap is infinite",
+                         max_iterations, INFINITY);
+}
+
+const operators::SurfaceDisplacement& Multilevel::displacement() const {
+  return finest_->displacement();
+}
+
+Solution Multilevel::solve(const Field& initial_gap, Given normal, Field pressure, double tol,
+                           int max_iterations) const {
+  const auto has_none = [](double gap) { return std::isinf(gap); };
+  const bool ends = std::any_of(initial_gap.begin(), initial_gap.end(), has_none);
+  Solution solution =
+      ends ? solve_beside_ends(initial_gap, normal, std::move(pressure), tol, max_iterations)
+           : finest_->solve(initial_gap, normal, std::move(pressure), tol, max_iterations);
+  solution.work /= displacement().cost();
+  const double area = finest_->grid().cell_area();
+  const Field& p = solution.tractions.pressure;
+  solution.load = normal.is_force()
+                      ? normal.value
+                      : area * ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
+  return solution;
+}
+
+}  // namespace samcontact::contact

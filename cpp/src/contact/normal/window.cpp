@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/normal/window.hpp"
+
+#include <algorithm>
+
+namespace samcontact::contact {
+namespace {
+
+/// A window pays when it has less than this share of the cells: it costs kernels of its own.
+constexpr double worthwhile_share = 0.8;
+constexpr int smallest_side = 64;
+/// Margins in shares of the window: ample, and where that does not pay slim ones.
+constexpr int ample = 8, slim = 64;
+
+/// Widens a range of cells to at least `least`, and to a multiple of 8 within [0, n).
+void widen(int n, int least, int& start, int& length) {
+  const int wide = std::min((least + 7) / 8 * 8, n);
+  start = std::clamp(start - (wide - length) / 2, 0, n - wide);
+  length = wide;
+}
+
+/// Of a side with a margin to both ends.
+int side_of_window(int length, int share) {
+  return std::max(length + 2 * (4 + length / share), smallest_side);
+}
+
+}  // namespace
+
+Box possible_contact(const Grid& grid, const Field& pressure, const Field& gap) {
+  const Box box =
+      bounding_box(grid, [&](std::size_t at) { return pressure[at] > 0 || gap[at] < 0; });
+  return box.empty() ? Box::surface(grid) : box;
+}
+
+Box with_margin(const Grid& grid, const Box& window, const Box& present) {
+  const Box all = Box::surface(grid);
+  for (const int margin : {ample, slim}) {
+    Box wide = window;
+    widen(grid.nx, side_of_window(wide.nx, margin), wide.i0, wide.nx);
+    widen(grid.ny, side_of_window(wide.ny, margin), wide.j0, wide.ny);
+    wide = wide.united(present);
+    if (static_cast<double>(wide.surface_size()) <
+        worthwhile_share * static_cast<double>(all.surface_size())) {
+      return wide;
+    }
+  }
+  return all;
+}
+
+Box slipping_box(const Grid& grid, const Field& pressure, const Field& before) {
+  const std::size_t n = before.size() / 2;
+  Box box = bounding_box(grid, [&](std::size_t at) {
+    return pressure[at] > 0 || (n > 0 && (before[at] != 0 || before[n + at] != 0));
+  });
+  if (box.empty()) return box;
+  widen(grid.nx, box.nx, box.i0, box.nx);
+  widen(grid.ny, box.ny, box.j0, box.ny);
+  return box;
+}
+
+}  // namespace samcontact::contact

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/tangential/held_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "samcontact/base/errors.hpp"
+#include "samcontact/contact/tangential/projected_gradient.hpp"
+
+namespace samcontact::contact {
+namespace {
+
+/// A force this close to the largest has no definite motion.
+constexpr double least_margin = 1e-8;
+
+double force_of(const Given& given) { return given.is_force() ? given.value : 0.0; }
+
+constexpr const char* beyond =
+    ", the largest that friction holds; at it everything slides and the motion is not determined "
+    "by "
+    "the force: give the motion (";
+
+/// Throws where forces that friction holds each are too much together: some motion takes more power
+/// of them than friction turns into heat.
+void require_held_together(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
+                           double friction) {
+  const std::vector<double> xs = grid.x(), ys = grid.y();
+  ShearProblem problem;
+  for (std::size_t at = 0; at < pressure.size(); ++at) {
+    if (!(pressure[at] > 0)) continue;
+    problem.cells.push_back(at);
+    problem.bound.push_back(friction * pressure[at]);
+  }
+  const std::size_t m = problem.size();
+  if (m == 0) return;
+  problem.smallest_shear =
+      smallest_share * *std::max_element(problem.bound.begin(), problem.bound.end());
+  for (int k = 0; k < 3; ++k) {
+    if (!drive[k].is_force()) continue;
+    Field direction(2 * m, 0.0);
+    for (std::size_t c = 0; c < m; ++c) {
+      const std::size_t at = problem.cells[c];
+      if (k != 1) direction[c] = k == 0 ? 1.0 : -ys[at % grid.ny];
+      if (k != 0) direction[m + c] = k == 1 ? 1.0 : xs[at / grid.ny];
+    }
+    problem.modes.push_back({std::move(direction), drive[k].value / grid.cell_area(), k});
+  }
+  Field shear(2 * m, 0.0), slip(2 * m, 0.0);
+  std::vector<double> motion(problem.modes.size(), 0.0);
+  if (project(problem, shear, motion)) return;
+  double power = 0.0, heat = 0.0;
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    add_motion(problem, k, motion[k], slip);
+    power += motion[k] * problem.modes[k].target;
+  }
+  for (std::size_t c = 0; c < m; ++c) heat += problem.bound[c] * length_of(slip[c], slip[m + c]);
+  if (!(power > heat)) return;
+  throw std::invalid_argument("tangential_load and torque must be held by friction together, got " +
+                              to_text(force_of(drive[0])) + " N, " + to_text(force_of(drive[1])) +
+                              " N and " + to_text(drive[2].value) + " N m, of which it holds " +
+                              to_text(std::floor(1e3 * heat / power) / 10) + " %" +
+                              " at most: take smaller ones, or give the motion instead");
+}
+
+}  // namespace
+
+void require_held(const TangentialDrive& drive, double most, const MotionNames& motions) {
+  const double force = std::hypot(force_of(drive[0]), force_of(drive[1]));
+  require(force == 0 || force < most * (1 - least_margin), "tangential_load",
+          "shorter than friction times the load, " + to_short_text(most, 6) + " N" + beyond +
+              motions.along + ") instead",
+          force);
+}
+
+void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
+                  double friction, const MotionNames& motions) {
+  if (std::isinf(friction)) return;
+  const LargestForces most = largest_forces(grid, pressure, friction);
+  require_held(drive, most.along, motions);
+  const double torque = force_of(drive[2]);
+  require(torque == 0 || std::fabs(torque) < most.torque * (1 - least_margin), "torque",
+          "smaller than " + to_short_text(most.torque, 6) + " N m" + beyond + motions.turn +
+              ") instead",
+          torque);
+  const bool pulled = force_of(drive[0]) != 0 || force_of(drive[1]) != 0;
+  if (torque != 0 && pulled) require_held_together(grid, drive, pressure, friction);
+}
+
+}  // namespace samcontact::contact

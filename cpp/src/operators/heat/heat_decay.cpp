@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/heat/heat_decay.hpp"
+
+#include <cmath>
+
+namespace samcontact::operators {
+namespace {
+
+/// 1 - exp(-z) without cancellation.
+Complex grown(Complex z) {
+  const double e = std::exp(-z.real()), half = std::sin(z.imag() / 2);
+  return {-std::expm1(-z.real()) + 2 * e * half * half, e * std::sin(z.imag())};
+}
+
+}  // namespace
+
+Decay::Decay(const HeatLevel& level, double x)
+    : s_(level.s.size()), grown_s_(level.s.size()), x_(x) {
+  modes_.reserve(level.modes.size());
+  grown_.reserve(level.modes.size());
+  for (const HeatMode& mode : level.modes) {
+    modes_.push_back(std::exp(-mode.decay * x));
+    grown_.push_back(grown(mode.decay * x));
+  }
+  for (std::size_t j = 0; j < s_.size(); ++j) {
+    const double y = level.s[j] * level.s[j] * x;
+    s_[j] = std::exp(-y);
+    grown_s_[j] = -std::expm1(-y);
+  }
+}
+
+}  // namespace samcontact::operators

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/heat/heat_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "samcontact/base/errors.hpp"
+#include "samcontact/operators/heat/heat_decay.hpp"
+#include "samcontact/operators/heat/heat_plan.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+/// How far heat must diffuse in the shortest step, in cells.
+constexpr double least_diffused = 0.02;
+
+}  // namespace
+
+HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic& elastic,
+                         double speed_x, double speed_y, const HeatHistorySettings& settings) {
+  const auto positive = [](const char* name, double value) {
+    require(std::isfinite(value) && value > 0, name, "finite and > 0", value);
+  };
+  positive("shortest", settings.shortest);
+  require(std::isfinite(settings.longest) && settings.longest >= settings.shortest, "longest",
+          "finite and >= shortest", settings.longest);
+  require(settings.tolerance >= 1e-10 && settings.tolerance <= 1e-2, "tolerance",
+          "in [1e-10, 1e-2]", settings.tolerance);
+  require(std::isfinite(speed_x) && std::isfinite(speed_y), "speed", "finite",
+          std::hypot(speed_x, speed_y));
+  // Else wavenumbers far beyond those of the cells are followed: time and memory without bounds.
+  const double diffused = std::sqrt(thermal.diffusivity * settings.shortest);
+  const double cell = std::max(grid.dx, grid.dy);
+  require(diffused >= least_diffused * cell, "shortest (of heat_history)",
+          "long enough for heat to diffuse over " + to_short_text(least_diffused) + " of a cell, " +
+              to_short_text(cell * cell * least_diffused * least_diffused / thermal.diffusivity) +
+              " s with cells of " + to_short_text(cell) + " m and a diffusivity of " +
+              to_short_text(thermal.diffusivity) + " m^2/s",
+          settings.shortest);
+  plan_ = std::make_shared<const HeatPlan>(grid, thermal, elastic, speed_x, speed_y, settings);
+  near_.assign(plan_->near.rates().size() * grid.surface_size(), 0.0);
+  modes_.assign(plan_->modes.generations(), ComplexField(plan_->modes.size(), Complex{}));
+  filled_.assign(plan_->modes.levels().size(), 0.0);
+  youngest_.assign(filled_.size(), 0);
+  newest_.assign(plan_->modes.mode_count(), Complex{});
+  flux_.assign(grid.surface_size(), 0.0);
+}
+
+void HeatHistory::add(const double* flux, double dt) {
+  require(std::isfinite(dt) && dt >= 0, "dt", "finite and >= 0", dt);
+  if (dt == 0) return;
+  ComplexField amplitudes;
+  plan_->modes.project(flux, amplitudes);
+  std::size_t first = 0, number = 0;
+  for (const HeatLevel& level : plan_->modes.levels()) {
+    absorb(level, number++, first);
+    first += level.modes.size();
+  }
+  age_near(plan_->aged(duration_), near_);
+  newest_ = std::move(amplitudes);
+  flux_.assign(flux, flux + flux_.size());
+  duration_ = dt;
+}
+
+/// Near fields after the newest flux.
+void HeatHistory::age_near(double x, Field& fields) const {
+  const std::vector<double>& rates = plan_->near.rates();
+  const std::size_t plane = flux_.size();
+  for (std::size_t m = 0; m < rates.size(); ++m) {
+    const double factor = std::exp(-rates[m] * x), integral = -std::expm1(-rates[m] * x) / rates[m];
+    double* field = fields.data() + m * plane;
+    for (std::size_t i = 0; i < plane; ++i) field[i] = field[i] * factor + flux_[i] * integral;
+  }
+}
+
+/// Lets a level age by the newest flux's duration, and adds that flux.
+void HeatHistory::absorb(const HeatLevel& level, std::size_t number, std::size_t first_mode) {
+  const int generations = plan_->modes.generations();
+  double left = plan_->aged(duration_);
+  // What is older than all generations is dropped at once.
+  const double kept = std::min(left, generations * level.generation);
+  const auto age = [&](double x) {
+    const Decay decay(level, x);
+    for (int g = 0; g < generations; ++g) {
+      const bool adds = g == youngest_[number];
+      for (const HeatBlock& block : level.blocks) {
+        for (std::size_t j = 0; j < block.nodes; ++j) {
+          Complex* c = modes_[g].data() + block.offset + j * block.count;
+          const double s2 = level.s[j] * level.s[j];
+          for (std::size_t n = 0; n < block.count; ++n) {
+            const std::size_t mode = block.first + n;
+            c[n] *= decay.factor(mode, j);
+            if (!adds) continue;
+            c[n] +=
+                newest_[first_mode + mode] * decay.integral(mode, j, level.modes[mode].decay + s2);
+          }
+        }
+      }
+    }
+  };
+  const auto clear = [&](int g) {
+    const HeatBlock &front = level.blocks.front(), &back = level.blocks.back();
+    std::fill(modes_[g].begin() + front.offset,
+              modes_[g].begin() + back.offset + back.count * back.nodes, Complex{});
+  };
+  if (level.blocks.empty()) return;
+  if (kept < left) {
+    for (int g = 0; g < generations; ++g) clear(g);
+    filled_[number] = 0;
+    left = kept;
+  }
+  while (left > 0) {
+    if (filled_[number] >= level.generation) {
+      youngest_[number] = (youngest_[number] + 1) % generations;
+      clear(youngest_[number]);
+      filled_[number] = 0;
+    }
+    const double room = level.generation - filled_[number];
+    const bool fills = left >= room;
+    const double x = fills ? room : left;
+    age(x);
+    filled_[number] = fills ? level.generation : filled_[number] + x;
+    left = fills ? left - x : 0;
+  }
+}
+
+bool HeatHistory::newest_by_modes(double ahead) const {
+  return ahead >= plan_->settings.shortest * (1 - 1e-12);
+}
+
+Field HeatHistory::temperature(double ahead, std::span<const double> depths) const {
+  return fields(HeatQuantity::temperature, ahead, depths);
+}
+
+Field HeatHistory::displacement(double ahead) const {
+  const double surface = 0;
+  return fields(HeatQuantity::displacement, ahead, {&surface, 1});
+}
+
+Field HeatHistory::stress(double ahead, std::span<const double> depths) const {
+  return fields(HeatQuantity::stress, ahead, depths);
+}
+
+std::size_t HeatHistory::size() const {
+  return 2 * (modes_.size() * plan_->modes.size() + newest_.size()) + flux_.size() + near_.size() +
+         1 + 2 * filled_.size();
+}
+
+std::vector<double> HeatHistory::state() const {
+  std::vector<double> state{duration_};
+  state.insert(state.end(), flux_.begin(), flux_.end());
+  state.insert(state.end(), near_.begin(), near_.end());
+  state.insert(state.end(), filled_.begin(), filled_.end());
+  state.insert(state.end(), youngest_.begin(), youngest_.end());
+  for (const ComplexField& modes : modes_) {
+    const auto* numbers = reinterpret_cast<const double*>(modes.data());
+    state.insert(state.end(), numbers, numbers + 2 * modes.size());
+  }
+  return state;
+}
+
+void HeatHistory::set_state(std::span<const double> state) {
+  const std::size_t plane = flux_.size(), levels = filled_.size();
+  const int generations = plan_->modes.generations();
+  if (state.size() !=
+      1 + plane + near_.size() + 2 * levels + 2 * plan_->modes.size() * generations) {
+    throw std::invalid_argument("the state of the heat belongs to another history");
+  }
+  const double* from = state.data() + 1;
+  const auto take = [&](auto to, std::size_t count) {
+    std::copy(from, from + count, to);
+    from += count;
+  };
+  duration_ = state[0];
+  take(flux_.begin(), plane);
+  take(near_.begin(), near_.size());
+  take(filled_.begin(), levels);
+  for (int& youngest : youngest_)
+    youngest = std::clamp(static_cast<int>(*from++), 0, generations - 1);
+  for (ComplexField& modes : modes_)
+    take(reinterpret_cast<double*>(modes.data()), 2 * modes.size());
+  plan_->modes.project(flux_.data(), newest_);
+}
+
+}  // namespace samcontact::operators

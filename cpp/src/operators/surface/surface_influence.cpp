@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/surface/surface_influence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace samcontact::operators {
+namespace {
+
+void add_table(Field from, Field& to) {
+  if (to.empty()) {
+    to = std::move(from);
+  } else {
+    for (std::size_t n = 0; n < to.size(); ++n) to[n] += from[n];
+  }
+}
+
+std::vector<int> ascending(std::vector<int> values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+}  // namespace
+
+void SurfaceInfluence::add(const SharedMedium& medium, double shear_x, const Heating& heating) {
+  if (!medium->is_rigid()) bodies_.push_back({medium, shear_x, heating});
+}
+
+bool SurfaceInfluence::is_heated() const {
+  return std::any_of(bodies_.begin(), bodies_.end(),
+                     [](const Body& body) { return body.heating.is_on(); });
+}
+
+template <class Weight>
+Field SurfaceInfluence::sum(Traction traction, const Grid& grid, const CellOffsets& offsets,
+                            const Weight& weight) const {
+  Field sum;
+  std::vector<const Body*> left;
+  left.reserve(bodies_.size());
+  for (const Body& body : bodies_) left.push_back(&body);
+  while (!left.empty()) {
+    const Medium& medium = *left.front()->medium;
+    double factor = 0.0;
+    std::erase_if(left, [&](const Body* body) {
+      const auto ratio = body->medium->normal_ratio(traction, medium);
+      if (ratio) factor += weight(*body) * *ratio;
+      return ratio.has_value();
+    });
+    if (factor == 0) continue;
+    Field table = medium.compliance(traction, Axis::z, grid, offsets);
+    for (double& value : table) value *= factor;
+    add_table(std::move(table), sum);
+  }
+  return sum;
+}
+
+Field SurfaceInfluence::elastic(const Grid& grid, const CellOffsets& offsets) const {
+  return sum(Traction::pressure, grid, offsets, [](const Body&) { return 1.0; });
+}
+
+double SurfaceInfluence::wave_compliance(double wavenumber) const {
+  double sum = 0.0;
+  for (const Body& body : bodies_) sum += body.medium->wave_compliance(wavenumber);
+  return sum;
+}
+
+Field SurfaceInfluence::even(const Grid& grid, const CellOffsets& offsets) const {
+  Field table = elastic(grid, offsets);
+  if (!is_heated()) return table;
+  // Tables of heat ascend.
+  const CellOffsets sorted{ascending(offsets.x), ascending(offsets.y)};
+  const auto place = [](const std::vector<int>& values, int n) {
+    return std::lower_bound(values.begin(), values.end(), n) - values.begin();
+  };
+  for (const auto& [medium, shear_x, heating] : bodies_) {
+    if (!heating.is_on()) continue;
+    const Field heat =
+        heat_of(*medium)
+            ->displacement(heating, grid.dx, grid.dy, sorted.in_metres(grid.dx, grid.dy))
+            .front();
+    std::size_t at = 0;
+    for (const int y : offsets.y) {
+      const double* row = heat.data() + place(sorted.y, y) * sorted.x.size();
+      for (const int x : offsets.x) table[at++] += row[place(sorted.x, x)];
+    }
+  }
+  return table;
+}
+
+std::vector<ParityKernel> SurfaceInfluence::rest(const Grid& grid,
+                                                 const KernelOffsets& offsets) const {
+  std::array<Field, 4> sums;
+  sums[1] = sum(Traction::shear_x, grid, CellOffsets::lattice(offsets.nx, offsets.ny),
+                [](const Body& body) { return body.shear_x; });
+  for (const auto& [medium, shear_x, heating] : bodies_) {
+    if (!heating.is_on() || !heating.is_moving()) continue;
+    auto parts = heat_of(*medium)->displacement(
+        heating, grid.dx, grid.dy, Offsets::lattice(grid.dx, grid.dy, offsets.nx, offsets.ny));
+    for (int flip = 1; flip < 4; ++flip) {
+      if (!parts[flip].empty()) add_table(std::move(parts[flip]), sums[flip]);
+    }
+  }
+  std::vector<ParityKernel> rest;
+  for (int flip = 1; flip < 4; ++flip) {
+    if (sums[flip].empty()) continue;
+    rest.push_back({{(flip & 1) != 0, (flip & 2) != 0, false}, std::move(sums[flip])});
+  }
+  return rest;
+}
+
+}  // namespace samcontact::operators

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/zones/zone_operators.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/fft/plan.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+/// Weights of the strain along one axis, of a zone of `count` cells and its ring, so many before
+/// and after, where it fades out from a part on.
+Field fades(int before, int count, int after, double fades_from) {
+  Field weights(before + count + after);
+  for (int n = 0; n < before + count + after; ++n) {
+    const double outside = std::max({0.0, before - n - 0.5, n - (before + count) + 0.5});
+    const double r = outside / (n < before ? before : after);
+    const double s = std::clamp((r - fades_from) / (1 - fades_from), 0.0, 1.0);
+    weights[n] = std::pow(std::cos(0.5 * std::numbers::pi * s), 2);
+  }
+  return weights;
+}
+
+}  // namespace
+
+struct ZoneOperators::Around {
+  Box box;                // zone and ring, layers of all zones in it
+  int mx, my;             // the plane
+  std::vector<int> near;  // of the neighbours, those that have cells in it; its own zone first
+  ZoneTables::Operators operators;
+  Field fade_x, fade_y;               // weights of the strain in it
+  std::array<Field, 3> displacement;  // by axis, [i][j] of the plane, of the zone's own strain
+  VolumeSpectrum spectrum;            // of that strain
+};
+
+ZoneOperators::ZoneOperators(std::shared_ptr<const ZoneTables> tables, std::vector<Box> zones)
+    : tables_(std::move(tables)),
+      grid_(tables_->grid()),
+      zones_(std::move(zones)),
+      tensor_(tables_->tensor()),
+      low_(tables_, zones_) {
+  for (const Box& zone : zones_) {
+    first_.push_back(cells_);
+    cells_ += zone.volume_size();
+  }
+  find_neighbours();
+  for (std::size_t z = 0; z < zones_.size(); ++z) add_ring(static_cast<int>(z));
+  tables_->forget_unused();
+}
+
+ZoneOperators::~ZoneOperators() = default;
+
+void ZoneOperators::find_neighbours() {
+  shifts_ = {{0, 0}};
+  for (int x = -1; x <= 1 && tables_->is_joined(); ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      if (x != 0 || y != 0) shifts_.push_back({x * grid_.nx, y * grid_.ny});
+    }
+  }
+  for (const auto& [x, y] : shifts_) {
+    for (std::size_t z = 0; z < zones_.size(); ++z) {
+      neighbours_.push_back({zones_[z].moved(x, y), static_cast<int>(z)});
+    }
+  }
+}
+
+void ZoneOperators::add_ring(int number) {
+  const Box& zone = zones_[number];
+  const double fades_from = tables_->split().ring_fades_from;
+  std::vector<Box> boxes;
+  boxes.reserve(neighbours_.size());
+  for (const Neighbour& neighbour : neighbours_) boxes.push_back(neighbour.box);
+  Box box = with_ring(zone, boxes, tables_->split());
+  const int x0 = zone.i0 - box.i0, x1 = box.nx - zone.nx - x0;
+  const int y0 = zone.j0 - box.j0, y1 = box.ny - zone.ny - y0;
+  std::vector<int> inside;
+  for (std::size_t n = 0; n < boxes.size(); ++n) {
+    if (box.intersected(boxes[n]).empty()) continue;
+    inside.push_back(static_cast<int>(n));
+    box.nz = std::max(box.nz, boxes[n].nz);
+  }
+  // Deeper strain of others is as far away as the ring's end.
+  const int ring = std::max({x0, x1, y0, y1});
+  box.nz = std::min(box.nz, zone.nz + static_cast<int>(std::ceil(ring * grid_.dx / grid_.dz)));
+  const int mx = fft::fast_plane_size(box.nx), my = fft::fast_plane_size(box.ny);
+  Grid plane(mx, my, grid_.dx, grid_.dy, box.nz, grid_.dz);
+  plane.period = {mx, my, 0.0};
+  const auto operators = tables_->of(Band::near, plane);
+  around_.push_back({box,
+                     mx,
+                     my,
+                     std::move(inside),
+                     operators,
+                     fades(x0, zone.nx, x1, fades_from),
+                     fades(y0, zone.ny, y1, fades_from),
+                     {},
+                     VolumeSpectrum(operators->transform(), box.nz, tensor_)});
+}
+
+void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
+  low_.transform(strain);
+  // Not in the loop over zones: what is kept is made once, by all threads.
+  for (const Around& around : around_) {
+    std::ignore = around.operators->residual_stress();
+    for (const Axis axis : axes) std::ignore = around.operators->residual_displacement(axis);
+  }
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t z = 0; z < zones_.size(); ++z) {
+    const Uninterrupted quiet;
+    transform_zone(static_cast<int>(z), strain, axes);
+  }
+}
+
+void ZoneOperators::transform_zone(int zone, const Field& strain, std::span<const Axis> axes) {
+  Around& around = around_[zone];
+  const VolumeOperators& near = *around.operators;
+  for (int k = 0; k < around.box.nz; ++k) {
+    around.spectrum.used[k] = k < zones_[zone].nz;
+    if (!around.spectrum.used[k]) continue;
+    forward(near.transform(), strain_around(around, {&zone, 1}, k, strain), around.spectrum, k);
+  }
+  for (const Axis axis : axes) {
+    Field& displacement = around.displacement[static_cast<int>(axis)];
+    displacement.resize(near.grid().surface_size());
+    near.residual_displacement(axis).apply(around.spectrum, displacement.data());
+  }
+}
+
+void ZoneOperators::displacement(Axis axis, double* out) const {
+  std::fill_n(out, grid_.surface_size(), 0.0);
+  low_.add_displacement(axis, out);
+  for (const Around& around : around_) {
+    const double* of_zone = around.displacement[static_cast<int>(axis)].data();
+    for (const auto& [x, y] : shifts_) add_displacement(around, of_zone, x, y, out);
+  }
+}
+
+void ZoneOperators::add_displacement(const Around& around, const double* of_zone, int x, int y,
+                                     double* out) const {
+  const Box there = around.box.moved(x, y), box = there.intersected(Box::surface(grid_));
+  for (int i = box.i0; i < box.i0 + box.nx; ++i) {
+    const double* row = of_zone + static_cast<std::ptrdiff_t>(i - there.i0) * around.my - there.j0;
+    double* to = out + static_cast<std::size_t>(i) * grid_.ny;
+    for (int j = box.j0; j < box.j0 + box.ny; ++j) to[j] += row[j];
+  }
+}
+
+bool ZoneOperators::has_strain(const Neighbour& neighbour, int k, const Field& strain,
+                               const Box& box) const {
+  const auto& [own, zone] = neighbour;
+  const Box common = own.intersected(box);
+  if (k >= own.nz || common.empty()) return false;
+  for (int c = 0; c < count(tensor_); ++c) {
+    for (int i = common.i0; i < common.i0 + common.nx; ++i) {
+      const double* row = strain.data() + c * cells_ + first_[zone] +
+                          (static_cast<std::size_t>(k) * own.nx + i - own.i0) * own.ny + common.j0 -
+                          own.j0;
+      if (std::any_of(row, row + common.ny, [](double v) { return v != 0; })) return true;
+    }
+  }
+  return false;
+}
+
+void ZoneOperators::add_others(std::size_t zone, const Field* strain) {
+  Around& around = around_[zone];
+  if (strain == nullptr) {
+    std::fill(around.spectrum.data.begin(), around.spectrum.data.end(), 0.0);
+    return;
+  }
+  for (int k = 0; k < around.box.nz; ++k) {
+    const auto reaches = [&](int other) {
+      return other != static_cast<int>(zone) &&
+             has_strain(neighbours_[other], k, *strain, around.box);
+    };
+    if (std::none_of(around.near.begin(), around.near.end(), reaches)) continue;
+    around.spectrum.used[k] = 1;
+    forward(around.operators->transform(), strain_around(around, around.near, k, *strain),
+            around.spectrum, k);
+  }
+}
+
+const double* ZoneOperators::strain_around(const Around& around, std::span<const int> neighbours,
+                                           int k, const Field& strain) const {
+  const int parts = count(tensor_);
+  const Box& own = around.box;
+  const std::size_t plane = static_cast<std::size_t>(around.mx) * around.my;
+  double* planes = of_zeros(parts * plane);
+  for (const int n : neighbours) {
+    const auto& [zone, z] = neighbours_[n];
+    if (k >= zone.nz) continue;
+    const Box common = own.intersected(zone);
+    const double* y = around.fade_y.data() + common.j0 - own.j0;
+    for (int c = 0; c < parts; ++c) {
+      for (int i = common.i0; i < common.i0 + common.nx; ++i) {
+        const double* from = strain.data() + c * cells_ + first_[z] +
+                             (static_cast<std::size_t>(k) * zone.nx + i - zone.i0) * zone.ny +
+                             common.j0 - zone.j0;
+        double* to = planes + c * plane + static_cast<std::ptrdiff_t>(i - own.i0) * around.my +
+                     common.j0 - own.j0;
+        const double x = around.fade_x[i - own.i0];
+        for (int j = 0; j < common.ny; ++j) to[j] = from[j] * x * y[j];
+      }
+    }
+  }
+  return planes;
+}
+
+void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
+                                   const Tractions& tractions, double shear_sign, const Use& use) {
+  Around& around = around_[zone];
+  const VolumeOperators& near = *around.operators;
+  const Box& box = zones_[zone];
+  const Box layer{box.i0, box.j0, box.nx, box.ny, 1};
+  const Box plane{around.box.i0, around.box.j0, around.mx, around.my, 1};
+  const int parts = count(tensor_);
+  const std::size_t plane_size = near.grid().surface_size(), size = box.surface_size();
+  Tractions here;
+  bool any = false;
+  const auto cut = [&](const Field& field, Field& out) {
+    if (field.empty()) return;
+    out.assign(plane_size, 0.0);
+    for (const auto& [x, y] : shifts_) {
+      copy_common(field.data(), Box::surface(grid_).moved(x, y), out.data(), plane);
+    }
+    if (std::all_of(out.begin(), out.end(), [](double v) { return v == 0; })) out.clear();
+    any = any || !out.empty();
+  };
+  cut(tractions.pressure, here.pressure);
+  cut(tractions.shear_x, here.shear_x);
+  cut(tractions.shear_y, here.shear_y);
+  add_others(zone, strain);
+  const fft::RowRun rows{box.i0 - around.box.i0, box.nx};
+  // A plane with a period has no images to be found from the strain.
+  const double unused = 0.0;
+  Field sum(parts * size);
+  const auto with_low = [&](int k, const double* stress) {
+    for (int c = 0; c < parts; ++c) {
+      const double* given = low_.stress().data() + c * cells_ + first_[zone] + k * size;
+      double* to = sum.data() + c * size;
+      extract(stress + c * plane_size, plane, to, layer);
+      for (std::size_t n = 0; n < size; ++n) to[n] += given[n];
+    }
+    use(zone, k, sum.data());
+  };
+  near.for_each_layer(around.spectrum, strain != nullptr ? &unused : nullptr, any ? &here : nullptr,
+                      shear_sign, with_low, box.nz,
+                      [&rows](int) { return std::span<const fft::RowRun>(&rows, 1); });
+}
+
+void ZoneOperators::for_each_layer(const Field* strain, const Tractions& tractions,
+                                   double shear_sign, const Use& use) {
+  low_.find_stress(strain != nullptr, tractions, shear_sign);
+  check_interrupt();
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t z = 0; z < zones_.size(); ++z) {
+    const Uninterrupted quiet;
+    stress_of_zone(z, strain, tractions, shear_sign, use);
+  }
+}
+
+}  // namespace samcontact::operators

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/operators/zones/zone_tables.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "samcontact/fft/plan.hpp"
+
+namespace samcontact::operators {
+namespace {
+
+/// Tables have so many layers, times a whole number: they outlast zones that grow.
+constexpr int layers_at_once = 8;
+
+/// The node of a period that one is.
+int folded(int node, int period) { return ((node % period) + period) % period; }
+
+}  // namespace
+
+NodePlanes::NodePlanes(NodeSpread nodes, const Grid& lattice, bool joined)
+    : nodes_(std::move(nodes)), lattice_(lattice), joined_(joined), sheet_(nodes_.box()) {
+  if (!joined_) sheet_.nx = lattice_.nx, sheet_.ny = lattice_.ny;
+}
+
+Box NodePlanes::own() const {
+  return joined_ ? Box{0, 0, lattice_.nx, lattice_.ny, 1} : nodes_.box();
+}
+
+void NodePlanes::fold(const double* sheet, double* plane) const {
+  const int nx = lattice_.nx, ny = lattice_.ny;
+  for (int a = 0; a < sheet_.nx; ++a) {
+    double* row = plane + static_cast<std::size_t>(folded(sheet_.i0 + a, nx)) * ny;
+    for (int b = 0; b < sheet_.ny; ++b) row[folded(sheet_.j0 + b, ny)] += *sheet++;
+  }
+}
+
+void NodePlanes::spread(const double* cells, int pitch, const Box& box, double* plane) const {
+  if (!joined_) return nodes_.spread(cells, pitch, box, plane, sheet_.ny);
+  Field sheet(sheet_size(), 0.0);
+  nodes_.spread(cells, pitch, box, sheet.data(), sheet_.ny);
+  fold(sheet.data(), plane);
+}
+
+const double* NodePlanes::sheet_of(const double* plane, Field& room) const {
+  if (!joined_) return plane;
+  const int nx = lattice_.nx, ny = lattice_.ny;
+  room.resize(sheet_size());
+  double* to = room.data();
+  for (int a = 0; a < sheet_.nx; ++a) {
+    const double* row = plane + static_cast<std::size_t>(folded(sheet_.i0 + a, nx)) * ny;
+    for (int b = 0; b < sheet_.ny; ++b) *to++ = row[folded(sheet_.j0 + b, ny)];
+  }
+  return room.data();
+}
+
+std::vector<fft::RowRun> NodePlanes::rows_of(const std::vector<Box>& boxes) const {
+  std::vector<char> used(lattice_.nx, 0);
+  for (const Box& box : boxes) {
+    for (int a = box.i0; a < box.i0 + box.nx; ++a) {
+      used[joined_ ? folded(a, lattice_.nx) : a - sheet_.i0] = 1;
+    }
+  }
+  return fft::runs_of(used);
+}
+
+Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodePlanes& planes) {
+  const auto spread_one = [&](const Field& from) {
+    if (from.empty()) return Field{};
+    Field to(planes.plane_size(), 0.0);
+    planes.spread(from.data(), pitch, box, to.data());
+    return to;
+  };
+  return {spread_one(cells.pressure), spread_one(cells.shear_x), spread_one(cells.shear_y)};
+}
+
+bool can_be_split(const Grid& grid, const BandSplit& split) {
+  if (!grid.period.is_on()) return true;
+  const int step = 2 * split.far_spacing;
+  return grid.nx % step == 0 && grid.ny % step == 0 && grid.period.x == grid.nx &&
+         grid.period.y == grid.ny;
+}
+
+Box with_ring(const Box& zone, const std::vector<Box>& zones, const BandSplit& split) {
+  const int ring = split.near_range, more = std::max(0, split.wide_ring - ring);
+  const Box box{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
+  Box wide = box;
+  for (const Box& other : zones) {
+    if (other == zone || box.intersected(other).empty()) continue;
+    if (other.i0 < zone.i0) wide = wide.united({box.i0 - more, box.j0, 1, 1, 1});
+    if (other.j0 < zone.j0) wide = wide.united({box.i0, box.j0 - more, 1, 1, 1});
+    if (other.i0 + other.nx > zone.i0 + zone.nx)
+      wide = wide.united({box.i0 + box.nx + more - 1, box.j0, 1, 1, 1});
+    if (other.j0 + other.ny > zone.j0 + zone.ny)
+      wide = wide.united({box.i0, box.j0 + box.ny + more - 1, 1, 1, 1});
+  }
+  return wide;
+}
+
+ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor,
+                       double image_tol, const BandSplit& split, const Heating& heating)
+    : grid_(grid),
+      tensor_(tensor),
+      image_tol_(image_tol),
+      split_((require_valid(split), split)),
+      bands_(bands_of(medium, grid, split)) {
+  if (!heating.is_on()) return;
+  for (std::size_t band = 0; band < bands_.size(); ++band) {
+    heat_[band] = std::make_shared<const HeatStress>(bands_[band].heat, heating);
+  }
+}
+
+NodePlanes ZoneTables::middle_planes(const Box& cells, int layers) const {
+  return planes(Band::middle, {split_.middle_spacing, split_.window_width, cells}, layers);
+}
+
+NodePlanes ZoneTables::far_planes(const NodePlanes& middle, int layers) const {
+  const int step = split_.far_spacing / split_.middle_spacing;
+  return planes(Band::far, {step, split_.window_width, middle.nodes().box()}, layers);
+}
+
+NodePlanes ZoneTables::planes(Band band, NodeSpread nodes, int layers) const {
+  const int step = split_.spacing(band);
+  const auto count = [&](int cells, int reached) {
+    if (is_joined()) return cells / step;
+    if (band == Band::middle) return fft::fast_plane_size(reached + split_.middle_ring);
+    return fft::fast_plane_size(2 * (reached + split_.fading_nodes)) / 2;
+  };
+  Grid lattice(count(grid_.nx, nodes.x().count()), count(grid_.ny, nodes.y().count()),
+               step * grid_.dx, step * grid_.dy, layers, grid_.dz);
+  if (is_joined() || band == Band::middle) lattice.period = {lattice.nx, lattice.ny, 0.0};
+  return {std::move(nodes), lattice, is_joined()};
+}
+
+ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {
+  lattice.nz = (lattice.nz + layers_at_once - 1) / layers_at_once * layers_at_once;
+  const std::lock_guard lock(mutex_);
+  const auto at =
+      kept_.try_emplace({static_cast<int>(band), lattice.nx, lattice.ny, lattice.nz}).first;
+  Operators& place = at->second;
+  if (!place) {
+    const VolumeOptions options{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_,
+                                heat(band)};
+    // Those of fewer layers come just before.
+    Operators shallower;
+    if (at != kept_.begin()) {
+      const auto& [key, of_key] = *std::prev(at);
+      if (std::equal(key.begin(), key.end() - 1, at->first.begin())) shallower = of_key;
+    }
+    place = std::make_shared<const VolumeOperators>(lattice, bands_[static_cast<int>(band)].medium,
+                                                    options, std::move(shallower));
+  }
+  return place;
+}
+
+void ZoneTables::forget_unused() const {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(kept_, [](const auto& entry) { return entry.second.use_count() == 1; });
+}
+
+std::size_t ZoneTables::bytes() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t bytes = 0;
+  for (const auto& [key, operators] : kept_) bytes += operators->bytes();
+  return bytes;
+}
+
+Field ZoneTables::borrow(std::size_t count) const {
+  Field field;
+  const std::lock_guard lock(mutex_);
+  const auto fits = [count](const Field& one) { return one.capacity() >= count; };
+  const auto found = std::find_if(spare_.begin(), spare_.end(), fits);
+  if (found != spare_.end()) {
+    field = std::move(*found);
+    spare_.erase(found);
+  } else {
+    // They are too small for what zones have become, which go on growing a little.
+    spare_.clear();
+    field.reserve(count + count / 4);
+  }
+  field.resize(count);
+  return field;
+}
+
+void ZoneTables::give_back(Field field) const {
+  const std::lock_guard lock(mutex_);
+  const auto larger = [&](const Field& one) { return one.capacity() > field.capacity(); };
+  spare_.insert(std::find_if(spare_.begin(), spare_.end(), larger), std::move(field));
+}
+
+}  // namespace samcontact::operators
