@@ -36,7 +36,7 @@ BELOW = {
 }
 
 
-# The same within the rooms that are divided; what lies in the room itself, "", is above all of them.
+# The same within divided rooms; "" is what lies in the room itself, above all its parts.
 DIVIDED = {
     "operators": {
         "influence": set(),

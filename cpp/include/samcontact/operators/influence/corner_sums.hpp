@@ -9,6 +9,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/threads.hpp"
+#include "samcontact/operators/influence/offsets.hpp"
 
 namespace samcontact::operators {
 
