@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "samcontact/base/box.hpp"
-#include "samcontact/simulation/zones.hpp"
+#include "samcontact/simulation/cells/zones.hpp"
 
 namespace samcontact::bindings {
 

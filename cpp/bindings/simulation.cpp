@@ -5,8 +5,14 @@
 #include "long_work.hpp"
 #include "parts.hpp"
 #include "rooms.hpp"
-#include "samcontact/simulation/description.hpp"
+#include "samcontact/simulation/cells/mirror.hpp"
 #include "samcontact/simulation/simulation.hpp"
+#include "samcontact/simulation/state/description.hpp"
+#include "samcontact/simulation/state/flow_zones.hpp"
+#include "samcontact/simulation/state/strain_fields.hpp"
+#include "samcontact/simulation/state/stress_fields.hpp"
+#include "samcontact/simulation/state/surface_fields.hpp"
+#include "samcontact/simulation/state/temperature_fields.hpp"
 #include "softening.hpp"
 
 namespace samcontact::bindings {
@@ -29,12 +35,12 @@ py::array to_array(Field field, const Grid& grid, py::ssize_t layers) {
   if constexpr (rank == Rank::tensors) return tensors_array(std::move(field), grid, layers);
 }
 
-auto surface_method(Field (State::*method)(int) const) {
+auto surface_method(Field (*method)(const State&, int)) {
   return [method](const State& state, int body) {
     Field field;
     {
       const LongWork work;
-      field = (state.*method)(body);
+      field = (*method)(state, body);
     }
     return surface_array(std::move(field), state.scene().grid);
   };
@@ -42,12 +48,12 @@ auto surface_method(Field (State::*method)(int) const) {
 
 /// A field of the volume down to a number of layers.
 template <Rank rank>
-auto volume_method(Field (State::*method)(int, simulation::Layers) const) {
+auto volume_method(Field (*method)(const State&, int, simulation::Layers)) {
   return [method](const State& state, int body, int layers) {
     Field field;
     {
       const LongWork work;
-      field = (state.*method)(body, layers);
+      field = (*method)(state, body, layers);
     }
     return to_array<rank>(std::move(field), state.scene().grid, layers);
   };
@@ -63,13 +69,13 @@ Box to_box(const BoxTuple& cells) {
 
 /// A field over the cells of a box, which may lie beside the grid.
 template <Rank rank>
-auto box_method(Field (State::*method)(int, const Box&) const) {
+auto box_method(Field (*method)(const State&, int, const Box&)) {
   return [method](const State& state, int body, const BoxTuple& cells) {
     const Box box = to_box(cells);
     Field field;
     {
       const LongWork work;
-      field = (state.*method)(body, box);
+      field = (*method)(state, body, box);
     }
     return to_array<rank>(std::move(field), box.grid(state.scene().grid), box.nz);
   };
@@ -81,14 +87,14 @@ void bind_zones(py::class_<State>& state) {
           "zones",
           [](const State& s, int body) {
             std::vector<BoxTuple> zones;
-            for (const Box& zone : s.zones(body)) zones.push_back(to_tuple(zone));
+            for (const Box& zone : simulation::zones(s, body)) zones.push_back(to_tuple(zone));
             return zones;
           },
           py::arg("body"))
       .def(
           "own_box",
           [](const State& s, int body) -> py::object {
-            const Box box = s.own_box(body);
+            const Box box = simulation::own_box(s, body);
             if (box.empty()) return py::none();
             return py::cast(to_tuple(box));
           },
@@ -99,9 +105,9 @@ void bind_zones(py::class_<State>& state) {
             Field field;
             {
               const LongWork work;
-              field = s.deviator_in_own_box(body, loaded);
+              field = simulation::deviator_in_own_box(s, body, loaded);
             }
-            const Box box = s.own_box(body);
+            const Box box = simulation::own_box(s, body);
             return tensor_array(std::move(field), box.grid(s.scene().grid), box.nz);
           },
           py::arg("body"), py::arg("loaded"))
@@ -111,7 +117,7 @@ void bind_zones(py::class_<State>& state) {
             Field field;
             {
               const LongWork work;
-              field = s.stress_in_zones(body, loaded);
+              field = simulation::stress_in_zones(s, body, loaded);
             }
             const auto size = static_cast<py::ssize_t>(field.size());
             return own(std::move(field), {size}, {item});
@@ -123,12 +129,13 @@ void bind_boxes(py::class_<State>& state) {
   const auto bind = [&](const char* name, auto method) {
     state.def(name, method, py::arg("body"), py::arg("box"));
   };
-  bind("residual_stress_in", box_method<Rank::tensor>(&State::residual_stress));
-  bind("initial_stress_in", box_method<Rank::tensor>(&State::initial_stress));
-  bind("yield_factor_in", box_method<Rank::scalar>(&State::yield_factor));
-  bind("plastic_strain_in", box_method<Rank::tensor>(&State::plastic_strain));
-  bind("equivalent_plastic_strain_in", box_method<Rank::scalar>(&State::equivalent_plastic_strain));
-  bind("backstress_in", box_method<Rank::tensors>(&State::backstress));
+  bind("residual_stress_in", box_method<Rank::tensor>(&simulation::residual_stress));
+  bind("initial_stress_in", box_method<Rank::tensor>(&simulation::initial_stress));
+  bind("yield_factor_in", box_method<Rank::scalar>(&simulation::yield_factor));
+  bind("plastic_strain_in", box_method<Rank::tensor>(&simulation::plastic_strain));
+  bind("equivalent_plastic_strain_in",
+       box_method<Rank::scalar>(&simulation::equivalent_plastic_strain));
+  bind("backstress_in", box_method<Rank::tensors>(&simulation::backstress));
   state.def(
       "residual_displacement_in",
       [](const State& s, int body, const BoxTuple& cells, int axis) {
@@ -136,7 +143,8 @@ void bind_boxes(py::class_<State>& state) {
         Field field;
         {
           const LongWork work;
-          field = s.residual_displacement(body, static_cast<operators::Axis>(axis), box);
+          field =
+              simulation::residual_displacement(s, body, static_cast<operators::Axis>(axis), box);
         }
         return surface_array(std::move(field), box.grid(s.scene().grid));
       },
@@ -175,29 +183,30 @@ void bind_fields(py::class_<State>& bound) {
   const auto bind = [&](const char* name, auto method) {
     bound.def(name, method, py::arg("body"), py::arg("layers"));
   };
-  bind("stress", volume_method<Rank::tensor>(&State::stress));
-  bind("residual_stress", volume_method<Rank::tensor>(&State::residual_stress));
-  bind("initial_stress", volume_method<Rank::tensor>(&State::initial_stress));
-  bind("backstress", volume_method<Rank::tensors>(&State::backstress));
-  bind("plastic_strain", volume_method<Rank::tensor>(&State::plastic_strain));
-  bind("temperature", volume_method<Rank::scalar>(&State::temperature));
-  bind("equivalent_plastic_strain", volume_method<Rank::scalar>(&State::equivalent_plastic_strain));
-  const auto bind_surface = [&](const char* name, Field (State::*method)(int) const) {
+  bind("stress", volume_method<Rank::tensor>(&simulation::stress));
+  bind("residual_stress", volume_method<Rank::tensor>(&simulation::residual_stress));
+  bind("initial_stress", volume_method<Rank::tensor>(&simulation::initial_stress));
+  bind("backstress", volume_method<Rank::tensors>(&simulation::backstress));
+  bind("plastic_strain", volume_method<Rank::tensor>(&simulation::plastic_strain));
+  bind("temperature", volume_method<Rank::scalar>(&simulation::temperature));
+  bind("equivalent_plastic_strain",
+       volume_method<Rank::scalar>(&simulation::equivalent_plastic_strain));
+  const auto bind_surface = [&](const char* name, Field (*method)(const State&, int)) {
     bound.def(name, surface_method(method), py::arg("body"));
   };
-  bind_surface("surface_temperature", &State::surface_temperature);
+  bind_surface("surface_temperature", &simulation::surface_temperature);
   bound.def(
       "residual_displacement",
       [](const State& s, int body, int axis) {
         Field field;
         {
           const LongWork work;
-          field = s.residual_displacement(body, static_cast<operators::Axis>(axis));
+          field = simulation::residual_displacement(s, body, static_cast<operators::Axis>(axis));
         }
         return surface_array(std::move(field), s.scene().grid);
       },
       py::arg("body"), py::arg("axis"));
-  bind_surface("surface_displacement", &State::surface_displacement);
+  bind_surface("surface_displacement", &simulation::surface_displacement);
 }
 
 void bind_state(py::module_& m) {
@@ -223,13 +232,15 @@ void bind_state(py::module_& m) {
              Field gap;
              {
                const LongWork work;
-               gap = state.gap();
+               gap = simulation::gap(state);
              }
              return surface_array(std::move(gap), state.scene().grid);
            })
-      .def("max_equivalent_plastic_strain", &State::max_equivalent_plastic_strain, py::arg("body"))
-      .def("max_plastic_strain_magnitude", &State::max_plastic_strain_magnitude, py::arg("body"))
-      .def("plastic_cells", &State::plastic_cells, py::arg("body"))
+      .def("max_equivalent_plastic_strain", &simulation::max_equivalent_plastic_strain,
+           py::arg("body"))
+      .def("max_plastic_strain_magnitude", &simulation::max_plastic_strain_magnitude,
+           py::arg("body"))
+      .def("plastic_cells", &simulation::plastic_cells, py::arg("body"))
       .def_readonly("converged", &State::converged)
       .def_readonly("warnings", &State::warnings)
       .def("tangential_force", &State::tangential_force)
@@ -237,7 +248,7 @@ void bind_state(py::module_& m) {
       .def(
           "strain_beyond",
           [](const State& state, int body) -> py::object {
-            const Box box = state.strain_beyond(body);
+            const Box box = simulation::strain_beyond(state, body);
             if (box.empty()) return py::none();
             return py::cast(to_tuple(box));
           },

@@ -14,6 +14,7 @@
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/operators/medium/half_space.hpp"
 #include "samcontact/simulation/simulation.hpp"
+#include "samcontact/simulation/state/strain_fields.hpp"
 
 using namespace samcontact;
 
@@ -146,7 +147,7 @@ void steps_of(Draw& draw) {
     check(is_finite(state.tractions.shear_x) && is_finite(state.slip), "shear and slip are finite");
     for (int body = 0; body < 2; ++body) {
       if (!state.plastic[body]) continue;
-      check(is_finite(state.plastic_strain(body)), "plastic strain is finite");
+      check(is_finite(simulation::plastic_strain(state, body)), "plastic strain is finite");
     }
   }
 }

@@ -2,7 +2,7 @@
 // Zones, and the plastic history in tiles.
 #include <doctest/doctest.h>
 
-#include "samcontact/simulation/plastic_state.hpp"
+#include "samcontact/simulation/strain/plastic_state.hpp"
 
 using namespace samcontact;
 using namespace samcontact::simulation;

@@ -14,6 +14,10 @@
 #include "samcontact/fft/parity_spectrum.hpp"
 #include "samcontact/operators/medium/half_space.hpp"
 #include "samcontact/simulation/simulation.hpp"
+#include "samcontact/simulation/state/strain_fields.hpp"
+#include "samcontact/simulation/state/stress_fields.hpp"
+#include "samcontact/simulation/state/surface_fields.hpp"
+#include "samcontact/simulation/state/temperature_fields.hpp"
 
 using namespace samcontact;
 using namespace samcontact::simulation;
@@ -126,8 +130,8 @@ TEST_CASE("simulations run in threads of their own") {
       settings.tol = 1e-3;
       Simulation simulation(grid, elastic, steel, ball(grid, 7.5e-3), {}, settings);
       const State& state = simulation.step(load(newton));
-      return std::vector<Field>{state.tractions.pressure, state.plastic_strain(1),
-                                state.residual_displacement(1, operators::Axis::z)};
+      return std::vector<Field>{state.tractions.pressure, plastic_strain(state, 1),
+                                residual_displacement(state, 1, operators::Axis::z)};
     };
   };
   CHECK(at_once(flow(1900.0), flow(1700.0)) == one_by_one(flow(1900.0), flow(1700.0)));
@@ -138,14 +142,14 @@ TEST_CASE("threads read fields of one state") {
   const auto stresses = [](const Simulation& simulation) {
     return [&simulation] {
       const State& state = simulation.state();
-      return std::vector<Field>{state.stress(1), state.temperature(1)};
+      return std::vector<Field>{stress(state, 1), temperature(state, 1)};
     };
   };
   const auto others = [](const Simulation& simulation) {
     return [&simulation] {
       const State& state = simulation.state();
-      return std::vector<Field>{state.temperature(1), state.residual_stress(1),
-                                state.surface_displacement(1), state.stress(1)};
+      return std::vector<Field>{temperature(state, 1), residual_stress(state, 1),
+                                surface_displacement(state, 1), stress(state, 1)};
     };
   };
   CHECK(at_once(stresses(shared), others(shared)) == one_by_one(stresses(alone), others(alone)));

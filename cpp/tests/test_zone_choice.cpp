@@ -6,8 +6,8 @@
 #include <map>
 #include <random>
 
-#include "samcontact/simulation/zone_choice.hpp"
-#include "samcontact/simulation/zones.hpp"
+#include "samcontact/simulation/cells/zone_choice.hpp"
+#include "samcontact/simulation/cells/zones.hpp"
 
 using namespace samcontact;
 using namespace samcontact::simulation;

@@ -45,9 +45,9 @@ SET = {
     ("docs/architecture.md", "512 MB"): ("python/samcontact/_util/field_cache.py", "512e6"),
     ("docs/peers.md", "3 s"): ("benchmarks/peers/schedule.py", "LONG = 3.0"),
     ("docs/theory.md", "0.7 of the work"): (
-        "cpp/src/simulation/plastic_increment_zones.cpp", "worth = 0.7"),
+        "cpp/src/simulation/increment/split_choice.cpp", "worth = 0.7"),
     ("docs/theory.md", "0.45 of its work"): (
-        "cpp/src/simulation/plastic_increment_zones.cpp", "worth_joined = 0.45"),
+        "cpp/src/simulation/increment/split_choice.cpp", "worth_joined = 0.45"),
     ("docs/theory.md", "a quarter of the work"): None,  # of the cells there are
     ("docs/theory.md", "a quarter of the memory"): None,  # of the planes that are counted there
     ("docs/theory.md", "19 times as long"): None,  # a period

@@ -56,6 +56,16 @@ DIVIDED = {
         "tangential": {"laws", "iteration", "normal"},
         "": {"laws", "iteration", "normal", "tangential"},
     },
+    "simulation": {
+        "cells": set(),
+        "scene": {"cells"},
+        "strain": {"cells", "scene"},
+        "sources": {"cells", "scene", "strain"},
+        "state": {"cells", "scene", "strain", "sources"},
+        "body": {"cells", "scene", "strain", "sources", "state"},
+        "increment": {"cells", "scene", "strain", "sources", "state", "body"},
+        "": {"cells", "scene", "strain", "sources", "state", "body", "increment"},
+    },
 }
 
 

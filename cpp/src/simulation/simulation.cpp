@@ -12,9 +12,9 @@
 #include "samcontact/contact/iteration/anderson.hpp"
 #include "samcontact/contact/tangential/shear_problem.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
-#include "samcontact/simulation/description.hpp"
-#include "samcontact/simulation/division.hpp"
-#include "samcontact/simulation/fixed_point.hpp"
+#include "samcontact/simulation/increment/division.hpp"
+#include "samcontact/simulation/increment/fixed_point.hpp"
+#include "samcontact/simulation/state/description.hpp"
 
 namespace samcontact::simulation {
 namespace {
@@ -135,7 +135,9 @@ const Scans& Simulation::scans(const operators::HeatingPair& heating) {
     if (scans_[b] && scans_heating_[b] == heating[b]) continue;
     scans_[b] = b == 1 && scans_[0] && equal
                     ? scans_[0]
-                    : std::make_shared<const YieldScan>(*scene_, b, heating[b]);
+                    : std::make_shared<const YieldScan>(scene_->grid, scene_->strength(b, {}),
+                                                        scene_->media[b],
+                                                        scene_->cache.heat_stress(b, heating[b]));
   }
   scans_heating_ = heating;
   return scans_;
@@ -263,7 +265,7 @@ void Simulation::restore(const State& state, const Counters& counters) {
 }
 
 std::size_t Simulation::volume_bytes() const {
-  std::size_t bytes = scene_->operator_bytes();
+  std::size_t bytes = scene_->cache.bytes();
   for (int b = 0; b < 2; ++b) {
     if (const auto& plastic = state_.plastic[b]) {
       if (b == 1 && plastic == state_.plastic[0]) continue;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether the plastic strain of a body is solved for in small zones, and in which ones.
+#pragma once
+
+#include <vector>
+
+#include "samcontact/simulation/body/plastic_body.hpp"
+#include "samcontact/simulation/increment/increment_task.hpp"
+#include "samcontact/simulation/increment/start_guess.hpp"
+
+namespace samcontact::simulation {
+
+class SplitChoice {
+ public:
+  /// tractions: of the increment, which change with its contact; outlive this, as all.
+  SplitChoice(const IncrementTask& task, fft::Symmetry symmetry, const StartGuess& guess,
+              const operators::Tractions& tractions)
+      : task_(task),
+        symmetry_(symmetry),
+        choice_(task.scene().grid, symmetry),
+        guess_(guess),
+        tractions_(tractions) {}
+
+  /// Whether small zones are allowed.
+  bool is_allowed() const;
+  /// Whether they are less work than one box.
+  bool is_worthwhile(const PlasticBody& body, const std::vector<Box>& boxes) const;
+  /// Disjoint zones that hold some boxes.
+  std::vector<Box> merged_zones(const std::vector<Box>& boxes) const;
+  /// Small zones for a body with a history: those of before; of a body that has moved all history
+  /// in the grid, and where it flows steadily.
+  std::vector<Box> zones_to_begin_with(const PlasticBody& body) const;
+
+ private:
+  bool is_cold_and_at_rest() const;
+
+  IncrementTask task_;
+  fft::Symmetry symmetry_;
+  BoxChoice choice_;
+  const StartGuess& guess_;
+  const operators::Tractions& tractions_;
+};
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The operators of a scene: made when they are first asked for, the latest ones kept.
+#pragma once
+
+#include <array>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "samcontact/base/box.hpp"
+#include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/operators/heat/flux_heat.hpp"
+#include "samcontact/operators/heat/temperature.hpp"
+#include "samcontact/operators/volume/volume_operators.hpp"
+#include "samcontact/operators/zones/zone_operators.hpp"
+#include "samcontact/simulation/scene/strength.hpp"
+
+namespace samcontact::simulation {
+
+class ZoneScan;
+
+/// Media of the bodies 0 (upper) and 1 (lower); one object where they are equal.
+using Media = std::array<operators::SharedMedium, 2>;
+
+/// Throws std::invalid_argument for a grid without volume or a rigid body.
+void require_volume(const Grid& grid, const Media& media, int body);
+
+/// Thread-safe.
+class OperatorCache {
+ public:
+  /// image_tol: of volume operators and zones. split: of zones.
+  OperatorCache(const Grid& grid, const Media& media, const contact::GrossSliding& sliding,
+                double image_tol, const operators::BandSplit& split)
+      : grid_(grid), media_(media), sliding_(sliding), image_tol_(image_tol), split_(split) {}
+
+  /// The contact in gross sliding with this heat; the last one is kept.
+  std::shared_ptr<const contact::ContactSolver> solver(const operators::HeatingPair& heating) const;
+
+  /// Over the window of a box; the last two are kept.
+  std::shared_ptr<const operators::Temperature> temperature(const operators::Heating& heating,
+                                                            const Box& box) const;
+
+  /// Tables of a body's heat, null without; the last one of each body is kept.
+  std::shared_ptr<const operators::HeatStress> heat_stress(int body,
+                                                           const operators::Heating& heating) const;
+
+  /// What heat of slip does to a body; that of the last heating is kept.
+  std::shared_ptr<const operators::FluxHeat> flux_heat(int body,
+                                                       const operators::Heating& heating) const;
+
+  using Operators = std::shared_ptr<const operators::VolumeOperators>;
+  /// Operators of a body on (whole) boxes of this size; bodies of one medium with equal heat share
+  /// them. The last few are kept.
+  Operators volume(int body, const Box& box, operators::Tensor tensor,
+                   operators::ResidualMethod method, fft::Symmetry symmetry,
+                   const operators::Heating& heating) const;
+
+  /// Tables of a body's zones; the last ones with and without heat are kept.
+  std::shared_ptr<const operators::ZoneTables> zone_tables(int body, operators::Tensor tensor,
+                                                           const operators::Heating& heating) const;
+
+  /// Where a body of this strength yields under given tractions; the last one of each body is kept.
+  std::shared_ptr<const ZoneScan> zone_scan(int body, const Strength& strength,
+                                            const operators::Heating& heating) const;
+
+  /// Memory of the operators that are kept.
+  std::size_t bytes() const;
+
+ private:
+  struct Kept {
+    operators::SharedMedium medium;
+    Box size;
+    operators::Tensor tensor;
+    operators::ResidualMethod method;
+    fft::Symmetry symmetry;
+    operators::Heating heating;
+    Operators operators;
+  };
+  struct KeptZones {
+    int body;  // that made them
+    operators::SharedMedium medium;
+    operators::Heating heating;  // that is on, else none
+    std::shared_ptr<const operators::ZoneTables> tables;
+  };
+
+  Grid grid_;
+  Media media_;
+  contact::GrossSliding sliding_;
+  double image_tol_;
+  operators::BandSplit split_;
+  mutable std::mutex mutex_;
+  mutable std::list<Kept> kept_;  // the latest used first
+  mutable std::vector<KeptZones> zone_tables_;
+  mutable std::array<std::shared_ptr<const ZoneScan>, 2> zone_scans_;
+  mutable std::mutex heat_mutex_;
+  mutable std::array<std::shared_ptr<const operators::HeatStress>, 2> heat_stress_;
+  mutable std::array<std::shared_ptr<const operators::FluxHeat>, 2> flux_heat_;
+  mutable std::list<std::shared_ptr<const operators::Temperature>> temperatures_;  // latest first
+  mutable operators::HeatingPair solver_heating_;
+  mutable std::shared_ptr<const contact::ContactSolver> solver_;
+};
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Heat in a body that does not go with the pressure of an increment: what entered it in earlier
+// steps, and what slip makes.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "samcontact/operators/heat/flux_heat.hpp"
+#include "samcontact/simulation/scene/scene.hpp"
+
+namespace samcontact::simulation {
+
+class GivenHeat {
+ public:
+  /// past: null without any; `ahead` seconds before the moment. heating: of slip, else it gives
+  /// none. slip_power: of friction per area [i][j] [W/m^2], empty: none.
+  GivenHeat(const Scene& scene, int body, const std::shared_ptr<const operators::HeatHistory>& past,
+            double ahead, const operators::Heating& heating, const Field& slip_power);
+
+  bool is_on() const { return past_ || of_slip_; }
+  // Fields as of a HeatHistory, of heat that is on. offset: of the body's cells, see Placement.
+  Field temperature(std::span<const double> depths, double offset) const;
+  Field displacement() const;
+  Field stress(std::span<const double> depths, double offset) const;
+
+ private:
+  Field power_at(double offset) const;
+
+  const Grid& grid_;
+  std::shared_ptr<const operators::HeatHistory> past_;
+  double ahead_;
+  std::shared_ptr<const operators::FluxHeat> of_slip_;
+  const Field& slip_power_;
+};
+
+/// By body.
+std::array<GivenHeat, 2> given_heat(const Scene& scene, const operators::HeatingPair& heating,
+                                    const PastHeat& past, double ahead, const Field& slip_power);
+
+/// In a box, of fields in layers below the grid [component][k][i][j]: known there only, beside it
+/// they are those of the nearest cell.
+Field below_in(const Field& fields, int components, const Grid& grid, const Box& box);
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Work that a simulation has done.
+#pragma once
+
+namespace samcontact::simulation {
+
+/// Work done so far.
+struct Counters {
+  long contact_solves = 0, contact_iterations = 0;
+  long yield_checks = 0;        // increments whose elastic state was compared with the yield stress
+  long plastic_solves = 0;      // (sub)increments in which a body yielded
+  long plastic_iterations = 0;  // evaluations of the plastic fixed point
+  long halvings = 0;
+};
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is kept of a state, told once: all that later increments and its fields depend on, by name.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "samcontact/simulation/state/counters.hpp"
+#include "samcontact/simulation/state/state.hpp"
+
+namespace samcontact::simulation {
+
+/// A plastic history in plain fields, of its zones.
+struct PlasticRecord {
+  fft::Symmetry symmetry{};
+  operators::Tensor tensor{};
+  PlasticState::Origin origin{};
+  Box box;
+  std::vector<Box> zones;
+  Field strain{}, equivalent{}, backstress{};
+};
+
+PlasticRecord record(const PlasticState& history);
+/// The reverse, of a body. Throws std::invalid_argument for what does not fit the scene.
+std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Scene& scene,
+                                           int body);
+
+/// Throws std::invalid_argument unless the parts of a state fit each other and its scene.
+void require_consistent(const State& state);
+
+template <class Part, class Of>
+concept Is = std::same_as<std::remove_const_t<Part>, Of>;
+
+// `visit` is called with name and reference of each part: a number, some numbers, an enumeration, a
+// field, or what is described itself. visit.maybe_nan is the same for a number that may be NaN.
+// visit.made has a part that is never changed once made, null without: how it becomes a plain one,
+// and how it is made of that.
+
+template <Is<Counters> C, class Visitor>
+void describe(C& c, Visitor& visit) {
+  visit("contact_solves", c.contact_solves);
+  visit("contact_iterations", c.contact_iterations);
+  visit("yield_checks", c.yield_checks);
+  visit("plastic_solves", c.plastic_solves);
+  visit("plastic_iterations", c.plastic_iterations);
+  visit("halvings", c.halvings);
+}
+
+template <Is<PlasticRecord> R, class Visitor>
+void describe(R& r, Visitor& visit) {
+  visit("origin", r.origin);
+  visit("box", r.box);
+  visit("zones", r.zones);
+  visit("mirrored", r.symmetry);
+  visit("tensor", r.tensor);
+  visit("strain", r.strain);
+  visit("equivalent", r.equivalent);
+  visit("backstress", r.backstress);
+}
+
+template <Is<BoxField> F, class Visitor>
+void describe(F& f, Visitor& visit) {
+  visit("box", f.box);
+  visit("values", f.values);
+}
+
+template <Is<Flow> F, class Visitor>
+void describe(F& f, Visitor& visit) {
+  visit("mirrored", f.symmetry);
+  visit("advance", f.advance);
+  visit("load", f.load);
+  visit("approach", f.approach);
+  for (int b = 0; b < 2; ++b) {
+    const std::string number = std::to_string(b + 1);
+    visit("cells" + number, f.bodies[b].cells);
+    visit("strain" + number, f.bodies[b].strain);
+  }
+}
+
+template <Is<State> S, class Visitor>
+void describe(S& s, Visitor& visit) {
+  const auto as_it_is = [](const auto& part) -> const auto& { return part; };
+  const auto copied = [](const auto& part) {
+    return std::make_shared<const std::decay_t<decltype(part)>>(part);
+  };
+  visit("pressure", s.tractions.pressure);
+  visit("shear_x", s.tractions.shear_x);
+  visit("shear_y", s.tractions.shear_y);
+  visit("contact_gap", s.contact_gap);
+  visit("load", s.load);
+  visit.maybe_nan("approach", s.approach);
+  visit("slip", s.slip);
+  visit("motion", s.motion);
+  visit("friction_work", s.friction_work);
+  visit("slip_power", s.slip_power);
+  visit("shear_symmetry", s.shear_symmetry);
+  visit("travel", s.travel);
+  visit("time", s.time);
+  visit("duration", s.duration);
+  visit("residual_method", s.method);
+  visit("iterations", s.plastic_iterations);
+  visit("contact_iterations", s.contact_iterations);
+  visit("substeps", s.substeps);
+  visit("plastic_residual", s.plastic_residual);
+  visit("yield_excess", s.yield_excess);
+  visit("past_symmetry", s.past_symmetry);
+  for (int b = 0; b < 2; ++b) {
+    const std::string number = std::to_string(b + 1);
+    visit("heat_factor" + number, s.heating[b].factor);
+    visit("flow_boxes" + number, s.flow_boxes[b]);
+    visit.made("softening" + number, s.softening[b], as_it_is, copied);
+    visit.made("history" + number, s.plastic[b], record,
+               [&](const PlasticRecord& plain) { return remade(plain, s.scene(), b); });
+    visit.made(
+        "past" + number, s.past[b], [](const operators::HeatHistory& heat) { return heat.state(); },
+        [&](const std::vector<double>& numbers) {
+          auto heat = s.scene().heat_history(b, s.heating[b]);
+          heat.set_state(numbers);
+          return std::make_shared<const operators::HeatHistory>(std::move(heat));
+        });
+  }
+  visit.made("last_flow", s.last_flow, as_it_is, copied);
+}
+
+}  // namespace samcontact::simulation

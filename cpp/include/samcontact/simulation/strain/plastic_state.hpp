@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plastic history of one body.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "samcontact/base/box.hpp"
+#include "samcontact/base/grid.hpp"
+#include "samcontact/operators/convolution/volume_spectrum.hpp"
+#include "samcontact/simulation/cells/mirror.hpp"
+#include "samcontact/simulation/cells/zones.hpp"
+
+namespace samcontact::simulation {
+
+/// Fields of zones, [..][cell]: strain by component, equivalent plastic strain, and backstress by
+/// term and five components of the deviator (empty: no kinematic hardening).
+struct PlasticFields {
+  Zones zones;
+  Field strain, equivalent, backstress;
+};
+
+/// Never changed once made. Cut into tiles of the body's lattice, which the states of a rolling
+/// contact share: each keeps the box of those of its cells that have a history. The lattice goes on
+/// beyond the grid. With mirror planes it is the part from them on.
+class PlasticState {
+ public:
+  using Origin = std::array<int, 2>;  // along x and y
+
+  /// `fields` in their zones, and otherwise as `before`, of the same symmetry and tensor; null:
+  /// nothing. around: belongs to the box of the history, as the zones do. origin: from
+  /// which cell tiles are counted, if nothing was before.
+  PlasticState(const PlasticState* before, fft::Symmetry symmetry, operators::Tensor tensor,
+               const PlasticFields& fields, const Box& around = {}, Origin origin = {});
+
+  /// Of all zones that were ever given.
+  const Box& box() const { return box_; }
+  Origin origin() const { return origin_; }
+  /// Those that hold all cells with a history: one for each tile with some.
+  Zones zones() const;
+  fft::Symmetry symmetry() const { return symmetry_; }
+  operators::Tensor tensor() const { return tensor_; }
+
+  /// Over any zones; zero where there is no history.
+  Field strain(const Zones& zones) const;
+  Field equivalent(const Zones& zones) const;
+  Field backstress(const Zones& zones) const;
+  PlasticFields fields(Zones zones) const;
+  Field strain(const Box& box) const { return strain(Zones({box})); }
+  Field equivalent(const Box& box) const { return equivalent(Zones({box})); }
+  Field backstress(const Box& box) const { return backstress(Zones({box})); }
+
+  /// Boxes around all strain outside of zones.
+  std::vector<Box> boxes_beyond(const Zones& zones) const;
+  bool reaches_beyond(const Zones& zones) const { return !boxes_beyond(zones).empty(); }
+  /// Cells with equivalent plastic strain; with mirror planes those that are stored.
+  std::size_t yielded_cells() const;
+  double max_equivalent() const;
+  /// Largest sqrt(2/3 e:e) of the strain e.
+  double max_strain() const;
+  std::size_t bytes() const;
+
+  /// The same, some cells further along x and y.
+  std::shared_ptr<const PlasticState> moved(int along_x, int along_y) const;
+  /// The same with fewer mirror planes.
+  PlasticState unfolded(const Grid& grid, fft::Symmetry symmetry) const;
+
+  bool operator==(const PlasticState& other) const;
+
+ private:
+  struct Part {
+    Box box;       // of the body's cells
+    Field values;  // [strain, equivalent, backstress][k][i][j]
+    double max_equivalent = 0.0, max_strain = 0.0;
+  };
+
+  int strain_parts() const { return operators::count(tensor_); }
+  std::size_t parts() const { return strain_parts() + 1 + backstress_parts_; }
+  Box of_body(const Box& box) const { return box.moved(-origin_[0], -origin_[1]); }
+  Box of_grid(const Box& box) const { return box.moved(origin_[0], origin_[1]); }
+  Field gather(std::size_t first, std::size_t count, const Zones& zones) const;
+  /// fields: by part, of a box of the body.
+  void put(const Box& box, const std::vector<const double*>& fields);
+  std::shared_ptr<const Part> finished(const Box& box, Field values) const;
+  /// One part of the history, as a mirror plane across x, y or both shows it.
+  void put_image(const Part& part, bool across_x, bool across_y, const Grid& grid);
+
+  Box box_;
+  fft::Symmetry symmetry_;
+  operators::Tensor tensor_;
+  std::size_t backstress_parts_ = 0;
+  Origin origin_;  // the grid's place of the first cell of the body's lattice
+  std::map<Tile, std::shared_ptr<const Part>> tiles_;
+};
+
+/// Whether two histories, or their absence, are the same.
+bool same(const std::shared_ptr<const PlasticState>& a,
+          const std::shared_ptr<const PlasticState>& b);
+
+/// A history with fewer mirror planes, or itself.
+std::shared_ptr<const PlasticState> unfolded(const std::shared_ptr<const PlasticState>& history,
+                                             const Grid& grid, fft::Symmetry symmetry);
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the plastic strain of a body does to the surfaces in contact.
+#include "samcontact/simulation/body/plastic_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace samcontact::simulation {
+
+using operators::Axis;
+
+void PlasticBody::open(Field& gap) {
+  rim_displacement_ = 0.0;
+  const Field& lift = outside_.displacement[static_cast<int>(Axis::z)];
+  if (!lift.empty()) {
+    add_displacement(outside_.surface, lift, Axis::z, copies_, gap.data());
+    rim_displacement_ += largest_at_rim(outside_.surface, lift, false);
+  }
+  if (!strained_) return;
+  const Box& surface = volume_->surface();
+  Field displacement(surface.surface_size());
+  volume_->displacement(Axis::z, displacement.data());
+  add_displacement(surface, displacement, Axis::z, copies_, gap.data());
+  rim_displacement_ += largest_at_rim(surface, displacement, true);
+}
+
+/// On a box from the mirror planes on.
+void PlasticBody::add_displacement(const Box& box, const Field& displacement, Axis axis,
+                                   double factor, double* to) const {
+  const Grid& grid = scene_.grid;
+  const Box whole = choice_.whole(box);
+  const double mirrored_x = axis == Axis::x ? -1.0 : 1.0, mirrored_y = axis == Axis::y ? -1.0 : 1.0;
+  const auto add = [&](int at, const double* u, double part) {
+    if (at < 0 || at >= grid.nx) return;
+    double* row = to + static_cast<std::size_t>(at) * grid.ny;
+    for (int j = std::max(0, whole.j0); j < std::min(grid.ny, whole.j0 + whole.ny); ++j) {
+      row[j] += j < box.j0 ? mirrored_y * part * u[grid.ny - 1 - j - box.j0] : part * u[j - box.j0];
+    }
+  };
+  const double part = std::fabs(offset_);
+  const int side = offset_ > 0 ? -1 : 1;
+  for (int i = whole.i0; i < whole.i0 + whole.nx; ++i) {
+    const bool is_image = i < box.i0;
+    const int si = is_image ? grid.nx - 1 - i : i;
+    const double* u = displacement.data() + static_cast<std::size_t>(si - box.i0) * box.ny;
+    const double weight = is_image ? mirrored_x * factor : factor;
+    add(i, u, weight * (1 - part));
+    if (part > 0) add(i + side, u, weight * part);
+    // Zones know of the grid only: what lies beyond it displaces as the last row, nearly.
+    if (is_split() && i - side == (offset_ > 0 ? grid.nx : -1)) add(i, u, weight * part);
+  }
+}
+
+std::span<const Axis> PlasticBody::axes() const {
+  // Mirror images slide alike.
+  if (scene_.coulomb && copies_ == 1) return operators::all_axes;
+  return operators::normal_axis;
+}
+
+void PlasticBody::find_slid_before(const Field& strain) {
+  slid_before_ = {};
+  if (strain.empty() || !volume_) return;
+  volume_->transform(strain, axes());
+  for (const Axis axis : {Axis::x, Axis::y}) {
+    Field& u = slid_before_[static_cast<int>(axis)];
+    u.resize(volume_->surface().surface_size());
+    volume_->displacement(axis, u.data());
+  }
+}
+
+void PlasticBody::slide(Field& free_slip) const {
+  if (!strained_ || axes().size() == 1) return;
+  const Box& surface = volume_->surface();
+  Field u(surface.surface_size());
+  for (const Axis axis : {Axis::x, Axis::y}) {
+    const int a = static_cast<int>(axis);
+    volume_->displacement(axis, u.data());
+    // What the strain outside of the zones does, it has done before.
+    const Field& before = slid_before_[a];
+    for (std::size_t i = 0; i < before.size(); ++i) u[i] -= before[i];
+    add_displacement(surface, u, axis, -sign(), free_slip.data() + a * scene_.grid.surface_size());
+  }
+}
+
+/// Outside of the box it falls off.
+double PlasticBody::largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const {
+  double largest = 0.0;
+  for (int i = 0; i < box.nx; ++i) {
+    for (int j = 0; j < box.ny; ++j) {
+      const bool at_x = ends_x && (i == box.nx - 1 || (i == 0 && !choice_.mirrors_x()));
+      const bool at_y = j == box.ny - 1 || (j == 0 && !choice_.mirrors_y());
+      if (!at_x && !at_y) continue;
+      largest =
+          std::max(largest, std::fabs(displacement[static_cast<std::size_t>(i) * box.ny + j]));
+    }
+  }
+  return largest;
+}
+
+Box PlasticBody::seen_surface() const {
+  Box seen = Box::surface(scene_.grid);
+  // Zones know of the grid only.
+  if (offset_ == 0 || is_split()) return seen;
+  ++seen.nx;
+  if (offset_ < 0) --seen.i0;
+  return seen;
+}
+
+bool PlasticBody::may_touch_outside(const Field& gap, double reach) const {
+  if (rim_displacement_ == 0) return false;
+  const Grid& grid = scene_.grid;
+  const Box whole = surface(), seen = seen_surface();
+  // A row of the grid that lies between two of the body shows both.
+  const int first = whole.i0 - seen.i0, end = first + whole.nx - (seen.nx - grid.nx);
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      const bool inside = i >= first && i < end && j >= whole.j0 && j < whole.j0 + whole.ny;
+      if (!inside && gap[static_cast<std::size_t>(i) * grid.ny + j] < reach) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace samcontact::simulation

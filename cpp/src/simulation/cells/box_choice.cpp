@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/cells/box_choice.hpp"
+
+#include <algorithm>
+
+#include "samcontact/fft/plan.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+/// Cells around what must be in a box.
+constexpr int margin = 2;
+/// The largest box, in widths of the grid,
+constexpr int most_widths = 3;
+/// or in cells where those are long: a single row with its margins is five rows wide.
+constexpr int always_allowed = 16;
+
+/// [begin, end) with a margin, within [0, n) unless it reaches the end of that.
+void widen(int n, int& begin, int& end) {
+  begin = begin > 0 ? std::max(0, begin - margin) : begin - margin;
+  end = end < n ? std::min(n, end + margin) : end + margin;
+}
+
+/// One extent of a box that holds [begin, end), and had `before` cells: with room to grow, and a
+/// count that transforms fast. It stays in the grid's n cells where they hold what is needed. As
+/// much is added at both ends: contacts that are mirror images have boxes that are.
+void fit_extent(int n, int before, bool mirrored, int& begin, int& end) {
+  if (mirrored) {
+    begin = std::min(begin, n - end);
+    end = n - begin;
+  }
+  const int needed = end - begin;
+  int cells = needed;
+  if (before > 0 && cells > before) cells = std::max(cells, before + before / 4);
+  const auto good = [](int count) { return (fft::good_even_size(2 * count - 1) + 1) / 2; };
+  for (cells = good(cells); (cells - needed) % 2 != 0;) cells = good(cells + 1);
+  const bool inside = begin >= 0 && end <= n;
+  if (inside && cells > n - n / 8) cells = n;
+  begin -= (cells - needed) / 2;
+  if (inside) begin = std::clamp(begin, 0, n - cells);
+  end = begin + cells;
+}
+
+}  // namespace
+
+Box BoxChoice::with_margin(const Box& box) const {
+  int i0 = box.i0, i1 = box.i0 + box.nx, j0 = box.j0, j1 = box.j0 + box.ny;
+  widen(grid_.nx, i0, i1);
+  widen(grid_.ny, j0, j1);
+  if (grid_.period.x > 0) {
+    i0 = std::max(i0, 0);
+    i1 = std::min(i1, grid_.nx);
+  }
+  if (grid_.period.y > 0) {
+    j0 = std::max(j0, 0);
+    j1 = std::min(j1, grid_.ny);
+  }
+  const int nz = box.nz < grid_.nz ? std::min(grid_.nz, box.nz + margin) : box.nz + margin;
+  return {i0, j0, i1 - i0, j1 - j0, nz};
+}
+
+Box BoxChoice::fitted(const Box& needed, const Box& before) const {
+  const Box old = before.empty() ? Box{} : whole(before);
+  int i0 = needed.i0, i1 = needed.i0 + needed.nx, j0 = needed.j0, j1 = needed.j0 + needed.ny;
+  // A box has no ends where the surface has none.
+  if (grid_.period.x > 0) {
+    i0 = 0;
+    i1 = grid_.nx;
+  } else {
+    fit_extent(grid_.nx, old.nx, mirrors_x(), i0, i1);
+  }
+  if (grid_.period.y > 0) {
+    j0 = 0;
+    j1 = grid_.ny;
+  } else {
+    fit_extent(grid_.ny, old.ny, mirrors_y(), j0, j1);
+  }
+  int nz = needed.nz;
+  if (before.nz > 0 && nz > before.nz) nz = std::max(nz, before.nz + before.nz / 4);
+  if (needed.nz <= grid_.nz && nz > grid_.nz - grid_.nz / 8) nz = grid_.nz;
+  return stored({i0, j0, i1 - i0, j1 - j0, nz});
+}
+
+Box BoxChoice::rim_of(const Box& box, const Cell& cell) const {
+  const int i = cell.i - box.i0, j = cell.j - box.j0;
+  const bool rim = (i == 0 && !mirrors_x()) || (j == 0 && !mirrors_y()) || i == box.nx - 1 ||
+                   j == box.ny - 1 || cell.k == box.nz - 1;
+  return rim ? with_margin({cell.i, cell.j, 1, 1, cell.k + 1}) : box;
+}
+
+Box BoxChoice::in_grid_or(const Box& box, const Box& needed) const {
+  Box allowed = box.united(Box::whole(grid_));
+  if (grid_.nz == 0) allowed.nz = std::max(allowed.nz, needed.nz);
+  return needed.intersected(allowed);
+}
+
+Box BoxChoice::stored(Box box) const {
+  const Box part = stored_part(grid_, symmetry_);
+  const int i1 = box.i0 + box.nx, j1 = box.j0 + box.ny;
+  if (mirrors_x()) box.i0 = std::max(box.i0, part.i0);
+  if (mirrors_y()) box.j0 = std::max(box.j0, part.j0);
+  box.nx = i1 - box.i0;
+  box.ny = j1 - box.j0;
+  return box;
+}
+
+bool has_no_end(const Box& box, const Grid& grid) {
+  const double width = most_widths * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
+  const double depth = std::max(width, 2 * grid.nz * grid.dz);
+  const Box all = box.united(Box::surface(grid));
+  const auto too_far = [](int cells, double length, double most) {
+    return cells > always_allowed && cells * length > most;
+  };
+  return too_far(all.nx, grid.dx, width) || too_far(all.ny, grid.dy, width) ||
+         too_far(all.nz, grid.dz, depth);
+}
+
+}  // namespace samcontact::simulation

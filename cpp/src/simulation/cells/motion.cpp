@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/cells/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace samcontact::simulation {
+namespace {
+
+/// Parts of a cell below this are rounding.
+constexpr double rounding = 1e-6;
+
+double snapped(double cells) {
+  const double whole = std::round(cells);
+  return std::fabs(cells - whole) < rounding ? whole : cells;
+}
+
+}  // namespace
+
+Travel advanced(const Travel& travel, const Travel& by) {
+  return {snapped(travel[0] + by[0]), snapped(travel[1] + by[1])};
+}
+
+Placement::Placement(const Travel& travel, int followed) {
+  if (followed < 0) {
+    for (int b = 0; b < 2; ++b) first[b] = static_cast<int>(std::lround(-travel[b]));
+    return;
+  }
+  first[followed] = static_cast<int>(std::lround(-travel[followed]));
+  origin = -travel[followed] - first[followed];
+  const int other = 1 - followed;
+  const double place = snapped(-travel[other] - origin);
+  first[other] = static_cast<int>(std::lround(place));
+  offset[other] = place - first[other];
+}
+
+double Relief::worn_at(int row, int j, int ny) const {
+  return at(worn, row, std::clamp(j, 0, ny - 1), ny);
+}
+
+double Relief::at(const Field& field, int row, int j, int ny) const {
+  if (field.empty()) return 0.0;
+  int r = row - first;
+  if (periodic) r = (r % rows + rows) % rows;
+  if (r < 0 || r >= rows) return 0.0;
+  return field[static_cast<std::size_t>(r) * ny + j];
+}
+
+Field seen_from_body(const Field& field, const Grid& grid, double offset, Beyond beyond) {
+  if (offset == 0 || field.empty()) return field;
+  // The body's cell i covers parts of the grid's cells i and i + side.
+  const int side = offset > 0 ? -1 : 1;
+  const double part = std::fabs(offset);
+  Field out(field.size());
+  for (int i = 0; i < grid.nx; ++i) {
+    const bool inside = i + side >= 0 && i + side < grid.nx;
+    const double* own = field.data() + static_cast<std::size_t>(i) * grid.ny;
+    const int apart = inside ? side * grid.ny : 0;
+    const double share = inside || beyond == Beyond::as_last ? part : 0.0;
+    double* to = out.data() + static_cast<std::size_t>(i) * grid.ny;
+    for (int j = 0; j < grid.ny; ++j) to[j] = (1 - part) * own[j] + share * own[j + apart];
+  }
+  return out;
+}
+
+operators::Tractions seen_from_body(const operators::Tractions& tractions, const Grid& grid,
+                                    double offset) {
+  return {seen_from_body(tractions.pressure, grid, offset),
+          seen_from_body(tractions.shear_x, grid, offset),
+          seen_from_body(tractions.shear_y, grid, offset)};
+}
+
+namespace {
+
+/// A gap at row x of a column where bodies end.
+double beside_end(const Field& gap, const Grid& grid, double x, int j) {
+  const auto at = [&](int row) { return gap[static_cast<std::size_t>(row) * grid.ny + j]; };
+  const double inside = std::clamp(x, 0.0, grid.nx - 1.0);
+  const double nearest = at(static_cast<int>(std::lround(inside)));
+  const int before = static_cast<int>(std::floor(inside)),
+            after = std::min(before + 1, grid.nx - 1);
+  if (!std::isfinite(nearest) || !std::isfinite(at(before)) || !std::isfinite(at(after))) {
+    return nearest;
+  }
+  return at(before) + (inside - before) * (at(after) - at(before));
+}
+
+}  // namespace
+
+Field shifted_gap(const Field& gap, const Grid& grid, double shift) {
+  if (shift == 0) return gap;
+  Field out(gap.size());
+  // Lagrange polynomials through up to four rows; at the ends they extrapolate.
+  const int points = std::min(4, grid.nx);
+  for (int i = 0; i < grid.nx; ++i) {
+    const double x = i - shift;
+    const int first =
+        std::clamp(static_cast<int>(std::floor(x)) - (points - 1) / 2, 0, grid.nx - points);
+    double* to = out.data() + static_cast<std::size_t>(i) * grid.ny;
+    std::fill_n(to, grid.ny, 0.0);
+    for (int n = 0; n < points; ++n) {
+      double weight = 1.0;
+      for (int m = 0; m < points; ++m) {
+        if (m != n) weight *= (x - (first + m)) / (n - m);
+      }
+      const double* from = gap.data() + static_cast<std::size_t>(first + n) * grid.ny;
+      for (int j = 0; j < grid.ny; ++j) to[j] += weight * from[j];
+    }
+    // A row without a body makes infinities of both signs, or none that is a number.
+    for (int j = 0; j < grid.ny; ++j) {
+      if (!std::isfinite(to[j])) to[j] = beside_end(gap, grid, x, j);
+    }
+  }
+  return out;
+}
+
+Field moved(const Field& field, const Grid& grid, int cells) {
+  if (cells == 0 || field.empty()) return field;
+  Field out(field.size(), 0.0);
+  for (int i = std::max(0, cells); i < std::min(grid.nx, grid.nx + cells); ++i) {
+    std::copy_n(field.data() + static_cast<std::size_t>(i - cells) * grid.ny, grid.ny,
+                out.data() + static_cast<std::size_t>(i) * grid.ny);
+  }
+  return out;
+}
+
+}  // namespace samcontact::simulation

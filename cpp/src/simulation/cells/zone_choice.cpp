@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/cells/zone_choice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "samcontact/fft/plan.hpp"
+#include "samcontact/operators/zones/zone_tables.hpp"
+#include "samcontact/simulation/cells/zones.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+using operators::Band;
+
+/// Points of a transform over those of a plane.
+double padding(bool joined) { return joined ? 1.0 : 4.0; }
+
+/// Cells around what must be in a zone, and below it.
+constexpr int margin = 1;
+
+bool meet(const Box& a, const Box& b) { return !a.intersected(b).empty(); }
+
+/// The parts of a box beside another, whose layers do not matter: whole rows in x, or in y.
+std::vector<Box> beside(const Box& box, const Box& other, bool rows_in_x) {
+  const Box common = box.intersected(other);
+  const int i1 = box.i0 + box.nx, j1 = box.j0 + box.ny;
+  const int a1 = common.i0 + common.nx, b1 = common.j0 + common.ny;
+  const auto from_to = [&](int i0, int to_i, int j0, int to_j) {
+    return Box{i0, j0, to_i - i0, to_j - j0, box.nz};
+  };
+  std::vector<Box> parts;
+  if (rows_in_x) {
+    parts = {from_to(box.i0, i1, box.j0, common.j0), from_to(box.i0, i1, b1, j1),
+             from_to(box.i0, common.i0, common.j0, b1), from_to(a1, i1, common.j0, b1)};
+  } else {
+    parts = {from_to(box.i0, common.i0, box.j0, j1), from_to(a1, i1, box.j0, j1),
+             from_to(common.i0, a1, box.j0, common.j0), from_to(common.i0, a1, b1, j1)};
+  }
+  std::erase_if(parts, [](const Box& part) { return part.empty(); });
+  return parts;
+}
+
+/// The smallest box around what others do not hold of one.
+Box left_over(const Box& box, const std::vector<Box>& zones) {
+  std::vector<Box> parts{box};
+  for (const Box& zone : zones) {
+    if (zone.nz < box.nz || !meet(zone, box)) continue;
+    std::vector<Box> left;
+    for (const Box& part : parts) {
+      const std::vector<Box> more = meet(part, zone) ? beside(part, zone, true) : std::vector{part};
+      left.insert(left.end(), more.begin(), more.end());
+    }
+    parts = std::move(left);
+  }
+  return around(parts);
+}
+
+/// Unites and cuts boxes to zones that cost least.
+class Merging {
+ public:
+  explicit Merging(const operators::BandSplit& split) : split_(split) {}
+
+  /// Of a zone that stands alone.
+  double cost(const Box& zone) const { return cost(std::vector{zone}); }
+  double cost(const std::vector<Box>& zones) const {
+    return std::accumulate(zones.begin(), zones.end(), 0.0, [&](double sum, const Box& zone) {
+      const Box box = operators::with_ring(zone, zones, split_);
+      const double plane =
+          static_cast<double>(fft::fast_plane_size(box.nx)) * fft::fast_plane_size(box.ny);
+      return sum + plane * zone.nz;
+    });
+  }
+  void unite(std::vector<Box>& boxes) const;
+  /// The same cells in disjoint boxes.
+  std::vector<Box> made_disjoint(const std::vector<Box>& boxes) const;
+
+ private:
+  /// The cheapest way to hold the cells of two boxes that meet without uniting them: one of them as
+  /// deep as both need, and what the other has beside it.
+  std::vector<Box> parted(const Box& a, const Box& b) const;
+  /// Whether two of the boxes cost less as one. One that would meet others is only made of two that
+  /// meet: else it might be cut into the two again.
+  bool better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) const;
+
+  const operators::BandSplit& split_;
+};
+
+std::vector<Box> Merging::parted(const Box& a, const Box& b) const {
+  std::vector<Box> best;
+  for (const auto& [whole, cut] : {std::pair{a, b}, std::pair{b, a}}) {
+    for (const bool rows_in_x : {true, false}) {
+      std::vector<Box> boxes = beside(cut, whole, rows_in_x);
+      boxes.insert(boxes.begin(), {whole.i0, whole.j0, whole.nx, whole.ny, std::max(a.nz, b.nz)});
+      if (best.empty() || cost(boxes) < cost(best)) best = std::move(boxes);
+    }
+  }
+  return best;
+}
+
+bool Merging::better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) const {
+  const Box both = boxes[k].united(boxes[l]);
+  if (meet(boxes[k], boxes[l])) return cost(both) <= cost(parted(boxes[k], boxes[l]));
+  if (cost(both) > cost(boxes[k]) + cost(boxes[l])) return false;
+  for (std::size_t n = 0; n < boxes.size(); ++n) {
+    if (n != k && n != l && meet(boxes[n], both)) return false;
+  }
+  return true;
+}
+
+void Merging::unite(std::vector<Box>& boxes) const {
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      for (std::size_t l = k + 1; l < boxes.size();) {
+        if (better_as_one(boxes, k, l)) {
+          boxes[k] = boxes[k].united(boxes[l]);
+          boxes.erase(boxes.begin() + l);
+          again = true;
+        } else {
+          ++l;
+        }
+      }
+    }
+  }
+}
+
+std::vector<Box> Merging::made_disjoint(const std::vector<Box>& boxes) const {
+  std::vector<Box> zones, waiting(boxes.rbegin(), boxes.rend());
+  while (!waiting.empty()) {
+    const Box box = left_over(waiting.back(), zones);
+    waiting.pop_back();
+    const auto other =
+        std::find_if(zones.begin(), zones.end(), [&](const Box& zone) { return meet(zone, box); });
+    if (other != zones.end()) {
+      const std::vector<Box> parts = parted(*other, box);
+      zones.erase(other);
+      waiting.insert(waiting.end(), parts.rbegin(), parts.rend());
+    } else if (!box.empty()) {
+      zones.push_back(box);
+    }
+  }
+  return zones;
+}
+
+/// The box around all columns that hang together with one, which are crossed out.
+Box taken_out(Columns& columns, int i, int j) {
+  const Box& window = columns.window;
+  Box box;
+  std::vector<std::array<int, 2>> border{{i, j}};
+  const auto take = [&](int a, int b) {
+    int& depth = columns.depth[static_cast<std::size_t>(a) * window.ny + b];
+    if (depth == 0) return false;
+    box = box.united({window.i0 + a, window.j0 + b, 1, 1, depth});
+    depth = 0;
+    return true;
+  };
+  take(i, j);
+  while (!border.empty()) {
+    const auto [a, b] = border.back();
+    border.pop_back();
+    for (int x = std::max(0, a - 1); x <= std::min(window.nx - 1, a + 1); ++x) {
+      for (int y = std::max(0, b - 1); y <= std::min(window.ny - 1, b + 1); ++y) {
+        if (take(x, y)) border.push_back({x, y});
+      }
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+std::vector<Box> boxes_around(const Columns& columns) {
+  Columns left = columns;
+  std::vector<Box> boxes;
+  const Box& window = columns.window;
+  for (int i = 0; i < window.nx; ++i) {
+    for (int j = 0; j < window.ny; ++j) {
+      if (left.depth[static_cast<std::size_t>(i) * window.ny + j] == 0) continue;
+      const Box box = taken_out(left, i, j);
+      boxes.push_back({box.i0 - margin, box.j0 - margin, box.nx + 2 * margin, box.ny + 2 * margin,
+                       box.nz + margin});
+    }
+  }
+  return boxes;
+}
+
+Box widened(const Box& box, int cells) {
+  return {box.i0 - cells, box.j0 - cells, box.nx + 2 * cells, box.ny + 2 * cells, box.nz + cells};
+}
+
+std::vector<Box> within_period(const std::vector<Box>& boxes, const Period& period) {
+  if (!period.is_on()) return boxes;
+  std::vector<Box> inside;
+  for (Box box : boxes) {
+    if (box.nx > period.x) box.i0 = 0, box.nx = period.x;
+    if (box.ny > period.y) box.j0 = 0, box.ny = period.y;
+    for (const int x : {-period.x, 0, period.x}) {
+      for (const int y : {-period.y, 0, period.y}) {
+        const Box part = box.moved(x, y).intersected({0, 0, period.x, period.y, box.nz});
+        if (!part.empty()) inside.push_back(part);
+      }
+    }
+  }
+  return inside;
+}
+
+std::vector<Box> merged(const std::vector<Box>& boxes, const operators::BandSplit& split) {
+  const Merging merging(split);
+  std::vector<Box> needed;
+  for (const Box& box : boxes) {
+    const Box left = left_over(box, needed);
+    if (!left.empty()) needed.push_back(left);
+  }
+  merging.unite(needed);
+  std::vector<Box> zones = merging.made_disjoint(needed);
+  merging.unite(zones);
+  return zones;
+}
+
+double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
+                     const operators::BandSplit& split, bool joined) {
+  const Merging merging(split);
+  Box all = surface;
+  for (const Box& zone : zones) all = all.united(zone);
+  const auto nodes = [&](int cells, Band band, int more) {
+    return static_cast<double>(cells) / split.spacing(band) + (joined ? 0 : more);
+  };
+  const auto planes = [&](Band band, int more) {
+    return nodes(all.nx, band, more) * nodes(all.ny, band, more);
+  };
+  const double middle = planes(Band::middle, 2 * split.window_width);
+  const double far = planes(Band::far, 2 * split.window_width + split.fading_nodes);
+  return merging.cost(zones) + (middle + padding(joined) * far) * all.nz;
+}
+
+double cost_of_box(const Box& box, bool joined) {
+  return padding(joined) * box.nx * box.ny * box.nz;
+}
+
+}  // namespace samcontact::simulation

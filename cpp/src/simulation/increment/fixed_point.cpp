@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/increment/fixed_point.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "samcontact/base/errors.hpp"
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/iteration/anderson.hpp"
+#include "samcontact/simulation/increment/plastic_increment.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+using contact::Anderson;
+using contact::norm;
+
+/// Steps that the acceleration remembers, and of many unknown numbers, where they are much memory
+/// and an evaluation more in ten to thirty is less.
+constexpr int anderson_depth = 8, depth_of_many = 3;
+constexpr std::size_t many = 2'000'000;
+/// The contact is solved this much more tightly than the plastic fixed point.
+constexpr double contact_share = 1e-2;
+/// Coarsest and finest tolerance of a contact solve inside the fixed point.
+constexpr double loosest = 1e-6, tightest = 1e-12;
+/// Plastic strain increments below this part of the strain at yield are not resolved further: the
+/// relative change is taken of the larger of the two.
+constexpr double negligible = 1e-2;
+/// With this much below yield everywhere the loosest contact tolerance decides that all is elastic.
+constexpr double safe_headroom = 1e-3;
+/// A residual this much larger than the best one means that the acceleration went astray.
+constexpr double astray = 10.0;
+
+bool any(const Field& field) {
+  return std::any_of(field.begin(), field.end(), [](double v) { return v != 0; });
+}
+
+class FixedPoint {
+ public:
+  explicit FixedPoint(const IncrementTask& task)
+      : grid_(task.scene().grid),
+        target_(task.target),
+        settings_(task.settings),
+        counters_(task.counters),
+        problem_(task),
+        elastic_tol_(std::max(contact_share * settings_.tol, tightest)),
+        contact_tol_(problem_.has_plastic_body() ? loosest : elastic_tol_) {}
+
+  State solve() {
+    x_ = problem_.first_guess();
+    evaluate();
+    if (!any(mapped_) && any(x_)) {
+      // Nothing flows this time.
+      std::fill(x_.begin(), x_.end(), 0.0);
+      evaluate();
+    }
+    while (result_.grown && !any(mapped_)) evaluate();
+    // Plastic flow only widens the contact: what is too large now will not fit later.
+    if (settings_.on_border == contact::OnBorder::error && !target_.is_prescribed()) {
+      const Field& pressure = result_.contact.tractions.pressure;
+      const auto complaint = contact::border_complaint(grid_, pressure, describe(target_));
+      if (!complaint.empty()) throw contact::too_small(grid_, pressure, complaint);
+    }
+    if (problem_.has_plastic_body()) ++counters_.yield_checks;
+    if (!any(mapped_) && contact_tol_ > elastic_tol_) {
+      contact_tol_ = elastic_tol_;
+      if (result_.headroom > safe_headroom) {
+        problem_.refine_contact(contact_tol_, result_);
+      } else {
+        evaluate();
+      }
+    }
+    while (!any(mapped_)) {
+      if (!problem_.zones().grow_beyond()) return finish(0);
+      evaluate();
+    }
+
+    ++counters_.plastic_solves;
+    int before = 0;  // until boxes grew
+    bool restarted = false;
+    for (int n = 1; n <= settings_.max_iterations; ++n) {
+      check_interrupt();
+      if (!std::exchange(restarted, false)) advance();
+      result_.grown = problem_.zones().look_beyond(residual_) || result_.grown;
+      const double finest = contact_tolerance(settings_.tol);
+      // Cells outside a box that has grown may flow too: look at them before accepting.
+      if (!result_.grown && residual_ <= settings_.tol && result_.excess <= settings_.tol) {
+        // The wanted tolerance moves a little with every iterate: twice it is near enough.
+        if (contact_tol_ > 2 * finest) {
+          contact_tol_ = finest;
+          coarse_ = true;
+        } else if (!problem_.zones().grow_beyond()) {
+          return finish(before + n);
+        } else {
+          before += std::exchange(n, 0);
+          restart();
+          restarted = true;
+        }
+      } else {
+        contact_tol_ = std::max(contact_tolerance(residual_), finest);
+      }
+    }
+    throw not_converged();
+  }
+
+ private:
+  ConvergenceError not_converged() const {
+    return {"the plastic increment to " + describe(target_) + " did not converge in " +
+                std::to_string(settings_.max_iterations) + " iterations: relative change " +
+                to_short_text(residual_) + ", yield excess " + to_short_text(result_.excess) +
+                ", tol " + to_text(settings_.tol) +
+                "; take smaller increments, residual_stress = \"fast\", more "
+                "max_iterations or a larger tol",
+            settings_.max_iterations, residual_};
+  }
+
+  /// An error of the contact pressure is felt relative to what drives the flow, the trial stress's
+  /// overshoot of the yield stress: the smaller that is, the tighter the contact must be.
+  double contact_tolerance(double residual) const {
+    const double share = std::clamp(result_.overshoot, negligible, 1.0);
+    return std::clamp(contact_share * share * residual, tightest, loosest);
+  }
+
+  /// mapped = G(x).
+  void evaluate() {
+    result_ = problem_.evaluate(x_, contact_tol_, mapped_);
+    change_ = std::sqrt(ordered_chunks(x_.size(), [this](std::size_t begin, std::size_t end) {
+      std::array<double, reduce_chunk> f;
+      for (std::size_t i = begin; i < end; ++i) f[i - begin] = mapped_[i] - x_[i];
+      return ordered_dot(f.data(), f.data(), end - begin);
+    }));
+    const double scale = std::max(norm(mapped_), negligible * result_.yield_strain_norm);
+    residual_ = scale > 0 ? change_ / scale : (change_ > 0 ? 1.0 : 0.0);
+  }
+
+  void advance() {
+    if (std::exchange(coarse_, false)) {
+      best_ = INFINITY;
+      is_best_ = false;
+    } else if (change_ < best_) {
+      best_ = change_;
+      is_best_ = true;
+      best_x_ = {};
+      best_f_ = {};
+    } else if (std::exchange(is_best_, false)) {
+      best_x_ = anderson_.last_x(x_);
+      best_f_ = anderson_.last_f();
+    }
+    // Vectors of unknowns are most of the memory of large contacts: f takes the place of G(x).
+    Field f = std::move(mapped_);
+    for (std::size_t i = 0; i < f.size(); ++i) f[i] -= x_[i];
+    if (change_ > astray * best_) {
+      // Start anew from the best point with a damped plain step.
+      anderson_.reset();
+      const std::size_t n = x_.size();
+      x_ = best_x_;
+      f = best_f_;
+      x_.resize(n, 0.0);
+      f.resize(n, 0.0);
+      for (double& v : f) v *= 0.5;
+    }
+    if (x_.size() > many) anderson_.set_depth(depth_of_many);
+    anderson_.next(x_, std::move(f));
+    evaluate();
+    ++counters_.plastic_iterations;
+  }
+
+  /// In boxes that have grown.
+  void restart() {
+    anderson_.reset();
+    best_ = INFINITY;
+    is_best_ = false;
+    evaluate();
+    ++counters_.plastic_iterations;
+  }
+
+  State finish(int iterations) {
+    anderson_.reset();
+    x_ = {};
+    State state = problem_.finish(mapped_, result_);
+    state.plastic_iterations = iterations;
+    state.plastic_residual = iterations > 0 ? residual_ : 0.0;
+    state.yield_excess = result_.excess;
+    return state;
+  }
+
+  const Grid& grid_;
+  const Target& target_;
+  const Settings& settings_;
+  Counters& counters_;
+  PlasticIncrement problem_;
+  Anderson anderson_{anderson_depth};
+  Field x_, mapped_, best_x_, best_f_;
+  PlasticIncrement::Result result_;
+  const double elastic_tol_;  // of the contact where nothing flows
+  double contact_tol_, change_ = 0.0, residual_ = 1.0, best_ = INFINITY;
+  bool is_best_ = false;  // whether the best point is the last one, which the acceleration keeps
+  bool coarse_ = false;   // whether the last residual tells little, as its contact was too coarse
+};
+
+}  // namespace
+
+State solve_increment(const IncrementTask& task) { return FixedPoint(task).solve(); }
+
+}  // namespace samcontact::simulation

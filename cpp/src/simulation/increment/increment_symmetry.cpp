@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/increment/increment_symmetry.hpp"
+
+#include "samcontact/simulation/increment/slip_history.hpp"
+
+namespace samcontact::simulation {
+
+fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions& tractions) {
+  using fft::Symmetry;
+  if (task.from.method == operators::ResidualMethod::exact) return Symmetry::none;
+  Symmetry symmetry = task.scene().symmetry(task.from.travel);
+  if (task.target.is_prescribed()) {
+    symmetry = symmetry_of(tractions, task.scene().grid);
+  }
+  if (task.scene().coulomb) {
+    symmetry = common(symmetry, symmetry_of(tangential_drive(task)));
+    symmetry = common(symmetry, task.from.shear_symmetry);
+  }
+  symmetry = common(symmetry, symmetry_of(task.target.heating));
+  symmetry = common(symmetry, task.target.past_symmetry);
+  for (const auto& history : task.from.plastic) {
+    if (history) symmetry = common(symmetry, history->symmetry());
+  }
+  return symmetry;
+}
+
+bool has_twins(const IncrementTask& task) {
+  const auto& [upper, lower] = task.scene().bodies;
+  if (!upper.is_plastic() || upper != lower || task.scene().sliding.is_on() ||
+      !is_free_of_shear(task))
+    return false;
+  if (task.target.heating[0] != task.target.heating[1] ||
+      task.target.past[0] != task.target.past[1])
+    return false;
+  // Two laws cannot be compared.
+  if (task.settings.softening[0] || task.settings.softening[1]) return false;
+  // They may be worn by different depths.
+  if (!task.scene().reliefs[0].worn.empty() || !task.scene().reliefs[1].worn.empty()) return false;
+  // Shear acts on the two in opposite directions.
+  if (!task.target.tractions.shear_x.empty() || !task.target.tractions.shear_y.empty())
+    return false;
+  const auto offset = task.from.placement().offset;
+  return offset[0] == offset[1] && same(task.from.plastic[0], task.from.plastic[1]);
+}
+
+}  // namespace samcontact::simulation

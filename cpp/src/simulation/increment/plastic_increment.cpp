@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/increment/plastic_increment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
+#include "samcontact/simulation/increment/increment_symmetry.hpp"
+
+namespace samcontact::simulation {
+
+using operators::Tensor;
+
+PlasticIncrement::PlasticIncrement(const IncrementTask& task)
+    : task_(task),
+      tractions_(task.target.is_prescribed()
+                     ? seen_from_body(task.target.tractions, task.scene().grid,
+                                      task.from.placement().origin)
+                     : operators::Tractions{task.from.tractions.pressure, {}, {}}),
+      sources_(task.scene(), task.from.travel,
+               given_heat(task.scene(), task.target.heating, task.target.past, task.target.duration,
+                          task.target.slip_power)),
+      slip_(task),
+      symmetry_(symmetry_of(task, tractions_)),
+      guess_(task, symmetry_),
+      zones_(task, symmetry_, guess_, tractions_, sources_, bodies_, active_) {
+  make_bodies();
+  zones_.begin();
+}
+
+void PlasticIncrement::make_bodies() {
+  const bool one_for_both = has_twins(task_);
+  bodies_.reserve(2);
+  for (int b = one_for_both ? 1 : 0; b < 2; ++b) {
+    if (!task_.scene().bodies[b].is_plastic()) continue;
+    const auto number = static_cast<std::uint8_t>(bodies_.size());
+    const PlasticBody& body = bodies_.emplace_back(task_.from, b, number, one_for_both ? 2 : 1,
+                                                   symmetry_, task_.target.heating[b]);
+    if (body.tensor() == Tensor::full) active_.keep_trace();
+  }
+}
+
+void PlasticIncrement::scatter(const Field& guess) {
+  const std::ptrdiff_t count = active_.size();
+#pragma omp parallel for schedule(static) if (30.0 * count > worth_threads)
+  for (std::ptrdiff_t n = 0; n < count; ++n) {
+    const auto [b, cell] = active_.cells[n];
+    bodies_[b].set_strain(cell, active_.strain(guess, n));
+  }
+}
+
+contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) {
+  contact::Solution solution;
+  if (task_.target.is_prescribed()) {
+    solution.tractions = tractions_;
+    const Field& pressure = tractions_.pressure;
+    solution.load = task_.scene().grid.cell_area() *
+                    ordered_sum(gap.size(), [&](std::size_t i) { return pressure[i]; });
+    solution.motion.approach = std::numeric_limits<double>::quiet_NaN();
+  } else {
+    contact::ContactSettings settings;
+    settings.tol = tol;
+    // An iterate may be larger than the solution: the border is checked once, at the end.
+    settings.on_border = contact::OnBorder::warn;
+    if (slip_.is_on()) {
+      solution = slip_.solve(gap, tractions_.pressure, settings);
+    } else {
+      const auto solver = task_.scene().cache.solver(task_.target.heating);
+      solution = solver->solve(gap, task_.target.drive, tractions_.pressure, settings);
+    }
+    ++task_.counters.contact_solves;
+    task_.counters.contact_iterations += solution.iterations;
+    tractions_ = solution.tractions;
+  }
+  for (PlasticBody& body : bodies_) body.meet(tractions_);
+  return solution;
+}
+
+void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& result) {
+  const std::ptrdiff_t count = active_.size();
+  mapped.resize(count * active_.components());
+  active_.equivalent.resize(count);
+  double excess = 0.0, overshoot = 0.0;
+  Field yield_strains(count);
+#pragma omp parallel for schedule(static) \
+    reduction(max : excess, overshoot) if (400.0 * count > worth_threads)
+  for (std::ptrdiff_t n = 0; n < count; ++n) {
+    const auto [b, cell] = active_.cells[n];
+    const PlasticBody& body = bodies_[b];
+    const auto present = active_.get(guess, n);
+    const auto r = body.return_map(cell, active_.stress[n], present);
+    active_.put(r.increment, mapped, n);
+    active_.equivalent[n] = r.equivalent;
+    excess = std::max(excess, r.excess);
+    overshoot = std::max(overshoot, r.overshoot);
+    const bool flows = r.equivalent > 0 || present != plasticity::Tensor{};
+    yield_strains[n] = flows ? body.strain_at_yield() : 0.0;
+  }
+  result.excess = excess;
+  result.overshoot = overshoot;
+  result.yield_strain_norm =
+      std::sqrt(ordered_dot(yield_strains.data(), yield_strains.data(), yield_strains.size()));
+}
+
+PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact_tol,
+                                                    Field& mapped) {
+  scatter(guess);
+  gap_.assign(task_.scene().grid.surface_size(), 0.0);
+  if (!task_.target.is_prescribed()) {
+    sources_.separate(gap_);
+    for (int b = 0; b < 2; ++b) sources_.displace(b, gap_);
+  }
+  Field* const slip = slip_.is_on() ? &slip_.begin_slip() : nullptr;
+  for (PlasticBody& body : bodies_) {
+    body.transform(active_.size() > 0);
+    if (task_.target.is_prescribed()) continue;
+    body.open(gap_);
+    if (slip != nullptr) body.slide(*slip);
+  }
+  Result result;
+  result.contact = solve_contact(gap_, contact_tol);
+  zones_.soften();
+  if (zones_.fit(result.contact.gap)) {
+    result.grown = std::any_of(bodies_.begin(), bodies_.end(),
+                               [](const PlasticBody& body) { return body.strained(); });
+    for (PlasticBody& body : bodies_) body.transform(false);
+  }
+  for (PlasticBody& body : bodies_) {
+    if (body.zones().empty()) continue;
+    result.headroom = std::min(result.headroom, body.find_stress(active_));
+  }
+  guess.resize(active_.size() * active_.components(), 0.0);
+  return_map(guess, mapped, result);
+  result.grown = zones_.grow_at_rim() || result.grown;
+  return result;
+}
+
+void PlasticIncrement::refine_contact(double contact_tol, Result& result) {
+  result.contact = solve_contact(gap_, contact_tol);
+}
+
+void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) {
+  PlasticBody& body = bodies_[b];
+  const int i = body.index();
+  const auto for_own_cells = [&](const auto& visit) {
+    for (std::size_t n = 0; n < active_.size(); ++n) {
+      if (active_.cells[n].body == b && active_.equivalent[n] != 0) visit(n);
+    }
+  };
+  for_own_cells([&](std::size_t n) {
+    const std::uint32_t cell = active_.cells[n].cell;
+    state.flowed[i] = true;
+    body.flow(cell, active_.get(mapped, n), active_.equivalent[n]);
+  });
+  state.softening[i] = body.softening();
+  if (state.flowed[i]) {
+    state.flow_boxes[i] = whole_boxes(body.zones().boxes(), task_.scene().grid, symmetry_);
+    state.plastic[i] = body.finish();
+  }
+  if (body.copies() == 1) return;
+  state.softening[0] = state.softening[i];
+  state.plastic[0] = state.plastic[i];
+  state.flow_boxes[0] = state.flow_boxes[i];
+  state.flowed[0] = state.flowed[i];
+}
+
+State PlasticIncrement::finish(const Field& mapped, const Result& result) {
+  State state = task_.from;
+  state.warnings.clear();
+  state.tractions = tractions_;
+  state.heating = task_.target.heating;
+  state.past = task_.target.past;
+  state.slip_power = task_.target.slip_power;
+  state.past_symmetry = task_.target.past_symmetry;
+  state.softening = {};
+  state.contact_gap.clear();
+  state.load = result.contact.load;
+  state.approach = result.contact.motion.approach;
+  state.flowed = {};
+  state.advance = {};
+  state.met = {};
+  guess_.remember(bodies_, active_, mapped, state);
+  scatter(mapped);
+  active_.stress = {};
+  bool known = !task_.target.is_prescribed();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const bool moves = bodies_[b].surface().contains(bodies_[b].seen_surface());
+    finish(b, mapped, state);
+    known = known && (moves || !state.plastic[bodies_[b].index()]);
+  }
+  slip_.remember(tractions_, state);
+  if (known) state.contact_gap = result.contact.gap;
+  return state;
+}
+
+}  // namespace samcontact::simulation

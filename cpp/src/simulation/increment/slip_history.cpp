@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/increment/slip_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "samcontact/operators/surface/surface_displacement.hpp"
+#include "samcontact/simulation/cells/traction_window.hpp"
+#include "samcontact/simulation/state/surface_fields.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+/// How far both bodies move on, on the mean [m].
+double way_of(const State& state) {
+  return 0.5 * (state.advance[0] + state.advance[1]) * state.scene().grid.dx;
+}
+
+/// Where its way differs by so much from that of the tractions, a body's displacement is carried by
+/// its own [cells]: below, the difference of both is the slip times a strain.
+constexpr double least_apart = 0.5;
+/// Tractions that went on by more lengths of the grid displace nothing in it.
+constexpr double farthest = 2.0;
+
+operators::Tractions for_each(const operators::Tractions& tractions, const auto& change) {
+  return {change(tractions.pressure), change(tractions.shear_x), change(tractions.shear_y)};
+}
+
+/// Tractions where they were on the surface of a body that has moved on by some cells.
+operators::Tractions taken_along(const operators::Tractions& tractions, const Grid& grid,
+                                 int cells) {
+  return for_each(tractions, [&](const Field& field) { return moved(field, grid, cells); });
+}
+
+/// Whether some of a surface field leaves the grid as it moves on by some cells.
+bool is_cut(const Field& field, const Grid& grid, int cells) {
+  const auto size = static_cast<std::ptrdiff_t>(field.size());
+  const auto lost = std::min(size, static_cast<std::ptrdiff_t>(std::abs(cells)) * grid.ny);
+  const auto begin = cells > 0 ? field.end() - lost : field.begin();
+  return std::any_of(begin, begin + lost, [](double v) { return v != 0; });
+}
+
+/// The grid with some more rows of cells on either side, and fields of it there.
+class Widened {
+ public:
+  Widened(const Grid& grid, int rows) : wide_(grid), from_(rows * grid.surface_size() / grid.nx) {
+    wide_.nx += 2 * rows;
+  }
+  const Grid& grid() const { return wide_; }
+  Field operator()(const Field& field) const {
+    if (field.empty()) return field;
+    Field out(wide_.surface_size(), 0.0);
+    std::copy(field.begin(), field.end(), out.begin() + from_);
+    return out;
+  }
+  /// Of the wide grid: its part in the grid.
+  auto begin_of(const Field& wide) const { return wide.begin() + from_; }
+
+ private:
+  Grid wide_;
+  std::ptrdiff_t from_;
+};
+
+/// What a body displaces along the surface [2][i][j] where tractions went on by its way [cells],
+/// less what it does where they did by `cells` and those that left the grid are lost.
+Field displaced_otherwise(const Scene& scene, int body, const operators::Tractions& tractions,
+                          double way, int cells) {
+  const Grid& grid = scene.grid;
+  const double most = farthest * grid.nx, own = std::clamp(way, -most, most);
+  const int whole = static_cast<int>(std::lround(own));
+  const Widened widened(grid, std::abs(whole) + 1);
+  const operators::Tractions wide = for_each(tractions, widened);
+  operators::Tractions difference =
+      seen_from_body(taken_along(wide, widened.grid(), whole), widened.grid(), own - whole);
+  const operators::Tractions kept = for_each(taken_along(tractions, grid, cells), widened);
+  contact::add_scaled(-1.0, kept.pressure, difference.pressure);
+  contact::add_scaled(-1.0, kept.shear_x, difference.shear_x);
+  contact::add_scaled(-1.0, kept.shear_y, difference.shear_y);
+  Field slid;
+  for (const auto axis : {operators::Axis::x, operators::Axis::y}) {
+    const Field u = operators::surface_displacement(widened.grid(), *scene.media[body], {},
+                                                    difference, operators::shear_sign(body), axis);
+    slid.insert(slid.end(), widened.begin_of(u),
+                widened.begin_of(u) + static_cast<std::ptrdiff_t>(grid.surface_size()));
+  }
+  return slid;
+}
+
+/// Slip that goes with what the bodies' own ways [cells] make of a displacement that the tractions
+/// carry by whole cells; empty: none.
+Field slip_of_ways(const Scene& scene, const operators::Tractions& tractions, const Travel& ways,
+                   int cells) {
+  const bool cut = is_cut(tractions.pressure, scene.grid, cells);
+  Field slip;
+  for (int b = 0; b < 2; ++b) {
+    const bool apart = std::fabs(ways[b] - cells) >= least_apart;
+    if (scene.media[b]->is_rigid() || !(cut || apart)) continue;
+    slip.resize(2 * scene.grid.surface_size(), 0.0);
+    // What body 2 displaced before, it does not slip back.
+    contact::add_scaled(operators::shear_sign(b),
+                        displaced_otherwise(scene, b, tractions, ways[b], cells), slip);
+  }
+  return slip;
+}
+
+/// What the shear of the increment starts from, before plastic strain slides the bodies.
+contact::ContactHistory contact_before(const IncrementTask& task) {
+  const Grid& grid = task.scene().grid;
+  const Travel& by = task.from.advance;
+  contact::ContactHistory before;
+  before.approach = task.from.approach;
+  if (by == Travel{}) {
+    before.pressure = task.from.tractions.pressure;
+    before.shear = shear_vectors(task.from.tractions);
+    before.gap = simulation::gap(task.from);
+  } else {
+    // Tractions of a moved state lie where its contact does, not where its cells came to.
+    const Placement then = task.scene().placement(advanced(task.from.travel, {-by[0], -by[1]}));
+    const Placement now = task.from.placement();
+    const int followed = std::max(task.scene().followed(), 0);
+    const int cells = then.first[followed] - now.first[followed] -
+                      static_cast<int>(std::lround(now.origin - then.origin));
+    const auto carried = taken_along(task.from.tractions, grid, cells);
+    before.has_moved = true;
+    before.pressure = carried.pressure;
+    before.shear = shear_vectors(carried);
+    // Parts of a cell move the grid, not the surface of the body that it follows.
+    const double own = task.scene().followed() < 0 ? 0.5 * (by[0] + by[1]) : by[followed];
+    const Travel ways{by[0] - own + cells, by[1] - own + cells};
+    before.free_slip = slip_of_ways(task.scene(), task.from.tractions, ways, cells);
+  }
+  before.shear.resize(2 * grid.surface_size(), 0.0);
+  return before;
+}
+
+}  // namespace
+
+contact::TangentialDrive tangential_drive(const IncrementTask& task) {
+  contact::TangentialDrive drive = task.target.tangential;
+  if (!drive[0].is_force()) {
+    drive[0].value += (task.from.advance[0] - task.from.advance[1]) * task.scene().grid.dx;
+  }
+  // The turn slips where particles are on their way.
+  if (!drive[1].is_force())
+    drive[1].value -= contact::spin_lead * way_of(task.from) * drive[2].value;
+  return drive;
+}
+
+bool is_free_of_shear(const IncrementTask& task) {
+  if (!task.scene().coulomb) return true;
+  const auto drive = tangential_drive(task);
+  const auto is_zero = [](double v) { return v == 0; };
+  return !task.scene().coulomb->is_coupled() &&
+         std::all_of(drive.begin(), drive.end(),
+                     [](const contact::Given& given) { return given.value == 0; }) &&
+         std::all_of(task.from.tractions.shear_x.begin(), task.from.tractions.shear_x.end(),
+                     is_zero) &&
+         std::all_of(task.from.tractions.shear_y.begin(), task.from.tractions.shear_y.end(),
+                     is_zero);
+}
+
+SlipHistory::SlipHistory(const IncrementTask& task)
+    : task_(task), on_(task.scene().coulomb && !task.target.is_prescribed()) {
+  if (!on_) return;
+  before_ = contact_before(task);
+  carried_apart_ = before_.free_slip;
+}
+
+Field& SlipHistory::begin_slip() {
+  before_.free_slip = carried_apart_;
+  before_.free_slip.resize(2 * task_.scene().grid.surface_size(), 0.0);
+  return before_.free_slip;
+}
+
+contact::Solution SlipHistory::solve(const Field& gap, const Field& start,
+                                     const contact::ContactSettings& settings) {
+  const contact::CoulombStart first{start, shear_.shear, shear_.sticking, shear_.motion};
+  contact::CoulombSolution found = task_.scene().coulomb->solve(
+      gap, task_.target.drive.normal, tangential_drive(task_), before_, first, settings);
+  shear_ = std::move(found.tangential);
+  contact::Solution solution = std::move(found.normal);
+  solution.iterations += shear_.iterations;
+  const auto middle = shear_.shear.begin() + static_cast<std::ptrdiff_t>(gap.size());
+  solution.tractions.shear_x.assign(shear_.shear.begin(), middle);
+  solution.tractions.shear_y.assign(middle, shear_.shear.end());
+  return solution;
+}
+
+void SlipHistory::remember(const operators::Tractions& tractions, State& state) const {
+  if (!task_.scene().coulomb) return;
+  state.slip_work.clear();
+  if (task_.target.is_prescribed()) {
+    state.slip.clear();
+    state.shear_symmetry = common(state.shear_symmetry, symmetry_of(tractions, task_.scene().grid));
+    return;
+  }
+  state.slip = shear_.slip;
+  if (!task_.target.slip_power.empty()) {
+    const std::size_t n = task_.scene().grid.surface_size();
+    const Field &s = shear_.shear, &w = shear_.slip;
+    for (std::size_t i = 0; i < n; ++i) {
+      state.slip_work.push_back(s[i] * w[i] + s[n + i] * w[n + i]);
+    }
+  }
+  const auto& motion = shear_.motion;
+  state.motion[0] += motion[0];
+  state.motion[1] += motion[1] + contact::spin_lead * way_of(task_.from) * motion[2];
+  state.motion[2] += motion[2];
+  state.friction_work += shear_.friction_work;
+  state.shear_symmetry = common(state.shear_symmetry, symmetry_of(tangential_drive(task_)));
+}
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/increment/softening.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "samcontact/base/errors.hpp"
+#include "samcontact/simulation/cells/traction_window.hpp"
+
+namespace samcontact::simulation {
+
+ThermalSoftening::ThermalSoftening(const IncrementTask& task)
+    : task_(task),
+      given_(given_heat(task.scene(), task.target.heating, task.target.past, task.target.duration,
+                        task.target.slip_power)),
+      offsets_(task.from.placement().offset) {}
+
+void ThermalSoftening::apply(PlasticBody& body, const Box& box) {
+  Field& pressure = pressure_[body.index()];
+  if (!pressure.empty() || !task_.settings.softening[body.index()]) return;
+  pressure = body.tractions().pressure;
+  soften(body, task_.scene().volume_below(pressure).united(box));
+}
+
+void ThermalSoftening::extend(PlasticBody& body, const Box& box) const {
+  if (body.softening() && !body.softening()->box.contains(box)) soften(body, box);
+}
+
+void ThermalSoftening::soften(PlasticBody& body, const Box& box) const {
+  const auto& known = body.softening();
+  body.soften(factor(body.index(), known ? known->box.united(box) : box));
+}
+
+std::shared_ptr<const BoxField> ThermalSoftening::factor(int body, const Box& box) const {
+  const Softening& law = task_.settings.softening[body];
+  const Grid& grid = task_.scene().grid;
+  const auto depths = grid.z(box.nz);
+  const auto operators = task_.scene().cache.temperature(task_.target.heating[body], box);
+  Field rise =
+      operators->rise(window({pressure_[body], {}, {}}, grid, box).pressure.data(), depths);
+  if (given_[body].is_on()) {
+    const Field more = below_in(given_[body].temperature(depths, offsets_[body]), 1, grid, box);
+    for (std::size_t n = 0; n < rise.size(); ++n) rise[n] += more[n];
+  }
+  const std::string name = "softening of body " + std::to_string(body + 1);
+  Field factor = law(rise, box);
+  require(factor.size() == rise.size(), name, "a value for each cell of the grid",
+          static_cast<double>(factor.size()));
+  for (const double f : factor) require(f > 0 && f <= 1, name, "in (0, 1]", f);
+  if (*std::min_element(factor.begin(), factor.end()) == 1) return nullptr;
+  return std::make_shared<const BoxField>(BoxField{box, std::move(factor)});
+}
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/increment/split_choice.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "samcontact/simulation/cells/traction_window.hpp"
+#include "samcontact/simulation/cells/zone_choice.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+/// Of the work of one box, that of zones must be less than this part.
+constexpr double worth = 0.7;
+/// Where nothing is padded, rings and what zones do one by one count for more.
+constexpr double worth_joined = 0.45;
+/// Of bodies that move: each increment needs new zones, and once what lies outside of them.
+constexpr double worth_moving = 0.4;
+
+/// As deep as some cells.
+Columns columns_of(const std::vector<Cell>& cells) {
+  Columns columns;
+  for (const auto& [i, j, k] : cells) columns.window = columns.window.united({i, j, 1, 1, 1});
+  const Box& window = columns.window;
+  columns.depth.assign(window.surface_size(), 0);
+  for (const auto& [i, j, k] : cells) {
+    int& depth = columns.depth[static_cast<std::size_t>(i - window.i0) * window.ny + j - window.j0];
+    depth = std::max(depth, k + 1);
+  }
+  return columns;
+}
+
+}  // namespace
+
+bool SplitChoice::is_allowed() const {
+  return !task_.settings.one_zone && symmetry_ == fft::Symmetry::none &&
+         task_.from.method == operators::ResidualMethod::fast && task_.scene().may_split() &&
+         (!task_.scene().grid.period.is_on() || is_cold_and_at_rest());
+}
+
+bool SplitChoice::is_cold_and_at_rest() const {
+  const auto hot = [](const operators::Heating& heating) { return heating.factor != 0; };
+  return task_.from.travel == Travel{} && task_.from.advance == Travel{} &&
+         !task_.scene().march.is_on() &&
+         std::none_of(task_.target.heating.begin(), task_.target.heating.end(), hot);
+}
+
+std::vector<Box> SplitChoice::merged_zones(const std::vector<Box>& boxes) const {
+  return merged(within_period(boxes, task_.scene().grid.period), task_.scene().split);
+}
+
+bool SplitChoice::is_worthwhile(const PlasticBody& body, const std::vector<Box>& boxes) const {
+  if (boxes.size() < 2) return false;
+  const bool joined = task_.scene().grid.period.is_on();
+  const double cost =
+      cost_of_zones(boxes, Box::surface(task_.scene().grid), task_.scene().split, joined);
+  const Box window = window_of(tractions_, task_.scene().grid), all = around(boxes);
+  if (task_.from.travel != Travel{} && !window.empty()) {
+    // One box leaves behind what does not flow.
+    const Box needed = choice_.in_grid_or({}, window.united({0, 0, 0, 0, all.nz}));
+    return cost <
+           worth_moving * cost_of_box(choice_.fitted(choice_.with_margin(needed), {}), joined);
+  }
+  const Box box = choice_.with_margin(all.united(window));
+  return cost < (joined ? worth_joined : worth) *
+                    cost_of_box(choice_.fitted(box, body.zones().around()), joined);
+}
+
+std::vector<Box> SplitChoice::zones_to_begin_with(const PlasticBody& body) const {
+  const auto& before = task_.from.flow_boxes[body.index()];
+  const bool stays = task_.from.advance == Travel{};
+  if (stays && before.size() > 1 && !body.has_strain_beyond(Zones(before))) return before;
+  std::vector<Box> boxes = body.history_boxes();
+  if (task_.from.travel != Travel{}) {
+    const Grid& grid = task_.scene().grid;
+    for (Box& box : boxes) box = box.intersected({0, box.j0, grid.nx, box.ny, box.nz});
+    std::erase_if(boxes, [](const Box& box) { return box.empty(); });
+  }
+  for (Box& box : boxes) box = widened(box, 1);
+  if (guess_.is_steady()) {
+    const auto flow = boxes_around(columns_of(task_.from.last_flow->bodies[body.index()].cells));
+    boxes.insert(boxes.end(), flow.begin(), flow.end());
+  }
+  return merged_zones(boxes);
+}
+
+}  // namespace samcontact::simulation

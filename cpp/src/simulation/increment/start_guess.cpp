@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/increment/start_guess.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace samcontact::simulation {
+
+double StartGuess::part_of_last_motion() const {
+  const auto& last = task_.from.last_flow;
+  const Travel& by = task_.from.advance;
+  if (!last || by == Travel{} || last->symmetry != symmetry_) return 0.0;
+  const int main = std::fabs(last->advance[0]) > std::fabs(last->advance[1]) ? 0 : 1;
+  const double ratio = by[main] / last->advance[main];
+  const bool same_way =
+      std::fabs(by[1 - main] - ratio * last->advance[1 - main]) <= 1e-6 * std::fabs(by[main]);
+  if (!same_way || !(ratio > 0 && ratio <= 2)) return 0.0;
+  const auto near = [](double a, double b) { return std::fabs(a - b) <= 0.05 * std::fabs(b); };
+  const double normal = task_.target.drive.normal.value;
+  if (task_.target.is_load() && !near(normal, task_.from.load)) return 0.0;
+  if (task_.target.is_approach() && !near(normal, task_.from.approach)) return 0.0;
+  return ratio;
+}
+
+double StartGuess::part_of_last_load() const {
+  const auto& last = task_.from.last_flow;
+  const bool stands = task_.from.advance == Travel{} && last && last->advance == Travel{};
+  if (!stands || last->symmetry != symmetry_ || task_.target.is_prescribed()) return 0.0;
+  // How soft bodies are comes from the contact before they flow.
+  if (task_.settings.softening[0] || task_.settings.softening[1]) return 0.0;
+  // Flow goes on alike where the contact changes little.
+  if (task_.from.load < 2 * last->load) return 0.0;
+  const double value = task_.target.drive.normal.value;
+  const double ratio = task_.target.is_load() ? (value - task_.from.load) / last->load
+                                              : (value - task_.from.approach) / last->approach;
+  return ratio > 0 && ratio <= 2 ? ratio : 0.0;
+}
+
+bool StartGuess::is_steady() const {
+  const auto& reliefs = task_.scene().reliefs;
+  const auto moves = [&](int b) {
+    return !reliefs[b].heights.empty() && task_.from.advance[b] != 0;
+  };
+  return part_of_last_motion() > 0 && !moves(0) && !moves(1);
+}
+
+Field StartGuess::find(std::vector<PlasticBody>& bodies, ActiveCells& active) const {
+  // The same way, with steps that may be longer or shorter.
+  const double ratio = std::max(part_of_last_motion(), part_of_last_load());
+  if (ratio == 0) return {};
+  Field guess;
+  const std::size_t parts = active.components();
+  for (PlasticBody& body : bodies) {
+    const auto& flow = task_.from.last_flow->bodies[body.index()];
+    if (flow.strain.size() != parts * flow.cells.size()) return {};
+    for (std::size_t n = 0; n < flow.cells.size(); ++n) {
+      const std::ptrdiff_t cell = body.zones().number(flow.cells[n]);
+      if (cell < 0) continue;
+      body.activate(static_cast<std::uint32_t>(cell), {}, active);
+      for (std::size_t c = 0; c < parts; ++c) guess.push_back(ratio * flow.strain[n * parts + c]);
+    }
+  }
+  return guess;
+}
+
+void StartGuess::remember(const std::vector<PlasticBody>& bodies, const ActiveCells& active,
+                          const Field& increment, State& state) const {
+  state.last_flow = nullptr;
+  const bool stands = task_.from.advance == Travel{};
+  if (stands && task_.target.is_prescribed()) return;
+  auto flow = std::make_shared<Flow>();
+  flow->symmetry = symmetry_;
+  flow->advance = task_.from.advance;
+  flow->load = state.load - task_.from.load;
+  // Prescribed tractions have none.
+  const double approach = state.approach - task_.from.approach;
+  if (std::isfinite(approach)) flow->approach = approach;
+  const std::size_t parts = active.components();
+  for (std::size_t n = 0; n < active.size(); ++n) {
+    if (active.equivalent[n] == 0) continue;
+    const PlasticBody& body = bodies[active.cells[n].body];
+    if (stands && !body.is_split()) continue;
+    auto& kept = flow->bodies[body.index()];
+    kept.cells.push_back(body.zones().cell(active.cells[n].cell));
+    for (std::size_t c = 0; c < parts; ++c) kept.strain.push_back(increment[n * parts + c]);
+  }
+  if (flow->bodies[0].cells.empty() && flow->bodies[1].cells.empty()) return;
+  state.last_flow = std::move(flow);
+}
+
+}  // namespace samcontact::simulation

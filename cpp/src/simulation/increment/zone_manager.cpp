@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/increment/zone_manager.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "samcontact/simulation/cells/traction_window.hpp"
+#include "samcontact/simulation/cells/zone_choice.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+/// Material that past flow left at the yield stress creeps when it is unloaded, far from the
+/// contact too: flow below this part of the largest strain does not make a box grow beyond the
+/// grid.
+constexpr double negligible_flow = 1e-4;
+
+/// The relative change from which on pressures hardly reach further.
+constexpr double settles = 0.05;
+/// Cells by which a zone grows where its rim flows.
+constexpr int growth = 2;
+
+/// Whether zones hold all neighbours of a cell.
+bool holds_around(const Zones& zones, const Cell& cell, const Period& period) {
+  const auto within = [](int n, int length) { return length > 0 ? (n + length) % length : n; };
+  for (int i = cell.i - 1; i <= cell.i + 1; ++i) {
+    for (int j = cell.j - 1; j <= cell.j + 1; ++j) {
+      if (zones.number({within(i, period.x), within(j, period.y), cell.k + 1}) < 0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+ZoneManager::ZoneManager(const IncrementTask& task, fft::Symmetry symmetry, const StartGuess& guess,
+                         const operators::Tractions& tractions, const Sources& sources,
+                         std::vector<PlasticBody>& bodies, ActiveCells& active)
+    : task_(task),
+      symmetry_(symmetry),
+      choice_(task.scene().grid, symmetry),
+      split_(task, symmetry, guess, tractions),
+      softening_(task),
+      sources_(sources),
+      bodies_(bodies),
+      active_(active) {}
+
+void ZoneManager::begin() {
+  for (PlasticBody& body : bodies_) {
+    if (body.has_history()) take_up_zones(body);
+  }
+}
+
+void ZoneManager::soften() {
+  for (PlasticBody& body : bodies_) softening_.apply(body, whole_or_none(body));
+}
+
+void ZoneManager::set_zones(PlasticBody& body, const Zones& zones, bool split) {
+  const Box whole = choice_.whole(zones.around());
+  if (has_no_end(whole, task_.scene().grid)) throw flows_as_a_whole(body);
+  body.set_zones(zones, split, sources_, active_);
+  softening_.extend(body, whole);
+}
+
+std::invalid_argument ZoneManager::flows_as_a_whole(const PlasticBody& body) const {
+  return std::invalid_argument(
+      "at " + describe(task_.target) + " plastic flow of body " + std::to_string(body.index() + 1) +
+      " has no end: the half-space yields as a whole, or farther than three widths of the grid. "
+      "Take a smaller load, or a wider grid");
+}
+
+/// Its whole box; empty before there is one.
+Box ZoneManager::whole_or_none(const PlasticBody& body) const {
+  return body.zones().empty() ? Box{} : choice_.whole(body.zones().around());
+}
+
+bool ZoneManager::may_touch_outside(const Field& gap) const {
+  if (gap.empty()) return false;
+  double reach = 0.0;
+  for (const PlasticBody& body : bodies_) reach += body.rim_displacement();
+  return std::any_of(bodies_.begin(), bodies_.end(),
+                     [&](const PlasticBody& body) { return body.may_touch_outside(gap, reach); });
+}
+
+bool ZoneManager::fit(const Field& gap) {
+  const Grid& grid = task_.scene().grid;
+  const bool touches = may_touch_outside(gap);
+  bool grown = false;
+  for (PlasticBody& body : bodies_) {
+    grown = fit_zones(body) || grown;
+    if (body.is_split()) continue;
+    const Box window = window_of(body.tractions(), grid);
+    const Box now = whole_or_none(body);
+    Box needed = now;
+    if (!scanned_) {
+      const YieldScan& scan = *task_.scans[body.index()];
+      // The load of a given approach comes out of the solution.
+      if (!task_.target.is_approach() && body.yields_everywhere(scan)) throw flows_as_a_whole(body);
+      const Box near = body.near_yield(scan, sources_);
+      if (!near.empty()) needed = choice_.in_grid_or(now, needed.united(choice_.with_margin(near)));
+    }
+    if (needed.empty()) continue;
+    // The stress is that of the tractions over the box: it must hold all of them.
+    needed = needed.united(window);
+    if (touches) needed = needed.united(body.seen_surface());
+    if (body.zones().count() == 1 && now.contains(needed)) continue;
+    needed = choice_.in_grid_or(needed, needed.united(choice_.with_margin(window)));
+    set_box(body, choice_.fitted(needed, body.zones().around()));
+    grown = true;
+  }
+  scanned_ = true;
+  return grown;
+}
+
+Box ZoneManager::needed_at_rim(std::size_t b, double negligible) const {
+  const Zones& zones = bodies_[b].zones();
+  const Box& box = zones.around();
+  Box needed = box;
+  for (std::size_t n = 0; n < active_.size(); ++n) {
+    if (active_.cells[n].body != b || active_.equivalent[n] <= negligible) continue;
+    needed = needed.united(choice_.rim_of(box, zones.cell(active_.cells[n].cell)));
+  }
+  return choice_.stored(needed);
+}
+
+bool ZoneManager::grow_at_rim() {
+  bool grown = false;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    PlasticBody& body = bodies_[b];
+    if (body.is_split()) {
+      grown = grow_zones(body, rims_that_flow(b)) || grown;
+      continue;
+    }
+    const Box box = body.zones().around();
+    if (box.empty()) continue;
+    const Box needed = choice_.in_grid_or(box, needed_at_rim(b, 0.0));
+    if (box.contains(needed)) continue;
+    set_box(body, choice_.fitted(choice_.whole(needed), box));
+    grown = true;
+  }
+  return grown;
+}
+
+bool ZoneManager::grow_beyond() {
+  bool grown = false;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    PlasticBody& body = bodies_[b];
+    if (body.is_split()) {
+      grown = grow_for_yield(body) || grown;
+      continue;
+    }
+    const YieldScan& scan = *task_.scans[body.index()];
+    if (body.yields_everywhere(scan)) throw flows_as_a_whole(body);
+    const Box box = body.zones().around();
+    Box needed = whole_or_none(body);
+    if (!box.empty()) {
+      double largest = body.strain_scale();
+      for (std::size_t n = 0; n < active_.size(); ++n) {
+        if (active_.cells[n].body == b) largest = std::max(largest, active_.equivalent[n]);
+      }
+      needed = choice_.whole(needed_at_rim(b, negligible_flow * largest));
+    }
+    const Box below = body.yield_below(scan, sources_);
+    if (!below.empty()) needed = needed.united(choice_.with_margin(below));
+    if (needed.empty()) continue;
+    needed = needed.united(window_of(body.tractions(), task_.scene().grid));
+    if (!box.empty() && choice_.whole(box).contains(needed)) continue;
+    set_box(body, choice_.fitted(needed, box));
+    grown = true;
+  }
+  return grown;
+}
+
+void ZoneManager::take_up_zones(PlasticBody& body) {
+  if (split_.is_allowed()) {
+    std::vector<Box> boxes = split_.zones_to_begin_with(body);
+    if (split_.is_worthwhile(body, boxes)) return set_zones(body, Zones(std::move(boxes)), true);
+  }
+  const auto parts = parts_of(task_.from.flow_boxes[body.index()], task_.scene().grid, symmetry_);
+  set_zones(body, parts.size() == 1 ? Zones(parts) : Zones({choice_.fitted(around(parts), {})}));
+}
+
+bool ZoneManager::fit_zones(PlasticBody& body) {
+  const bool first = body.zones().empty();
+  if (scanned_ || !(body.is_split() || (first && split_.is_allowed()))) return false;
+  std::vector<Box> boxes = body.zones().boxes();
+  const auto near = boxes_around(body.yielding_columns(*task_.scans[body.index()], sources_));
+  boxes.insert(boxes.end(), near.begin(), near.end());
+  boxes = split_.merged_zones(boxes);
+  const bool asks = first || task_.from.travel != Travel{};
+  if (asks && !split_.is_worthwhile(body, boxes)) {
+    if (!first) set_box(body, choice_.fitted(body.zones().around(), {}));
+    return !first;
+  }
+  if (boxes == body.zones().boxes()) return false;
+  set_zones(body, Zones(std::move(boxes)), true);
+  return true;
+}
+
+bool ZoneManager::grow_zones(PlasticBody& body, std::vector<Box> more) {
+  if (more.empty()) return false;
+  std::vector<Box> boxes = body.zones().boxes();
+  boxes.insert(boxes.end(), more.begin(), more.end());
+  set_zones(body, Zones(split_.merged_zones(boxes)), true);
+  return true;
+}
+
+std::vector<Box> ZoneManager::rims_that_flow(std::size_t b) const {
+  const Zones& zones = bodies_[b].zones();
+  std::vector<Box> needed(zones.count());
+  for (std::size_t n = 0; n < active_.size(); ++n) {
+    if (active_.cells[n].body != b || active_.equivalent[n] == 0) continue;
+    const std::uint32_t number = active_.cells[n].cell;
+    const auto [i, j, k] = zones.cell(number);
+    const std::size_t zone = zones.zone_of(number);
+    const Box& box = zones.boxes()[zone];
+    const bool inside = i > box.i0 && i < box.i0 + box.nx - 1 && j > box.j0 &&
+                        j < box.j0 + box.ny - 1 && k < box.nz - 1;
+    if (!inside && !holds_around(zones, {i, j, k}, task_.scene().grid.period))
+      needed[zone] = needed[zone].united(widened({i, j, 1, 1, k + 1}, growth));
+  }
+  std::erase_if(needed, [](const Box& box) { return box.empty(); });
+  return needed;
+}
+
+bool ZoneManager::look_beyond(double residual) {
+  if (looked_ || residual > settles) return false;
+  looked_ = true;
+  bool grown = false;
+  for (PlasticBody& body : bodies_) {
+    if (body.is_split()) grown = grow_for_yield(body) || grown;
+  }
+  return grown;
+}
+
+bool ZoneManager::grow_for_yield(PlasticBody& body) {
+  Columns columns = body.yielding_columns(*task_.scans[body.index()], sources_);
+  for (const Box& zone : body.zones().boxes()) {
+    const Box common = zone.intersected(columns.window);
+    for (int i = common.i0; i < common.i0 + common.nx; ++i) {
+      for (int j = common.j0; j < common.j0 + common.ny; ++j) {
+        int& depth = columns.depth[static_cast<std::size_t>(i) * columns.window.ny + j];
+        if (depth <= zone.nz) depth = 0;
+      }
+    }
+  }
+  return grow_zones(body, boxes_around(columns));
+}
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "samcontact/base/cells_over.hpp"
+#include "samcontact/operators/medium/layered_half_space.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+/// Where the volume has no bottom: depth of fields in radii of a contact, and fewest layers.
+constexpr double depth_in_radii = 1.5;
+constexpr int fewest_layers = 8;
+
+/// Radius of the spots under pressure, a circle's from its mean chord, along the direction in which
+/// they are shorter [m].
+double spot_radius(const Field& pressure, const Grid& grid) {
+  std::size_t cells = 0, chords_x = 0, chords_y = 0;
+  const auto touches = [&](int i, int j) {
+    return i >= 0 && j >= 0 && pressure[static_cast<std::size_t>(i) * grid.ny + j] > 0;
+  };
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      if (!touches(i, j)) continue;
+      ++cells;
+      if (!touches(i - 1, j)) ++chords_x;
+      if (!touches(i, j - 1)) ++chords_y;
+    }
+  }
+  if (cells == 0) return 0.0;
+  const auto area = static_cast<double>(cells);
+  const double across_x = area * grid.dx / static_cast<double>(chords_x);
+  const double across_y = area * grid.dy / static_cast<double>(chords_y);
+  return 2 / std::numbers::pi * std::min(across_x, across_y);
+}
+
+Media media_of(const plasticity::Body& body1, const plasticity::Body& body2) {
+  const auto upper = operators::medium_of(body1.stack());
+  const auto lower = operators::medium_of(body2.stack());
+  return {upper, *upper == *lower ? upper : lower};
+}
+
+}  // namespace
+
+Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
+             Field initial_gap_, const contact::Friction& friction, double image_tol,
+             const HeatMarch& march_, int reach_, Reliefs reliefs_,
+             const operators::BandSplit& split_)
+    : grid(grid_),
+      bodies{body1, body2},
+      media(media_of(body1, body2)),
+      initial_gap(std::move(initial_gap_)),
+      sliding(friction.sticks ? 0.0 : friction.coefficient),
+      coulomb(friction.sticks ? std::make_unique<const contact::CoulombContact>(
+                                    grid_, media[0], media[1], friction.coefficient)
+                              : nullptr),
+      march(march_),
+      reach(reach_),
+      split((require_valid(split_), split_)),
+      reliefs(std::move(reliefs_)),
+      cache(grid, media, sliding, image_tol, split),
+      symmetry_(symmetry_of(initial_gap, grid_)) {
+  // Throws for bodies that have no contact.
+  if (!coulomb) cache.solver({});
+  symmetry_ = common(symmetry_, sliding.symmetry());
+}
+
+int Scene::followed() const {
+  // Without plastic strain or relief nothing tells one place of a body from another.
+  const auto remembers = [this](int body) {
+    return bodies[body].is_plastic() || !reliefs[body].heights.empty();
+  };
+  return remembers(1) ? 1 : remembers(0) ? 0 : -1;
+}
+
+Placement Scene::placement(const Travel& travel) const {
+  const int body = followed();
+  if (body >= 0 || !coulomb) return {travel, body};
+  // What sticks remembers the shear, which is carried by the mean of both ways.
+  const double mean = 0.5 * (travel[0] + travel[1]);
+  return {Travel{mean, mean}, 1};
+}
+
+Field Scene::relief(int body, const Travel& travel) const {
+  const Relief& relief = reliefs[body];
+  Field heights(grid.surface_size(), 0.0);
+  if (relief.heights.empty()) return heights;
+  const Placement place = placement(travel);
+  const double offset = place.offset[body], part = std::fabs(offset);
+  const int side = offset > 0 ? 1 : -1;
+  for (int i = 0; i < grid.nx; ++i) {
+    const int row = i + place.first[body];
+    for (int j = 0; j < grid.ny; ++j) {
+      double height = relief.at(row, j, grid.ny);
+      if (part > 0) height += part * (relief.at(row + side, j, grid.ny) - height);
+      heights[static_cast<std::size_t>(i) * grid.ny + j] = height;
+    }
+  }
+  return heights;
+}
+
+Field Scene::gap(const Travel& travel) const {
+  Field gap = shifted_gap(initial_gap, grid, placement(travel).origin);
+  for (int b = 0; b < 2; ++b) {
+    if (reliefs[b].heights.empty()) continue;
+    const Field heights = relief(b, travel);
+    for (std::size_t n = 0; n < gap.size(); ++n) gap[n] -= heights[n];
+  }
+  return gap;
+}
+
+fft::Symmetry Scene::symmetry(const Travel& travel) const {
+  const bool moved = travel != Travel{};
+  const auto symmetry = moved ? common(symmetry_, fft::Symmetry::y) : symmetry_;
+  const bool flat = reliefs[0].heights.empty() && reliefs[1].heights.empty();
+  if (flat) return symmetry;
+  const auto of_gap = common(symmetry, symmetry_of(gap(travel), grid));
+  return common(of_gap, common(symmetry_of_worn(0, travel), symmetry_of_worn(1, travel)));
+}
+
+fft::Symmetry Scene::symmetry_of_worn(int body, const Travel& travel) const {
+  const Relief& relief = reliefs[body];
+  if (relief.worn.empty()) return fft::Symmetry::xy;
+  Field worn(grid.surface_size());
+  const int first = placement(travel).first[body];
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j) {
+      worn[static_cast<std::size_t>(i) * grid.ny + j] = relief.worn_at(i + first, j, grid.ny);
+    }
+  }
+  // Of what lies beside the grid along x only the rows are known to be alike.
+  return common(symmetry_of(worn, grid), fft::Symmetry::y);
+}
+
+Strength Scene::strength(int body, const Travel& travel) const {
+  return {bodies[body], grid, reliefs[body], placement(travel).first[body]};
+}
+
+operators::HeatHistory Scene::heat_history(int body, const operators::Heating& heating) const {
+  return heat_of(*media[body])
+      ->history(
+          grid, heating,
+          {.shortest = march.shortest, .longest = march.longest, .in_depth = grid.has_volume()});
+}
+
+Box Scene::volume_below(const Field& pressure) const {
+  Box box = Box::whole(grid);
+  if (grid.nz > 0 || !grid.has_volume()) return box;
+  const double depth = depth_in_radii * spot_radius(pressure, grid);
+  box.nz = std::max(fewest_layers, cells_over(depth, grid.dz));
+  return box;
+}
+
+void Scene::require_volume(int body) const { simulation::require_volume(grid, media, body); }
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/sources/sources.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "samcontact/simulation/sources/heat_source.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+/// The surfaces before the bodies deform.
+class Undeformed : public Source {
+ public:
+  Undeformed(const Scene& scene, const Travel& travel) : scene_(scene), travel_(travel) {}
+
+  bool acts_on(int /*body*/) const override { return false; }
+  bool remains() const override { return true; }
+  void separate(Field& gap) const override {
+    if (gap_.empty()) gap_ = scene_.gap(travel_);
+    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += gap_[i];
+  }
+
+ private:
+  const Scene& scene_;
+  Travel travel_;
+  mutable Field gap_;  // empty before it is asked for
+};
+
+/// The stress of the bodies before any contact. It depends on depth only: the search of cells that
+/// yield has it from their strength.
+class InitialStress : public Source {
+ public:
+  InitialStress(const Scene& scene, const Travel& travel) : scene_(scene), travel_(travel) {}
+
+  bool acts_on(int body) const override { return scene_.bodies[body].has_initial_stress(); }
+  bool remains() const override { return true; }
+  void stress(int body, const Box& box, operators::Tensor tensor, Field& sum) const override {
+    if (!acts_on(body)) return;
+    auto& strength = strength_[body];
+    if (!strength) strength.emplace(scene_.strength(body, travel_));
+    strength->add_stress(box, tensor, sum);
+  }
+
+ private:
+  const Scene& scene_;
+  Travel travel_;
+  mutable std::array<std::optional<Strength>, 2> strength_;
+};
+
+}  // namespace
+
+Sources::Sources(const Scene& scene, const Travel& travel, const std::array<GivenHeat, 2>& heat) {
+  all_.push_back(std::make_unique<Undeformed>(scene, travel));
+  all_.push_back(std::make_unique<HeatSource>(scene.grid, heat, scene.placement(travel).offset));
+  all_.push_back(std::make_unique<InitialStress>(scene, travel));
+}
+
+bool Sources::all_remain(int body) const {
+  return std::none_of(all_.begin(), all_.end(), [body](const auto& source) {
+    return source->acts_on(body) && !source->remains();
+  });
+}
+
+void Sources::separate(Field& gap) const {
+  for (const auto& source : all_) source->separate(gap);
+}
+
+void Sources::displace(int body, Field& sum) const {
+  for (const auto& source : all_) source->displace(body, sum);
+}
+
+void Sources::stress(int body, const Box& box, operators::Tensor tensor, Field& sum) const {
+  for (const auto& source : all_) source->stress(body, box, tensor, sum);
+}
+
+void Sources::residual_stress(int body, const Box& box, operators::Tensor tensor,
+                              Field& sum) const {
+  for (const auto& source : all_) {
+    if (source->remains()) source->stress(body, box, tensor, sum);
+  }
+}
+
+operators::DeviatorAt Sources::deviator(int body) const {
+  std::vector<operators::DeviatorAt> parts;
+  for (const auto& source : all_) {
+    if (auto part = source->deviator(body)) parts.push_back(std::move(part));
+  }
+  if (parts.size() < 2) return parts.empty() ? operators::DeviatorAt{} : std::move(parts.front());
+  return [parts](std::span<const double> depths) {
+    Field sum;
+    for (const auto& part : parts) add_to(sum, part(depths));
+    return sum;
+  };
+}
+
+}  // namespace samcontact::simulation

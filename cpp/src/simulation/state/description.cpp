@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/state/description.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+#include <utility>
+
+#include "samcontact/simulation/cells/box_choice.hpp"
+
+namespace samcontact::simulation {
+namespace {
+
+/// Cells from the start of a body's way.
+constexpr int farthest = 1 << 30;
+constexpr auto no_fit = "the arrays of a plastic history do not fit its zones";
+
+void require_that(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(what);
+}
+
+bool is_one_of(fft::Symmetry symmetry) {
+  return symmetry >= fft::Symmetry::none && symmetry <= fft::Symmetry::xy;
+}
+
+/// Whether it is one, in cells that can be counted.
+bool is_box(const Box& box, const Grid& grid) {
+  const auto counted = [](int first, int count) {
+    return std::abs(static_cast<long>(first)) < farthest && count >= 0 && count < farthest;
+  };
+  const double cells = 1.0 * box.nx * box.ny * box.nz;
+  return counted(box.i0, box.nx) && counted(box.j0, box.ny) && counted(0, box.nz) &&
+         cells < farthest * 8.0 && (box.nz == 0 || grid.has_volume()) &&
+         (grid.period.x == 0 || (box.i0 >= 0 && box.i0 + box.nx <= grid.nx)) &&
+         (grid.period.y == 0 || (box.j0 >= 0 && box.j0 + box.ny <= grid.ny));
+}
+
+bool is_consistent(const BoxField& field, const Grid& grid) {
+  return is_box(field.box, grid) && field.values.size() == field.box.volume_size();
+}
+
+void require_consistent(const Flow& flow) {
+  bool fits = is_one_of(flow.symmetry) && std::isfinite(flow.load) && std::isfinite(flow.approach);
+  for (const auto& body : flow.bodies) {
+    const std::size_t n = body.cells.size();
+    fits = fits && (body.strain.size() == 5 * n || body.strain.size() == 6 * n) &&
+           std::all_of(body.cells.begin(), body.cells.end(), [&](const Cell& cell) {
+             return std::abs(static_cast<long>(cell.i)) < farthest &&
+                    std::abs(static_cast<long>(cell.j)) < farthest && cell.k >= 0;
+           });
+  }
+  require_that(fits, "the flow of the last increment has impossible parts");
+}
+
+}  // namespace
+
+PlasticRecord record(const PlasticState& history) {
+  PlasticFields fields = history.fields(history.zones());
+  return {history.symmetry(),
+          history.tensor(),
+          history.origin(),
+          history.box(),
+          fields.zones.boxes(),
+          std::move(fields.strain),
+          std::move(fields.equivalent),
+          std::move(fields.backstress)};
+}
+
+std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Scene& scene,
+                                           int body) {
+  const auto& [symmetry, tensor, origin, box, zones, strain, equivalent, backstress] = record;
+  require_that(is_one_of(symmetry), "mirrored must be 0, 1 or 2");
+  require_that(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator,
+               "tensor must be 0 or 1");
+  for (const int cell : origin) {
+    require_that(std::abs(static_cast<long>(cell)) < farthest, "origin is out of range");
+  }
+  const Box part = stored_part(scene.grid, symmetry);
+  require_that(is_box(box, scene.grid) && !box.empty() && box.nz > 0 &&
+                   !has_no_end({0, 0, 1, 1, box.nz}, scene.grid) &&
+                   (symmetry == fft::Symmetry::none || box.j0 == part.j0) &&
+                   (symmetry != fft::Symmetry::xy || box.i0 == part.i0),
+               "the box of a plastic history does not fit the grid");
+  const std::size_t terms = scene.bodies[body].backstresses();
+  std::size_t cells = 0;
+  for (const Box& zone : zones) {
+    require_that(is_box(zone, scene.grid) && !zone.empty() && zone.nz > 0 && box.contains(zone),
+                 "the zones of a plastic history are not in its box");
+    cells += zone.volume_size();
+    require_that(cells <= equivalent.size(), no_fit);
+  }
+  require_that(cells > 0 && equivalent.size() == cells &&
+                   strain.size() == operators::count(tensor) * cells &&
+                   backstress.size() == 5 * terms * cells,
+               no_fit);
+  require_that(are_disjoint(zones), "the zones of a plastic history have cells in common");
+  return std::make_shared<const PlasticState>(
+      nullptr, symmetry, tensor, PlasticFields{Zones(zones), strain, equivalent, backstress}, box,
+      origin);
+}
+
+void require_consistent(const State& state) {
+  using operators::ResidualMethod;
+  const Grid& grid = state.scene().grid;
+  const auto fits = [&](const Field& field) { return field.size() == grid.surface_size(); };
+  require_that(fits(state.tractions.pressure), "the pressure does not fit the grid");
+  for (const Field* field : {&state.tractions.shear_x, &state.tractions.shear_y, &state.contact_gap,
+                             &state.slip_power}) {
+    require_that(field->empty() || fits(*field), "shear, gap or power of slip do not fit the grid");
+  }
+  for (const double way : state.travel) {
+    require_that(std::fabs(way) < farthest, "travel is out of range");
+  }
+  require_that(state.method == ResidualMethod::exact || state.method == ResidualMethod::fast,
+               "residual_method must be 0 or 1");
+  require_that(is_one_of(state.past_symmetry), "past_symmetry must be 0, 1 or 2");
+  for (int b = 0; b < 2; ++b) {
+    for (const Box& box : state.flow_boxes[b]) {
+      require_that(is_box(box, grid) && !box.empty() && !has_no_end(box, grid),
+                   "the boxes of plastic flow are too far from the grid");
+    }
+    require_that(are_disjoint(state.flow_boxes[b]),
+                 "the boxes of plastic flow have cells in common");
+    require_that(
+        !state.softening[b] || (is_consistent(*state.softening[b], grid) &&
+                                state.softening[b]->box.contains(around(state.flow_boxes[b]))),
+        "the softening of a body does not fit the grid");
+  }
+  if (state.last_flow) require_consistent(*state.last_flow);
+}
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/state/state.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "samcontact/simulation/cells/traction_window.hpp"
+
+namespace samcontact::simulation {
+
+State::State(std::shared_ptr<const Scene> scene, operators::ResidualMethod method_)
+    : method(method_), scene_(std::move(scene)) {
+  tractions.pressure.assign(scene_->grid.surface_size(), 0.0);
+  approach = *std::min_element(scene_->initial_gap.begin(), scene_->initial_gap.end());
+}
+
+PastHeat State::heat_so_far() const {
+  PastHeat so_far = past;
+  if (!scene_->march.is_on() || time == 0) return so_far;
+  for (int b = 0; b < 2; ++b) {
+    if (b == 1 && heating[0] == heating[1] && past[0] == past[1] &&
+        scene_->media[0] == scene_->media[1]) {
+      so_far[1] = so_far[0];
+      continue;
+    }
+    if (!past[b] && !heating[b].is_on()) continue;
+    auto history = std::make_shared<operators::HeatHistory>(
+        past[b] ? *past[b] : scene_->heat_history(b, heating[b]));
+    Field flux = tractions.pressure;
+    for (double& q : flux) q *= heating[b].factor;
+    history->add(flux.data(), duration);
+    so_far[b] = std::move(history);
+  }
+  return so_far;
+}
+
+fft::Symmetry State::heat_symmetry_so_far() const {
+  if (!heating[0].is_on() && !heating[1].is_on()) return past_symmetry;
+  const fft::Symmetry flux = symmetry_of(tractions.pressure, scene_->grid);
+  return common(past_symmetry, common(flux, symmetry_of(heating)));
+}
+
+std::array<double, 3> State::tangential_force() const {
+  const Field both = shear_vectors(tractions);
+  return both.empty() ? std::array<double, 3>{} : contact::forces(scene_->grid, both);
+}
+
+State State::moved(const Travel& to) const {
+  State state = *this;
+  state.travel = to;
+  state.advance = {to[0] - travel[0], to[1] - travel[1]};
+  const Grid& grid = scene_->grid;
+  const Placement from = placement(), place = state.placement();
+  const auto cells = static_cast<int>(std::lround(place.origin - from.origin));
+  state.tractions.pressure = simulation::moved(tractions.pressure, grid, cells);
+  state.tractions.shear_x = simulation::moved(tractions.shear_x, grid, cells);
+  state.tractions.shear_y = simulation::moved(tractions.shear_y, grid, cells);
+  state.contact_gap.clear();
+  for (int b = 0; b < 2; ++b) {
+    if (!plastic[b]) continue;
+    const int by = from.first[b] - place.first[b];
+    if (b == 1 && plastic[0] == plastic[1] && by == from.first[0] - place.first[0]) {
+      state.plastic[1] = state.plastic[0];
+      continue;
+    }
+    const auto symmetry = common(plastic[b]->symmetry(), fft::Symmetry::y);
+    state.plastic[b] = unfolded(plastic[b], grid, symmetry)->moved(by, 0);
+  }
+  return state;
+}
+
+operators::Tractions State::tractions_on(int body) const {
+  return seen_from_body(tractions, scene_->grid, placement().offset[body]);
+}
+
+int State::layers() const {
+  Box box = scene_->volume_below(tractions.pressure);
+  if (scene_->grid.nz > 0) return box.nz;
+  for (const auto& history : plastic) {
+    if (history) box.nz = std::max(box.nz, history->box().nz);
+  }
+  return box.nz;
+}
+
+Box State::below(Layers layers) const {
+  const Grid& grid = scene_->grid;
+  return {0, 0, grid.nx, grid.ny, layers ? *layers : this->layers()};
+}
+
+}  // namespace samcontact::simulation

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/state/state.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace samcontact::simulation {
+namespace {
+
+/// How many cells more there are before the first one, as many as behind the last.
+int cells_before(int from, int to) {
+  if (to < from || (to - from) % 2 != 0) {
+    throw std::invalid_argument("a window widens by whole cells, as many on either side");
+  }
+  return (to - from) / 2;
+}
+
+}  // namespace
+
+State State::widened(std::shared_ptr<const Scene> to) const {
+  const Grid &from = scene_->grid, &grid = to->grid;
+  const int i = cells_before(from.nx, grid.nx), j = cells_before(from.ny, grid.ny);
+  if (past[0] || past[1] || softening[0] || softening[1]) {
+    throw std::invalid_argument("past heat and softening are known in their window only");
+  }
+  State state = *this;
+  const Box before = Box::surface(from).moved(i, j);
+  for (Field* field : {&state.tractions.pressure, &state.tractions.shear_x,
+                       &state.tractions.shear_y, &state.slip, &state.slip_power}) {
+    const std::size_t parts = field->size() / from.surface_size(), n = grid.surface_size();
+    const Field known = std::exchange(*field, Field(parts * n, 0.0));
+    for (std::size_t part = 0; part < parts; ++part) {
+      insert(known.data() + part * from.surface_size(), before, field->data() + part * n,
+             Box::surface(grid));
+    }
+  }
+  state.contact_gap.clear();
+  for (int b = 0; b < 2; ++b) {
+    const bool shared = b == 1 && plastic[0] == plastic[1];
+    if (plastic[b]) state.plastic[b] = shared ? state.plastic[0] : plastic[b]->moved(i, j);
+    for (Box& box : state.flow_boxes[b]) box = box.moved(i, j);
+  }
+  if (last_flow) {
+    Flow flow = *last_flow;
+    for (auto& body : flow.bodies) {
+      for (Cell& cell : body.cells) cell = {cell.i + i, cell.j + j, cell.k};
+    }
+    state.last_flow = std::make_shared<const Flow>(std::move(flow));
+  }
+  state.scene_ = std::move(to);
+  return state;
+}
+
+}  // namespace samcontact::simulation

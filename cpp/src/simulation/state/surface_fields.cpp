@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/state/surface_fields.hpp"
+
+#include <cmath>
+
+#include "samcontact/operators/surface/surface_displacement.hpp"
+#include "samcontact/simulation/state/flow_zones.hpp"
+#include "samcontact/simulation/strain/acting_strain.hpp"
+
+namespace samcontact::simulation {
+
+Field gap(const State& state) {
+  if (!state.contact_gap.empty()) return state.contact_gap;
+  Field gap(state.scene().grid.surface_size(), 0.0);
+  state.sources().separate(gap);
+  const double moved = std::isfinite(state.approach) ? state.approach : 0.0;
+  for (double& g : gap) g -= moved;
+  for (int body = 0; body < 2; ++body) {
+    const Field u = surface_displacement(state, body);
+    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += u[i];
+  }
+  return gap;
+}
+
+Field residual_displacement(const State& state, int body, operators::Axis axis, const Box& region) {
+  const Box surface{region.i0, region.j0, region.nx, region.ny, 1};
+  Field out(surface.surface_size(), 0.0);
+  if (!state.plastic[body]) return out;
+  const Grid& grid = state.scene().grid;
+  fft::Symmetry symmetry = state.plastic[body]->symmetry();
+  const Box own = whole_box(state.plastic[body]->box(), grid, symmetry);
+  // Its operators are there already.
+  const bool inside = !is_elsewhere(state, body) && own.contains(surface);
+  const Box around = inside ? own
+                            : acting_box(*unfolded(state.plastic[body], grid, fft::Symmetry::none),
+                                         surface, state.scene().reach);
+  if (whole_box(part_of(around, grid, symmetry), grid, symmetry) != around) {
+    symmetry = fft::Symmetry::none;
+  }
+  const auto history = unfolded(state.plastic[body], grid, symmetry);
+  const Box stored = part_of(around, grid, symmetry);
+  const auto operators =
+      state.scene().cache.volume(body, around, history->tensor(), state.method, symmetry,
+                                 inside ? state.heating[body] : operators::Heating{});
+  operators::VolumeSpectrum spectrum = operators->make_spectrum();
+  operators::forward(operators->transform(), history->strain(stored).data(), spectrum);
+  Field displacement(stored.surface_size()), plane(around.surface_size());
+  operators->residual_displacement(axis).apply(spectrum, displacement.data());
+  unfold(displacement.data(), stored, symmetry, axis == operators::Axis::x,
+         axis == operators::Axis::y, plane.data(), around, grid);
+  Box layer = around;
+  layer.nz = 1;
+  extract(plane.data(), layer, out.data(), surface);
+  return out;
+}
+
+Field residual_displacement(const State& state, int body, operators::Axis axis) {
+  const Grid& grid = state.scene().grid;
+  const double offset = state.placement().offset[body];
+  if (is_in_zones(state, body)) {
+    const PlasticState& history = *state.plastic[body];
+    const auto tables = state.scene().cache.zone_tables(body, history.tensor(), {});
+    const Zones all =
+        acting_zones(history, Zones(state.flow_boxes[body]), *tables, state.scene().reach);
+    operators::ZoneOperators zones(tables, all.boxes());
+    zones.transform(history.strain(all), {&axis, 1});
+    Field own(grid.surface_size());
+    zones.displacement(axis, own.data());
+    // They know of the grid only.
+    return seen_from_body(own, grid, -offset, Beyond::as_last);
+  }
+  // A body between cells shows parts of what lies a row beyond the grid.
+  const int more = offset == 0 ? 0 : 1;
+  Grid wide = grid;
+  wide.nx += 2 * more;
+  const Box rows{-more, 0, wide.nx, grid.ny, 0};
+  const Field seen = seen_from_body(residual_displacement(state, body, axis, rows), wide, -offset);
+  const std::ptrdiff_t beyond = static_cast<std::ptrdiff_t>(more) * grid.ny;
+  return {seen.begin() + beyond, seen.end() - beyond};
+}
+
+Field surface_displacement(const State& state, int body) {
+  Field out = residual_displacement(state, body, operators::Axis::z);
+  if (state.scene().media[body]->is_rigid()) return out;
+  const Field of_tractions = operators::surface_displacement(
+      state.scene().grid, *state.scene().media[body], state.heating[body], state.tractions,
+      operators::shear_sign(body), operators::Axis::z);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] += of_tractions[i];
+  state.sources().displace(body, out);
+  return out;
+}
+
+}  // namespace samcontact::simulation

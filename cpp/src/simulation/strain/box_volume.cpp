@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/strain/box_volume.hpp"
+
+#include <algorithm>
+
+#include "samcontact/simulation/cells/traction_window.hpp"
+
+namespace samcontact::simulation {
+
+BoxVolume::BoxVolume(const Scene& scene, int body, const Zones& zones, operators::Tensor tensor,
+                     operators::ResidualMethod method, fft::Symmetry symmetry,
+                     const operators::Heating& heating)
+    : grid_(scene.grid),
+      zones_(zones),
+      tensor_(tensor),
+      box_(from_planes_on(zones.around(), scene.grid, symmetry)),
+      surface_{box_.i0, box_.j0, box_.nx, box_.ny, 1},
+      operators_(scene.cache.volume(body, whole_box(box_, scene.grid, symmetry), tensor, method,
+                                    symmetry, heating)),
+      spectrum_(operators_->make_spectrum()) {}
+
+Field BoxVolume::spread(const Field& strain) const {
+  const Zones whole({box_});
+  const int components = operators::count(tensor_);
+  Field out(components * whole.cells(), 0.0);
+  for (int c = 0; c < components; ++c) {
+    copy_common(strain.data() + c * zones_.cells(), zones_, out.data() + c * whole.cells(), whole);
+  }
+  return out;
+}
+
+void BoxVolume::transform(const Field& strain, std::span<const operators::Axis>) {
+  if (is_one()) {
+    operators::forward(operators_->transform(), strain.data(), spectrum_);
+  } else {
+    operators::forward(operators_->transform(), spread(strain).data(), spectrum_);
+  }
+}
+
+void BoxVolume::displacement(operators::Axis axis, double* out) const {
+  operators_->residual_displacement(axis).apply(spectrum_, out);
+}
+
+void BoxVolume::for_each_layer(bool strained, const Field& strain,
+                               const operators::Tractions& tractions, double sign, const Use& use) {
+  if (!strained) std::fill(spectrum_.data.begin(), spectrum_.data.end(), 0.0);
+  const operators::Tractions here = window(tractions, grid_, box_);
+  if (is_one()) {
+    operators_->for_each_layer(spectrum_, strained ? strain.data() : nullptr, &here, sign,
+                               [&](int k, const double* stress) { use(0, k, stress); });
+    return;
+  }
+  const Field spreaded = strained ? spread(strain) : Field{};
+  const int components = operators::count(tensor_);
+  operators_->for_each_layer(spectrum_, strained ? spreaded.data() : nullptr, &here, sign,
+                             [&](int k, const double* stress) {
+                               for (std::size_t zone = 0; zone < zones_.count(); ++zone) {
+                                 Box layer = zones_.boxes()[zone];
+                                 if (k >= layer.nz) continue;
+                                 layer.nz = 1;
+                                 Field part(components * layer.surface_size());
+                                 for (int c = 0; c < components; ++c) {
+                                   extract(stress + c * surface_.surface_size(), surface_,
+                                           part.data() + c * layer.surface_size(), layer);
+                                 }
+                                 use(zone, k, part.data());
+                               }
+                             });
+}
+
+}  // namespace samcontact::simulation
