@@ -131,6 +131,8 @@ void bind_boxes(py::class_<State>& state) {
   };
   bind("residual_stress_in", box_method<Rank::tensor>(&simulation::residual_stress));
   bind("initial_stress_in", box_method<Rank::tensor>(&simulation::initial_stress));
+  bind("eigenstress_in", box_method<Rank::tensor>(&simulation::eigenstress));
+  bind("eigenstrain_in", box_method<Rank::tensor>(&simulation::eigenstrain));
   bind("yield_factor_in", box_method<Rank::scalar>(&simulation::yield_factor));
   bind("plastic_strain_in", box_method<Rank::tensor>(&simulation::plastic_strain));
   bind("equivalent_plastic_strain_in",
@@ -170,10 +172,13 @@ void bind_track(py::class_<State>& state) {
       .def(
           "history_rows",
           [](const State& s, int body) -> py::object {
-            if (!s.plastic[body]) return py::none();
-            const auto& history = *s.plastic[body];
-            const Box box =
-                simulation::whole_box(history.box(), s.scene().grid, history.symmetry());
+            Box box;
+            for (const auto& strain : {s.plastic[body], s.eigenstrain[body]}) {
+              if (!strain) continue;
+              box = box.united(
+                  simulation::whole_box(strain->box(), s.scene().grid, strain->symmetry()));
+            }
+            if (box.empty()) return py::none();
             return py::make_tuple(box.i0, box.nx);
           },
           py::arg("body"));
@@ -187,6 +192,8 @@ void bind_fields(py::class_<State>& bound) {
   bind("residual_stress", volume_method<Rank::tensor>(&simulation::residual_stress));
   bind("initial_stress", volume_method<Rank::tensor>(&simulation::initial_stress));
   bind("backstress", volume_method<Rank::tensors>(&simulation::backstress));
+  bind("eigenstress", volume_method<Rank::tensor>(&simulation::eigenstress));
+  bind("eigenstrain", volume_method<Rank::tensor>(&simulation::eigenstrain));
   bind("plastic_strain", volume_method<Rank::tensor>(&simulation::plastic_strain));
   bind("temperature", volume_method<Rank::scalar>(&simulation::temperature));
   bind("equivalent_plastic_strain",
@@ -240,6 +247,10 @@ void bind_state(py::module_& m) {
            py::arg("body"))
       .def("max_plastic_strain_magnitude", &simulation::max_plastic_strain_magnitude,
            py::arg("body"))
+      .def(
+          "has_eigenstrain",
+          [](const State& state, int body) { return state.eigenstrain[body] != nullptr; },
+          py::arg("body"))
       .def("plastic_cells", &simulation::plastic_cells, py::arg("body"))
       .def_readonly("converged", &State::converged)
       .def_readonly("warnings", &State::warnings)
@@ -382,6 +393,14 @@ void bind_simulation(py::module_& m) {
           },
           py::arg("body"), py::arg("first_row"), py::arg("strain"), py::arg("equivalent"),
           py::arg("backstress"))
+      .def(
+          "add_eigenstrain",
+          [](Simulation& s, int body, const std::array<int, 3>& first, const Array& strain) {
+            const Box box{first[0], first[1], static_cast<int>(strain.shape(2)),
+                          static_cast<int>(strain.shape(3)), static_cast<int>(strain.shape(1))};
+            s.add_eigenstrain(body, box, first[2], to_field(strain));
+          },
+          py::arg("body"), py::arg("first"), py::arg("strain"))
       .def_property_readonly("state", [](const Simulation& s) { return s.state(); })
       .def_property_readonly("counters", &counters)
       .def("restore", &restore, py::arg("content"), py::arg("counters"), py::arg("heating"))

@@ -255,6 +255,9 @@ class Simulation:
         equivalent: FloatArray | None,
         backstress: FloatArray | None,
     ) -> None: ...
+    def add_eigenstrain(
+        self, body: int, first: tuple[int, int, int], strain: FloatArray
+    ) -> None: ...
     def restore(
         self, content: dict[str, Any], counters: dict[str, int], heating: list[Heating]
     ) -> None: ...

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from .simulation.simulation import Simulation
     from .solutions.state import State
 
-__all__ = ["EnergyBalance", "balance", "plastic_work", "residual_energy"]
+__all__ = ["EnergyBalance", "balance", "eigenstrain_energy", "plastic_work", "residual_energy"]
 
 
 def _cell_volume(track: Track) -> float:
@@ -106,12 +106,22 @@ def residual_energy(track: Track) -> float:
     vanishes and its elastic strain is as good as minus the plastic one. It can be released again,
     but not by contact alone. Mura, *Micromechanics of Defects in Solids* (1987), eq. (13.4).
 
-    Of a body with stress from the start the change of its energy, which plastic strain may release:
-    that stress is in equilibrium as well, and counts twice.
+    Of a body with stress from the start, or with an eigenstrain, the change of its energy, which
+    plastic strain may release: that stress is in equilibrium as well, and counts twice.
     """
     require_type("track", track, Track)
-    stress = track.residual_stress() + track.initial_stress()
+    stress = track.residual_stress() + track.initial_stress() + track.eigenstress()
     return -0.5 * _product(stress, track.plastic_strain()) * _cell_volume(track)
+
+
+def eigenstrain_energy(track: Track) -> float:
+    """Elastic energy that the eigenstrain of a body has by itself [J], >= 0.
+
+    -1/2 of the integral of its stress times the eigenstrain, as in `residual_energy`. Tractions do
+    not change it, since their stress is as good as orthogonal to that of the eigenstrain.
+    """
+    require_type("track", track, Track)
+    return -0.5 * _product(track.eigenstress(), track.eigenstrain()) * _cell_volume(track)
 
 
 @dataclass(frozen=True)
@@ -130,6 +140,8 @@ class EnergyBalance(Shown):
         Elastic energy of the residual stress [J].
     friction, plastic : float
         Turned into heat by slip, and by plastic flow [J].
+    eigenstrain : float
+        Elastic energy of given eigenstrain by itself [J], which loads did not put in.
     """
 
     put_in: float
@@ -138,6 +150,7 @@ class EnergyBalance(Shown):
     residual: float
     friction: float
     plastic: float
+    eigenstrain: float = 0.0
 
     @property
     def missing(self) -> float:
@@ -146,7 +159,8 @@ class EnergyBalance(Shown):
         return (self.net - found) / self.put_in if self.put_in > 0 else 0.0
 
     def _rows(self) -> Rows:
-        parts = ("put_in", "net", "elastic", "residual", "friction", "plastic")
+        parts = ["put_in", "net", "elastic", "residual", "friction", "plastic"]
+        parts += ["eigenstrain"] if self.eigenstrain > 0 else []
         rows = [(name.replace("_", " "), quantity(getattr(self, name), "J")) for name in parts]
         return [*rows, ("missing", percent(self.missing))]
 
@@ -184,7 +198,7 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     if why:
         raise ValueError(why)
     first, last = (_found(simulation, states[:n]) for n in (1, len(states)))
-    before, work = sum(first.values()), _work(states)
+    before, work = sum(first.values()) - first["eigenstrain"], _work(states)
     given_back = float(work[work < 0].sum())
     net = before + float(work.sum())
     return EnergyBalance(put_in=net - given_back, net=net, **last)
@@ -192,15 +206,18 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
 
 def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
     """What the last state has, by the names of `EnergyBalance`."""
-    residual = plastic = 0.0
+    residual = plastic = given = 0.0
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
+        if states[-1].has_eigenstrain(number):
+            given += eigenstrain_energy(states[-1].track(number, margin=0))
         if not body.is_plastic:
             continue
         if states[-1].max_plastic_strain_magnitude(number) > 0:
             residual += residual_energy(states[-1].track(number, margin=0))
             plastic += _plastic_work_of(body, number, states)
     elastic, friction = _elastic_energy(simulation, states[-1]), states[-1].friction_work
-    return {"elastic": elastic, "residual": residual, "friction": friction, "plastic": plastic}
+    return {"elastic": elastic, "residual": residual, "friction": friction, "plastic": plastic,
+            "eigenstrain": given}  # fmt: skip
 
 
 def _plastic_work_of(material: Body, body: int, states: Sequence[State]) -> float:
@@ -228,6 +245,8 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
         )
     if any(any(state.travel) for state in states):
         return "states must be of bodies that stay in their place, but they have moved on"
+    if not all(_have_equal_eigenstrain(states[0], state) for state in states):
+        return "states must have the same eigenstrain: one that is added does work too"
     if not all(np.isfinite(state.approach) for state in states):
         return "states must be of loads or approaches, got one of prescribed tractions"
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
@@ -236,6 +255,16 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
         if body.softening is not None:
             return f"bodies must be without softening, got {body!r}"
     return ""
+
+
+def _have_equal_eigenstrain(one: State, other: State) -> bool:
+    """Whether both bodies have the same eigenstrain in two states."""
+    layers = max(one.layers, other.layers)
+    a, b = one.at_layers(layers), other.at_layers(layers)
+    return all(
+        np.array_equal(a.eigenstrain(body), b.eigenstrain(body)) for body in (1, 2)
+        if one.has_eigenstrain(body) or other.has_eigenstrain(body)
+    )  # fmt: skip
 
 
 def _work(states: Sequence[State]) -> FloatArray:

@@ -12,6 +12,7 @@
 #include "samcontact/contact/iteration/anderson.hpp"
 #include "samcontact/contact/tangential/shear_problem.hpp"
 #include "samcontact/plasticity/return_mapping.hpp"
+#include "samcontact/simulation/cells/box_choice.hpp"
 #include "samcontact/simulation/increment/division.hpp"
 #include "samcontact/simulation/increment/fixed_point.hpp"
 #include "samcontact/simulation/state/description.hpp"
@@ -253,9 +254,28 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
       trace <= 1e-12 * largest ? operators::Tensor::deviator : operators::Tensor::full;
   const std::size_t terms = scene_->bodies[body].backstresses();
   const auto record = record_of({whole, strain, equivalent, backstress, terms}, box, tensor);
-  state_.plastic[body] = remade(record, *scene_, body);
+  state_.plastic[body] = remade(record, scene_->grid, terms);
   const Grid& window = scene_->grid;
   state_.flow_boxes[body] = {box.intersected({0, 0, window.nx, window.ny, box.nz})};
+}
+
+void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& strain) {
+  const Grid& grid = scene_->grid;
+  scene_->require_volume(body);
+  Box down = box;
+  down.nz += k0;
+  const bool inside = Box::surface(grid).contains({box.i0, box.j0, box.nx, box.ny, 1}) && k0 >= 0 &&
+                      box.nz > 0 && (grid.nz == 0 || down.nz <= grid.nz);
+  if (!inside || box.empty() || has_no_end(down, grid)) {
+    throw std::invalid_argument("the box of an eigenstrain must lie in the grid");
+  }
+  require_field(strain, 6 * box.volume_size(), "strain", shape_text({6, box.nx, box.ny, box.nz}));
+  Eigenstrains sum = state_.eigenstrain;
+  sum[body] = sum_of(sum[body], box, k0, strain);
+  require_followed(sum, *scene_, state_.travel);
+  state_.eigenstrain = std::move(sum);
+  state_.contact_gap.clear();
+  state_.last_flow = nullptr;
 }
 
 void Simulation::restore(const State& state, const Counters& counters) {
@@ -267,6 +287,7 @@ void Simulation::restore(const State& state, const Counters& counters) {
 std::size_t Simulation::volume_bytes() const {
   std::size_t bytes = scene_->cache.bytes();
   for (int b = 0; b < 2; ++b) {
+    if (const auto& strain = state_.eigenstrain[b]) bytes += strain->bytes();
     if (const auto& plastic = state_.plastic[b]) {
       if (b == 1 && plastic == state_.plastic[0]) continue;
       bytes += plastic->bytes();

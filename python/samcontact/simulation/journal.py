@@ -40,6 +40,9 @@ def describe(engine: Engine, **what: Any) -> Identity:
         if isinstance(body, Material) and body.softening is not None:
             scene[f"body{number}"] = replace(body, softening=None)
             scene[f"softening law of body {number}"] = body.softening
+    for name in ("eigenstrain1", "eigenstrain2"):
+        if (given := getattr(engine.core.state, name)) is not None:
+            what[name] = given
     return identity(**scene, **what)
 
 

@@ -9,9 +9,9 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from .._util.checks import FloatArray, boolean, choice, require_fast, require_type, step_list
+from .._util.checks import FloatArray, boolean, require_fast, require_type, step_list
 from .._util.display import Shown
-from ..bodies.layered import Body, backstresses_of, require_bodies
+from ..bodies.layered import Body, require_bodies
 from ..diagnostics.monitor import Monitor
 from ..heat import Heat
 from ..scene.cell_layers import require_servable_flow
@@ -26,10 +26,11 @@ from ..solutions.state import State, in_one_window
 from .checkpoint import write_checkpoint
 from .display import simulation_rows
 from .engine import Engine
+from .given_strain import Cells, add_eigenstrain, set_plastic_strain
 from .increment_errors import warn_of
 from .restoring import loaded, reduced, repeat_with
 from .run import run_into
-from .steps import STEP, plastic_fields
+from .steps import STEP
 
 
 class Simulation(Configured, Shown):
@@ -322,7 +323,7 @@ class Simulation(Configured, Shown):
         backstress: ArrayLike | None = None,
         first: int | None = None,
     ) -> None:
-        """Set the plastic strain, or any other eigenstrain, of an elastic-plastic body.
+        """Set the plastic strain of an elastic-plastic body.
 
         Parameters
         ----------
@@ -343,12 +344,33 @@ class Simulation(Configured, Shown):
         ValueError
             A field has another shape, or values that are not finite or out of range.
         """
-        index = choice("body", body, (1, 2)) - 1
-        terms = backstresses_of((self.body1, self.body2)[index])
-        fields = plastic_fields(self.grid, strain, equivalent, backstress, terms, first)
-        with self.engine.access:
-            self.engine.core.set_plastic_state(index, first or 0, *fields)
-        self.engine.history.forget()
+        set_plastic_strain(self.engine, body, strain, equivalent, backstress, first)
+
+    def add_eigenstrain(
+        self, body: int, strain: ArrayLike, first: Cells = (0, 0, 0), cells: Cells | None = None
+    ) -> None:
+        """Add an eigenstrain (misfit, swelling, transformation) to an elastic or plastic body.
+
+        Its stress and displacement act from the next increment on and move with the body; it is
+        not plastic strain: see `State.eigenstrain` and `State.eigenstress`.
+
+        Parameters
+        ----------
+        body : {1, 2}
+        strain : array_like, shape (6, nx, ny, nz) or (6,)
+            Tensor components xx, yy, zz, yz, xz, xy [-] of the cells of a box, with any trace; six
+            numbers: the same in `cells`. In common cells it adds to an earlier one.
+        first : tuple of int, optional
+            First cell of the box along x, y and z; it may begin below the surface.
+        cells : tuple of int, optional
+            Numbers of cells (nx, ny, nz) of the box, with six numbers only.
+
+        Raises
+        ------
+        ValueError
+            A box beyond the grid, a grid without layers, a rigid body, strain that is not finite.
+        """
+        add_eigenstrain(self.engine, body, strain, first, cells)
 
     _rows = simulation_rows
 

@@ -24,8 +24,8 @@ from .track import Track
 from .zone import Zone, ZoneStress
 
 _VOLUME = (
-    "stress", "residual_stress", "initial_stress", "plastic_strain", "equivalent_plastic_strain",
-    "backstress", "temperature",
+    "stress", "residual_stress", "initial_stress", "eigenstress", "eigenstrain", "plastic_strain",
+    "equivalent_plastic_strain", "backstress", "temperature",
 )  # fmt: skip
 
 
@@ -203,7 +203,7 @@ class State(SurfaceState, Fixed, Shown):
     def residual_stress(self, body: int = 2) -> FloatArray:
         """Stress without tractions and heat [Pa], shape (6, nx, ny, nz).
 
-        That of the plastic strain, and `initial_stress`.
+        That of the plastic strain, `initial_stress` and `eigenstress`.
         """
         return self._field("residual_stress", body)
 
@@ -213,6 +213,17 @@ class State(SurfaceState, Fixed, Shown):
         See `Material.with_residual_stress`; 0 without.
         """
         return self._field("initial_stress", body)
+
+    def eigenstress(self, body: int = 2) -> FloatArray:
+        """Stress of the `eigenstrain` alone [Pa], shape (6, nx, ny, nz); in equilibrium."""
+        return self._field("eigenstress", body)
+
+    def eigenstrain(self, body: int = 2) -> FloatArray:
+        """Sum of what `Simulation.add_eigenstrain` has added [-], shape (6, nx, ny, nz).
+
+        Tensor components; no part of `plastic_strain`.
+        """
+        return self._field("eigenstrain", body)
 
     def interface_stress(self, body: int = 2) -> FloatArray:
         """Total stress on both sides of the interfaces of a layered body [Pa].
@@ -233,7 +244,7 @@ class State(SurfaceState, Fixed, Shown):
             deep = self.at_layers(layers)
             return deep.residual_stress(body) - deep.initial_stress(body)
 
-        strained = self.max_plastic_strain_magnitude(body) > 0
+        strained = self.max_plastic_strain_magnitude(body) > 0 or self.has_eigenstrain(body)
         return stress_at_interfaces(self.grid, layered, tractions, of_strain if strained else None)
 
     def von_mises(self, body: int = 2) -> FloatArray:
@@ -274,6 +285,10 @@ class State(SurfaceState, Fixed, Shown):
         theory of small strains limits; 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
         """
         return float(self._core.max_plastic_strain_magnitude(choice("body", body, (1, 2)) - 1))
+
+    def has_eigenstrain(self, body: int = 2) -> bool:
+        """Whether an eigenstrain has been added to a body."""
+        return bool(self._core.has_eigenstrain(choice("body", body, (1, 2)) - 1))
 
     def relief(self, body: int = 2) -> FloatArray:
         """Heights of the body's `Relief` where it stands now [m], shape (nx, ny); 0 without."""

@@ -72,7 +72,10 @@ class Track(Fixed):
         )  # fmt: skip
 
     def residual_stress(self) -> FloatArray:
-        """Stress of the plastic strain and `initial_stress` [Pa], shape (6, len(x), ny, nz)."""
+        """Stress without tractions and heat [Pa], shape (6, len(x), ny, nz).
+
+        That of the plastic strain, `initial_stress` and `eigenstress`.
+        """
         return self._field("residual_stress")
 
     def initial_stress(self) -> FloatArray:
@@ -81,6 +84,14 @@ class Track(Fixed):
         See `Material.with_residual_stress`; 0 without.
         """
         return self._field("initial_stress")
+
+    def eigenstress(self) -> FloatArray:
+        """Stress of the `eigenstrain` alone [Pa], shape (6, len(x), ny, nz)."""
+        return self._field("eigenstress")
+
+    def eigenstrain(self) -> FloatArray:
+        """Eigenstrain of `Simulation.add_eigenstrain` [-], shape (6, len(x), ny, nz)."""
+        return self._field("eigenstrain")
 
     def yield_factor(self) -> FloatArray:
         """Factor of the yield stress by its profile over depth [-], shape (len(x), ny, nz)."""

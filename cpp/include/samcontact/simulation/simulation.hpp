@@ -33,6 +33,11 @@ class Simulation {
   void set_plastic_state(int body, const Box& whole, const Field& strain, const Field& equivalent,
                          const Field& backstress);
 
+  /// Adds an eigenstrain of body 0 or 1 in a box of the grid's cells whose first layer is number
+  /// k0, [component][k][i][j] of all six components. Throws std::invalid_argument: a box outside of
+  /// the grid, a grid without volume, a rigid body, values that are not finite.
+  void add_eigenstrain(int body, const Box& box, int k0, const Field& strain);
+
   /// Continues from a saved state of the same scene.
   void restore(const State& state, const Counters& counters);
 

@@ -74,11 +74,15 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
 
 Box PlasticBody::near_yield(const YieldScan& scan, const Sources& sources) const {
   const YieldLimit limit{strength_, weakest_, near, near_weak, sources.deviator(index_)};
-  return scan.box(tractions(), sign(), limit);
+  // Where stress that the scan does not know is less than the rest, the scan finds what may yield.
+  return scan.box(tractions(), sign(), limit)
+      .united(sources.box_beyond(index_, strength_, weakest_, 1 - near));
 }
 
 Box PlasticBody::yield_below(const YieldScan& scan, const Sources& sources) const {
-  const YieldLimit limit{strength_, 1.0, 1.0, beyond_weak, sources.deviator(index_)};
+  const double share = sources.all_smooth(index_) ? 1.0 : near;
+  const YieldLimit limit{strength_, 1.0, share, std::min(share, beyond_weak),
+                         sources.deviator(index_)};
   const Box below = scan.box_below(tractions(), sign(), limit);
   // Flow above may have brought a weak layer to yield in the grid as well.
   return strength_.weakens() ? below.united(scan.box(tractions(), sign(), limit)) : below;

@@ -7,6 +7,7 @@ namespace samcontact::simulation {
 
 fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions& tractions) {
   using fft::Symmetry;
+  if (task.from.eigenstrain[0] || task.from.eigenstrain[1]) return Symmetry::none;
   if (task.from.method == operators::ResidualMethod::exact) return Symmetry::none;
   Symmetry symmetry = task.scene().symmetry(task.from.travel);
   if (task.target.is_prescribed()) {
@@ -39,6 +40,7 @@ bool has_twins(const IncrementTask& task) {
   // Shear acts on the two in opposite directions.
   if (!task.target.tractions.shear_x.empty() || !task.target.tractions.shear_y.empty())
     return false;
+  if (task.from.eigenstrain[0] || task.from.eigenstrain[1]) return false;
   const auto offset = task.from.placement().offset;
   return offset[0] == offset[1] && same(task.from.plastic[0], task.from.plastic[1]);
 }

@@ -33,7 +33,8 @@ Columns columns_of(const std::vector<Cell>& cells) {
 }  // namespace
 
 bool SplitChoice::is_allowed() const {
-  return !task_.settings.one_zone && symmetry_ == fft::Symmetry::none &&
+  const Eigenstrains& given = task_.from.eigenstrain;
+  return !task_.settings.one_zone && !given[0] && !given[1] && symmetry_ == fft::Symmetry::none &&
          task_.from.method == operators::ResidualMethod::fast && task_.scene().may_split() &&
          (!task_.scene().grid.period.is_on() || is_cold_and_at_rest());
 }

@@ -50,15 +50,23 @@ class InitialStress : public Source {
 
 }  // namespace
 
-Sources::Sources(const Scene& scene, const Travel& travel, const std::array<GivenHeat, 2>& heat) {
+Sources::Sources(const Scene& scene, const Travel& travel, const std::array<GivenHeat, 2>& heat,
+                 const Eigenstrains& eigenstrains, operators::ResidualMethod method) {
   all_.push_back(std::make_unique<Undeformed>(scene, travel));
   all_.push_back(std::make_unique<HeatSource>(scene.grid, heat, scene.placement(travel).offset));
   all_.push_back(std::make_unique<InitialStress>(scene, travel));
+  all_.push_back(std::make_unique<Eigenstrain>(scene, travel, method, eigenstrains));
 }
 
 bool Sources::all_remain(int body) const {
   return std::none_of(all_.begin(), all_.end(), [body](const auto& source) {
     return source->acts_on(body) && !source->remains();
+  });
+}
+
+bool Sources::all_smooth(int body) const {
+  return std::none_of(all_.begin(), all_.end(), [body](const auto& source) {
+    return source->acts_on(body) && !source->is_smooth();
   });
 }
 
@@ -79,6 +87,14 @@ void Sources::residual_stress(int body, const Box& box, operators::Tensor tensor
   for (const auto& source : all_) {
     if (source->remains()) source->stress(body, box, tensor, sum);
   }
+}
+
+Box Sources::box_beyond(int body, const Strength& strength, double softening, double share) const {
+  Box found;
+  for (const auto& source : all_) {
+    found = found.united(source->box_beyond(body, strength, softening, share));
+  }
+  return found;
 }
 
 operators::DeviatorAt Sources::deviator(int body) const {

@@ -67,8 +67,8 @@ PlasticRecord record(const PlasticState& history) {
           std::move(fields.backstress)};
 }
 
-std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Scene& scene,
-                                           int body) {
+std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Grid& grid,
+                                           std::size_t backstresses) {
   const auto& [symmetry, tensor, origin, box, zones, strain, equivalent, backstress] = record;
   require_that(is_one_of(symmetry), "mirrored must be 0, 1 or 2");
   require_that(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator,
@@ -76,23 +76,22 @@ std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Sc
   for (const int cell : origin) {
     require_that(std::abs(static_cast<long>(cell)) < farthest, "origin is out of range");
   }
-  const Box part = stored_part(scene.grid, symmetry);
-  require_that(is_box(box, scene.grid) && !box.empty() && box.nz > 0 &&
-                   !has_no_end({0, 0, 1, 1, box.nz}, scene.grid) &&
+  const Box part = stored_part(grid, symmetry);
+  require_that(is_box(box, grid) && !box.empty() && box.nz > 0 &&
+                   !has_no_end({0, 0, 1, 1, box.nz}, grid) &&
                    (symmetry == fft::Symmetry::none || box.j0 == part.j0) &&
                    (symmetry != fft::Symmetry::xy || box.i0 == part.i0),
                "the box of a plastic history does not fit the grid");
-  const std::size_t terms = scene.bodies[body].backstresses();
   std::size_t cells = 0;
   for (const Box& zone : zones) {
-    require_that(is_box(zone, scene.grid) && !zone.empty() && zone.nz > 0 && box.contains(zone),
+    require_that(is_box(zone, grid) && !zone.empty() && zone.nz > 0 && box.contains(zone),
                  "the zones of a plastic history are not in its box");
     cells += zone.volume_size();
     require_that(cells <= equivalent.size(), no_fit);
   }
   require_that(cells > 0 && equivalent.size() == cells &&
                    strain.size() == operators::count(tensor) * cells &&
-                   backstress.size() == 5 * terms * cells,
+                   backstress.size() == 5 * backstresses * cells,
                no_fit);
   require_that(are_disjoint(zones), "the zones of a plastic history have cells in common");
   return std::make_shared<const PlasticState>(

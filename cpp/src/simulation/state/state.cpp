@@ -58,9 +58,11 @@ State State::moved(const Travel& to) const {
   state.tractions.shear_x = simulation::moved(tractions.shear_x, grid, cells);
   state.tractions.shear_y = simulation::moved(tractions.shear_y, grid, cells);
   state.contact_gap.clear();
+  require_followed(eigenstrain, *scene_, to);
   for (int b = 0; b < 2; ++b) {
-    if (!plastic[b]) continue;
     const int by = from.first[b] - place.first[b];
+    if (eigenstrain[b]) state.eigenstrain[b] = eigenstrain[b]->moved(by, 0);
+    if (!plastic[b]) continue;
     if (b == 1 && plastic[0] == plastic[1] && by == from.first[0] - place.first[0]) {
       state.plastic[1] = state.plastic[0];
       continue;
@@ -78,8 +80,10 @@ operators::Tractions State::tractions_on(int body) const {
 int State::layers() const {
   Box box = scene_->volume_below(tractions.pressure);
   if (scene_->grid.nz > 0) return box.nz;
-  for (const auto& history : plastic) {
-    if (history) box.nz = std::max(box.nz, history->box().nz);
+  for (const auto* strains : {&plastic, &eigenstrain}) {
+    for (const auto& strain : *strains) {
+      if (strain) box.nz = std::max(box.nz, strain->box().nz);
+    }
   }
   return box.nz;
 }

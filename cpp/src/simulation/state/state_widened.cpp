@@ -38,6 +38,7 @@ State State::widened(std::shared_ptr<const Scene> to) const {
   for (int b = 0; b < 2; ++b) {
     const bool shared = b == 1 && plastic[0] == plastic[1];
     if (plastic[b]) state.plastic[b] = shared ? state.plastic[0] : plastic[b]->moved(i, j);
+    if (eigenstrain[b]) state.eigenstrain[b] = eigenstrain[b]->moved(i, j);
     for (Box& box : state.flow_boxes[b]) box = box.moved(i, j);
   }
   if (last_flow) {

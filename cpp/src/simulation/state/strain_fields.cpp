@@ -26,6 +26,16 @@ Field equivalent_plastic_strain(const State& state, int body, const Box& region)
   return unfolded(state.plastic[body], state.scene().grid, fft::Symmetry::none)->equivalent(region);
 }
 
+Field eigenstrain(const State& state, int body, Layers layers) {
+  return eigenstrain(state, body, state.below(layers));
+}
+
+Field eigenstrain(const State& state, int body, const Box& region) {
+  state.scene().require_volume(body);
+  const auto& strain = state.eigenstrain[body];
+  return strain ? strain->strain(region) : Field(6 * region.volume_size(), 0.0);
+}
+
 Box strain_beyond(const State& state, int body) {
   if (!state.plastic[body]) return {};
   const Grid& grid = state.scene().grid;

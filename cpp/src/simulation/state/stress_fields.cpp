@@ -108,6 +108,17 @@ Field initial_stress(const State& state, int body, const Box& region) {
   return stress;
 }
 
+Field eigenstress(const State& state, int body, Layers layers) {
+  return eigenstress(state, body, state.below(layers));
+}
+
+Field eigenstress(const State& state, int body, const Box& region) {
+  state.scene().require_volume(body);
+  const auto& strain = state.eigenstrain[body];
+  if (!strain) return Field(6 * region.volume_size(), 0.0);
+  return stress_of(*strain, state.scene(), body, state.method, region);
+}
+
 Field stress_in_zones(const State& state, int body, bool with_tractions) {
   const std::vector<Box> boxes = zones(state, body);
   if (boxes.empty()) return {};

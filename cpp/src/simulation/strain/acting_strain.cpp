@@ -7,6 +7,14 @@
 #include "samcontact/simulation/cells/zone_choice.hpp"
 
 namespace samcontact::simulation {
+namespace {
+
+PlasticState whole(const PlasticState& history, const Grid& grid) {
+  const bool is_whole = history.symmetry() == fft::Symmetry::none;
+  return is_whole ? history : history.unfolded(grid, fft::Symmetry::none);
+}
+
+}  // namespace
 
 Box acting_box(const PlasticState& history, const Box& wanted, int reach) {
   const int step = std::max(8, (wanted.nx + 3) / 4);
@@ -33,14 +41,43 @@ Zones acting_zones(const PlasticState& history, const Zones& zones,
 
 Field stress_of(const PlasticState& history, const Scene& scene, int body,
                 operators::ResidualMethod method, const Box& region) {
-  const PlasticState all = history.symmetry() == fft::Symmetry::none
-                               ? history
-                               : history.unfolded(scene.grid, fft::Symmetry::none);
+  const PlasticState all = whole(history, scene.grid);
   const Box around = acting_box(all, region, scene.reach);
   const auto operators =
       scene.cache.volume(body, around, operators::Tensor::full, method, fft::Symmetry::none, {});
   const Field strain = six_components(all.strain(around), all.tensor());
   return cut(operators->stress(strain.data(), nullptr, 1.0), around, region);
+}
+
+Field displacement_of(const PlasticState& history, const Scene& scene, int body,
+                      operators::ResidualMethod method, operators::Axis axis, const Box& region) {
+  const Box surface{region.i0, region.j0, region.nx, region.ny, 1};
+  const PlasticState all = whole(history, scene.grid);
+  const Box around = acting_box(all, surface, scene.reach);
+  const auto operators =
+      scene.cache.volume(body, around, all.tensor(), method, fft::Symmetry::none, {});
+  operators::VolumeSpectrum spectrum = operators->make_spectrum();
+  operators::forward(operators->transform(), all.strain(around).data(), spectrum);
+  Field plane(around.surface_size()), out(surface.surface_size());
+  operators->residual_displacement(axis).apply(spectrum, plane.data());
+  Box layer = around;
+  layer.nz = 1;
+  extract(plane.data(), layer, out.data(), surface);
+  return out;
+}
+
+Field displacement_of(const PlasticState& history, const Scene& scene, int body,
+                      operators::ResidualMethod method, operators::Axis axis, double offset) {
+  // A body between cells shows parts of what lies a row beyond the grid.
+  const int more = offset == 0 ? 0 : 1;
+  const Grid& grid = scene.grid;
+  Grid wide = grid;
+  wide.nx += 2 * more;
+  const Field own =
+      displacement_of(history, scene, body, method, axis, {-more, 0, wide.nx, grid.ny, 0});
+  const Field seen = seen_from_body(own, wide, -offset);
+  const std::ptrdiff_t beyond = static_cast<std::ptrdiff_t>(more) * grid.ny;
+  return {seen.begin() + beyond, seen.end() - beyond};
 }
 
 }  // namespace samcontact::simulation

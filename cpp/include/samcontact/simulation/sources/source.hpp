@@ -5,6 +5,7 @@
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/box.hpp"
 #include "samcontact/operators/zones/stress_bound.hpp"
+#include "samcontact/simulation/scene/strength.hpp"
 
 namespace samcontact::simulation {
 
@@ -16,6 +17,8 @@ class Source {
   virtual bool acts_on(int body) const = 0;
   /// Whether it still acts on bodies without load.
   virtual bool remains() const = 0;
+  /// Whether the search of cells that yield knows its stress; else see box_beyond().
+  virtual bool is_smooth() const { return true; }
   /// Adds its part of the separation of the undeformed surfaces [i][j] of the grid.
   virtual void separate(Field& /*gap*/) const {}
   /// Adds the displacement u_z of a body's surface [i][j] of the grid.
@@ -27,6 +30,12 @@ class Source {
   /// Deviator of the stress at depths below the grid, for the search of cells that yield; none:
   /// zero, or known to that search.
   virtual operators::DeviatorAt deviator(int /*body*/) const { return {}; }
+  /// The box of all cells of the grid whose von Mises stress exceeds a share of the softened yield
+  /// stress, where it varies from cell to cell, so that the search would miss some; empty: none.
+  virtual Box box_beyond(int /*body*/, const Strength& /*strength*/, double /*softening*/,
+                         double /*share*/) const {
+    return {};
+  }
 };
 
 /// Adds a field to a sum that is empty while it is 0.

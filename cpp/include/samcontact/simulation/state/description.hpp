@@ -26,9 +26,10 @@ struct PlasticRecord {
 };
 
 PlasticRecord record(const PlasticState& history);
-/// The reverse, of a body. Throws std::invalid_argument for what does not fit the scene.
-std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Scene& scene,
-                                           int body);
+/// The reverse, of a body with some backstresses. Throws std::invalid_argument for what does not
+/// fit the grid.
+std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Grid& grid,
+                                           std::size_t backstresses);
 
 /// Throws std::invalid_argument unless the parts of a state fit each other and its scene.
 void require_consistent(const State& state);
@@ -114,8 +115,11 @@ void describe(S& s, Visitor& visit) {
     visit("heat_factor" + number, s.heating[b].factor);
     visit("flow_boxes" + number, s.flow_boxes[b]);
     visit.made("softening" + number, s.softening[b], as_it_is, copied);
-    visit.made("history" + number, s.plastic[b], record,
-               [&](const PlasticRecord& plain) { return remade(plain, s.scene(), b); });
+    visit.made("history" + number, s.plastic[b], record, [&](const PlasticRecord& plain) {
+      return remade(plain, s.scene().grid, s.scene().bodies[b].backstresses());
+    });
+    visit.made("eigenstrain" + number, s.eigenstrain[b], record,
+               [&](const PlasticRecord& plain) { return remade(plain, s.scene().grid, 0); });
     visit.made(
         "past" + number, s.past[b], [](const operators::HeatHistory& heat) { return heat.state(); },
         [&](const std::vector<double>& numbers) {

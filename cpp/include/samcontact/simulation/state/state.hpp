@@ -58,6 +58,7 @@ class State {
   double friction_work = 0.0;      // since the start [J]
   fft::Symmetry shear_symmetry = fft::Symmetry::xy;  // mirror planes of all such motion so far
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
+  Eigenstrains eigenstrain;                                    // that is given, as it lies now
   operators::ResidualMethod method;
   Travel travel{};
   Travel advance{};  // by which moved() has just taken it there
@@ -98,7 +99,7 @@ class State {
     return simulation::given_heat(*scene_, heating, past, duration, slip_power);
   }
   /// Which refer to this state.
-  Sources sources() const { return {*scene_, travel, given_heat()}; }
+  Sources sources() const { return {*scene_, travel, given_heat(), eigenstrain, method}; }
 
   /// How many layers fields of the volume have: those of the grid, or enough for all plastic strain
   /// and for the stress under the contact.

@@ -14,6 +14,9 @@ Field plastic_strain(const State& state, int body, Layers layers = {});
 Field plastic_strain(const State& state, int body, const Box& region);
 Field equivalent_plastic_strain(const State& state, int body, Layers layers = {});
 Field equivalent_plastic_strain(const State& state, int body, const Box& region);
+/// The eigenstrain that is given.
+Field eigenstrain(const State& state, int body, Layers layers = {});
+Field eigenstrain(const State& state, int body, const Box& region);
 /// [term][component][k][i][j], as many terms as the material has backstresses.
 Field backstress(const State& state, int body, Layers layers = {});
 Field backstress(const State& state, int body, const Box& region);

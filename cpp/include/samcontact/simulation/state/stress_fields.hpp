@@ -19,6 +19,10 @@ Field residual_stress(const State& state, int body, const Box& region);
 Field initial_stress(const State& state, int body, Layers layers = {});
 Field initial_stress(const State& state, int body, const Box& region);
 
+/// The stress of the eigenstrain that is given.
+Field eigenstress(const State& state, int body, Layers layers = {});
+Field eigenstress(const State& state, int body, const Box& region);
+
 /// Stress in the zones of a body, all of it or what remains, [zone][component][k][i][j].
 Field stress_in_zones(const State& state, int body, bool with_tractions);
 

@@ -19,4 +19,11 @@ Zones acting_zones(const PlasticState& history, const Zones& zones,
 Field stress_of(const PlasticState& history, const Scene& scene, int body,
                 operators::ResidualMethod method, const Box& region);
 
+/// Displacement of the surface along an axis due to it, [i][j] of a region.
+Field displacement_of(const PlasticState& history, const Scene& scene, int body,
+                      operators::ResidualMethod method, operators::Axis axis, const Box& region);
+/// The same of the grid's cells, where the body's cells lie at an offset from them, see Placement.
+Field displacement_of(const PlasticState& history, const Scene& scene, int body,
+                      operators::ResidualMethod method, operators::Axis axis, double offset);
+
 }  // namespace samcontact::simulation

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A given eigenstrain of the bodies (misfit, swelling, transformation), as a source.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "samcontact/simulation/sources/source.hpp"
+#include "samcontact/simulation/strain/acting_strain.hpp"
+
+namespace samcontact::simulation {
+
+/// Eigenstrains by body, without equivalent strain and backstress; null: none.
+using Eigenstrains = std::array<std::shared_ptr<const PlasticState>, 2>;
+
+/// An eigenstrain and another one in a box of the grid's cells whose first layer is number k0,
+/// [component][k][i][j] of all six components: their sum. Null where it is zero everywhere.
+std::shared_ptr<const PlasticState> sum_of(const std::shared_ptr<const PlasticState>& before,
+                                           const Box& box, int k0, const Field& strain);
+
+/// Throws std::invalid_argument where the bodies move by ways that no cells of theirs follow.
+void require_followed(const Eigenstrains& strains, const Scene& scene, const Travel& travel);
+
+class Eigenstrain : public Source {
+ public:
+  Eigenstrain(const Scene& scene, const Travel& travel, operators::ResidualMethod method,
+              const Eigenstrains& strains)
+      : scene_(scene),
+        method_(method),
+        strains_(strains),
+        offsets_(scene.placement(travel).offset) {}
+
+  bool acts_on(int body) const override { return strains_[body] != nullptr; }
+  bool remains() const override { return true; }
+  bool is_smooth() const override { return false; }
+  void displace(int body, Field& sum) const override;
+  void stress(int body, const Box& box, operators::Tensor tensor, Field& sum) const override;
+  Box box_beyond(int body, const Strength& strength, double softening, double share) const override;
+
+ private:
+  const Scene& scene_;
+  operators::ResidualMethod method_;
+  Eigenstrains strains_;
+  std::array<double, 2> offsets_;
+  mutable std::array<Field, 2> displacement_;  // empty before it is asked for
+};
+
+}  // namespace samcontact::simulation

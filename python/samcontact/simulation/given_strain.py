@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Strain that a simulation is given: plastic strain to go on from, and eigenstrain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._util.checks import FloatArray, choice, finite_array, integer, real_array
+from ..bodies.layered import backstresses_of
+from ..scene.grid import Grid
+
+if TYPE_CHECKING:
+    from .engine import Engine
+
+Cells = Sequence[int]
+"""Numbers of cells along x, y and z."""
+
+
+def set_plastic_strain(
+    engine: Engine,
+    body: int,
+    strain: ArrayLike,
+    equivalent: ArrayLike | None,
+    backstress: ArrayLike | None,
+    first: int | None,
+) -> None:
+    """See `Simulation.set_plastic_strain`."""
+    index = choice("body", body, (1, 2)) - 1
+    terms = backstresses_of(engine.setup.bodies[index])
+    fields = plastic_fields(engine.domain.grid, strain, equivalent, backstress, terms, first)
+    with engine.access:
+        engine.core.set_plastic_state(index, first or 0, *fields)
+    engine.history.forget()
+
+
+def add_eigenstrain(
+    engine: Engine, body: int, strain: ArrayLike, first: Cells, cells: Cells | None
+) -> None:
+    """See `Simulation.add_eigenstrain`."""
+    index = choice("body", body, (1, 2)) - 1
+    place, field = eigenstrain_field(engine.domain.grid, strain, first, cells)
+    with engine.access:
+        engine.core.add_eigenstrain(index, place, field)
+    engine.history.forget()
+
+
+def plastic_fields(
+    grid: Grid,
+    strain: ArrayLike,
+    equivalent: ArrayLike | None,
+    backstress: ArrayLike | None,
+    terms: int,
+    first: int | None,
+) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
+    """Arguments of `Simulation.set_plastic_strain`, depth-major; terms: number of backstresses."""
+    given = real_array("strain", strain).shape
+    fits = len(given) == 4 and min(given) > 0
+    rows = grid.nx
+    if first is not None:
+        integer("first", first)
+        rows = given[1] if fits else rows
+    shape = (rows, grid.ny, given[3] if fits else grid.nz)
+    checked = finite_array("strain", strain, (6, *shape))
+    history = centre = None
+    if equivalent is not None:
+        history = np.ascontiguousarray(
+            np.moveaxis(finite_array("equivalent", equivalent, shape), 2, 0)
+        )
+    if backstress is not None:
+        deviators = finite_array("backstress", backstress, (terms, 6, *shape))
+        centre = np.ascontiguousarray(np.moveaxis(deviators, 4, 2))
+    _require_over_grid(grid, checked, first or 0)
+    return np.ascontiguousarray(np.moveaxis(checked, 3, 1)), history, centre
+
+
+def _require_over_grid(grid: Grid, strain: FloatArray, first: int) -> None:
+    """Refuse a plastic strain that lies beside the grid as a whole."""
+    rows = np.flatnonzero(strain.any(axis=(0, 2, 3))) + first
+    if rows.size and not ((rows >= 0) & (rows < grid.nx)).any():
+        raise ValueError(
+            f"strain must lie over the grid at least in part, rows 0 to {grid.nx - 1}; with "
+            f"first = {first} it lies in rows {rows[0]} to {rows[-1]}"
+        )
+
+
+def eigenstrain_field(
+    grid: Grid, strain: ArrayLike, first: Cells, cells: Cells | None
+) -> tuple[tuple[int, int, int], FloatArray]:
+    """Arguments of `Simulation.add_eigenstrain`: first cell, and strain, depth-major."""
+    place = _three("first", first, 0)
+    if not grid.has_volume:
+        raise ValueError("the grid has no dz: an eigenstrain needs layers")
+    shape = real_array("strain", strain).shape
+    if cells is not None or shape == (6,):
+        if cells is None or shape != (6,):
+            raise ValueError(
+                "strain must have shape (6,) together with cells = (nx, ny, nz), or shape "
+                f"(6, nx, ny, nz) without; got shape {shape} and cells = {cells!r}"
+            )
+        uniform = finite_array("strain", strain, (6,))
+        field = np.tile(uniform[:, None, None, None], (1, *_three("cells", cells, 1)))
+    else:
+        if len(shape) != 4 or shape[0] != 6 or min(shape) < 1:
+            raise ValueError(f"strain must have shape (6,) or (6, nx, ny, nz), got {shape}")
+        field = finite_array("strain", strain, shape)
+    sizes = zip("xyz", place, field.shape[1:], (*grid.surface_shape, grid.nz), strict=True)
+    for axis, start, count, most in sizes:
+        if start + count > most and not (axis == "z" and grid.nz == 0):
+            raise ValueError(
+                f"the box must lie in the grid, which has {most} cells along {axis}; it has cells "
+                f"{start} to {start + count - 1}"
+            )
+    return place, np.ascontiguousarray(np.moveaxis(field, 3, 1))
+
+
+def _three(name: str, numbers: Cells, least: int) -> tuple[int, int, int]:
+    """Three whole numbers."""
+    try:
+        i, j, k = numbers
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name} must be three whole numbers, got {numbers!r}") from error
+    for number in (i, j, k):
+        integer(name, number, least)
+    return int(i), int(j), int(k)
