@@ -98,10 +98,10 @@ TEST_CASE("strain, unknowns and history survive a change of zones") {
     for (const auto& [cell, s] : in_two) CHECK(in_one.at(cell) == s);
     Field gap(grid.surface_size(), 0.0), again = gap;
     body.transform(true);
-    body.open(gap);
+    body.surface().open(gap);
     set(Zones({beside, wider}));
     body.transform(true);
-    body.open(again);
+    body.surface().open(again);
     CHECK(gap == again);
 
     const auto after = body.finish();

@@ -16,15 +16,6 @@ namespace {
 
 using operators::Tensor;
 
-/// Elastic stress above this part of the yield stress belongs into the box. More where a weak layer
-/// lies below what flows and apart from it: no rim says that flow above has brought it to yield.
-constexpr double near = 0.9, near_weak = 0.7;
-/// The same where zones, or layers below the grid, are to hold what yields.
-constexpr double beyond_weak = 0.8;
-
-/// Cells of a surface beyond which a bound of the stress says where a body may yield.
-constexpr std::size_t large_surface = 65000;
-
 /// Memory of an increment in which all of a box flows and that is divided; as measured,
 /// docs/architecture.md has the parts. Of a cell that is stored, of the plane of wavenumbers times
 /// layers, of coefficients there, which mirrors do not divide; of a backstress; of the exact
@@ -43,12 +34,25 @@ void require_memory_of(const Zones& zones, double bytes, double before) {
                                      " cells,");
 }
 
-/// Sum of the backstresses of a cell: xx, yy, yz, xz, xy.
-std::array<double, 5> centre(const Field& backstress, std::size_t cells, std::size_t cell) {
-  std::array<double, 5> sum{};
-  int c = 0;
-  for (std::size_t at = cell; at < backstress.size(); at += cells) sum[c++ % 5] += backstress[at];
-  return sum;
+/// Memory of an increment in zones of a body.
+double bytes_of(const Zones& zones, bool split, const Grid& grid, fft::Symmetry symmetry,
+                std::size_t terms, operators::ResidualMethod method) {
+  if (zones.empty()) return 0.0;
+  const double backstresses = backstress_bytes * static_cast<double>(terms);
+  const Box& box = zones.around();
+  if (split) {
+    const auto surface = static_cast<double>(Box::surface(grid).united(box).surface_size());
+    return static_cast<double>(zones.cells()) * (zone_bytes + backstresses) +
+           surface * box.nz * lattice_bytes;
+  }
+  const auto stored = static_cast<double>(box.volume_size()),
+             whole = static_cast<double>(whole_box(box, grid, symmetry).volume_size());
+  // What does not repeat itself is padded to twice its length.
+  const Period& period = grid.period;
+  const double planes = period.x > 0 && period.y > 0 ? 0.25 : 1.0;
+  const bool exact = method == operators::ResidualMethod::exact;
+  return stored * (cell_bytes + backstresses + planes * spectrum_bytes) +
+         whole * planes * (table_bytes + (exact ? exact_bytes : 0.0));
 }
 
 }  // namespace
@@ -58,144 +62,80 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
     : scene_(from.scene()),
       index_(index),
       number_(number),
-      copies_(copies),
       method_(from.method),
       symmetry_(symmetry),
       heating_(heating),
-      choice_(scene_.grid, symmetry),
       strength_(scene_.strength(index, from.travel)),
       history_(unfolded(from.plastic[index], scene_.grid, symmetry)),
       met_(from.met[index] ? unfolded(from.met[index], scene_.grid, symmetry) : history_),
-      offset_(from.placement().offset[index]) {
+      offset_(from.placement().offset[index]),
+      cells_(scene_.bodies[index]),
+      search_(scene_, index, heating, strength_),
+      surface_(scene_, index, copies, symmetry, offset_) {
   if (!history_) return;
   tensor_ = history_->tensor();
   strained_ = true;
 }
 
-Box PlasticBody::near_yield(const YieldScan& scan, const Sources& sources) const {
-  const YieldLimit limit{strength_, weakest_, near, near_weak, sources.deviator(index_)};
-  // Where stress that the scan does not know is less than the rest, the scan finds what may yield.
-  return scan.box(tractions(), sign(), limit)
-      .united(sources.box_beyond(index_, strength_, weakest_, 1 - near));
-}
-
-Box PlasticBody::yield_below(const YieldScan& scan, const Sources& sources) const {
-  const double share = sources.all_smooth(index_) ? 1.0 : near;
-  const YieldLimit limit{strength_, 1.0, share, std::min(share, beyond_weak),
-                         sources.deviator(index_)};
-  const Box below = scan.box_below(tractions(), sign(), limit);
-  // Flow above may have brought a weak layer to yield in the grid as well.
-  return strength_.weakens() ? below.united(scan.box(tractions(), sign(), limit)) : below;
-}
-
-bool PlasticBody::yields_everywhere(const YieldScan& scan) const {
-  return scan.is_beyond_everywhere(tractions(), sign(), {strength_, 1.0, 1.0, 1.0});
-}
-
-const Columns& PlasticBody::yielding_columns(const YieldScan& scan, const Sources& sources) {
-  const bool known =
-      yielding_ && yielding_->softening == weakest_ && yielding_->tractions == tractions();
-  if (!known) {
-    const YieldLimit limit{strength_, weakest_, 1.0, beyond_weak, sources.deviator(index_)};
-    yielding_ = Yielding{tractions(), weakest_, columns_beyond(limit, scan)};
-  }
-  return yielding_->columns;
-}
-
-Columns PlasticBody::columns_beyond(const YieldLimit& limit, const YieldScan& scan) const {
-  if (scene_.grid.surface_size() <= large_surface) {
-    return scan.columns(tractions(), sign(), limit);
-  }
-  return scene_.cache.zone_scan(index_, scene_.strength(index_, {}), heating_)
-      ->columns(tractions(), sign(), limit);
-}
-
-std::vector<Box> PlasticBody::history_boxes() const {
-  return history_ ? history_->zones().boxes() : std::vector<Box>{};
-}
-
-double PlasticBody::bytes_of(const Zones& zones, bool split) const {
-  if (zones.empty()) return 0.0;
-  const double backstresses = backstress_bytes * static_cast<double>(body().backstresses());
-  const Box& box = zones.around();
-  if (split) {
-    const auto surface = static_cast<double>(Box::surface(scene_.grid).united(box).surface_size());
-    return static_cast<double>(zones.cells()) * (zone_bytes + backstresses) +
-           surface * box.nz * lattice_bytes;
-  }
-  const auto stored = static_cast<double>(box.volume_size()),
-             whole = static_cast<double>(choice_.whole(box).volume_size());
-  // What does not repeat itself is padded to twice its length.
-  const Period& period = scene_.grid.period;
-  const double planes = period.x > 0 && period.y > 0 ? 0.25 : 1.0;
-  const bool exact = method_ == operators::ResidualMethod::exact;
-  return stored * (cell_bytes + backstresses + planes * spectrum_bytes) +
-         whole * planes * (table_bytes + (exact ? exact_bytes : 0.0));
-}
-
 void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sources,
                             ActiveCells& active) {
-  require_memory_of(zones, bytes_of(zones, split), bytes_of(zones_, split_));
+  const std::size_t terms = scene_.bodies[index_].backstresses();
+  const auto bytes = [&](const Zones& of, bool are_split) {
+    return bytes_of(of, are_split, scene_.grid, symmetry_, terms, method_);
+  };
+  require_memory_of(zones, bytes(zones, split), bytes(this->zones(), split_));
   // The old one first: the two together may not fit.
   volume_.reset();
   const int parts = operators::count(tensor_);
   const std::size_t cells = zones.cells();
-  const std::size_t terms = body().backstresses();
   PlasticFields fields = history_ ? history_->fields(zones)
                                   : PlasticFields{zones, Field(parts * cells, 0.0),
                                                   Field(cells, 0.0), Field(cells * 5 * terms, 0.0)};
-  const Field before = met_ && axes().size() > 1 ? met_->strain(zones) : Field{};
+  const Field before = met_ && surface_.axes().size() > 1 ? met_->strain(zones) : Field{};
   // What is in the zones by now includes the last guess.
+  const Zones& old = cells_.zones();
   for (int c = 0; c < parts; ++c) {
-    copy_common(strain_.data() + c * zones_.cells(), zones_, fields.strain.data() + c * cells,
-                zones);
+    copy_common(strain_.data() + c * old.cells(), old, fields.strain.data() + c * cells, zones);
   }
   strain_ = std::move(fields.strain);
-  equivalent_ = std::move(fields.equivalent);
-  backstress_ = std::move(fields.backstress);
-  active.move(number_, zones_, zones);
+  active.move(number_, old, zones);
   active_.assign(cells, -1);
   for (std::size_t n = 0; n < active.size(); ++n) {
     if (active.cells[n].body == number_) active_[active.cells[n].cell] = static_cast<int>(n);
   }
-  zones_ = zones;
-  factor_.clear();
-  material_.clear();
+  cells_.take(zones, std::move(fields.equivalent), std::move(fields.backstress), strength_);
   split_ = split;
   const auto tables = split ? scene_.cache.zone_tables(index_, tensor_, heating_) : nullptr;
   if (split) {
-    volume_ = std::make_unique<SplitVolume>(tables, zones_);
-  } else if (!zones_.empty()) {
+    volume_ = std::make_unique<SplitVolume>(tables, zones);
+  } else if (!zones.empty()) {
     volume_ =
-        std::make_unique<BoxVolume>(scene_, index_, zones_, tensor_, method_, symmetry_, heating_);
+        std::make_unique<BoxVolume>(scene_, index_, zones, tensor_, method_, symmetry_, heating_);
   }
-  find_slid_before(before);
-  given_stress_.assign(zones_.count(), {});
-  for (std::size_t zone = 0; zone < zones_.count(); ++zone) {
-    const Box& box = zones_.boxes()[zone];
-    sources.stress(index_, box, tensor_, given_stress_[zone]);
-    const Field factor = strength_.factor(box);
-    factor_.insert(factor_.end(), factor.begin(), factor.end());
-    const auto materials = strength_.materials(box);
-    material_.insert(material_.end(), materials.begin(), materials.end());
+  surface_.begin(volume_.get(), split, before);
+  given_stress_.assign(zones.count(), {});
+  for (std::size_t zone = 0; zone < zones.count(); ++zone) {
+    sources.stress(index_, zones.boxes()[zone], tensor_, given_stress_[zone]);
   }
   if (!history_) return;
-  outside_ = split ? outside_strain_in_zones(tables, *history_, zones_, scene_.reach)
-                   : outside_strain(scene_, index_, *history_, zones_, method_);
-  for (std::size_t zone = 0; zone < outside_.stress.size(); ++zone) {
-    add_to(given_stress_[zone], std::move(outside_.stress[zone]));
+  OutsideStrain outside = split ? outside_strain_in_zones(tables, *history_, zones, scene_.reach)
+                                : outside_strain(scene_, index_, *history_, zones, method_);
+  for (std::size_t zone = 0; zone < outside.stress.size(); ++zone) {
+    add_to(given_stress_[zone], std::move(outside.stress[zone]));
   }
+  surface_.take(std::move(outside));
 }
 
 void PlasticBody::set_strain(std::uint32_t cell, const plasticity::Tensor& strain) {
   const auto places = operators::components(tensor_);
-  const std::size_t cells = zones_.cells();
+  const std::size_t cells = zones().cells();
   for (std::size_t c = 0; c < places.size(); ++c) strain_[c * cells + cell] = strain[places[c]];
 }
 
 void PlasticBody::transform(bool active) {
   strained_ = (strained_ || active) && volume_;
-  if (strained_) volume_->transform(strain_, axes());
+  surface_.set_strained(strained_);
+  if (strained_) volume_->transform(strain_, surface_.axes());
 }
 
 void PlasticBody::meet(const operators::Tractions& tractions) {
@@ -204,9 +144,8 @@ void PlasticBody::meet(const operators::Tractions& tractions) {
 }
 
 void PlasticBody::soften(std::shared_ptr<const BoxField> factor) {
-  softening_ = std::move(factor);
-  if (!softening_) return;
-  weakest_ = *std::min_element(softening_->values.begin(), softening_->values.end());
+  cells_.soften(std::move(factor));
+  search_.soften(cells_.weakest());
 }
 
 void PlasticBody::activate(std::uint32_t cell, const plasticity::Tensor& deviator,
@@ -215,36 +154,23 @@ void PlasticBody::activate(std::uint32_t cell, const plasticity::Tensor& deviato
   plasticity::Tensor before{};
   const auto places = operators::components(tensor_);
   for (std::size_t c = 0; c < places.size(); ++c) {
-    before[places[c]] = strain_[c * zones_.cells() + cell];
+    before[places[c]] = strain_[c * zones().cells() + cell];
   }
   if (tensor_ == Tensor::deviator) before[2] = -(before[0] + before[1]);
   active.append({number_, cell}, before, deviator);
 }
 
-PlasticBody::Limits PlasticBody::first_limits() const {
-  Limits limits{{}, INFINITY};
-  for (int n = 0; n < body().count(); ++n) {
-    const plasticity::Material& material = body().material(n);
-    const double first = material.hardening.yield_stress(0.0), bound = first * first / 3;
-    const auto& profile = material.yield_profile;
-    const double weakest = profile ? weakest_ * profile->smallest() : weakest_;
-    limits.first.push_back(bound);
-    limits.weakest = std::min(limits.weakest, bound * weakest * weakest);
-  }
-  return limits;
-}
-
 double PlasticBody::find_stress(ActiveCells& active) {
-  const Limits limits = first_limits();
+  const CellHistory::Limits limits = cells_.first_limits();
   std::vector<std::vector<Seen>> seen;  // by zone and layer
-  for (const Box& box : zones_.boxes()) seen.emplace_back(box.nz);
+  for (const Box& box : zones().boxes()) seen.emplace_back(box.nz);
   const auto look = [&](std::size_t zone, int k, const double* layer) {
     const Field sum = with_given_stress(zone, k, layer);
-    const std::size_t plane = zones_.boxes()[zone].surface_size();
-    seen[zone][k] = look_at_layer(zones_.first(zone) + k * plane, plane,
+    const std::size_t plane = zones().boxes()[zone].surface_size();
+    seen[zone][k] = look_at_layer(zones().first(zone) + k * plane, plane,
                                   sum.empty() ? layer : sum.data(), limits, active);
   };
-  volume_->for_each_layer(strained_, strain_, tractions(), sign(), look);
+  volume_->for_each_layer(strained_, strain_, tractions(), operators::shear_sign(index_), look);
   double largest = 0.0;
   for (const auto& layers : seen) {
     for (const Seen& layer : layers) {
@@ -258,7 +184,7 @@ double PlasticBody::find_stress(ActiveCells& active) {
 Field PlasticBody::with_given_stress(std::size_t zone, int k, const double* layer) const {
   const Field& given = given_stress_[zone];
   if (given.empty()) return {};
-  const Box& box = zones_.boxes()[zone];
+  const Box& box = zones().boxes()[zone];
   const std::size_t parts = operators::count(tensor_), plane = box.surface_size();
   Field sum(layer, layer + parts * plane);
   for (std::size_t c = 0; c < parts; ++c) {
@@ -269,10 +195,9 @@ Field PlasticBody::with_given_stress(std::size_t zone, int k, const double* laye
 }
 
 PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plane,
-                                             const double* layer, const Limits& limits,
+                                             const double* layer, const CellHistory::Limits& limits,
                                              ActiveCells& active) const {
-  const std::size_t cells = zones_.cells();
-  const bool deviator = tensor_ == Tensor::deviator, kinematic = !backstress_.empty();
+  const bool deviator = tensor_ == Tensor::deviator, kinematic = cells_.has_backstress();
   const double* s[6];
   for (int c = 0; c < 6; ++c) s[c] = layer + (deviator ? (c < 3 ? c : c - 1) : c) * plane;
   Seen seen;
@@ -289,15 +214,12 @@ PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plan
     if (number < 0) {
       std::array<double, 5> effective{xx, yy, s[3][i], s[4][i], s[5][i]};
       if (kinematic) {
-        const auto x = centre(backstress_, cells, cell);
+        const auto x = cells_.centre(cell);
         for (int c = 0; c < 5; ++c) effective[c] -= x[c];
       }
       const double second =
           second_invariant(effective[0], effective[1], effective[2], effective[3], effective[4]);
-      const bool own = second > limits.weakest && (softening_ || equivalent_[cell] > 0);
-      double limit =
-          own ? yield_limit(static_cast<std::uint32_t>(cell)) : limits.first[material_number(cell)];
-      if (!own && !factor_.empty()) limit *= factor_[cell] * factor_[cell];
+      const double limit = cells_.limit(cell, second, limits);
       highest = std::max(highest, second / limit);
       if (second <= limit) continue;
     }
@@ -312,61 +234,12 @@ PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plan
   return seen;
 }
 
-double PlasticBody::yield_limit(std::uint32_t cell) const {
-  const double yield_stress =
-      material(cell).hardening.yield_stress(equivalent_[cell]) * strength_of(cell);
-  return yield_stress * yield_stress / 3;
-}
-
-double PlasticBody::strength_of(std::uint32_t cell) const {
-  const double factor = factor_.empty() ? 1.0 : factor_[cell];
-  if (!softening_) return factor;
-  const auto [i, j, k] = zones_.cell(cell);
-  return factor * softening_->at(i, j, k);
-}
-
-std::span<const plasticity::Tensor> PlasticBody::backstresses(std::uint32_t cell,
-                                                              plasticity::Tensors& place) const {
-  const std::size_t cells = zones_.cells(), terms = material(cell).backstresses.size();
-  for (std::size_t n = 0; n < terms; ++n) {
-    const double* x = backstress_.data() + 5 * n * cells + cell;
-    place[n] = {x[0], x[cells], -(x[0] + x[cells]), x[2 * cells], x[3 * cells], x[4 * cells]};
-  }
-  return {place.data(), terms};
-}
-
-plasticity::Return PlasticBody::return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
-                                           const plasticity::Tensor& guess) const {
-  plasticity::Tensors place;
-  return plasticity::radial_return(deviator, guess, equivalent_[cell], material(cell),
-                                   backstresses(cell, place), strength_of(cell));
-}
-
-double PlasticBody::strain_scale() const {
-  return history_ ? std::max(strain_at_yield(), history_->max_equivalent()) : strain_at_yield();
-}
-
-void PlasticBody::flow(std::uint32_t cell, const plasticity::Tensor& increment, double equivalent) {
-  equivalent_[cell] += equivalent;
-  plasticity::Tensors place;
-  std::size_t to = cell;
-  auto law = material(cell).backstresses.begin();
-  for (const auto& before : backstresses(cell, place)) {
-    const auto x = plasticity::advanced(before, *law++, increment, equivalent);
-    for (const int c : operators::components(Tensor::deviator)) {
-      backstress_[to] = x[c];
-      to += zones_.cells();
-    }
-  }
-}
-
 std::shared_ptr<const PlasticState> PlasticBody::finish() {
-  const Box box = from_planes_on(zones_.around(), scene_.grid, symmetry_);
+  const Box box = from_planes_on(zones().around(), scene_.grid, symmetry_);
   // Before there is memory for the history twice.
   volume_.reset();
   given_stress_.clear();
-  const PlasticFields fields{std::move(zones_), std::move(strain_), std::move(equivalent_),
-                             std::move(backstress_)};
+  const PlasticFields fields = cells_.finish(std::move(strain_));
   return std::make_shared<const PlasticState>(history_.get(), symmetry_, tensor_, fields, box);
 }
 

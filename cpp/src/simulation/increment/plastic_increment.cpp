@@ -27,6 +27,7 @@ PlasticIncrement::PlasticIncrement(const IncrementTask& task)
                task.from.eigenstrain, task.from.method),
       slip_(task),
       symmetry_(symmetry_of(task, tractions_)),
+      twins_(has_twins(task)),
       guess_(task, symmetry_),
       zones_(task, symmetry_, guess_, tractions_, sources_, bodies_, active_) {
   make_bodies();
@@ -34,13 +35,12 @@ PlasticIncrement::PlasticIncrement(const IncrementTask& task)
 }
 
 void PlasticIncrement::make_bodies() {
-  const bool one_for_both = has_twins(task_);
   bodies_.reserve(2);
-  for (int b = one_for_both ? 1 : 0; b < 2; ++b) {
+  for (int b = twins_ ? 1 : 0; b < 2; ++b) {
     if (!task_.scene().bodies[b].is_plastic()) continue;
     const auto number = static_cast<std::uint8_t>(bodies_.size());
-    const PlasticBody& body = bodies_.emplace_back(task_.from, b, number, one_for_both ? 2 : 1,
-                                                   symmetry_, task_.target.heating[b]);
+    const PlasticBody& body = bodies_.emplace_back(task_.from, b, number, twins_ ? 2 : 1, symmetry_,
+                                                   task_.target.heating[b]);
     if (body.tensor() == Tensor::full) active_.keep_trace();
   }
 }
@@ -93,13 +93,13 @@ void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& res
     const auto [b, cell] = active_.cells[n];
     const PlasticBody& body = bodies_[b];
     const auto present = active_.get(guess, n);
-    const auto r = body.return_map(cell, active_.stress[n], present);
+    const auto r = body.cells().return_map(cell, active_.stress[n], present);
     active_.put(r.increment, mapped, n);
     active_.equivalent[n] = r.equivalent;
     excess = std::max(excess, r.excess);
     overshoot = std::max(overshoot, r.overshoot);
     const bool flows = r.equivalent > 0 || present != plasticity::Tensor{};
-    yield_strains[n] = flows ? body.strain_at_yield() : 0.0;
+    yield_strains[n] = flows ? body.cells().strain_at_yield() : 0.0;
   }
   result.excess = excess;
   result.overshoot = overshoot;
@@ -119,8 +119,8 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
   for (PlasticBody& body : bodies_) {
     body.transform(active_.size() > 0);
     if (task_.target.is_prescribed()) continue;
-    body.open(gap_);
-    if (slip != nullptr) body.slide(*slip);
+    body.surface().open(gap_);
+    if (slip != nullptr) body.surface().slide(*slip);
   }
   Result result;
   result.contact = solve_contact(gap_, contact_tol);
@@ -155,14 +155,14 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
   for_own_cells([&](std::size_t n) {
     const std::uint32_t cell = active_.cells[n].cell;
     state.flowed[i] = true;
-    body.flow(cell, active_.get(mapped, n), active_.equivalent[n]);
+    body.cells().flow(cell, active_.get(mapped, n), active_.equivalent[n]);
   });
-  state.softening[i] = body.softening();
+  state.softening[i] = body.cells().softening();
   if (state.flowed[i]) {
     state.flow_boxes[i] = whole_boxes(body.zones().boxes(), task_.scene().grid, symmetry_);
     state.plastic[i] = body.finish();
   }
-  if (body.copies() == 1) return;
+  if (!twins_) return;
   state.softening[0] = state.softening[i];
   state.plastic[0] = state.plastic[i];
   state.flow_boxes[0] = state.flow_boxes[i];
@@ -189,7 +189,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   active_.stress = {};
   bool known = !task_.target.is_prescribed();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const bool moves = bodies_[b].surface().contains(bodies_[b].seen_surface());
+    const bool moves = bodies_[b].surface().known().contains(bodies_[b].surface().seen());
     finish(b, mapped, state);
     known = known && (moves || !state.plastic[bodies_[b].index()]);
   }

@@ -24,11 +24,11 @@ void ThermalSoftening::apply(PlasticBody& body, const Box& box) {
 }
 
 void ThermalSoftening::extend(PlasticBody& body, const Box& box) const {
-  if (body.softening() && !body.softening()->box.contains(box)) soften(body, box);
+  if (body.cells().softening() && !body.cells().softening()->box.contains(box)) soften(body, box);
 }
 
 void ThermalSoftening::soften(PlasticBody& body, const Box& box) const {
-  const auto& known = body.softening();
+  const auto& known = body.cells().softening();
   body.soften(factor(body.index(), known ? known->box.united(box) : box));
 }
 

@@ -70,8 +70,10 @@ bool SplitChoice::is_worthwhile(const PlasticBody& body, const std::vector<Box>&
 std::vector<Box> SplitChoice::zones_to_begin_with(const PlasticBody& body) const {
   const auto& before = task_.from.flow_boxes[body.index()];
   const bool stays = task_.from.advance == Travel{};
-  if (stays && before.size() > 1 && !body.has_strain_beyond(Zones(before))) return before;
-  std::vector<Box> boxes = body.history_boxes();
+  if (stays && before.size() > 1 &&
+      !(body.history() && body.history()->reaches_beyond(Zones(before))))
+    return before;
+  std::vector<Box> boxes = body.history() ? body.history()->zones().boxes() : std::vector<Box>{};
   if (task_.from.travel != Travel{}) {
     const Grid& grid = task_.scene().grid;
     for (Box& box : boxes) box = box.intersected({0, box.j0, grid.nx, box.ny, box.nz});

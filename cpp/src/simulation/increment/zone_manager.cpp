@@ -48,7 +48,7 @@ ZoneManager::ZoneManager(const IncrementTask& task, fft::Symmetry symmetry, cons
 
 void ZoneManager::begin() {
   for (PlasticBody& body : bodies_) {
-    if (body.has_history()) take_up_zones(body);
+    if (body.history()) take_up_zones(body);
   }
 }
 
@@ -78,9 +78,10 @@ Box ZoneManager::whole_or_none(const PlasticBody& body) const {
 bool ZoneManager::may_touch_outside(const Field& gap) const {
   if (gap.empty()) return false;
   double reach = 0.0;
-  for (const PlasticBody& body : bodies_) reach += body.rim_displacement();
-  return std::any_of(bodies_.begin(), bodies_.end(),
-                     [&](const PlasticBody& body) { return body.may_touch_outside(gap, reach); });
+  for (const PlasticBody& body : bodies_) reach += body.surface().rim_displacement();
+  return std::any_of(bodies_.begin(), bodies_.end(), [&](const PlasticBody& body) {
+    return body.surface().may_touch_outside(gap, reach);
+  });
 }
 
 bool ZoneManager::fit(const Field& gap) {
@@ -96,14 +97,15 @@ bool ZoneManager::fit(const Field& gap) {
     if (!scanned_) {
       const YieldScan& scan = *task_.scans[body.index()];
       // The load of a given approach comes out of the solution.
-      if (!task_.target.is_approach() && body.yields_everywhere(scan)) throw flows_as_a_whole(body);
-      const Box near = body.near_yield(scan, sources_);
+      if (!task_.target.is_approach() && body.search().yields_everywhere(body.tractions(), scan))
+        throw flows_as_a_whole(body);
+      const Box near = body.search().near_yield(body.tractions(), scan, sources_);
       if (!near.empty()) needed = choice_.in_grid_or(now, needed.united(choice_.with_margin(near)));
     }
     if (needed.empty()) continue;
     // The stress is that of the tractions over the box: it must hold all of them.
     needed = needed.united(window);
-    if (touches) needed = needed.united(body.seen_surface());
+    if (touches) needed = needed.united(body.surface().seen());
     if (body.zones().count() == 1 && now.contains(needed)) continue;
     needed = choice_.in_grid_or(needed, needed.united(choice_.with_margin(window)));
     set_box(body, choice_.fitted(needed, body.zones().around()));
@@ -151,17 +153,18 @@ bool ZoneManager::grow_beyond() {
       continue;
     }
     const YieldScan& scan = *task_.scans[body.index()];
-    if (body.yields_everywhere(scan)) throw flows_as_a_whole(body);
+    if (body.search().yields_everywhere(body.tractions(), scan)) throw flows_as_a_whole(body);
     const Box box = body.zones().around();
     Box needed = whole_or_none(body);
     if (!box.empty()) {
-      double largest = body.strain_scale();
+      double largest = body.cells().strain_at_yield();
+      if (body.history()) largest = std::max(largest, body.history()->max_equivalent());
       for (std::size_t n = 0; n < active_.size(); ++n) {
         if (active_.cells[n].body == b) largest = std::max(largest, active_.equivalent[n]);
       }
       needed = choice_.whole(needed_at_rim(b, negligible_flow * largest));
     }
-    const Box below = body.yield_below(scan, sources_);
+    const Box below = body.search().yield_below(body.tractions(), scan, sources_);
     if (!below.empty()) needed = needed.united(choice_.with_margin(below));
     if (needed.empty()) continue;
     needed = needed.united(window_of(body.tractions(), task_.scene().grid));
@@ -185,7 +188,8 @@ bool ZoneManager::fit_zones(PlasticBody& body) {
   const bool first = body.zones().empty();
   if (scanned_ || !(body.is_split() || (first && split_.is_allowed()))) return false;
   std::vector<Box> boxes = body.zones().boxes();
-  const auto near = boxes_around(body.yielding_columns(*task_.scans[body.index()], sources_));
+  const auto near = boxes_around(
+      body.search().yielding_columns(body.tractions(), *task_.scans[body.index()], sources_));
   boxes.insert(boxes.end(), near.begin(), near.end());
   boxes = split_.merged_zones(boxes);
   const bool asks = first || task_.from.travel != Travel{};
@@ -235,7 +239,8 @@ bool ZoneManager::look_beyond(double residual) {
 }
 
 bool ZoneManager::grow_for_yield(PlasticBody& body) {
-  Columns columns = body.yielding_columns(*task_.scans[body.index()], sources_);
+  Columns columns =
+      body.search().yielding_columns(body.tractions(), *task_.scans[body.index()], sources_);
   for (const Box& zone : body.zones().boxes()) {
     const Box common = zone.intersected(columns.window);
     for (int i = common.i0; i < common.i0 + common.nx; ++i) {

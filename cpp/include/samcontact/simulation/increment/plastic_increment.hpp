@@ -66,6 +66,7 @@ class PlasticIncrement {
   const Sources sources_;
   SlipHistory slip_;
   const fft::Symmetry symmetry_;
+  const bool twins_;  // one body is solved for both
   StartGuess guess_;
   std::vector<PlasticBody> bodies_;  // inelastic ones
   ActiveCells active_;

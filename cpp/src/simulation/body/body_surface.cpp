@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the plastic strain of a body does to the surfaces in contact.
-#include "samcontact/simulation/body/plastic_body.hpp"
+#include "samcontact/simulation/body/body_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +8,7 @@ namespace samcontact::simulation {
 
 using operators::Axis;
 
-void PlasticBody::open(Field& gap) {
+void BodySurface::open(Field& gap) {
   rim_displacement_ = 0.0;
   const Field& lift = outside_.displacement[static_cast<int>(Axis::z)];
   if (!lift.empty()) {
@@ -25,7 +24,7 @@ void PlasticBody::open(Field& gap) {
 }
 
 /// On a box from the mirror planes on.
-void PlasticBody::add_displacement(const Box& box, const Field& displacement, Axis axis,
+void BodySurface::add_displacement(const Box& box, const Field& displacement, Axis axis,
                                    double factor, double* to) const {
   const Grid& grid = scene_.grid;
   const Box whole = choice_.whole(box);
@@ -47,20 +46,22 @@ void PlasticBody::add_displacement(const Box& box, const Field& displacement, Ax
     add(i, u, weight * (1 - part));
     if (part > 0) add(i + side, u, weight * part);
     // Zones know of the grid only: what lies beyond it displaces as the last row, nearly.
-    if (is_split() && i - side == (offset_ > 0 ? grid.nx : -1)) add(i, u, weight * part);
+    if (split_ && i - side == (offset_ > 0 ? grid.nx : -1)) add(i, u, weight * part);
   }
 }
 
-std::span<const Axis> PlasticBody::axes() const {
+std::span<const Axis> BodySurface::axes() const {
   // Mirror images slide alike.
   if (scene_.coulomb && copies_ == 1) return operators::all_axes;
   return operators::normal_axis;
 }
 
-void PlasticBody::find_slid_before(const Field& strain) {
+void BodySurface::begin(ZoneVolume* volume, bool split, const Field& before) {
+  volume_ = volume;
+  split_ = split;
   slid_before_ = {};
-  if (strain.empty() || !volume_) return;
-  volume_->transform(strain, axes());
+  if (before.empty() || volume_ == nullptr) return;
+  volume_->transform(before, axes());
   for (const Axis axis : {Axis::x, Axis::y}) {
     Field& u = slid_before_[static_cast<int>(axis)];
     u.resize(volume_->surface().surface_size());
@@ -68,7 +69,7 @@ void PlasticBody::find_slid_before(const Field& strain) {
   }
 }
 
-void PlasticBody::slide(Field& free_slip) const {
+void BodySurface::slide(Field& free_slip) const {
   if (!strained_ || axes().size() == 1) return;
   const Box& surface = volume_->surface();
   Field u(surface.surface_size());
@@ -78,12 +79,13 @@ void PlasticBody::slide(Field& free_slip) const {
     // What the strain outside of the zones does, it has done before.
     const Field& before = slid_before_[a];
     for (std::size_t i = 0; i < before.size(); ++i) u[i] -= before[i];
-    add_displacement(surface, u, axis, -sign(), free_slip.data() + a * scene_.grid.surface_size());
+    add_displacement(surface, u, axis, -operators::shear_sign(body_),
+                     free_slip.data() + a * scene_.grid.surface_size());
   }
 }
 
 /// Outside of the box it falls off.
-double PlasticBody::largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const {
+double BodySurface::largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const {
   double largest = 0.0;
   for (int i = 0; i < box.nx; ++i) {
     for (int j = 0; j < box.ny; ++j) {
@@ -97,19 +99,19 @@ double PlasticBody::largest_at_rim(const Box& box, const Field& displacement, bo
   return largest;
 }
 
-Box PlasticBody::seen_surface() const {
+Box BodySurface::seen() const {
   Box seen = Box::surface(scene_.grid);
   // Zones know of the grid only.
-  if (offset_ == 0 || is_split()) return seen;
+  if (offset_ == 0 || split_) return seen;
   ++seen.nx;
   if (offset_ < 0) --seen.i0;
   return seen;
 }
 
-bool PlasticBody::may_touch_outside(const Field& gap, double reach) const {
+bool BodySurface::may_touch_outside(const Field& gap, double reach) const {
   if (rim_displacement_ == 0) return false;
   const Grid& grid = scene_.grid;
-  const Box whole = surface(), seen = seen_surface();
+  const Box whole = known(), seen = this->seen();
   // A row of the grid that lies between two of the body shows both.
   const int first = whole.i0 - seen.i0, end = first + whole.nx - (seen.nx - grid.nx);
   for (int i = 0; i < grid.nx; ++i) {

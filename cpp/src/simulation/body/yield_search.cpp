@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/body/yield_search.hpp"
+
+#include <algorithm>
+
+namespace samcontact::simulation {
+namespace {
+
+/// Elastic stress above this part of the yield stress belongs into the box. More where a weak layer
+/// lies below what flows and apart from it: no rim says that flow above has brought it to yield.
+constexpr double near = 0.9, near_weak = 0.7;
+/// The same where zones, or layers below the grid, are to hold what yields.
+constexpr double beyond_weak = 0.8;
+
+/// Cells of a surface beyond which a bound of the stress says where a body may yield.
+constexpr std::size_t large_surface = 65000;
+
+}  // namespace
+
+Box YieldSearch::near_yield(const operators::Tractions& tractions, const YieldScan& scan,
+                            const Sources& sources) const {
+  const YieldLimit limit{strength_, weakest_, near, near_weak, sources.deviator(body_)};
+  // Where stress that the scan does not know is less than the rest, the scan finds what may yield.
+  return scan.box(tractions, sign(), limit)
+      .united(sources.box_beyond(body_, strength_, weakest_, 1 - near));
+}
+
+Box YieldSearch::yield_below(const operators::Tractions& tractions, const YieldScan& scan,
+                             const Sources& sources) const {
+  const double share = sources.all_smooth(body_) ? 1.0 : near;
+  const YieldLimit limit{strength_, 1.0, share, std::min(share, beyond_weak),
+                         sources.deviator(body_)};
+  const Box below = scan.box_below(tractions, sign(), limit);
+  // Flow above may have brought a weak layer to yield in the grid as well.
+  return strength_.weakens() ? below.united(scan.box(tractions, sign(), limit)) : below;
+}
+
+bool YieldSearch::yields_everywhere(const operators::Tractions& tractions,
+                                    const YieldScan& scan) const {
+  return scan.is_beyond_everywhere(tractions, sign(), {strength_, 1.0, 1.0, 1.0});
+}
+
+const Columns& YieldSearch::yielding_columns(const operators::Tractions& tractions,
+                                             const YieldScan& scan, const Sources& sources) {
+  const bool known =
+      yielding_ && yielding_->softening == weakest_ && yielding_->tractions == tractions;
+  if (!known) {
+    const YieldLimit limit{strength_, weakest_, 1.0, beyond_weak, sources.deviator(body_)};
+    yielding_ = Yielding{tractions, weakest_, columns_beyond(tractions, limit, scan)};
+  }
+  return yielding_->columns;
+}
+
+Columns YieldSearch::columns_beyond(const operators::Tractions& tractions, const YieldLimit& limit,
+                                    const YieldScan& scan) const {
+  if (scene_.grid.surface_size() <= large_surface) {
+    return scan.columns(tractions, sign(), limit);
+  }
+  return scene_.cache.zone_scan(body_, scene_.strength(body_, {}), heating_)
+      ->columns(tractions, sign(), limit);
+}
+
+}  // namespace samcontact::simulation
