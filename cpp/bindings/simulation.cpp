@@ -27,6 +27,13 @@ using simulation::Target;
 
 enum class Rank { surface, scalar, tensor, tensors };
 
+/// A field that takes a while.
+template <class Make>
+Field worked(const Make& make) {
+  const LongWork work;
+  return make();
+}
+
 template <Rank rank>
 py::array to_array(Field field, const Grid& grid, py::ssize_t layers) {
   if constexpr (rank == Rank::surface) return surface_array(std::move(field), grid);
@@ -37,11 +44,7 @@ py::array to_array(Field field, const Grid& grid, py::ssize_t layers) {
 
 auto surface_method(Field (*method)(const State&, int)) {
   return [method](const State& state, int body) {
-    Field field;
-    {
-      const LongWork work;
-      field = (*method)(state, body);
-    }
+    Field field = worked([&] { return (*method)(state, body); });
     return surface_array(std::move(field), state.scene().grid);
   };
 }
@@ -50,11 +53,7 @@ auto surface_method(Field (*method)(const State&, int)) {
 template <Rank rank>
 auto volume_method(Field (*method)(const State&, int, simulation::Layers)) {
   return [method](const State& state, int body, int layers) {
-    Field field;
-    {
-      const LongWork work;
-      field = (*method)(state, body, layers);
-    }
+    Field field = worked([&] { return (*method)(state, body, layers); });
     return to_array<rank>(std::move(field), state.scene().grid, layers);
   };
 }
@@ -72,11 +71,7 @@ template <Rank rank>
 auto box_method(Field (*method)(const State&, int, const Box&)) {
   return [method](const State& state, int body, const BoxTuple& cells) {
     const Box box = to_box(cells);
-    Field field;
-    {
-      const LongWork work;
-      field = (*method)(state, body, box);
-    }
+    Field field = worked([&] { return (*method)(state, body, box); });
     return to_array<rank>(std::move(field), box.grid(state.scene().grid), box.nz);
   };
 }
@@ -102,11 +97,7 @@ void bind_zones(py::class_<State>& state) {
       .def(
           "deviator_in_own_box",
           [](const State& s, int body, bool loaded) {
-            Field field;
-            {
-              const LongWork work;
-              field = simulation::deviator_in_own_box(s, body, loaded);
-            }
+            Field field = worked([&] { return simulation::deviator_in_own_box(s, body, loaded); });
             const Box box = simulation::own_box(s, body);
             return tensor_array(std::move(field), box.grid(s.scene().grid), box.nz);
           },
@@ -114,11 +105,7 @@ void bind_zones(py::class_<State>& state) {
       .def(
           "stress_in_zones",
           [](const State& s, int body, bool loaded) {
-            Field field;
-            {
-              const LongWork work;
-              field = simulation::stress_in_zones(s, body, loaded);
-            }
+            Field field = worked([&] { return simulation::stress_in_zones(s, body, loaded); });
             const auto size = static_cast<py::ssize_t>(field.size());
             return own(std::move(field), {size}, {item});
           },
@@ -205,11 +192,9 @@ void bind_fields(py::class_<State>& bound) {
   bound.def(
       "residual_displacement",
       [](const State& s, int body, int axis) {
-        Field field;
-        {
-          const LongWork work;
-          field = simulation::residual_displacement(s, body, static_cast<operators::Axis>(axis));
-        }
+        Field field = worked([&] {
+          return simulation::residual_displacement(s, body, static_cast<operators::Axis>(axis));
+        });
         return surface_array(std::move(field), s.scene().grid);
       },
       py::arg("body"), py::arg("axis"));
@@ -236,11 +221,7 @@ void bind_state(py::module_& m) {
            })
       .def("gap",
            [](const State& state) {
-             Field gap;
-             {
-               const LongWork work;
-               gap = simulation::gap(state);
-             }
+             Field gap = worked([&] { return simulation::gap(state); });
              return surface_array(std::move(gap), state.scene().grid);
            })
       .def("max_equivalent_plastic_strain", &simulation::max_equivalent_plastic_strain,

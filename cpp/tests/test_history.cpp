@@ -66,7 +66,7 @@ TEST_CASE("a history over several zones is that over one") {
   const PlasticState twice(&half, Symmetry::none, Tensor::deviator, once.fields(right));
   CHECK(twice == once);
   CHECK(twice.box() == box);
-  CHECK(twice.max_equivalent() == whole.equivalent.back());
+  CHECK(twice.tiles().max_equivalent() == whole.equivalent.back());
   // Its own zones hold it all, and are as good to make it of.
   const Zones own = once.zones();
   CHECK(own.cells() == box.volume_size());
@@ -91,7 +91,7 @@ TEST_CASE("what has lost its history costs nothing") {
     }
   }
   const PlasticState shallow(&some, Symmetry::none, Tensor::deviator, less);
-  CHECK(shallow.bytes() == some.bytes() / 5 * 2);
+  CHECK(shallow.tiles().bytes() == some.tiles().bytes() / 5 * 2);
   CHECK(shallow.box() == some.box());
   CHECK(shallow.strain(zones) == less.strain);
 }
@@ -102,11 +102,11 @@ TEST_CASE("spots of a rough surface cost their own cells, mirrored too") {
   const std::size_t bytes = 11 * sizeof(double) * zones.cells();
   const PlasticState quarter(nullptr, Symmetry::xy, Tensor::deviator, numbered(zones),
                              {1024, 1024, 1, 1, 1});
-  CHECK(quarter.bytes() == bytes);
+  CHECK(quarter.tiles().bytes() == bytes);
   const PlasticState half = quarter.unfolded(grid, Symmetry::y);
   const PlasticState all = half.unfolded(grid, Symmetry::none);
-  CHECK(half.bytes() == 2 * bytes);
-  CHECK(all.bytes() == 4 * bytes);
+  CHECK(half.tiles().bytes() == 2 * bytes);
+  CHECK(all.tiles().bytes() == 4 * bytes);
   CHECK(all == quarter.unfolded(grid, Symmetry::none));
   CHECK(all.box() == Box{89, 95, 1870, 1858, 4});
 }
@@ -121,7 +121,7 @@ TEST_CASE("a mirror plane changes the sign of what is odd, once in its own cells
       const Box cell{i, j, 1, 1, 1};
       return part < 5 ? all.strain(cell)[part] : all.backstress(cell)[part - 5];
     };
-    CHECK(all.max_strain() == quarter.max_strain());
+    CHECK(all.tiles().max_strain() == quarter.tiles().max_strain());
     for (int p = 0; p < 10; ++p) {
       // xx, yy, yz, xz, xy
       const double x = p % 5 < 3 ? 1 : -1, y = p % 5 == 2 || p % 5 == 4 ? -1 : 1;

@@ -287,10 +287,10 @@ void Simulation::restore(const State& state, const Counters& counters) {
 std::size_t Simulation::volume_bytes() const {
   std::size_t bytes = scene_->cache.bytes();
   for (int b = 0; b < 2; ++b) {
-    if (const auto& strain = state_.eigenstrain[b]) bytes += strain->bytes();
+    if (const auto& strain = state_.eigenstrain[b]) bytes += strain->tiles().bytes();
     if (const auto& plastic = state_.plastic[b]) {
       if (b == 1 && plastic == state_.plastic[0]) continue;
-      bytes += plastic->bytes();
+      bytes += plastic->tiles().bytes();
     }
     if (scans_[b] && (b == 0 || scans_[b] != scans_[0])) bytes += scans_[b]->bytes();
   }

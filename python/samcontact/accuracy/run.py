@@ -109,7 +109,7 @@ class Search:
             grids.append(self.run(len(grids), self.used))
             self._leave_out_singular(grids[-1])
         outcome = self._outcome(grids)
-        self._warn(outcome)
+        _warn_of(outcome, self._finest(self.grids[-1]))
         return outcome
 
     def _leave_out_singular(self, run: Run) -> None:
@@ -252,20 +252,6 @@ class Search:
             last.solved = self.scene.solve(last.level, last.increments, self.solves)
         return last.solved
 
-    def _warn(self, outcome: Accurate) -> None:
-        for warning in self._finest(self.grids[-1]).told:
-            warnings.warn(warning.message, stacklevel=4)
-        if not outcome.reached:
-            relative = outcome.relative_errors
-            name = max(self.asked, key=lambda one: relative[one] / self.asked[one])
-            warnings.warn(
-                f"the accuracy of {self.asked[name]:.3g} is not reached: {name} has a relative "
-                f"error of {relative[name]:.2g}; {self.needs}: raise max_memory or max_time, ask "
-                "for less, or leave it out of quantities",
-                AccuracyWarning,
-                stacklevel=4,
-            )
-
     def _outcome(self, grids: list[Run]) -> Accurate:
         found, names, last = self._estimate(grids), self.scene.names, self._finest(grids[-1])
         kept = [names.index(name) for name in self.asked]
@@ -285,4 +271,20 @@ class Search:
             case=last.case,
             runs=tuple((*run.cells, run.increments, run.seconds) for run in self.runs.values()),
             needs=self.needs,
+        )
+
+
+def _warn_of(outcome: Accurate, last: Solved) -> None:
+    """Repeat the warnings of the last grid, and warn where the accuracy is not reached."""
+    for warning in last.told:
+        warnings.warn(warning.message, stacklevel=4)
+    if not outcome.reached:
+        relative, asked = outcome.relative_errors, outcome.accuracy
+        name = max(asked, key=lambda one: relative[one] / asked[one])
+        warnings.warn(
+            f"the accuracy of {asked[name]:.3g} is not reached: {name} has a relative "
+            f"error of {relative[name]:.2g}; {outcome.needs}: raise max_memory or max_time, ask "
+            "for less, or leave it out of quantities",
+            AccuracyWarning,
+            stacklevel=4,
         )

@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.checks import (
@@ -15,11 +14,9 @@ from .._util.checks import (
     exactly_one,
     finite_array,
     in_cells,
-    integer,
     number,
     of_bodies,
     positive,
-    real_array,
     tractions,
 )
 from .._util.short_text import in_short

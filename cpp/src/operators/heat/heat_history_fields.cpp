@@ -56,7 +56,7 @@ class HeatHistory::LevelSum {
     for (std::size_t j = 0; j < level_.s.size(); ++j) {
       for (std::size_t d = 0; d < z.size(); ++d) {
         const double sz = level_.s[j] * z[d];
-        const double weight = level_.weight[j] * history.plan_->modes.fade(sz);
+        const double weight = level_.weight[j] * history.plan_->modes.scales().fade(sz);
         cosines_(d, j) = z[d] == 0 ? level_.weight[j] : weight * std::cos(sz);
         sines_(d, j) = -weight * level_.s[j] * std::sin(sz);
       }

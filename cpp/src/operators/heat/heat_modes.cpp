@@ -85,18 +85,35 @@ int wrapped(int number, int m) { return ((number % m) + m) % m; }
 
 }  // namespace
 
+HeatScales::HeatScales(const HeatResolution& resolution, bool moving)
+    : sharpness(std::sqrt(-std::log(resolution.tolerance))),
+      cutoff(sharpness / std::sqrt(resolution.shortest)),
+      is_split(!moving && cutoff > 1.3 * split_end()),
+      // Errors of the sums are exp(-pi^2/(2 step)) on the surface; cosines are resolved as far as
+      // they are not faded out.
+      step((resolution.in_depth ? 1.25 : 4.9) / (sharpness * sharpness)) {}
+
+double HeatScales::fade(double sz) const {
+  // The end of the integral over s that is left out is smooth on the scale of the cosine.
+  return 0.5 * std::erfc(sz / (2 * sharpness) - 0.97 * sharpness);
+}
+
+double HeatScales::split(double w) const {
+  if (!is_split) return 1;
+  return 0.5 * std::erfc((w - split_begin) / split_width - sharpness);
+}
+
+double HeatScales::split_reach() const { return 2 * sharpness / split_width; }
+
+double HeatScales::split_end() const { return split_begin + 2 * sharpness * split_width; }
+
 HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
                      const HeatResolution& resolution)
     : cell_y_(grid.dy / grid.dx),
       speed_x_(speed_x),
       speed_y_(speed_y),
       resolution_(resolution),
-      sharpness_(std::sqrt(-std::log(resolution.tolerance))),
-      cutoff_(sharpness_ / std::sqrt(resolution.shortest)),
-      is_split_(!moving() && cutoff_ > 1.3 * end_of_split()),
-      // Errors of the sums are exp(-pi^2/(2 step)) on the surface; cosines are resolved as far as
-      // they are not faded out.
-      step_((resolution.in_depth ? 1.25 : 4.9) / (sharpness_ * sharpness_)),
+      scales_(resolution, moving()),
       transform_(padded(grid)) {
   // What is left of the images is that of the last disc, where kernels are not smooth at w = 0:
   // it falls with the third power of the period.
@@ -113,25 +130,11 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
   }
 }
 
-double HeatModes::fade(double sz) const {
-  // The end of the integral over s that is left out is smooth on the scale of the cosine.
-  return 0.5 * std::erfc(sz / (2 * sharpness_) - 0.97 * sharpness_);
-}
-
-double HeatModes::split(double w) const {
-  if (!is_split_) return 1;
-  return 0.5 * std::erfc((w - split_begin()) / split_width - sharpness_);
-}
-
-double HeatModes::split_reach() const { return 2 * sharpness_ / split_width; }
-
-double HeatModes::end_of_split() const { return split_begin() + 2 * sharpness_ * split_width; }
-
 /// Periods of the finest lattice. Rings are round, since kernels are: the same distance is left
 /// free along x and y, as wide as the grid.
 fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
   const double x = grid.nx, y = grid.ny * cell_y_;
-  const double clear = std::hypot(std::max(x, y), is_split_ ? split_reach() : 0);
+  const double clear = std::hypot(std::max(x, y), scales_.is_split ? scales_.split_reach() : 0);
   double px = x + clear, py = y + clear;
   if (moving()) {
     // As in set_reach().
@@ -167,7 +170,9 @@ void HeatModes::set_reach(HeatLevel& level, double shrink) const {
     level.generation = (size + level.clear) / (2 * speed);
   }
   // Where the edge of a ring meets that of the split, their reaches add up as those of Gaussians.
-  if (is_split_) level.clear = std::sqrt(level.clear * level.clear - split_reach() * split_reach());
+  if (scales_.is_split)
+    level.clear =
+        std::sqrt(level.clear * level.clear - scales_.split_reach() * scales_.split_reach());
 }
 
 void HeatModes::add_level(int number, int last, double shrink) {
@@ -176,7 +181,7 @@ void HeatModes::add_level(int number, int last, double shrink) {
   level.dw1 = 2 * pi / mx * shrink;
   level.dw2 = 2 * pi / (my * cell_y_) * shrink;
   set_reach(level, shrink);
-  const Edge edge(sharpness_);
+  const Edge edge(scales_.sharpness);
   // The ring begins where that of the level before ends, and ends where the next one begins.
   const double before = number == 0 ? 0 : levels_.back().clear / (2 * pi);
   const double here = level.clear / (2 * pi);
@@ -184,7 +189,8 @@ void HeatModes::add_level(int number, int last, double shrink) {
     const double from = number == 0 ? 1 : edge.inside(w * before);
     return from - (number == last ? 0 : edge.inside(w * here));
   };
-  const double cutoff = is_split_ ? std::min(cutoff_, end_of_split()) : cutoff_;
+  const double cutoff =
+      scales_.is_split ? std::min(scales_.cutoff, scales_.split_end()) : scales_.cutoff;
   const double end = number == 0 ? cutoff : std::min(cutoff, edge.end() / before);
   const double least = 0.1 * resolution_.tolerance;
   level.reach_a = static_cast<int>(end / level.dw1);
@@ -195,7 +201,7 @@ void HeatModes::add_level(int number, int last, double shrink) {
       HeatMode mode{a, b, a * level.dw1, b * level.dw2, 0, {}, 0};
       mode.w = std::hypot(mode.w1, mode.w2);
       mode.source = window(mode.w);
-      mode.source *= split(mode.w);
+      mode.source *= scales_.split(mode.w);
       if (mode.w > cutoff || std::abs(mode.source) < least) continue;
       mode.decay = {mode.w * mode.w, mode.w1 * speed_x_ + mode.w2 * speed_y_};
       mode.source *= sinc(mode.w1 / 2) * sinc(mode.w2 * cell_y_ / 2) * shrink * shrink / (mx * my);
@@ -210,7 +216,7 @@ void HeatModes::add_level(int number, int last, double shrink) {
     const std::size_t count = std::min(block, level.modes.size() - first);
     const double w = level.modes[first].w;
     std::size_t nodes = 1;
-    while (nodes < level.s.size() && std::hypot(w, level.s[nodes]) <= cutoff_) ++nodes;
+    while (nodes < level.s.size() && std::hypot(w, level.s[nodes]) <= scales_.cutoff) ++nodes;
     level.blocks.push_back({first, count, nodes, size_});
     size_ += count * nodes;
   }
@@ -222,7 +228,7 @@ void HeatModes::add_level(int number, int last, double shrink) {
 /// Modes and their amplitudes of a level, which has those in a half disc or ring of its lattice.
 void HeatModes::require_memory_of(const HeatLevel& level, double scale) const {
   const double modes = 0.5 * pi * (level.reach_a + 1.0) * (level.reach_b + 1.0);
-  const double nodes = 1 + std::asinh(cutoff_ / scale) / step_;
+  const double nodes = 1 + std::asinh(scales_.cutoff / scale) / scales_.step;
   // An increment has those of the state before and of its own.
   const double amplitudes = 2.0 * sizeof(Complex) * (generations() + 1);
   require_memory(modes * (sizeof(HeatMode) + 0.5 * nodes * amplitudes),
@@ -233,9 +239,10 @@ void HeatModes::require_memory_of(const HeatLevel& level, double scale) const {
 /// s = scale sinh(theta): integrands have their poles at s = +-i w, w >= scale, where the imaginary
 /// part of theta is pi/2.
 void HeatModes::add_nodes(HeatLevel& level, double scale) const {
-  for (int j = 0; level.s.empty() || level.s.back() < cutoff_; ++j) {
-    level.s.push_back(scale * std::sinh(j * step_));
-    level.weight.push_back((j == 0 ? 1 : 2) / pi * step_ * scale * std::cosh(j * step_));
+  for (int j = 0; level.s.empty() || level.s.back() < scales_.cutoff; ++j) {
+    level.s.push_back(scale * std::sinh(j * scales_.step));
+    level.weight.push_back((j == 0 ? 1 : 2) / pi * scales_.step * scale *
+                           std::cosh(j * scales_.step));
   }
 }
 
@@ -245,8 +252,8 @@ void HeatModes::add_points(HeatLevel& level) const {
   // Points per shortest wave, and some more.
   const double waves_x = a * level.dw1 * nx() / (2 * pi);
   const double waves_y = b * level.dw2 * ny() * cell_y_ / (2 * pi);
-  level.points =
-      static_cast<int>(pi * std::max(waves_x, waves_y) + 4 + 0.7 * sharpness_ * sharpness_);
+  level.points = static_cast<int>(pi * std::max(waves_x, waves_y) + 4 +
+                                  0.7 * scales_.sharpness * scales_.sharpness);
   const bool coarse = level.points < std::min(nx(), ny());
   const auto px = coarse ? chebyshev(level.points, nx(), 1) : x;
   const auto py = coarse ? chebyshev(level.points, ny(), cell_y_) : y;

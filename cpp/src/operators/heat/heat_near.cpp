@@ -63,11 +63,11 @@ void sum_profiles(const HeatModes& modes, const Shares& shares, double z, double
                   Profiles& sums) {
   std::vector<double> at(sums.size());
   std::fill(sums.begin(), sums.end(), ThermalProfile<double>{});
-  const double step = modes.step();
-  for (int j = 0; j == 0 || w * std::cosh(j * step) <= modes.cutoff(); ++j) {
+  const double step = modes.scales().step;
+  for (int j = 0; j == 0 || w * std::cosh(j * step) <= modes.scales().cutoff; ++j) {
     const double s = w * std::sinh(j * step), k = w * std::cosh(j * step);
     const double weight = (j == 0 ? 1 : 2) / pi * step * k;
-    const double faded = z == 0 ? weight : weight * modes.fade(s * z);
+    const double faded = z == 0 ? weight : weight * modes.scales().fade(s * z);
     const double c = faded * std::cos(s * z), d = -faded * s * std::sin(s * z) / (k * k);
     const double total = shares.at(k, at);
     for (std::size_t m = 0; m < sums.size(); ++m) {
@@ -83,23 +83,25 @@ void sum_profiles(const HeatModes& modes, const Shares& shares, double z, double
 }  // namespace
 
 NearHeat::NearHeat(const HeatModes& modes) : modes_(modes) {
-  if (!modes.is_split()) return;
-  offsets_x_ = static_cast<int>(std::ceil(modes.split_reach())) + 1;
-  offsets_y_ = static_cast<int>(std::ceil(modes.split_reach() / modes.cell_y())) + 1;
+  if (!modes.scales().is_split) return;
+  offsets_x_ = static_cast<int>(std::ceil(modes.scales().split_reach())) + 1;
+  offsets_y_ = static_cast<int>(std::ceil(modes.scales().split_reach() / modes.cell_y())) + 1;
   // Chebyshev points in ln(rate). The function is analytic where |Im ln(rate)| < pi/2.
-  const double low = 2 * std::log(HeatModes::split_begin()), high = 2 * std::log(modes.cutoff());
+  const double low = 2 * std::log(HeatScales::split_begin),
+               high = 2 * std::log(modes.scales().cutoff);
   const double strip = pi / (high - low);
   const double gain = std::log(strip + std::hypot(1, strip));
-  const int count = static_cast<int>(std::ceil(modes.sharpness() * modes.sharpness() / gain));
+  const int count =
+      static_cast<int>(std::ceil(modes.scales().sharpness * modes.scales().sharpness / gain));
   for (int m = 0; m < count; ++m) {
     const double at = std::cos(pi * (m + 0.5) / count);
     rates_.push_back(std::exp(0.5 * (low + high) + 0.5 * (high - low) * at));
   }
-  const double least = 0.01 * std::exp(-modes.sharpness() * modes.sharpness());
+  const double least = 0.01 * std::exp(-modes.scales().sharpness * modes.scales().sharpness);
   const auto left = [&](double z) {
     double most = 0;
-    for (double w = HeatModes::split_begin(); w < 20; w += 0.1) {
-      most = std::max(most, (1 - modes.split(w)) * std::exp(-w * z));
+    for (double w = HeatScales::split_begin; w < 20; w += 0.1) {
+      most = std::max(most, (1 - modes.scales().split(w)) * std::exp(-w * z));
     }
     return most;
   };
@@ -109,8 +111,8 @@ NearHeat::NearHeat(const HeatModes& modes) : modes_(modes) {
 template <class Symbol>
 NearTables NearHeat::tabulate(double z, int components, const Symbol& symbol) const {
   const auto count = static_cast<int>(rates_.size());
-  const double begin = HeatModes::split_begin(), cutoff = modes_.cutoff();
-  const double deepest = 1.5 * modes_.sharpness() * modes_.sharpness() / z;
+  const double begin = HeatScales::split_begin, cutoff = modes_.scales().cutoff;
+  const double deepest = 1.5 * modes_.scales().sharpness * modes_.scales().sharpness / z;
   // A lattice whose images are out of reach.
   const int mx = 2 * offsets_x_, my = 2 * offsets_y_;
   const double dw1 = 2 * pi / mx, dw2 = 2 * pi / (my * modes_.cell_y());
@@ -133,8 +135,8 @@ NearTables NearHeat::tabulate(double z, int components, const Symbol& symbol) co
       // Nothing of short waves arrives at a depth, and the nodes would not resolve their cosines.
       if (w < begin || w > std::min(cutoff, deepest)) continue;
       sum_profiles(modes_, shares, z, w, sums);
-      const double source = (1 - modes_.split(w)) * sinc(w1 / 2) * sinc(w2 * modes_.cell_y() / 2) /
-                            (static_cast<double>(mx) * my);
+      const double source = (1 - modes_.scales().split(w)) * sinc(w1 / 2) *
+                            sinc(w2 * modes_.cell_y() / 2) / (static_cast<double>(mx) * my);
       for (int c = 0; c < components; ++c) {
         for (int m = 0; m < count; ++m) values[c](a, m) = source * symbol(c, w1, w2, sums[m]);
       }

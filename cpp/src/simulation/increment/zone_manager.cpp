@@ -158,7 +158,7 @@ bool ZoneManager::grow_beyond() {
     Box needed = whole_or_none(body);
     if (!box.empty()) {
       double largest = body.cells().strain_at_yield();
-      if (body.history()) largest = std::max(largest, body.history()->max_equivalent());
+      if (body.history()) largest = std::max(largest, body.history()->tiles().max_equivalent());
       for (std::size_t n = 0; n < active_.size(); ++n) {
         if (active_.cells[n].body == b) largest = std::max(largest, active_.equivalent[n]);
       }

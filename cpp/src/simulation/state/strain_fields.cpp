@@ -54,15 +54,15 @@ Box strain_beyond(const State& state, int body) {
 
 std::size_t plastic_cells(const State& state, int body) {
   const auto whole = unfolded(state.plastic[body], state.scene().grid, fft::Symmetry::none);
-  return whole ? whole->yielded_cells() : 0;
+  return whole ? whole->tiles().yielded_cells() : 0;
 }
 
 double max_equivalent_plastic_strain(const State& state, int body) {
-  return state.plastic[body] ? state.plastic[body]->max_equivalent() : 0.0;
+  return state.plastic[body] ? state.plastic[body]->tiles().max_equivalent() : 0.0;
 }
 
 double max_plastic_strain_magnitude(const State& state, int body) {
-  return state.plastic[body] ? state.plastic[body]->max_strain() : 0.0;
+  return state.plastic[body] ? state.plastic[body]->tiles().max_strain() : 0.0;
 }
 
 Field backstress(const State& state, int body, Layers layers) {

@@ -2,8 +2,6 @@
 #include "samcontact/simulation/strain/plastic_state.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace samcontact::simulation {
@@ -11,25 +9,6 @@ namespace samcontact::simulation {
 using operators::Tensor;
 
 namespace {
-
-bool is_zero(const double* values, std::size_t n) {
-  return std::all_of(values, values + n, [](double v) { return v == 0; });
-}
-
-/// The part of a box outside of which all its fields are zero; from the surface down.
-Box part_in_use(const Field& values, const Box& box) {
-  Box used;
-  const double* row = values.data();
-  for (std::size_t n = 0; n < values.size() / box.ny; ++n, row += box.ny) {
-    if (is_zero(row, box.ny)) continue;
-    const int i = static_cast<int>(n % box.nx), k = static_cast<int>(n / box.nx % box.nz);
-    int j0 = 0, j1 = box.ny;
-    while (row[j0] == 0) ++j0;
-    while (row[j1 - 1] == 0) --j1;
-    used = used.united({box.i0 + i, box.j0 + j0, 1, j1 - j0, k + 1});
-  }
-  return used;
-}
 
 /// Cells from a mirror plane on, seen in it, but for those in the plane.
 void reflect(int cells, int& begin, int& count) {
@@ -45,7 +24,8 @@ PlasticState::PlasticState(const PlasticState* before, fft::Symmetry symmetry, T
     : box_(fields.zones.around().united(around)),
       symmetry_(symmetry),
       tensor_(tensor),
-      origin_(before != nullptr ? before->origin_ : origin) {
+      origin_(before != nullptr ? before->origin_ : origin),
+      tiles_(tensor) {
   const std::size_t cells = fields.zones.cells();
   if (cells > 0) backstress_parts_ = fields.backstress.size() / cells;
   if (before != nullptr) {
@@ -60,63 +40,14 @@ PlasticState::PlasticState(const PlasticState* before, fft::Symmetry symmetry, T
         of_zone.push_back(field->data() + n);
       }
     }
-    put(of_body(fields.zones.boxes()[zone]), of_zone);
+    tiles_.put(of_body(fields.zones.boxes()[zone]), of_zone);
   }
-}
-
-void PlasticState::put(const Box& box, const std::vector<const double*>& fields) {
-  for_each_tile(box, [&](const Tile& tile, const Box& part) {
-    const auto found = tiles_.find(tile);
-    const Part* before = found == tiles_.end() ? nullptr : found->second.get();
-    const Box both = before != nullptr ? before->box.united(part) : part;
-    Field values(fields.size() * both.volume_size(), 0.0);
-    for (std::size_t p = 0; p < fields.size(); ++p) {
-      double* to = values.data() + p * both.volume_size();
-      if (before != nullptr) {
-        copy_common(before->values.data() + p * before->box.volume_size(), before->box, to, both);
-      }
-      copy_common(fields[p], box, to, both);
-    }
-    const Box used = part_in_use(values, both);
-    if (used.empty()) {
-      tiles_.erase(tile);
-      return;
-    }
-    Field kept(fields.size() * used.volume_size());
-    for (std::size_t p = 0; p < fields.size(); ++p) {
-      extract(values.data() + p * both.volume_size(), both, kept.data() + p * used.volume_size(),
-              used);
-    }
-    if (before != nullptr && before->box == used && before->values == kept) return;
-    tiles_[tile] = finished(used, std::move(kept));
-  });
-}
-
-std::shared_ptr<const PlasticState::Part> PlasticState::finished(const Box& box,
-                                                                 Field values) const {
-  auto part = std::make_shared<Part>();
-  const std::size_t cells = box.volume_size();
-  const double* e = values.data();
-  const double* g = e + strain_parts() * cells;
-  part->max_equivalent = *std::max_element(g, g + cells);
-  double largest = 0.0;
-  const bool full = tensor_ == Tensor::full;
-  for (std::size_t n = 0; n < cells; ++n) {
-    const double xx = e[n], yy = e[cells + n], zz = full ? e[2 * cells + n] : -(xx + yy);
-    const double* shear = e + (full ? 3 : 2) * cells + n;
-    const double yz = shear[0], xz = shear[cells], xy = shear[2 * cells];
-    largest = std::max(largest, xx * xx + yy * yy + zz * zz + 2 * (yz * yz + xz * xz + xy * xy));
-  }
-  part->max_strain = std::sqrt(2.0 / 3 * largest);
-  part->box = box;
-  part->values = std::move(values);
-  return part;
 }
 
 Zones PlasticState::zones() const {
   std::vector<Box> boxes;
-  boxes.reserve(tiles_.size());
-  for (const auto& [tile, part] : tiles_) boxes.push_back(of_grid(part->box));
+  boxes.reserve(tiles_.tiles().size());
+  for (const auto& [tile, part] : tiles_.tiles()) boxes.push_back(of_grid(part->box));
   return Zones(std::move(boxes));
 }
 
@@ -124,15 +55,7 @@ Field PlasticState::gather(std::size_t first, std::size_t count, const Zones& zo
   const std::size_t cells = zones.cells();
   Field out(count * cells, 0.0);
   for (std::size_t zone = 0; zone < zones.count(); ++zone) {
-    const Box box = of_body(zones.boxes()[zone]);
-    auto tile = tiles_.lower_bound({tile_of(box.i0), std::numeric_limits<int>::min()});
-    for (; tile != tiles_.end() && tile->first.first <= tile_of(box.i0 + box.nx - 1); ++tile) {
-      const Part& part = *tile->second;
-      for (std::size_t p = 0; p < count; ++p) {
-        copy_common(part.values.data() + (first + p) * part.box.volume_size(), part.box,
-                    out.data() + p * cells + zones.first(zone), box);
-      }
-    }
+    tiles_.copy(first, count, of_body(zones.boxes()[zone]), out.data() + zones.first(zone), cells);
   }
   return out;
 }
@@ -154,7 +77,7 @@ PlasticFields PlasticState::fields(Zones zones) const {
 
 std::vector<Box> PlasticState::boxes_beyond(const Zones& zones) const {
   std::vector<Box> found;
-  for (const auto& [tile, part] : tiles_) {
+  for (const auto& [tile, part] : tiles_.tiles()) {
     const Zones own({of_grid(part->box)});
     const std::size_t cells = own.cells();
     Box beyond;
@@ -162,7 +85,7 @@ std::vector<Box> PlasticState::boxes_beyond(const Zones& zones) const {
       const Cell cell = own.cell(n);
       if (zones.number(cell) >= 0) continue;
       bool strained = false;
-      for (int p = 0; p < strain_parts(); ++p) {
+      for (std::size_t p = 0; p < strain_parts(); ++p) {
         strained = strained || part->values[p * cells + n] != 0;
       }
       if (strained) beyond = beyond.united({cell.i, cell.j, 1, 1, cell.k + 1});
@@ -170,34 +93,6 @@ std::vector<Box> PlasticState::boxes_beyond(const Zones& zones) const {
     if (!beyond.empty()) found.push_back(beyond);
   }
   return found;
-}
-
-double PlasticState::max_equivalent() const {
-  double largest = 0.0;
-  for (const auto& [tile, part] : tiles_) largest = std::max(largest, part->max_equivalent);
-  return largest;
-}
-
-std::size_t PlasticState::yielded_cells() const {
-  std::size_t count = 0;
-  for (const auto& [tile, part] : tiles_) {
-    const auto cells = static_cast<std::ptrdiff_t>(part->box.volume_size());
-    const auto first = part->values.begin() + strain_parts() * cells;
-    count += std::count_if(first, first + cells, [](double g) { return g > 0; });
-  }
-  return count;
-}
-
-double PlasticState::max_strain() const {
-  double largest = 0.0;
-  for (const auto& [tile, part] : tiles_) largest = std::max(largest, part->max_strain);
-  return largest;
-}
-
-std::size_t PlasticState::bytes() const {
-  std::size_t bytes = 0;
-  for (const auto& [tile, part] : tiles_) bytes += part->values.size() * sizeof(double);
-  return bytes;
 }
 
 std::shared_ptr<const PlasticState> PlasticState::moved(int along_x, int along_y) const {
@@ -217,7 +112,7 @@ PlasticState PlasticState::unfolded(const Grid& grid, fft::Symmetry symmetry) co
   }
   PlasticState out(this, symmetry, tensor_, {}, whole);
   const bool across_x = symmetry_ == fft::Symmetry::xy, across_y = symmetry == fft::Symmetry::none;
-  for (const auto& [tile, part] : tiles_) {
+  for (const auto& [tile, part] : tiles_.tiles()) {
     if (across_x) out.put_image(*part, true, false, grid);
     if (across_y) out.put_image(*part, false, true, grid);
     if (across_x && across_y) out.put_image(*part, true, true, grid);
@@ -225,7 +120,8 @@ PlasticState PlasticState::unfolded(const Grid& grid, fft::Symmetry symmetry) co
   return out;
 }
 
-void PlasticState::put_image(const Part& part, bool across_x, bool across_y, const Grid& grid) {
+void PlasticState::put_image(const StrainTiles::Part& part, bool across_x, bool across_y,
+                             const Grid& grid) {
   const Box from = of_grid(part.box);
   Box image = from;
   if (across_x) reflect(grid.nx, image.i0, image.nx);
@@ -257,7 +153,7 @@ void PlasticState::put_image(const Part& part, bool across_x, bool across_y, con
       }
     }
   }
-  put(of_body(image), fields);
+  tiles_.put(of_body(image), fields);
 }
 
 bool PlasticState::operator==(const PlasticState& other) const {
@@ -265,7 +161,7 @@ bool PlasticState::operator==(const PlasticState& other) const {
       backstress_parts_ != other.backstress_parts_) {
     return false;
   }
-  if (origin_ == other.origin_ && tiles_ == other.tiles_) return true;
+  if (origin_ == other.origin_ && tiles_.tiles() == other.tiles_.tiles()) return true;
   const auto holds = [](const PlasticState& a, const PlasticState& b) {
     const Zones zones = a.zones();
     return a.gather(0, a.parts(), zones) == b.gather(0, a.parts(), zones);

@@ -63,6 +63,26 @@ struct HeatResolution {
   bool in_depth;  // fields below the surface too
 };
 
+/// How finely modes are resolved, and which part of them is left to NearHeat.
+struct HeatScales {
+  double sharpness;  // sqrt(ln(1/tolerance))
+  double cutoff;     // largest wavenumber that still counts
+  bool is_split;     // whether a part is not kept
+  double step;       // between nodes s = scale sinh(n step)
+
+  HeatScales(const HeatResolution& resolution, bool moving);
+  /// Smallest wavenumber of which a part is not kept.
+  static constexpr double split_begin = 0.4;
+  /// Wavenumber from which on nothing is kept.
+  double split_end() const;
+  /// Distance at which the kernels of what is not kept end.
+  double split_reach() const;
+  /// Part of a wavenumber that is kept; 1 unless is_split.
+  double split(double w) const;
+  /// Weight of depth z in the sums over s: cos(s z) with its unresolved end faded out.
+  double fade(double sz) const;
+};
+
 class HeatModes {
  public:
   HeatModes(const Grid& grid, double speed_x, double speed_y, const HeatResolution& resolution);
@@ -81,24 +101,11 @@ class HeatModes {
   void project(const double* flux, ComplexField& amplitudes) const;
   /// plane[i][j] += (or =) sum over the modes; amplitudes as in project(), without its factors.
   void evaluate(const Complex* amplitudes, double* plane) const;
-  /// Part of a wavenumber that is kept here; 1 unless is_split().
-  double split(double w) const;
-  bool is_split() const { return is_split_; }
-  /// Smallest wavenumber of which a part is not kept, distance at which its kernels end, largest
-  /// wavenumber that still counts, and sqrt(ln(1/tolerance)).
-  static constexpr double split_begin() { return 0.4; }
-  double split_reach() const;
-  double cutoff() const { return cutoff_; }
-  double sharpness() const { return sharpness_; }
-  /// Between nodes s = scale sinh(n step).
-  double step() const { return step_; }
+  const HeatScales& scales() const { return scales_; }
   double cell_y() const { return cell_y_; }
-  /// Weight of depth z in the sums over s: cos(s z) with its unresolved end faded out.
-  double fade(double sz) const;
 
  private:
   bool moving() const { return speed_x_ != 0 || speed_y_ != 0; }
-  double end_of_split() const;
   fft::PaddedTransform padded(const Grid& grid) const;
   void set_reach(HeatLevel& level, double shrink) const;
   void add_level(int number, int last, double shrink);
@@ -108,10 +115,7 @@ class HeatModes {
 
   double cell_y_, speed_x_, speed_y_;
   HeatResolution resolution_;
-  double sharpness_;
-  double cutoff_;
-  bool is_split_;
-  double step_;
+  HeatScales scales_;
   fft::PaddedTransform transform_;
   std::vector<HeatLevel> levels_;
   std::size_t size_ = 0, mode_count_ = 0;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "samcontact/operators/convolution/volume_spectrum.hpp"
 #include "samcontact/simulation/cells/mirror.hpp"
 #include "samcontact/simulation/cells/zones.hpp"
+#include "samcontact/simulation/strain/strain_tiles.hpp"
 
 namespace samcontact::simulation {
 
@@ -55,12 +55,8 @@ class PlasticState {
   /// Boxes around all strain outside of zones.
   std::vector<Box> boxes_beyond(const Zones& zones) const;
   bool reaches_beyond(const Zones& zones) const { return !boxes_beyond(zones).empty(); }
-  /// Cells with equivalent plastic strain; with mirror planes those that are stored.
-  std::size_t yielded_cells() const;
-  double max_equivalent() const;
-  /// Largest sqrt(2/3 e:e) of the strain e.
-  double max_strain() const;
-  std::size_t bytes() const;
+  /// Its fields; with mirror planes those that are stored.
+  const StrainTiles& tiles() const { return tiles_; }
 
   /// The same, some cells further along x and y.
   std::shared_ptr<const PlasticState> moved(int along_x, int along_y) const;
@@ -70,29 +66,20 @@ class PlasticState {
   bool operator==(const PlasticState& other) const;
 
  private:
-  struct Part {
-    Box box;       // of the body's cells
-    Field values;  // [strain, equivalent, backstress][k][i][j]
-    double max_equivalent = 0.0, max_strain = 0.0;
-  };
-
-  int strain_parts() const { return operators::count(tensor_); }
+  std::size_t strain_parts() const { return tiles_.strain_parts(); }
   std::size_t parts() const { return strain_parts() + 1 + backstress_parts_; }
   Box of_body(const Box& box) const { return box.moved(-origin_[0], -origin_[1]); }
   Box of_grid(const Box& box) const { return box.moved(origin_[0], origin_[1]); }
   Field gather(std::size_t first, std::size_t count, const Zones& zones) const;
-  /// fields: by part, of a box of the body.
-  void put(const Box& box, const std::vector<const double*>& fields);
-  std::shared_ptr<const Part> finished(const Box& box, Field values) const;
   /// One part of the history, as a mirror plane across x, y or both shows it.
-  void put_image(const Part& part, bool across_x, bool across_y, const Grid& grid);
+  void put_image(const StrainTiles::Part& part, bool across_x, bool across_y, const Grid& grid);
 
   Box box_;
   fft::Symmetry symmetry_;
   operators::Tensor tensor_;
   std::size_t backstress_parts_ = 0;
   Origin origin_;  // the grid's place of the first cell of the body's lattice
-  std::map<Tile, std::shared_ptr<const Part>> tiles_;
+  StrainTiles tiles_;
 };
 
 /// Whether two histories, or their absence, are the same.

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fields of strain in tiles of a body's lattice, which states share.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "samcontact/base/aligned.hpp"
+#include "samcontact/base/box.hpp"
+#include "samcontact/operators/convolution/volume_spectrum.hpp"
+#include "samcontact/simulation/cells/zones.hpp"
+
+namespace samcontact::simulation {
+
+/// Boxes are of the body's cells. Of each tile the box of those of its cells is kept where a field
+/// is not zero. Parts of fields: the components of the strain, then equivalent strain, then those
+/// of backstresses.
+class StrainTiles {
+ public:
+  struct Part {
+    Box box;
+    Field values;  // [part][k][i][j]
+    double max_equivalent = 0.0, max_strain = 0.0;
+  };
+  using Tiles = std::map<Tile, std::shared_ptr<const Part>>;
+
+  explicit StrainTiles(operators::Tensor tensor) : tensor_(tensor) {}
+
+  /// Replaces the fields over a box, by part.
+  void put(const Box& box, const std::vector<const double*>& fields);
+  /// Copies parts from the first on, `stride` numbers apart, where a box and the tiles have common
+  /// cells; the rest of `to` stays.
+  void copy(std::size_t first, std::size_t count, const Box& box, double* to,
+            std::size_t stride) const;
+
+  const Tiles& tiles() const { return tiles_; }
+  std::size_t strain_parts() const { return operators::count(tensor_); }
+  /// Cells with equivalent plastic strain.
+  std::size_t yielded_cells() const;
+  double max_equivalent() const;
+  /// Largest sqrt(2/3 e:e) of the strain e.
+  double max_strain() const;
+  std::size_t bytes() const;
+
+ private:
+  std::shared_ptr<const Part> finished(const Box& box, Field values) const;
+
+  operators::Tensor tensor_;
+  Tiles tiles_;
+};
+
+}  // namespace samcontact::simulation
