@@ -208,6 +208,11 @@ CALLS = [
             "first": 0,
         },
     ),
+    (
+        "Simulation.add_eigenstrain",
+        SETTABLE.add_eigenstrain,
+        {"body": 2, "strain": [1e-6] * 6, "first": (0, 0, 0), "cells": (1, 1, 1)},
+    ),
     ("estimate_errors", sc.estimate_errors, PRESSED),
     ("find_load", sc.find_load, FIND),
     ("GridErrors.add_to", ERRORS.add_to, {"dataset": results.to_dataset(SIMULATION, [STATE])}),

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from ..scene.grid import Grid
     from ..scene.setup import SimulationSetup
 
-__all__ = ["coarser", "coarser_grid", "coarser_path", "slope_beyond"]
+__all__ = ["coarser", "coarser_grid", "coarser_path", "coarser_strain", "slope_beyond"]
 
 Path = Sequence[Mapping[str, Any]]
 
@@ -123,6 +123,28 @@ def _of_both(step: Mapping[str, Any]) -> dict[str, Any]:
     if step.get("twist") is not None:
         moved["twist"] = 2 * step["twist"]
     return moved
+
+
+def coarser_strain(strain: FloatArray, fine: Grid, grid: Grid) -> FloatArray:
+    """Means of strain (6, nx, ny, layers) over coarser cells; it is 0 beside the finer grid."""
+    for axis, (m, n) in enumerate(_counts(grid, fine), 1):
+        if n > 1:
+            pad = max(0, math.ceil(0.5 * (2 * m - n)))
+            edges = 0.5 * n + pad + 2.0 * (np.arange(m + 1, dtype=np.float64) - 0.5 * m)
+            strain = _means_along(strain, axis, (pad, pad), edges)
+    layers, deeper = strain.shape[3], float(grid.dz or 0.0) / float(fine.dz or 1.0)
+    edges = deeper * np.arange(math.ceil(layers / deeper) + 1, dtype=np.float64)
+    return _means_along(strain, 3, (0, math.ceil(edges[-1]) - layers), edges)
+
+
+def _means_along(
+    field: FloatArray, axis: int, zeros: tuple[int, int], edges: FloatArray
+) -> FloatArray:
+    """Means of a field along one axis, with zeros before and behind, between edges in cells."""
+    width = [zeros if axis == other else (0, 0) for other in range(field.ndim)]
+    lines = np.moveaxis(np.pad(field, width), axis, 0)
+    means = _means(lines.reshape(len(lines), -1), edges, 0)
+    return np.moveaxis(means.reshape(-1, *lines.shape[1:]), 0, axis)
 
 
 def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:

@@ -5,26 +5,48 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
+from .._util.checks import FloatArray
 from ..heat import Heat
-from .coarsening import coarser
+from .coarsening import coarser, coarser_strain
 from .restoring import without_estimates
 from .simulation import Simulation
 
 
+def _eigenstrain(simulation: Simulation, body: int) -> FloatArray:
+    """Eigenstrain of a body over the grid, as it lay at the start, shape (6, nx, ny, layers)."""
+    track = simulation.state.track(body, margin=0)
+    strain, rows = track.eigenstrain(), track.first + np.arange(track.grid.nx)
+    field = np.zeros((6, *simulation.grid.surface_shape, strain.shape[3]))
+    inside = (rows >= 0) & (rows < simulation.grid.nx)
+    field[:, rows[inside]] = strain[:, inside]
+    return field
+
+
 def remade(simulation: Simulation, **changes: Any) -> Simulation:
-    """Return the simulation at its start, with some arguments changed."""
+    """Return the simulation at its start, with its eigenstrain and some arguments changed."""
     setup = simulation.engine.setup
     arguments = setup.on_grid(simulation.grid, simulation.heat) | changes
     found: Simulation = without_estimates(type(simulation), arguments)
+    for body in (1, 2):
+        if simulation.state.has_eigenstrain(body):
+            found.add_eigenstrain(body, _eigenstrain(simulation, body))
     return found
 
 
 def coarsened(simulation: Simulation, heat: Heat) -> Simulation:
     """Return the simulation at its start, on a grid coarsened by 2 along x, y and z.
 
+    Eigenstrain is averaged over the coarser cells.
+
     Raises ValueError where the grid cannot be halved, see `coarser`.
     """
     setup, domain = coarser(simulation.engine.setup, simulation.engine.domain)
     arguments = setup.on_grid(domain.grid, heat)
     found: Simulation = without_estimates(type(simulation), arguments)
+    for body in (1, 2):
+        if simulation.state.has_eigenstrain(body):
+            strain = _eigenstrain(simulation, body)
+            found.add_eigenstrain(body, coarser_strain(strain, simulation.grid, domain.grid))
     return found

@@ -351,8 +351,7 @@ class Simulation(Configured, Shown):
     ) -> None:
         """Add an eigenstrain (misfit, swelling, transformation) to an elastic or plastic body.
 
-        Its stress and displacement act from the next increment on and move with the body; it is
-        not plastic strain: see `State.eigenstrain` and `State.eigenstress`.
+        It acts from the next increment on and moves with the body: see `State.eigenstress`.
 
         Parameters
         ----------
