@@ -5,9 +5,9 @@
 
 namespace samcontact::simulation {
 
-fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions& tractions) {
+fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions& tractions,
+                          const Sources& sources) {
   using fft::Symmetry;
-  if (task.from.eigenstrain[0] || task.from.eigenstrain[1]) return Symmetry::none;
   if (task.from.method == operators::ResidualMethod::exact) return Symmetry::none;
   Symmetry symmetry = task.scene().symmetry(task.from.travel);
   if (task.target.is_prescribed()) {
@@ -17,6 +17,7 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
     symmetry = common(symmetry, symmetry_of(tangential_drive(task)));
     symmetry = common(symmetry, task.from.shear_symmetry);
   }
+  symmetry = common(symmetry, sources.symmetry());
   symmetry = common(symmetry, symmetry_of(task.target.heating));
   symmetry = common(symmetry, task.target.past_symmetry);
   for (const auto& history : task.from.plastic) {
@@ -25,7 +26,7 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
   return symmetry;
 }
 
-bool has_twins(const IncrementTask& task) {
+bool has_twins(const IncrementTask& task, const Sources& sources) {
   const auto& [upper, lower] = task.scene().bodies;
   if (!upper.is_plastic() || upper != lower || task.scene().sliding.is_on() ||
       !is_free_of_shear(task))
@@ -40,7 +41,8 @@ bool has_twins(const IncrementTask& task) {
   // Shear acts on the two in opposite directions.
   if (!task.target.tractions.shear_x.empty() || !task.target.tractions.shear_y.empty())
     return false;
-  if (task.from.eigenstrain[0] || task.from.eigenstrain[1]) return false;
+  // What varies from cell to cell is not compared.
+  if (!sources.all_smooth(0) || !sources.all_smooth(1)) return false;
   const auto offset = task.from.placement().offset;
   return offset[0] == offset[1] && same(task.from.plastic[0], task.from.plastic[1]);
 }

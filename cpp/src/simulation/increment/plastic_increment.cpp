@@ -26,8 +26,8 @@ PlasticIncrement::PlasticIncrement(const IncrementTask& task)
                           task.target.slip_power),
                task.from.eigenstrain, task.from.method),
       slip_(task),
-      symmetry_(symmetry_of(task, tractions_)),
-      twins_(has_twins(task)),
+      symmetry_(symmetry_of(task, tractions_, sources_)),
+      twins_(has_twins(task, sources_)),
       guess_(task, symmetry_),
       zones_(task, symmetry_, guess_, tractions_, sources_, bodies_, active_) {
   make_bodies();

@@ -33,10 +33,9 @@ Columns columns_of(const std::vector<Cell>& cells) {
 }  // namespace
 
 bool SplitChoice::is_allowed() const {
-  const Eigenstrains& given = task_.from.eigenstrain;
-  return !task_.settings.one_zone && !given[0] && !given[1] && symmetry_ == fft::Symmetry::none &&
-         task_.from.method == operators::ResidualMethod::fast && task_.scene().may_split() &&
-         (!task_.scene().grid.period.is_on() || is_cold_and_at_rest());
+  return !task_.settings.one_zone && sources_.all_smooth(0) && sources_.all_smooth(1) &&
+         symmetry_ == fft::Symmetry::none && task_.from.method == operators::ResidualMethod::fast &&
+         task_.scene().may_split() && (!task_.scene().grid.period.is_on() || is_cold_and_at_rest());
 }
 
 bool SplitChoice::is_cold_and_at_rest() const {

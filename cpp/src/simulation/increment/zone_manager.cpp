@@ -40,7 +40,7 @@ ZoneManager::ZoneManager(const IncrementTask& task, fft::Symmetry symmetry, cons
     : task_(task),
       symmetry_(symmetry),
       choice_(task.scene().grid, symmetry),
-      split_(task, symmetry, guess, tractions),
+      split_(task, symmetry, guess, tractions, sources),
       softening_(task),
       sources_(sources),
       bodies_(bodies),

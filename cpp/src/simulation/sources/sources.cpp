@@ -64,6 +64,12 @@ bool Sources::all_remain(int body) const {
   });
 }
 
+fft::Symmetry Sources::symmetry() const {
+  fft::Symmetry symmetry = fft::Symmetry::xy;
+  for (const auto& source : all_) symmetry = common(symmetry, source->symmetry());
+  return symmetry;
+}
+
 bool Sources::all_smooth(int body) const {
   return std::none_of(all_.begin(), all_.end(), [body](const auto& source) {
     return source->acts_on(body) && !source->is_smooth();

@@ -8,8 +8,9 @@ namespace samcontact::simulation {
 
 /// Mirror planes of the increment: those of the scene, of the target, and of what happened before.
 /// tractions: that are prescribed.
-fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions& tractions);
+fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions& tractions,
+                          const Sources& sources);
 /// Whether both bodies are made of the same, and have gone and go through the same.
-bool has_twins(const IncrementTask& task);
+bool has_twins(const IncrementTask& task, const Sources& sources);
 
 }  // namespace samcontact::simulation

@@ -14,12 +14,13 @@ class SplitChoice {
  public:
   /// tractions: of the increment, which change with its contact; outlive this, as all.
   SplitChoice(const IncrementTask& task, fft::Symmetry symmetry, const StartGuess& guess,
-              const operators::Tractions& tractions)
+              const operators::Tractions& tractions, const Sources& sources)
       : task_(task),
         symmetry_(symmetry),
         choice_(task.scene().grid, symmetry),
         guess_(guess),
-        tractions_(tractions) {}
+        tractions_(tractions),
+        sources_(sources) {}
 
   /// Whether small zones are allowed.
   bool is_allowed() const;
@@ -39,6 +40,7 @@ class SplitChoice {
   BoxChoice choice_;
   const StartGuess& guess_;
   const operators::Tractions& tractions_;
+  const Sources& sources_;
 };
 
 }  // namespace samcontact::simulation

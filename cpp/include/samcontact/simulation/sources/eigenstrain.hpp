@@ -33,6 +33,9 @@ class Eigenstrain : public Source {
   bool acts_on(int body) const override { return strains_[body] != nullptr; }
   bool remains() const override { return true; }
   bool is_smooth() const override { return false; }
+  fft::Symmetry symmetry() const override {
+    return strains_[0] || strains_[1] ? fft::Symmetry::none : fft::Symmetry::xy;
+  }
   void displace(int body, Field& sum) const override;
   void stress(int body, const Box& box, operators::Tensor tensor, Field& sum) const override;
   Box box_beyond(int body, const Strength& strength, double softening, double share) const override;

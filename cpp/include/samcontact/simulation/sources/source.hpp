@@ -19,6 +19,8 @@ class Source {
   virtual bool remains() const = 0;
   /// Whether the search of cells that yield knows its stress; else see box_beyond().
   virtual bool is_smooth() const { return true; }
+  /// Mirror planes that it leaves, where the scene and the increment do not know them.
+  virtual fft::Symmetry symmetry() const { return fft::Symmetry::xy; }
   /// Adds its part of the separation of the undeformed surfaces [i][j] of the grid.
   virtual void separate(Field& /*gap*/) const {}
   /// Adds the displacement u_z of a body's surface [i][j] of the grid.

@@ -22,6 +22,8 @@ class Sources {
 
   /// Whether all stress of a body without tractions and plastic strain remains when it is unloaded.
   bool all_remain(int body) const;
+  /// Mirror planes that all leave.
+  fft::Symmetry symmetry() const;
   /// Whether the search of cells that yield knows all stress of a body.
   bool all_smooth(int body) const;
   /// Adds the separation of the undeformed surfaces [i][j] of the grid.
