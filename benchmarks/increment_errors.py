@@ -14,7 +14,7 @@ import numpy as np
 
 import samcontact as sc
 
-from .finite_elements.tables import table
+from .study import table
 
 STEEL = sc.Material.elastic(210e9, 0.3)
 ALUMINIUM = sc.Material.elastic(70e9, 0.2)

@@ -15,51 +15,11 @@ from typing import Any, Protocol
 from matplotlib.figure import Figure
 
 from . import moves
+from .stated import Number, Statement
 
 _IMAGE: dict[str, Any] = {
     "dpi": 80, "metadata": {"Software": None}, "bbox_inches": "tight", "pad_inches": 0.08
 }  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Number:
-    """A number that the thesis states."""
-
-    quantity: str
-    thesis: float
-    ours: float
-    unit: str
-    mesh: str
-    tolerance: float = 0.05
-    """Largest relative difference."""
-    remark: str = ""
-    """E.g. what a converged mesh gives where the two differ."""
-    converged: float | None = None
-    """What a mesh study gives, where it contradicts the thesis; `holds` then compares with it."""
-
-    @property
-    def difference(self) -> float:
-        """Relative to the thesis."""
-        return self.ours / self.thesis - 1
-
-    @property
-    def holds(self) -> bool:
-        expected = self.thesis if self.converged is None else self.converged
-        return abs(self.ours / expected - 1) <= self.tolerance
-
-
-@dataclass(frozen=True)
-class Statement:
-    """A trend that the thesis states in words."""
-
-    quantity: str
-    thesis: str
-    ours: str
-    holds: bool
-    mesh: str
-    remark: str = ""
-    contradicted: bool = False
-    """Whether a mesh study contradicts the thesis; `holds` is then about what that found."""
 
 
 @dataclass(frozen=True)
@@ -128,7 +88,7 @@ def write(name: str, part: Part, results: Any, folder: Path) -> list[Number | St
         f"<!-- Written by: python -m gallery {name} -->",
         f"# {part.TITLE}\n",
         part.INTRODUCTION.strip() + "\n",
-        table(entries, moves.of_part(name)),
+        table(entries, moves.of_part(name, moves.kept())),
     ]
     for picture in part.figures(results):
         picture.figure.savefig(folder / f"{picture.name}.png", **_IMAGE)
