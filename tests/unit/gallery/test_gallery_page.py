@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 from matplotlib.figure import Figure
+from PIL import Image
 
 from gallery import moves, page, parts, stated
 from gallery.__main__ import main
@@ -124,7 +125,10 @@ def test_a_page_has_its_table_and_figures(tmp_path):
     text = (tmp_path / "new" / "part.md").read_text()
     assert "# Title\n\nIntroduction.\n\n| quantity" in text
     assert "![Caption.](name.png)\n\nCaption.\n" in text
-    assert (tmp_path / "new" / "name.png").stat().st_size > 0
+    with Image.open(tmp_path / "new" / "name.png") as image:
+        assert image.mode == "P"
+        assert image.convert("RGB").getpixel((0, 0)) == (255, 255, 255)
+        assert image.info["dpi"][0] == pytest.approx(80, rel=1e-3)
 
 
 def test_parts_by_name_and_by_figure():
@@ -141,7 +145,10 @@ def test_parts_by_name_and_by_figure():
             parts.part_of(name)
 
 
-def test_the_command_makes_a_part(tmp_path, capsys, undrawn):
+def test_the_command_makes_a_part(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(
+        page.Picture, "save", lambda self, folder: (folder / f"{self.name}.png").touch()
+    )  # drawing takes long
     assert main(["2.14", "--quick", "--output", str(tmp_path)]) == 0
     assert "nano_indentation: " in capsys.readouterr().out
     assert "# Nano" in (tmp_path / "nano_indentation.md").read_text()
