@@ -103,12 +103,13 @@ def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
     It has where a body has yielded, unless `increment_tol` controls it, or where shear sticks.
     """
     last = states[-1]
-    if isinstance(setup.friction, Coulomb):
+    if isinstance(setup.settings.friction, Coulomb):
         if any(state.shear.any() for state in states):
             return True
     elif setup.settings.increment_tol is not None:
         return False
-    return any(last.max_equivalent_plastic_strain(body) > 0 for body in (1, 2))
+    first, second = last.largest_strains
+    return first[0] > 0 or second[0] > 0
 
 
 def warn_of(
@@ -130,7 +131,7 @@ def warn_of(
     history = engine.history
     if not monitor.checks_increments or not states or not history.is_due(factor):
         return
-    if _is_ignored(IncrementWarning):
+    if not is_path_dependent(engine.setup, states) or _is_ignored(IncrementWarning):
         return
     steps = history.steps or []
     found = estimated(engine, steps, states, history.heat, repeat)

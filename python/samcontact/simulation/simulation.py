@@ -29,7 +29,7 @@ from .engine import Engine
 from .increment_errors import warn_of
 from .restoring import loaded, reduced, repeat_with
 from .run import run_into
-from .steps import STEP, plastic_fields
+from .steps import AT_REST, STEP, plastic_fields
 
 
 class Simulation(Configured, Shown):
@@ -149,6 +149,7 @@ class Simulation(Configured, Shown):
         self.monitor = Monitor()
         surfaces = SurfaceGeometry(gap, relief1, relief2)
         self.engine = Engine(SimulationSetup(body1, body2, surfaces, settings), grid, heat)
+        self.engine.estimate.prepare(heat)
 
     @property
     def grid(self) -> Grid:
@@ -182,7 +183,7 @@ class Simulation(Configured, Shown):
         approach: float | None = None,
         pressure: ArrayLike | None = None,
         shear: ArrayLike | None = None,
-        advance: Sequence[float] = (0.0, 0.0),
+        advance: Sequence[float] = AT_REST,
         shift: Sequence[float | None] | None = None,
         tangential_load: Sequence[float | None] | None = None,
         twist: float | None = None,
@@ -245,10 +246,11 @@ class Simulation(Configured, Shown):
         GridTooSmallWarning, ResolutionWarning, IncrementWarning
             Each at most once in a simulation; docs/conventions.md has the conditions.
         """
-        given: dict[str, Any] = {"load": load, "approach": approach, "pressure": pressure}
-        given |= {"shear": shear, "advance": advance, "heat_factor": heat_factor}
-        given |= {"shift": shift, "tangential_load": tangential_load}
-        given |= {"twist": twist, "torque": torque, "duration": duration}
+        given = {
+            "load": load, "approach": approach, "pressure": pressure, "shear": shear,
+            "advance": advance, "shift": shift, "tangential_load": tangential_load,
+            "twist": twist, "torque": torque, "heat_factor": heat_factor, "duration": duration,
+        }  # fmt: skip
         state, complaints = self.engine.advance(given, self.monitor)
         self.monitor.warn(state, self.engine.estimate, complaints, stacklevel=2)
         warn_of(self.engine, self.monitor, [state], 4, repeat_with(type(self)), stacklevel=2)

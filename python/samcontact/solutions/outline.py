@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from .._util.checks import FloatArray
 
@@ -31,6 +31,54 @@ def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
         else:
             found.append(slice(max(0, int(at[0]) - _MARGIN), int(at[-1]) + 1 + _MARGIN))
     return found[0], found[1]
+
+
+class Outline(NamedTuple):
+    """Outline of a contact in the cells of its grid."""
+
+    cells: int
+    """Cells in contact."""
+    sides: int
+    """Sides of `sides_of` in all."""
+    reach: int
+    """Cells: contact reaches from so many before the largest pressure to one less behind it, along
+    x and y, so that its spot is twice as wide at least."""
+    rises: bool
+    """Whether the pressure rises to a side of the contact, from the next cell further inside."""
+    largest: float
+    """Pressure [Pa]."""
+
+
+def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
+    """Outline of the contact under a pressure >= 0 [Pa], shape (nx, ny); periodic: as of a Grid."""
+    p = np.asarray(pressure, dtype=np.float64)
+    inside = p > 0
+    cells, sides = int(np.count_nonzero(inside)), 0
+    if cells == 0:
+        return Outline(0, 0, 0, False, 0.0)
+    may_rise = False
+    for axis, name in enumerate("xy"):
+        field = p if axis == 0 else p.T
+        around_the_end = np.concatenate([field[-1:], field, field[:1]])
+        row = around_the_end[1:] > 0 if name in periodic else field > 0
+        sides += int(np.count_nonzero(row[1:] != row[:-1]))
+        before, after = around_the_end[:-2], around_the_end[2:]
+        inner = np.maximum(before, after)
+        edge = (np.minimum(before, after) <= 0) & (inner > 0)
+        may_rise = may_rise or bool((edge & (field > RISE * inner)).any())
+    rises = may_rise and any(_rising(one, p).any() for one in sides_of(inside, periodic))
+    i, j = divmod(int(p.argmax()), p.shape[1])
+    reach = min(_reach(inside[:, j], i), _reach(inside[i], j))
+    return Outline(cells, sides, reach, rises, float(p[i, j]))
+
+
+def _reach(line: NDArray[np.bool_], at: int) -> int:
+    """How far contact reaches along a line of cells, from one in it."""
+    out = np.flatnonzero(~line)
+    n = int(np.searchsorted(out, at))
+    before = at - 1 - int(out[n - 1]) if n > 0 else at
+    behind = int(out[n]) - at if n < len(out) else len(line) - at
+    return min(before, behind)
 
 
 class Sides(NamedTuple):
@@ -114,6 +162,27 @@ def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArr
     return found
 
 
+def may_have_steps(gap: FloatArray, periodic: str) -> bool:
+    """Whether the gap of undeformed bodies may have a step between two cells.
+
+    Without one, `steps_beside` finds none at any side that is `away_from_border`.
+    """
+    if not np.isfinite(gap).all():
+        return True
+    for axis, name in enumerate("xy"):
+        heights = gap if axis == 0 else gap.T
+        if name in periodic:  # the cells around its end, several times of few
+            heights = heights.take(range(len(heights) + 5), axis=0, mode="wrap")
+        rises = heights[1:] - heights[:-1]
+        count = max(len(rises) - 4, 0)
+        before, into, rise, out, after = [rises[n : n + count] for n in range(5)]
+        height = np.abs(rise - 0.5 * (into + out))
+        bends = np.maximum(np.abs(into - before), np.abs(after - out))
+        if (height > np.maximum(np.abs(out - into), STEP * bends)).any():
+            return True
+    return False
+
+
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
     """Whether the pressure of some cell is above that of both neighbours along an axis by `RISE`.
 
@@ -132,14 +201,6 @@ def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
             if ((others > 0) & (own > RISE * others)).any():
                 return True
     return False
-
-
-def rises_outwards(pressure: FloatArray, periodic: str = "") -> bool:
-    """Whether the pressure rises to the edge of the contact somewhere; costs little."""
-    field = pressure[around(pressure > 0, periodic)]
-    return has_ridge(field, periodic) and any(
-        _rising(sides, field).any() for sides in sides_of(field > 0, periodic)
-    )
 
 
 def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:
