@@ -17,6 +17,8 @@ STEP = 8.0
 """Height of a step over the bends of the gap beside it."""
 
 Ints = NDArray[np.intp]
+_BLOCK = 1 << 18
+"""Cells that are looked at together, for the memory of it."""
 _MARGIN = 5
 """Cells around a contact, in which all lies that says whether its edge is sharp."""
 
@@ -173,14 +175,21 @@ def may_have_steps(gap: FloatArray, periodic: str) -> bool:
         heights = gap if axis == 0 else gap.T
         if name in periodic:  # the cells around its end, several times of few
             heights = heights.take(range(len(heights) + 5), axis=0, mode="wrap")
-        rises = heights[1:] - heights[:-1]
-        count = max(len(rises) - 4, 0)
-        before, into, rise, out, after = [rises[n : n + count] for n in range(5)]
-        height = np.abs(rise - 0.5 * (into + out))
-        bends = np.maximum(np.abs(into - before), np.abs(after - out))
-        if (height > np.maximum(np.abs(out - into), STEP * bends)).any():
-            return True
+        columns = max(1, _BLOCK // len(heights))
+        for first in range(0, heights.shape[1], columns):
+            if _bends_suddenly(heights[:, first : first + columns]):
+                return True
     return False
+
+
+def _bends_suddenly(heights: FloatArray) -> bool:
+    """Whether there may be a step along the first axis between two of the heights."""
+    rises = heights[1:] - heights[:-1]
+    count = max(len(rises) - 4, 0)
+    before, into, rise, out, after = [rises[n : n + count] for n in range(5)]
+    height = np.abs(rise - 0.5 * (into + out))
+    bends = np.maximum(np.abs(into - before), np.abs(after - out))
+    return bool((height > np.maximum(np.abs(out - into), STEP * bends)).any())
 
 
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
