@@ -59,6 +59,7 @@ CORE_USERS = {
     "scene.settings",
     "simulation.engine",
     "solutions.interface_stress",
+    "solutions.outline",
 }
 
 

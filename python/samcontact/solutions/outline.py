@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .._core import contact_outline
 from .._util.checks import FloatArray
 
 RISE = 1.05
@@ -53,34 +54,8 @@ class Outline(NamedTuple):
 
 def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
     """Outline of the contact under a pressure >= 0 [Pa], shape (nx, ny); periodic: as of a Grid."""
-    p = np.asarray(pressure, dtype=np.float64)
-    inside = p > 0
-    cells, sides = int(np.count_nonzero(inside)), 0
-    if cells == 0:
-        return Outline(0, 0, 0, False, 0.0)
-    may_rise = False
-    for axis, name in enumerate("xy"):
-        field = p if axis == 0 else p.T
-        around_the_end = np.concatenate([field[-1:], field, field[:1]])
-        row = around_the_end[1:] > 0 if name in periodic else field > 0
-        sides += int(np.count_nonzero(row[1:] != row[:-1]))
-        before, after = around_the_end[:-2], around_the_end[2:]
-        inner = np.maximum(before, after)
-        edge = (np.minimum(before, after) <= 0) & (inner > 0)
-        may_rise = may_rise or bool((edge & (field > RISE * inner)).any())
-    rises = may_rise and any(_rising(one, p).any() for one in sides_of(inside, periodic))
-    i, j = divmod(int(p.argmax()), p.shape[1])
-    reach = min(_reach(inside[:, j], i), _reach(inside[i], j))
-    return Outline(cells, sides, reach, rises, float(p[i, j]))
-
-
-def _reach(line: NDArray[np.bool_], at: int) -> int:
-    """How far contact reaches along a line of cells, from one in it."""
-    out = np.flatnonzero(~line)
-    n = int(np.searchsorted(out, at))
-    before = at - 1 - int(out[n - 1]) if n > 0 else at
-    behind = int(out[n]) - at if n < len(out) else len(line) - at
-    return min(before, behind)
+    field = np.asarray(pressure, dtype=np.float64)
+    return Outline(*contact_outline(field, "x" in periodic, "y" in periodic, RISE))
 
 
 class Sides(NamedTuple):
