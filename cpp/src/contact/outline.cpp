@@ -2,7 +2,8 @@
 #include "samcontact/contact/outline.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
+#include <span>
 
 namespace samcontact::contact {
 

@@ -10,7 +10,7 @@ namespace samcontact::contact {
 
 /// Cells of a surface, and along which axes they are periodic.
 struct Cells {
-  int nx, ny;
+  int nx = 0, ny = 0;
   bool along_x = false, along_y = false;
 };
 
