@@ -14,6 +14,7 @@ from types import ModuleType
 import pytest
 
 import samcontact as sc
+from samcontact._util.cached_property import cached_property
 
 ROOT = Path(__file__).parents[2]
 INCLUDE = ROOT / "cpp" / "include"
@@ -227,7 +228,7 @@ def public(owner, prefix):
             yield full, thing
             if thing.__module__.startswith("samcontact"):
                 yield from public(thing, full)
-        elif inspect.isfunction(thing) or isinstance(thing, property):
+        elif inspect.isfunction(thing) or isinstance(thing, property | cached_property):
             yield full, thing
 
 
