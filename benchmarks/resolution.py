@@ -87,7 +87,7 @@ it, always towards too large an area. A round spot d cells across has {round:.2f
 with the same S/N.
 
 The contact area of states and results has this taken off where spots are small, and locates the
-edge within the cells where they are not: docs/theory.md, "Contact area". The tables are of counted
+edge within the cells where they are not: docs/theory/contact.md. The tables are of counted
 cells, and the mean pressure of these is too low by as much as the area is too large. Plastic
 strain and the residual stress below the surface are largest in spots that are wider than the mean,
 and are better by far.

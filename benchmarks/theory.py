@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.theory --docs: the tables of numbers in docs/theory.md, computed anew.
+"""python -m benchmarks.theory --docs: the tables of numbers in docs/theory, computed anew.
 
 Each lies between markers that name the function below that makes it.
 """
@@ -21,7 +21,7 @@ from . import increment_errors
 from .steel import LOAD, balls
 from .study import ROOT, table
 
-PAGE = ROOT / "docs" / "theory.md"
+PAGES = sorted((ROOT / "docs" / "theory").glob("*.md"))
 MARKED = re.compile(r"(<!-- table: (\w+) -->\n).*?(<!-- end of table -->)", re.DOTALL)
 RIGID, STEEL = sc.Material.rigid(), sc.Material.elastic(210e9, 0.3)
 FRICTIONS = (0.0, 0.1, 0.2, 0.3, 0.35, 0.4, 0.5)
@@ -265,12 +265,15 @@ def page(text: str, made: dict[str, str]) -> str:
 
 @click.command(help=__doc__)
 @click.argument("names", nargs=-1, metavar="[TABLE]...", type=click.Choice(list(TABLES)))
-@click.option("--docs", is_flag=True, help="Put them into docs/theory.md.")
+@click.option("--docs", is_flag=True, help="Put them into docs/theory.")
 def main(names: tuple[str, ...], docs: bool) -> None:
     made = {name: TABLES[name]() for name in names or TABLES}
     click.echo("\n\n".join(made.values()))
     if docs:
-        PAGE.write_text(page(PAGE.read_text(encoding="utf-8"), made), encoding="utf-8")
+        for file in PAGES:
+            text = file.read_text(encoding="utf-8")
+            if (new := page(text, made)) != text:
+                file.write_text(new, encoding="utf-8")
 
 
 if __name__ == "__main__":

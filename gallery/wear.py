@@ -25,7 +25,7 @@ with more than 0.2 % of accumulated plastic strain is removed. Steel of Swift's 
 C = 16, n = 0.067. The thesis does not say whether both balls yield, nor which window its filter
 has: here body 2 yields and wears, body 1 is elastic, and the window is 300 µm, of second order.
 After the border is smoothed the plastic strain either moves up by the exact depth, as the thesis
-describes it, or by what the surface lost ([theory](../theory.md), wear and running-in).
+describes it, or by what the surface lost ([theory](../theory/wear.md)).
 
 Wear does not stop, as stated. Its rate is constant when the strain moves up by what the surface
 lost; by the exact depth it falls. But both leave the range of the theory in the second cycle. The

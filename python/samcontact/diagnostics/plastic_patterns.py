@@ -65,7 +65,7 @@ def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool
 def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
     """Warn of plastic strain that alternates from layer to layer; whether it did.
 
-    Only the residual stress "exact" allows it: see docs/theory.md, limits of accuracy.
+    Only the residual stress "exact" allows it: see docs/theory/accuracy.md.
     """
     if state.setup.settings.residual_stress != "exact":
         return False

@@ -43,7 +43,7 @@ _FIRST_ORDER = 2.0, 2.0
 the first order."""
 _BETWEEN = 2.0, 1.5
 """The same over the difference of n/2 and n: 1 for the first order, 2.4 for the order 1/2 that
-single cells may have; calibrated, see docs/theory.md."""
+single cells may have; calibrated, see docs/theory/accuracy.md."""
 
 _logger = logging.getLogger("samcontact")
 

@@ -9,7 +9,7 @@ import pytest
 
 import samcontact as sc
 
-THEORY = (Path(__file__).parents[3] / "docs" / "theory.md").read_text(encoding="utf-8")
+THEORY = (Path(__file__).parents[3] / "docs" / "theory" / "friction.md").read_text(encoding="utf-8")
 STATED = re.search(r"misses\s+(.*) in one increment, (.*) in eight", THEORY).groups()
 MU, R, LOAD = 0.4, 7.5e-3, 300.0
 E = 210e9
