@@ -39,8 +39,9 @@ TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 # What stated errors are worth
 
 `samcontact.to_accuracy`, or `accuracy` in a case file, gives values with errors
-([how](theory/accuracy.md#solution-to-an-accuracy)). Here {cases} contacts are asked for to 5, 1 and 0.2 %, and the stated
-errors compared with the true ones. The truth is Hertz for pressure, approach and area of elastic
+([how](theory/accuracy.md#solution-to-an-accuracy)). Here {cases} contacts are asked for
+to 5, 1 and 0.2 %, and the stated errors compared with the true ones. The truth is Hertz for
+pressure, approach and area of elastic
 paraboloids; else that to which the finest grids of about {finest:.0f} s extrapolate with order 2,
 and 32 or 64 increments on a coarser grid with orders 1 and 2. For what rolls that is hardly better
 than what is judged. [Finite elements](#the-truth-against-finite-elements) of three of the scenes

@@ -26,7 +26,8 @@ other at a constant height, without friction and without rotating. Forces, energ
 are divided by their values at the onset of yield (Green 2005). X is the offset of the centres,
 negative before they are aligned, R = 0.5 m. A positive tangential force resists the motion; the
 thesis's figures show both forces of the first pass. The kinematics are derived anew, see
-[theory](../theory/moving_contacts.md#tugging): the thesis's equations (4.2), (4.13) and (4.15) contain slips.
+[theory](../theory/moving_contacts.md#tugging): the thesis's equations (4.2), (4.13) and (4.15)
+contain slips.
 """
 
 STEEL = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)

@@ -145,7 +145,7 @@ def test_every_version_tells_whether_numbers_changed():
 
 def pages_below(index):
     """Pages in the order of the table of contents of an index page."""
-    toctree = next(block for language, block in BLOCKS.findall(TEXTS[index]) if language == "{toctree}")
+    toctree = dict(BLOCKS.findall(TEXTS[index]))["{toctree}"]
     return [index.replace("index", name) for name in toctree.split() if not name.startswith(":")]
 
 
@@ -157,7 +157,8 @@ def test_equations_are_numbered_in_order():
     }
     numbers = [int(number) for found in tags.values() for number, letter in found if not letter]
     assert numbers == list(range(1, len(numbers) + 1))
-    for name, said in re.findall(r"^\| \[.*\]\((\w+)\.md\) \| (.*?) ?\|", TEXTS[index], re.MULTILINE):
+    row = re.compile(r"^\| \[.*\]\((\w+)\.md\) \| (.*?) ?\|", re.MULTILINE)
+    for name, said in row.findall(TEXTS[index]):
         found = [f"({number}{letter})" for number, letter in tags[f"docs/theory/{name}.md"]]
         ends = dict.fromkeys([found[0], found[-1]]) if found else []
         assert said == " to ".join(ends), name
