@@ -70,10 +70,10 @@ class ModuleTable(SphinxDirective):
         lines: list[str] = []
         for folder, files in folders(self.arguments[0]).items():
             start = PACKAGE / folder / "__init__.py"
-            said = says(start) if folder and start.exists() else ""
-            lines += ["", f"**{folder or 'samcontact'}**{': ' if said else ''}{said}"]
+            said = f": {says(start)}" if self.arguments[0] == "python" and start.exists() else ""
+            lines += ["", f"**{folder or 'samcontact'}**{said}"]
             lines += table("header" if self.arguments[0] == "cpp" else "module", files)
-        return self.parse_text_to_nodes("\n".join(lines))
+        return [nodes.container("", *self.parse_text_to_nodes("\n".join(lines)), classes=["files"])]
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
