@@ -52,28 +52,42 @@ def table(heading: str, rows: dict[str, str]) -> list[str]:
     return [*lines, *(f"| `{name}` | {text} |" for name, text in rows.items()), ""]
 
 
-class PythonRooms(SphinxDirective):
+class _OfSources(SphinxDirective):
+    """What is made of the sources, and anew when one of them has changed."""
+
+    def depend_on(self, folder: Path) -> None:
+        for file in folder.rglob("*.?p*"):
+            self.env.note_dependency(str(file))
+
+
+class PythonRooms(_OfSources):
     """A table of the folders and public modules of the package."""
 
     def run(self) -> list[nodes.Node]:
+        self.depend_on(PACKAGE)
         rooms = {file.parent.name: says(file) for file in PACKAGE.glob("*/__init__.py")}
         rooms |= folders("python")[""]
         return self.parse_text_to_nodes("\n".join(table("room", dict(sorted(rooms.items())))))
 
 
-class ModuleTable(SphinxDirective):
+class ModuleTable(_OfSources):
     """Tables of all headers or modules, each below the name of its folder."""
 
     required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        lines: list[str] = []
-        for folder, files in folders(self.arguments[0]).items():
-            start = PACKAGE / folder / "__init__.py"
-            said = f": {says(start)}" if self.arguments[0] == "python" and start.exists() else ""
-            lines += ["", f"**{folder or 'samcontact'}**{said}"]
-            lines += table("header" if self.arguments[0] == "cpp" else "module", files)
-        return [nodes.container("", *self.parse_text_to_nodes("\n".join(lines)), classes=["files"])]
+        language, lines = self.arguments[0], []
+        top, kind = (INCLUDE, "header") if language == "cpp" else (PACKAGE, "module")
+        self.depend_on(top)
+        for folder, files in folders(language).items():
+            start = top / folder / "__init__.py"
+            said = f": {says(start)}" if start.exists() else ""
+            lines += ["", f"**{folder or top.name}**{said}", *table(kind, files)]
+        return [
+            nodes.container(
+                "", *self.parse_text_to_nodes("\n".join(lines)), classes=["files", "modules"]
+            )
+        ]
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
