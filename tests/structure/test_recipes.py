@@ -67,9 +67,5 @@ def test_words_are_those_of_code():
     assert not {"Tresca", "D", "told"} & set(python_words(module))
 
 
-def test_most_recipes_have_an_example():
-    assert [recipe.id for recipe in RECIPES] == [
-        "A hardening law",
-        "A quantity of the results",
-        "A kind of body",
-    ]
+def test_every_table_of_files_has_an_example():
+    assert len(RECIPES) == PAGE.count("| file | what to write |") >= 3
